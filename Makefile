@@ -1,0 +1,57 @@
+# `make` alone lists the targets. Everything is installed into .venv; nothing is needed but Python 3.11 and make.
+
+VENV    := .venv
+BIN     := $(VENV)/bin
+PYTHON  ?= python3.11 python3.12 python3.13 python3
+OUT     ?= out
+
+.DEFAULT_GOAL := help
+.PHONY: help run test generated check bench docs clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+run: $(VENV)/.test ## derive, generate and simulate the flexible structure under El Centro 1940, into out/
+	$(BIN)/rockeom derive flexible_structure
+	$(BIN)/rockeom generate
+	$(BIN)/python -m rockeom.demo --out $(OUT)
+
+test: $(VENV)/.test ## run the tests
+	$(BIN)/python -m pytest -n 2
+
+generated: $(VENV)/.dev ## rewrite generated/ from the symbolic models
+	$(BIN)/rockeom generate
+
+check: $(VENV)/.dev ## lint, format, types, import borders, generated/ up to date
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/rockeom generate --check
+
+bench: $(VENV)/.test ## run the benchmarks
+	@if [ -f benchmarks/__main__.py ]; then $(BIN)/python -m benchmarks; else echo "There are no benchmarks yet."; fi
+
+docs: ## say where the documentation stands
+	@echo "There is no manual yet: read README.md, and the derived equations in generated/*.md."
+
+clean: ## remove .venv, out/ and every cache
+	rm -rf $(VENV) out build dist .pytest_cache .ruff_cache .mypy_cache .import_linter_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# Stamps: an extra is installed once, and again when pyproject.toml changes.
+$(VENV)/.test $(VENV)/.dev: $(VENV)/.%: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable ".[$*]"
+	@touch $@
+
+$(BIN)/python:
+	@for python in $(PYTHON); do \
+	  if "$$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then \
+	    echo "Creating $(VENV) with $$python"; \
+	    "$$python" -m venv $(VENV) && exit 0; \
+	    rm -rf $(VENV); exit 1; \
+	  fi; \
+	done; \
+	echo "rockeom needs Python 3.11 or newer, and none of these is: $(PYTHON)." >&2; \
+	echo "Install one, or name it: make $(firstword $(MAKECMDGOALS)) PYTHON=/path/to/python3.11" >&2; \
+	exit 1

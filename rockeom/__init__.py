@@ -1,0 +1,89 @@
+"""Equations of motion of rocking structures: derived symbolically, compiled, and integrated.
+
+    import rockeom as rk
+
+    block = rk.RigidBlock(half_width=0.095, half_height=0.45)  # m
+    run = rk.simulate(block, rk.GroundMotion.none(10.0), initial={"theta": 0.1})  # s, rad
+    run.t, run["theta"], run.impacts, run.outcome
+
+Every public name is a lazy attribute of this package (PEP 562): it is imported from its home on
+first use, so that ``import rockeom`` costs next to nothing and who only simulates never loads
+SymPy.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+_NAMES_OF = {
+    "rockeom.motion": ("GroundMotion", "MotionError"),
+    "rockeom.numeric.impact": ("AngularMomentum", "EnergyRatio", "Impulsive", "VelocityRatio"),
+    "rockeom.numeric.options": ("SolverOptions",),
+    "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
+    "rockeom.numeric.simulate": ("simulate",),
+    "rockeom.numeric.structures": (
+        "FlexibleStructure",
+        "LumpedMassStructure",
+        "NondimensionalBlock",
+        "RigidBlock",
+        "SlenderBlock",
+        "Structure",
+        "TwoSpringCart",
+        "TwoSpringStructure",
+        "structure",
+    ),
+    "rockeom.symbolic": ("Body", "Parameter", "Phase", "RockingModel", "derive", "models"),
+}
+_HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
+
+__all__ = sorted(_HOME_OF)
+
+# For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
+if TYPE_CHECKING:
+    from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
+    from rockeom.numeric.impact import (
+        AngularMomentum as AngularMomentum,
+        EnergyRatio as EnergyRatio,
+        Impulsive as Impulsive,
+        VelocityRatio as VelocityRatio,
+    )
+    from rockeom.numeric.options import SolverOptions as SolverOptions
+    from rockeom.numeric.response import (
+        Impact as Impact,
+        Outcome as Outcome,
+        Response as Response,
+    )
+    from rockeom.numeric.simulate import simulate as simulate
+    from rockeom.numeric.structures import (
+        FlexibleStructure as FlexibleStructure,
+        LumpedMassStructure as LumpedMassStructure,
+        NondimensionalBlock as NondimensionalBlock,
+        RigidBlock as RigidBlock,
+        SlenderBlock as SlenderBlock,
+        Structure as Structure,
+        TwoSpringCart as TwoSpringCart,
+        TwoSpringStructure as TwoSpringStructure,
+        structure as structure,
+    )
+    from rockeom.symbolic import (
+        Body as Body,
+        Parameter as Parameter,
+        Phase as Phase,
+        RockingModel as RockingModel,
+        derive as derive,
+        models as models,
+    )
+
+
+def __getattr__(name: str) -> Any:
+    home = _HOME_OF.get(name)
+    if home is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(home), name)
+    globals()[name] = value  # found directly from now on
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,82 @@
+"""SymPy expressions to lines of Python: named symbols, common subexpressions, wrapped lines."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+from sympy.printing.pycode import PythonCodePrinter
+
+WIDTH = 96
+
+
+class _Printer(PythonCodePrinter):
+    """Prints small whole powers as products of names, which are exact and quick."""
+
+    def _print_Pow(self, expr, rational=False):
+        if expr.exp == 2 and expr.base.is_Symbol:
+            base = self._print(expr.base)
+            return f"{base}*{base}"
+        return super()._print_Pow(expr, rational=rational)
+
+    def _print_Min(self, expr):
+        return f"min({', '.join(self._print(a) for a in expr.args)})"
+
+
+_PRINTER = _Printer({"fully_qualified_modules": True})
+
+
+def python(expr: sp.Expr) -> str:
+    return _PRINTER.doprint(expr)
+
+
+def assign(name: str, code: str, indent: str) -> list[str]:
+    """`name = code`, wrapped where it is long; breaks stand at blanks, so before an operator."""
+    line = f"{indent}{name} = {code}"
+    if len(line) <= WIDTH:
+        return [line]
+    inner = indent + "    "
+    parts = textwrap.wrap(code, WIDTH - len(inner), break_long_words=False, break_on_hyphens=False)
+    return [f"{indent}{name} = (", *(inner + part for part in parts), f"{indent})"]
+
+
+def statements(
+    targets: Mapping[str, sp.Expr], indent: str, taken: Sequence[str] = ()
+) -> tuple[list[str], int, int]:
+    """Assignments to the targets, shared parts first: (lines, operations before, after)."""
+    names, exprs = list(targets), [sp.sympify(e) for e in targets.values()]
+    before = sum(int(sp.count_ops(e)) for e in exprs)
+    free = {str(x) for e in exprs for x in e.free_symbols} | set(taken)
+    fresh = (x for x in sp.numbered_symbols("x", sp.Symbol) if str(x) not in free)
+    shared, reduced = sp.cse(exprs, symbols=fresh, order="canonical")
+    lines: list[str] = []
+    for symbol, value in shared:
+        lines += assign(str(symbol), python(value), indent)
+    for name, value in zip(names, reduced, strict=True):
+        lines += assign(name, python(value), indent)
+    after = sum(int(sp.count_ops(e)) for e in [v for _, v in shared] + list(reduced))
+    return lines, before, after
+
+
+def solve_symmetric(n: int, matrix: str, right: str, out: Sequence[str], indent: str) -> list[str]:
+    """Lines that solve a symmetric n x n system by L D L^T, written out without loops.
+
+    The entries stand in names such as m00, m10, m11 (lower triangle) and f0, f1.
+    """
+
+    def m(i: int, j: int) -> str:
+        return f"{matrix}{i}{j}"
+
+    lines = []
+    for j in range(n):
+        for i in range(j + 1, n):
+            lines.append(f"l{i}{j} = {m(i, j)} / {m(j, j)}")
+        for i in range(j + 1, n):
+            for k in range(j + 1, i + 1):
+                lines.append(f"{m(i, k)} -= l{i}{j} * {m(k, j)}")
+            lines.append(f"{right}{i} -= l{i}{j} * {right}{j}")
+    for i in reversed(range(n)):
+        back = "".join(f" - l{k}{i} * {out[k]}" for k in range(i + 1, n))
+        lines.append(f"{out[i]} = {right}{i} / {m(i, i)}{back}")
+    return [indent + line for line in lines]

@@ -1,0 +1,1 @@
+"""Simulation: compiled structures, one integrator, responses. Never imports SymPy."""

@@ -1,0 +1,43 @@
+"""Options of the integrator."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class SolverOptions:
+    """How the motion is integrated; the defaults suit all shipped structures.
+
+    method : "DOP853" (order 8) or "RK45" (order 5).
+    rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
+        own unit.
+    max_step : largest step [s].
+    rest_tolerance : impacts that will all happen within this time, in units of the rocking
+        motion's own time 1/sqrt(acceleration), are completed at once by their closed-form sum.
+    max_impacts, max_steps : where a motion is given up, with an outcome that says so.
+    output_step : largest spacing of the samples of the response [s]; None for 1/4000 of the
+        duration.
+    """
+
+    method: str = "DOP853"
+    rtol: float = 1e-10
+    atol: float = 1e-12
+    max_step: float = math.inf
+    rest_tolerance: float = 1e-6
+    max_impacts: int = 100_000
+    max_steps: int = 20_000_000
+    output_step: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.method not in ("DOP853", "RK45"):
+            raise ValueError(f"method is {self.method!r}: choose 'DOP853' or 'RK45'")
+        for name in ("rtol", "atol", "max_step", "rest_tolerance", "max_impacts", "max_steps"):
+            value = getattr(self, name)
+            if not value > 0:
+                raise ValueError(f"{name} is {value}: it must be positive")
+        if self.rtol < 1e-15:
+            raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
+        if self.output_step is not None and not self.output_step > 0:
+            raise ValueError(f"output_step is {self.output_step}: it must be positive or None")

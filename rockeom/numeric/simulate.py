@@ -1,0 +1,148 @@
+"""Simulate a structure under a ground motion."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.numeric.impact import ImpactLaw
+from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.response import _KINDS, Impact, Outcome, Response, Steps
+from rockeom.numeric.specialise import program
+
+if TYPE_CHECKING:
+    from rockeom.motion import GroundMotion
+    from rockeom.numeric.structures import Structure
+
+_OUTCOMES = tuple(Outcome)
+
+
+def simulate(
+    structure: Structure,
+    motion: GroundMotion,
+    *,
+    impact: ImpactLaw | None = None,
+    initial: Mapping[str, float] | None = None,
+    duration: float | None = None,
+    vertical: GroundMotion | None = None,
+    phase: str | None = None,
+    options: SolverOptions | None = None,
+) -> Response:
+    """Response of a structure to a horizontal (and a vertical) ground motion.
+
+    impact : AngularMomentum() if not given; EnergyRatio(r), VelocityRatio(e) or Impulsive().
+    initial : states by name; what is not named is zero.
+    duration : [s]; the motion's own if not given. After the motion the ground stands still.
+    phase : contact state at the start, where the state leaves it open.
+
+    Raises ValueError for states that are unknown, not finite or already fallen over.
+    """
+    options = options or SolverOptions()
+    y0 = structure.state(initial or {})
+    contact = structure.contact(y0, phase)
+    fallen = structure.overturning_rotation
+    rotation = structure.states[structure.module.ROTATION]
+    if abs(y0[structure.module.ROTATION]) >= fallen:
+        raise ValueError(
+            f"initial {rotation} is {y0[structure.module.ROTATION]}: the structure lies on the "
+            f"ground from {fallen:.6g} on; start below"
+        )
+    end = motion.duration if duration is None else float(duration)
+    if not (math.isfinite(end) and end > 0):
+        raise ValueError(f"duration is {end} s: it must be finite and positive")
+    law, ratio = structure.law(impact)
+    compiled = program(structure.module, options.method)
+    segments = segment_table(motion, vertical, end)
+    n = len(y0)
+
+    def run(contact: int, y: np.ndarray, table: np.ndarray, t_end: float, impacts: int, keep: bool):
+        return compiled.integrate(
+            contact, y, t_end, table, structure.vector, law, ratio,
+            options.rtol, np.full(n, options.atol), options.max_step, fallen,
+            options.rest_tolerance, impacts, options.max_steps, keep,
+        )  # fmt: skip
+
+    code, t, last, y, span, contacts, powers, times, kinds, states = run(
+        contact, y0, segments, end, options.max_impacts, True
+    )
+    outcome = _OUTCOMES[code]
+    shaking_ends = max(m.shaking_ends for m in (motion, vertical) if m is not None)
+    if outcome is Outcome.COMPLETED and shaking_ends <= end:
+        # the rest is free motion: follow it, unrecorded, to the next impact or to the ground
+        if compiled.SIDES[last] != 0 and 0 in compiled.KINDS[last]:
+            quiet = segment_table(None, None, 1e3 * max(end, 1.0))
+            code, *_ = run(last, y, quiet, float(quiet[-1, 1]), 0, False)
+            if _OUTCOMES[code] is Outcome.OVERTURNED:
+                outcome = Outcome.OVERTURNED
+    if len(span) == 0:  # ended before the first step: keep the start
+        span = np.array([[0.0, np.finfo(float).tiny]])
+        contacts = np.array([contact])
+        powers = np.zeros((1, 8, n))
+        powers[0, 0] = y0
+    steps = Steps(span, contacts, powers)
+    t_out, y_out, contact_out = steps.samples(options.output_step or end / 4000)
+    names, phases = structure.states, structure.module.CONTACTS
+    events = tuple(
+        Impact(
+            float(time),
+            _KINDS[kind],
+            phases[before],
+            phases[after],
+            dict(zip(names, pair[0].tolist(), strict=True)),
+            dict(zip(names, pair[1].tolist(), strict=True)),
+        )
+        for time, (kind, before, after), pair in zip(times, kinds, states, strict=True)
+    )
+    response = Response(
+        structure=structure,
+        motion=motion,
+        vertical=vertical,
+        t=t_out,
+        y=y_out,
+        contact=contact_out,
+        outcome=outcome,
+        events=events,
+        duration=end,
+        statistics={"steps": len(span), "events": len(events), "method": options.method},
+        steps=steps,
+        segments=segments,
+        program=compiled,
+    )
+    if outcome is Outcome.COMPLETED and shaking_ends <= end and _is_at_rest(response, last):
+        object.__setattr__(response, "outcome", Outcome.CAME_TO_REST)
+    return response
+
+
+def _is_at_rest(response: Response, contact: int) -> bool:
+    """Full contact, and no more motion than a millionth of the largest kinetic energy."""
+    p = response.program
+    if p.CONTACTS[contact] != "both" or 1 not in p.KINDS[contact]:
+        return False
+    kinetic = response["kinetic_energy"]
+    return bool(kinetic[-1] <= 1e-6 * kinetic.max())
+
+
+def segment_table(
+    motion: GroundMotion | None, vertical: GroundMotion | None, end: float
+) -> np.ndarray:
+    """(m, 14): start, end, and both laws (kind, own start, four constants), covering [0, end]."""
+    tables = [None if m is None else np.asarray(m.segments) for m in (motion, vertical)]
+    edges = [np.array([0.0, end])]
+    edges += [np.append(table[:, 0], table[-1, 1]) for table in tables if table is not None]
+    cuts = np.unique(np.concatenate(edges))
+    cuts = cuts[cuts <= end]
+    rows = np.zeros((len(cuts) - 1, 14))
+    rows[:, 0], rows[:, 1] = cuts[:-1], cuts[1:]
+    for column, table in zip((2, 8), tables, strict=True):
+        rows[:, column + 1] = rows[:, 0]
+        if table is None:
+            continue
+        index = np.searchsorted(table[:, 0], rows[:, 0], side="right") - 1
+        inside = rows[:, 0] < table[-1, 1]
+        rows[inside, column] = table[index[inside], 2]
+        rows[inside, column + 1] = table[index[inside], 0]
+        rows[inside, column + 2 : column + 6] = table[index[inside], 3:7]
+    return rows

@@ -1,0 +1,482 @@
+"""Structures as a user names them: physical parameters bound to a generated module."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import functools
+import importlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any, ClassVar
+
+import numpy as np
+
+from rockeom.numeric.impact import AngularMomentum, ImpactLaw
+
+STANDARD_GRAVITY = 9.81
+"""Acceleration of gravity where none is given [m/s2], the value of the thesis."""
+
+
+class Structure:
+    """A rocking structure with its parameters.
+
+    Methods take a state as a mapping of state names; what is not named is zero. The contact
+    state follows from the state, or is named by `phase`.
+    """
+
+    model: ClassVar[str] = ""
+    may_vanish: ClassVar[frozenset[str]] = frozenset()
+
+    # -- what a subclass gives --------------------------------------------------------------
+
+    def parameters(self) -> dict[str, float]:
+        """The parameters of the model, by name, in SI units."""
+        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}  # type: ignore[arg-type]
+
+    @functools.cached_property
+    def module(self) -> ModuleType:
+        """The generated module."""
+        return importlib.import_module(f"rockeom.generated.{self.model}")
+
+    # -- what follows -----------------------------------------------------------------------
+
+    @functools.cached_property
+    def vector(self) -> np.ndarray:
+        """(m,) the parameters in the order of the generated module."""
+        values = self.parameters()
+        return np.array([float(values[name]) for name in self.module.PARAMETERS])
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        return self.module.STATES
+
+    @property
+    def overturning_rotation(self) -> float:
+        """Rotation at which the structure has fallen over, in the rotation's unit."""
+        return float(self.module.overturning(self.vector))
+
+    @property
+    def velocity_ratio(self) -> float:
+        """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
+        return float(self.module.velocity_ratio(self.vector))
+
+    def state(self, values: Mapping[str, float]) -> np.ndarray:
+        """(N,) state vector of named values; raises ValueError for unknown names or NaN."""
+        unknown = [n for n in values if n not in self.states]
+        if unknown:
+            raise ValueError(
+                f"unknown state {', '.join(map(repr, unknown))}; {self.model} has "
+                f"{', '.join(self.states)}"
+            )
+        y = np.array([float(values.get(name, 0.0)) for name in self.states])
+        for name, value in zip(self.states, y, strict=True):
+            if not math.isfinite(value):
+                raise ValueError(f"state {name} is {value}: give a finite number")
+        return y
+
+    def contact(self, y: np.ndarray, phase: str | None = None) -> int:
+        """Number of the contact state of a state vector, or of the phase named."""
+        m = self.module
+        if phase is not None:
+            if phase not in m.CONTACTS:
+                raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.CONTACTS)}")
+            return m.CONTACTS.index(phase)
+        rotation, rate = y[m.ROTATION], y[m.ROTATION_RATE]
+        direction = np.sign(rotation) or np.sign(rate)
+        if 0 in m.KINDS[m.CONTACTS.index("left")]:  # rocks on rigid ground
+            return m.CONTACTS.index({-1.0: "left", 0.0: "both", 1.0: "right"}[float(direction)])
+        best, reached = 0, -math.inf
+        for number, (count, side) in enumerate(zip(m.GUARDS, m.SIDES, strict=True)):
+            g = np.zeros(m.N_GUARDS)
+            m.guards(number, y, self.vector, 0.0, 0.0, g)
+            lowest = g[:count].min()
+            if side * direction >= 0 and (lowest >= 0) > (reached >= 0):
+                best, reached = number, lowest
+        return best
+
+    def accelerations(
+        self,
+        state: Mapping[str, float],
+        ground_acceleration: float = 0.0,
+        vertical_ground_acceleration: float = 0.0,
+        phase: str | None = None,
+    ) -> dict[str, float]:
+        """Accelerations of the coordinates, by name [unit of the coordinate per s2]."""
+        y = self.state(state)
+        dy = np.zeros_like(y)
+        self.module.rates(
+            self.contact(y, phase), y, self.vector,
+            float(ground_acceleration), float(vertical_ground_acceleration), dy,
+        )  # fmt: skip
+        n = len(y) // 2
+        return dict(zip(self.states[:n], dy[n:].tolist(), strict=True))
+
+    def after_impact(
+        self, state: Mapping[str, float], phase: str, impact: ImpactLaw | None = None
+    ) -> tuple[dict[str, float], str]:
+        """State after the impact that closes `phase`, and the phase that follows.
+
+        Raises ValueError where the model has no impact in that phase.
+        """
+        m = self.module
+        y = self.state(state)
+        contact = self.contact(y, phase)
+        if m.KINDS[contact][0] != 0 or m.GUARDS[contact] == 0:
+            raise ValueError(f"no impact ends the phase {phase!r} of {self.model}")
+        law, ratio = self.law(impact)
+        out = np.empty_like(y)
+        follows = m.jump(contact, 0, law, ratio, y, self.vector, out)
+        return dict(zip(self.states, out.tolist(), strict=True)), m.CONTACTS[follows]
+
+    def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
+        """(law, ratio) for the compiled functions; None is AngularMomentum where there are impacts.
+
+        Raises ValueError where a law is given to a model without impacts.
+        """
+        m = self.module
+        if not any(0 in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True)):
+            if impact is not None:
+                raise ValueError(
+                    f"{self.model} has no impacts, its contacts are springs and dampers; "
+                    "leave `impact` out"
+                )
+            return 0, 1.0
+        chosen = AngularMomentum() if impact is None else impact
+        return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
+
+    def energies(self, state: Mapping[str, float], phase: str | None = None) -> dict[str, float]:
+        """Kinetic, gravitational and elastic energy [J]; heights count from the ground."""
+        y = self.state(state)
+        out = np.empty(len(self.module.ENERGIES))
+        self.module.energies(self.contact(y, phase), y, self.vector, out)
+        return dict(zip(self.module.ENERGIES, out.tolist(), strict=True))
+
+    def reactions(
+        self,
+        state: Mapping[str, float],
+        ground_acceleration: float = 0.0,
+        vertical_ground_acceleration: float = 0.0,
+        phase: str | None = None,
+    ) -> dict[str, float]:
+        """Horizontal force, and vertical force at each foot [N], of the ground on the structure.
+
+        In full contact the horizontal force is the sum over both feet.
+        """
+        y = self.state(state)
+        out = np.empty(len(self.module.REACTIONS))
+        self.module.reactions(
+            self.contact(y, phase), y, self.vector,
+            float(ground_acceleration), float(vertical_ground_acceleration), out,
+        )  # fmt: skip
+        return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
+
+    def pushover(self, rotations) -> np.ndarray:
+        """Horizontal force at the load point that holds the structure at each rotation [N].
+
+        rotations : any shape [rad]; the other coordinates are in equilibrium. At zero rotation
+        of a structure on rigid ground this is the force at which it lifts to the right.
+        Raises ValueError where no equilibrium was found.
+        """
+        from rockeom.numeric.statics import pushover
+
+        return pushover(self, rotations)
+
+
+class ParameterError(TypeError):
+    """Parameters that a structure lacks or does not know."""
+
+
+def check_names(what: str, required: set[str], known: set[str], given: set[str]) -> None:
+    """Raise ParameterError naming all that is missing and all that is unknown, with the remedy."""
+    missing = sorted(required - given)
+    unknown = sorted(given - known)
+    if not missing and not unknown:
+        return
+    text = []
+    if missing:
+        text.append(f"missing {', '.join(missing)}")
+    for name in unknown:
+        near = difflib.get_close_matches(name, known, n=1)
+        text.append(f"unknown {name}" + (f" (did you mean {near[0]}?)" if near else ""))
+    raise ParameterError(f"{what}: {'; '.join(text)}. Its parameters are {', '.join(sorted(known))}")
+
+
+def check_values(what: str, values: Mapping[str, float], may_vanish: frozenset[str]) -> None:
+    """Raise ValueError for a parameter that is not a positive (or, where allowed, zero) number."""
+    for name, value in values.items():
+        if value is None:
+            continue
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            raise ValueError(f"{what}: {name} is {value!r}: give a number in SI units") from None
+        allowed = number >= 0 if name in may_vanish else number > 0
+        if not (math.isfinite(number) and allowed):
+            wanted = "zero or positive" if name in may_vanish else "positive"
+            raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
+
+
+def _structure_class(cls: type) -> type:
+    """A frozen dataclass by keyword whose constructor explains what is wrong."""
+    cls = dataclass(frozen=True, kw_only=True)(cls)
+    fields = dataclasses.fields(cls)
+    known = {f.name for f in fields}
+    required = {f.name for f in fields if f.default is dataclasses.MISSING}
+    plain = cls.__init__
+
+    @functools.wraps(plain)
+    def init(self, **values: Any) -> None:
+        check_names(cls.__name__, required, known, set(values))
+        check_values(cls.__name__, values, cls.may_vanish)
+        plain(self, **values)
+
+    cls.__init__ = init
+    return cls
+
+
+@_structure_class
+class RigidBlock(Structure):
+    """Housner's rigid block on rigid ground, any size of rotation.
+
+    half_width, half_height [m]; mass [kg]; inertia about the centroid [kg m2], that of a
+    homogeneous rectangle if not given; gravity [m/s2]. The centroid stands at half_height.
+    """
+
+    model = "rigid_block"
+    may_vanish = frozenset({"inertia"})
+    half_width: float
+    half_height: float
+    mass: float = 1.0
+    inertia: float | None = None
+    gravity: float = STANDARD_GRAVITY
+
+    @classmethod
+    def from_frequency(
+        cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY
+    ) -> RigidBlock:
+        """The homogeneous rectangular block of frequency parameter p [rad/s] and angle alpha [rad].
+
+        p**2 = m g R/I_o = 3 g/(4 R).
+        """
+        check_values("RigidBlock", {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
+        if not alpha < math.pi / 2:
+            raise ValueError(f"RigidBlock: alpha is {alpha}: it must be below pi/2")
+        radius = 0.75 * gravity / p**2
+        return cls(
+            half_width=radius * math.sin(alpha),
+            half_height=radius * math.cos(alpha),
+            mass=mass,
+            gravity=gravity,
+        )
+
+    @property
+    def alpha(self) -> float:
+        """Angle of the line from an edge to the centroid, from the vertical [rad]."""
+        return math.atan2(self.half_width, self.half_height)
+
+    @property
+    def radius(self) -> float:
+        """Distance of the centroid from an edge, R [m]."""
+        return math.hypot(self.half_width, self.half_height)
+
+    @property
+    def frequency_parameter(self) -> float:
+        """p = sqrt(m g R/I_o) [rad/s]."""
+        values = self.parameters()
+        pivot_inertia = values["inertia"] + self.mass * self.radius**2
+        return math.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
+
+    def parameters(self) -> dict[str, float]:
+        inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
+        return {
+            "mass": self.mass,
+            "half_width": self.half_width,
+            "height": self.half_height,
+            "inertia": inertia,
+            "gravity": self.gravity,
+        }
+
+
+@_structure_class
+class SlenderBlock(Structure):
+    """The linearised block of thesis 2-3 and 2-14, for small rotations and small alpha.
+
+    radius R [m] from an edge to the centroid, alpha [rad]; inertia about the centroid [kg m2],
+    m R**2/3 if not given.
+    """
+
+    model = "slender_block"
+    may_vanish = frozenset({"inertia"})
+    radius: float
+    alpha: float
+    mass: float = 1.0
+    inertia: float | None = None
+    gravity: float = STANDARD_GRAVITY
+
+    @classmethod
+    def from_frequency(
+        cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY
+    ) -> SlenderBlock:
+        """The rectangular block of frequency parameter p [rad/s] and angle alpha [rad]."""
+        check_values("SlenderBlock", {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
+        return cls(radius=0.75 * gravity / p**2, alpha=alpha, mass=mass, gravity=gravity)
+
+    def parameters(self) -> dict[str, float]:
+        inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
+        return {
+            "mass": self.mass,
+            "radius": self.radius,
+            "alpha": self.alpha,
+            "inertia": inertia,
+            "gravity": self.gravity,
+        }
+
+
+@_structure_class
+class NondimensionalBlock(Structure):
+    """The block in x = theta/alpha and time p t, thesis 2-13; accelerations in units of g.
+
+    alpha [rad]; radius_ratio m R**2/I_o, 3/4 for a homogeneous rectangle.
+    """
+
+    model = "nondimensional_block"
+    alpha: float
+    radius_ratio: float = 0.75
+
+
+class _Lumped:
+    """What the two-mass structures share."""
+
+    may_vanish = frozenset(
+        {"inertia", "base_mass", "base_height", "base_inertia", "damping", "foundation_damping"}
+    )
+
+
+@_structure_class
+class LumpedMassStructure(_Lumped, Structure):
+    """Rigid structure of two lumped masses on rigid ground (thesis Model A).
+
+    mass, base_mass [kg] at height, base_height [m]; inertia, base_inertia about their own
+    centroids [kg m2]; half_width [m] half of the distance between the feet.
+    """
+
+    model = "lumped_mass_structure"
+    mass: float
+    height: float
+    inertia: float
+    base_mass: float
+    base_height: float
+    base_inertia: float
+    half_width: float
+    gravity: float = STANDARD_GRAVITY
+
+
+@_structure_class
+class TwoSpringStructure(_Lumped, Structure):
+    """Model B exactly: the rigid structure on two compression-only springs and dampers.
+
+    foundation_stiffness [N/m] and foundation_damping [N s/m] of each foot; else as
+    LumpedMassStructure. `heave` counts from the settled position.
+    """
+
+    model = "two_spring_structure"
+    mass: float
+    height: float
+    inertia: float
+    base_mass: float
+    base_height: float
+    base_inertia: float
+    half_width: float
+    foundation_stiffness: float
+    foundation_damping: float
+    gravity: float = STANDARD_GRAVITY
+
+
+@_structure_class
+class TwoSpringCart(_Lumped, Structure):
+    """Model B as the thesis has it: a cart on the closed-form k(u), 5-15, 5-25 and 5-33."""
+
+    model = "two_spring_cart"
+    mass: float
+    height: float
+    inertia: float
+    base_mass: float
+    base_height: float
+    base_inertia: float
+    half_width: float
+    foundation_stiffness: float
+    gravity: float = STANDARD_GRAVITY
+
+
+@_structure_class
+class FlexibleStructure(_Lumped, Structure):
+    """Flexible structure of two masses on rigid ground (thesis Model C).
+
+    As LumpedMassStructure, with the column's stiffness [N/m] and damping [N s/m].
+    """
+
+    model = "flexible_structure"
+    mass: float
+    height: float
+    inertia: float
+    base_mass: float
+    base_height: float
+    base_inertia: float
+    half_width: float
+    stiffness: float
+    damping: float
+    gravity: float = STANDARD_GRAVITY
+
+
+SHIPPED: dict[str, type[Structure]] = {
+    cls.model: cls
+    for cls in (
+        RigidBlock,
+        SlenderBlock,
+        NondimensionalBlock,
+        LumpedMassStructure,
+        TwoSpringStructure,
+        TwoSpringCart,
+        FlexibleStructure,
+    )
+}
+
+
+class DeclaredStructure(Structure):
+    """A structure of a model that the user declared; made by `structure(model, ...)`."""
+
+    def __init__(self, module: ModuleType, values: Mapping[str, float]) -> None:
+        self.module = module
+        self.model = module.NAME
+        self.values = dict(values)
+
+    def parameters(self) -> dict[str, float]:
+        return dict(self.values)
+
+
+def structure(model, **parameters: float) -> Structure:
+    """A structure of a model: the name of a shipped one, or a RockingModel that you declared.
+
+    A declared model is derived, written to a module in the user's cache and compiled at its
+    first use (some seconds, once). Raises ParameterError for missing or unknown parameters and
+    ValueError for values that are not finite or negative.
+    """
+    if isinstance(model, str):
+        if model not in SHIPPED:
+            near = difflib.get_close_matches(model, SHIPPED, n=1)
+            hint = f" (did you mean {near[0]}?)" if near else ""
+            raise ValueError(f"no structure named {model!r}{hint}; shipped are {', '.join(SHIPPED)}")
+        return SHIPPED[model](**parameters)
+    from rockeom.numeric.specialise import load_text
+
+    text = importlib.import_module("rockeom.codegen").module_text(model)
+    module = load_text(model.name, text)
+    names = set(module.PARAMETERS)
+    if "gravity" in names:
+        parameters.setdefault("gravity", STANDARD_GRAVITY)
+    check_names(model.name, names, names, set(parameters))
+    check_values(model.name, parameters, frozenset(names))
+    return DeclaredStructure(module, dict(parameters))

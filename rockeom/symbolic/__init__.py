@@ -1,0 +1,71 @@
+"""Derivation of rocking structures with SymPy: declare bodies and contacts, derive the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rockeom.symbolic.flexible import flexible_structure
+from rockeom.symbolic.lumped_mass import lumped_mass_structure
+from rockeom.symbolic.model import (
+    Body,
+    Coordinate,
+    Definition,
+    Foot,
+    Parameter,
+    Phase,
+    RockingModel,
+    Transition,
+    coordinate,
+    parameter,
+    rocking_structure,
+    turned,
+)
+from rockeom.symbolic.rigid_block import nondimensional_block, rigid_block, slender_block
+from rockeom.symbolic.two_spring import two_spring_cart, two_spring_structure
+
+SHIPPED: dict[str, Callable[[], RockingModel]] = {
+    build.__name__: build
+    for build in (
+        rigid_block,
+        slender_block,
+        nondimensional_block,
+        lumped_mass_structure,
+        two_spring_structure,
+        two_spring_cart,
+        flexible_structure,
+    )
+}
+
+
+def models() -> tuple[str, ...]:
+    """Names of the shipped structures."""
+    return tuple(SHIPPED)
+
+
+def derive(name: str) -> RockingModel:
+    """Derive a shipped structure by its name.
+
+    Raises KeyError, naming the shipped ones, if there is none of that name.
+    """
+    if name not in SHIPPED:
+        raise KeyError(f"no structure named {name!r}; shipped are {', '.join(SHIPPED)}")
+    return SHIPPED[name]()
+
+
+__all__ = [
+    "SHIPPED",
+    "Body",
+    "Coordinate",
+    "Definition",
+    "Foot",
+    "Parameter",
+    "Phase",
+    "RockingModel",
+    "Transition",
+    "coordinate",
+    "derive",
+    "models",
+    "parameter",
+    "rocking_structure",
+    "turned",
+]

@@ -1,0 +1,57 @@
+"""The few rules by which derived expressions are brought to a short, unique form."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+SIDE = sp.Symbol("s", real=True)
+"""s = sgn(theta): +1 when the structure turns about its right edge, -1 about its left one."""
+
+
+def at_side(expr: sp.Expr, side: int) -> sp.Expr:
+    return sp.sympify(expr).subs(SIDE, side)
+
+
+def _even_power(power: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
+    half, odd = divmod(int(power), 2)
+    return square**half * base**odd
+
+
+def square_is(expr: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
+    """Replace base**2 by `square` in every integer power of `base`."""
+    return expr.replace(
+        lambda e: e.is_Pow and e.base == base and e.exp.is_Integer and e.exp > 1,
+        lambda e: _even_power(e.exp, base, square),
+    )
+
+
+def angles_in(expr: sp.Expr) -> list[sp.Expr]:
+    found = {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}
+    return sorted(found, key=sp.default_sort_key)
+
+
+def tidy(expr: sp.Expr) -> sp.Expr:
+    """Expand, use s**2 = 1 and, for each angle, sin**2 + cos**2 = 1; the shorter of both ways.
+
+    On the polynomials in sines and cosines that positions of bodies give this is a normal
+    form: an expression that is identically zero comes out as zero.
+    """
+    expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
+    for angle in angles_in(expr):
+        sin, cos = sp.sin(angle), sp.cos(angle)
+        ways = [
+            sp.expand(square_is(expr, sin, 1 - cos**2)),
+            sp.expand(square_is(expr, cos, 1 - sin**2)),
+        ]
+        expr = min(ways, key=sp.count_ops)
+    return square_is(expr, SIDE, sp.Integer(1))
+
+
+def truncated(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> sp.Expr:
+    """Taylor polynomial of `expr` of the given total order in the `small` symbols."""
+    scale = sp.Symbol("epsilon", positive=True)
+    scaled = sp.sympify(expr).subs({x: scale * x for x in small}, simultaneous=True)
+    total = sp.Integer(0)
+    for k in range(order + 1):
+        total += sp.diff(scaled, scale, k).subs(scale, 0) / sp.factorial(k)
+    return sp.expand(total)

@@ -1,0 +1,59 @@
+"""Forces of the ground on the feet."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel
+
+
+def total_reaction(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
+    """(horizontal, vertical) force of the ground on the structure, by Newton's second law."""
+    horizontal = vertical = sp.Integer(0)
+    for body in phase.bodies:
+        x, y = (rate(rate(e, phase.coordinates), phase.coordinates) for e in body.position)
+        horizontal += body.mass * (x + GROUND_X)
+        vertical += body.mass * (y + GROUND_Y + phase.gravity)
+    return tidy(horizontal), tidy(vertical)
+
+
+def reactions(model: RockingModel, phase: Phase) -> dict[str, sp.Expr]:
+    """Horizontal force, and vertical force at the left and the right foot, where there are feet.
+
+    The horizontal force is the sum over both feet: in full contact statics does not tell how
+    they share it. Expressions contain the accelerations of the phase's coordinates.
+    """
+    horizontal, vertical = total_reaction(phase)
+    feet = phase.feet
+    if not feet:
+        return {"horizontal_reaction": horizontal}
+    if all(foot.force is not None for foot in feet.values()):
+        left, right = feet["left"].force, feet["right"].force
+    elif phase.has_side:
+        left, right = vertical * (1 - SIDE) / 2, vertical * (1 + SIDE) / 2
+    else:
+        left = _force_of_held_foot(model, "left", "right")
+        right = _force_of_held_foot(model, "right", "left")
+    return {
+        "horizontal_reaction": horizontal,
+        "left_reaction": left,
+        "right_reaction": right,
+    }
+
+
+def _force_of_held_foot(model: RockingModel, foot: str, pivot: str) -> sp.Expr:
+    """Vertical force at a foot in full contact, by virtual work.
+
+    Release the foot: the structure turns about the other one. What the equation of that
+    rotation lacks of being satisfied at rest is the work of the force that held the foot.
+    """
+    turning = model.phase(pivot)
+    side = turning.side_of(pivot)
+    theta = model.rotation
+    held = {theta.position: 0, theta.velocity: 0, theta.acceleration: 0}
+    row = [c.name for c in turning.coordinates].index(theta.name)
+    lacking = turning.equations.residual(turning.coordinates)[row]
+    lift = sp.diff(turning.feet[foot].position[1], theta.position)
+    return sp.cancel((lacking / lift).subs(SIDE, side).subs(held))

@@ -1,0 +1,87 @@
+"""Velocities after a sudden change of contact, by the impulsive form of Lagrange's equations.
+
+Over an impact positions stay and only impulses act. The impulse at a new support does no work
+in any motion of the phase that follows, so the momentum in the directions of that phase is
+conserved:
+
+    M+ q'+ = sum_i (m_i J+_i^T v-_i + I_i w+_i^T w-_i)
+
+with J+ the Jacobian of body i in the phase after the impact. For a rigid block this is the
+conservation of angular momentum about the new pivot (Housner 1963; thesis 2-6, 5-14). With
+full contact after the impact the impulses of both feet drop out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.lagrange import body_velocity
+from rockeom.symbolic.model import Coordinate, Phase, RockingModel
+
+
+@dataclass(frozen=True)
+class ImpulseMap:
+    """M+ q'+ = momentum(q, q'-), for the `coordinates` free after the change.
+
+    The side s is that of the contact state before the change.
+    """
+
+    coordinates: tuple[Coordinate, ...]
+    mass_matrix: sp.Matrix
+    momentum: sp.Matrix
+
+    def velocities(self) -> sp.Matrix:
+        """Velocities after the change in closed form, (n, 1)."""
+        return self.mass_matrix.LUsolve(self.momentum).applyfunc(sp.factor)
+
+    def at_side(self, side: int) -> ImpulseMap:
+        def put(m: sp.Matrix) -> sp.Matrix:
+            return m.subs(SIDE, side)
+
+        return ImpulseMap(self.coordinates, put(self.mass_matrix), put(self.momentum))
+
+
+def _jacobian(phase: Phase, index: int) -> sp.Matrix:
+    """(3, n): x, y and rotation of one body by the coordinates of the phase."""
+    body, q = phase.bodies[index], [c.position for c in phase.coordinates]
+    place = (*body.position, sp.sympify(body.rotation))
+    return sp.Matrix(3, len(phase.coordinates), lambda i, j: sp.diff(place[i], q[j]))
+
+
+def derive_impulse_map(model: RockingModel, source: str, target: str) -> ImpulseMap:
+    """The map from contact state `source` to `target` at the closed gap, theta = 0."""
+    before, after = model.phase(source), model.phase(target)
+    # written for the side s of the source; the opposite edge is the target's
+    flip = {SIDE: SIDE * before.side_of(source) * after.side_of(target)} if after.has_side else {}
+    closed = {model.rotation.position: 0}
+    n = len(after.coordinates)
+    mass_matrix, momentum = sp.zeros(n, n), sp.zeros(n, 1)
+    for i, body in enumerate(before.bodies):
+        jacobian = _jacobian(after, i).subs(flip, simultaneous=True).subs(closed)
+        arriving = sp.Matrix(body_velocity(body, before.coordinates)).subs(closed)
+        weights = sp.diag(body.mass, body.mass, body.inertia)
+        mass_matrix += jacobian.T * weights * jacobian
+        momentum += jacobian.T * weights * arriving
+    return ImpulseMap(after.coordinates, mass_matrix.applyfunc(tidy), momentum.applyfunc(tidy))
+
+
+def rigid_velocity_ratio(model: RockingModel) -> sp.Expr:
+    """Ratio of angular velocities after and before the impact of the structure held rigid.
+
+    All coordinates but the rotation are frozen at zero: what is left is the conservation of
+    angular momentum about the new pivot, thesis 2-6 (its square root) and 5-14.
+    """
+    transition = next(t for t in model.transitions if t.kind == "impact")
+    full = derive_impulse_map(model, transition.source, transition.target)
+    frozen: dict[sp.Expr, int] = {}
+    for c in model.coordinates:
+        if c is not model.rotation:
+            frozen |= {c.position: 0, c.velocity: 0}
+    row = [c.name for c in full.coordinates].index(model.rotation.name)
+    ratio = full.momentum[row].subs(frozen) / (
+        full.mass_matrix[row, row].subs(frozen) * model.rotation.velocity
+    )
+    return sp.factor(tidy(sp.cancel(ratio)))

@@ -1,0 +1,125 @@
+"""Lagrange's equations of one phase, each physical part kept by its own name.
+
+    d/dt dT/dq' - dT/dq + dV/dq + dF/dq' = Q        (thesis D-5)
+
+The ground's acceleration enters by d'Alembert forces -m a at each mass (thesis D-16), which is
+the same as measuring positions from the moving ground and letting gravity be g + a_y.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import at_side, tidy, truncated
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+
+if TYPE_CHECKING:
+    from rockeom.symbolic.model import Body, Coordinate, Phase
+
+
+@dataclass(frozen=True)
+class Equations:
+    """M q'' + velocity + gravity + stiffness + damping = excitation; vectors are (n, 1).
+
+    `kinetic_energy`, `gravitational_energy` and `elastic_energy` are those from which the
+    equations were derived.
+    """
+
+    mass_matrix: sp.Matrix
+    velocity: sp.Matrix
+    gravity: sp.Matrix
+    stiffness: sp.Matrix
+    damping: sp.Matrix
+    excitation: sp.Matrix
+    kinetic_energy: sp.Expr
+    gravitational_energy: sp.Expr
+    elastic_energy: sp.Expr
+
+    @property
+    def forcing(self) -> sp.Matrix:
+        """The right-hand side of M q'' = forcing."""
+        return self.excitation - self.velocity - self.gravity - self.stiffness - self.damping
+
+    def at_side(self, side: int) -> Equations:
+        return self.map(lambda expr: at_side(expr, side))
+
+    def map(self, change) -> Equations:
+        """The same equations with `change` applied to every entry."""
+        values = {}
+        for f in fields(self):
+            value = getattr(self, f.name)
+            values[f.name] = value.applyfunc(change) if isinstance(value, sp.MatrixBase) else change(value)
+        return Equations(**values)
+
+    def residual(self, coordinates: tuple[Coordinate, ...]) -> sp.Matrix:
+        """Left minus right-hand side, (n, 1); zero along a motion."""
+        accelerations = sp.Matrix([c.acceleration for c in coordinates])
+        return self.mass_matrix * accelerations - self.forcing
+
+
+def rate(expr: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+    """Time derivative of a function of coordinates and velocities."""
+    return sum(
+        (
+            sp.diff(expr, c.position) * c.velocity + sp.diff(expr, c.velocity) * c.acceleration
+            for c in coordinates
+        ),
+        sp.Integer(0),
+    )
+
+
+def body_velocity(body: Body, coordinates: tuple[Coordinate, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """(x', y', angular velocity) of a body relative to the ground."""
+    x, y = body.position
+    return tuple(rate(e, coordinates) for e in (x, y, sp.sympify(body.rotation)))
+
+
+def kinetic_energy(phase: Phase) -> sp.Expr:
+    total = sp.Integer(0)
+    for body in phase.bodies:
+        vx, vy, turning = body_velocity(body, phase.coordinates)
+        total += body.mass * (vx**2 + vy**2) / 2 + body.inertia * turning**2 / 2
+    return total
+
+
+def derive_equations(phase: Phase) -> Equations:
+    """Lagrange's equations of a phase from the positions, springs and dampers it declares."""
+    q = [c.position for c in phase.coordinates]
+    qd = [c.velocity for c in phase.coordinates]
+
+    def order_two(expr: sp.Expr) -> sp.Expr:
+        return truncated(expr, phase.small, 2) if phase.small else expr
+
+    kinetic = tidy(order_two(kinetic_energy(phase)))
+    weight = order_two(sum(b.mass * phase.gravity * b.position[1] for b in phase.bodies))
+    shaking = order_two(
+        sum(b.mass * (GROUND_X * b.position[0] + GROUND_Y * b.position[1]) for b in phase.bodies)
+    )
+    elastic = order_two(phase.elastic_energy)
+
+    def gradient(expr: sp.Expr, by) -> sp.Matrix:
+        return sp.Matrix([tidy(sp.diff(expr, x)) for x in by]).reshape(len(by), 1)
+
+    momenta = [sp.diff(kinetic, v) for v in qd]
+    mass_matrix = sp.Matrix(len(q), len(q), lambda i, j: tidy(sp.diff(momenta[i], qd[j])))
+    # dp/dt without its acceleration terms, less dT/dq
+    velocity = sp.Matrix(
+        [
+            tidy(sum(sp.diff(p, x) * v for x, v in zip(q, qd, strict=True)) - sp.diff(kinetic, q[i]))
+            for i, p in enumerate(momenta)
+        ]
+    ).reshape(len(q), 1)
+    return Equations(
+        mass_matrix=mass_matrix,
+        velocity=velocity,
+        gravity=gradient(weight, q),
+        stiffness=gradient(elastic, q),
+        damping=gradient(phase.dissipation, qd),
+        excitation=-gradient(shaking, q),
+        kinetic_energy=kinetic,
+        gravitational_energy=tidy(weight),
+        elastic_energy=elastic,
+    )

@@ -1,0 +1,367 @@
+"""What a structure declares, and what follows from it.
+
+A structure is a set of bodies whose positions are known in each contact phase. It declares
+those positions, its springs and its dampers; the rest of this package derives equations of
+motion, impact maps, reactions and statics from them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import SIDE, at_side
+
+if TYPE_CHECKING:
+    from rockeom.symbolic.impulse import ImpulseMap
+    from rockeom.symbolic.lagrange import Equations
+
+GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)
+"""Horizontal and vertical ground acceleration [m/s2], positive to the right and upwards."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A constant of a structure. It has no default: physics is never assumed silently."""
+
+    symbol: sp.Symbol
+    name: str
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A constant that follows from the parameters; equations are written with its symbol."""
+
+    symbol: sp.Symbol
+    name: str
+    unit: str
+    meaning: str
+    value: sp.Expr
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """A generalised coordinate with its velocity and acceleration symbols."""
+
+    position: sp.Symbol
+    velocity: sp.Symbol
+    acceleration: sp.Symbol
+    name: str
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body: `mass` at `position` (x, y), with rotary `inertia` about its centroid.
+
+    `rotation` is the angle through which the body turns. `polar` names the radius R and the
+    angle alpha that replace the half-width and the body's height where equations are shown
+    in the form R sin(alpha - s theta): (half_width, height, R, alpha).
+    """
+
+    name: str
+    mass: sp.Expr
+    position: tuple[sp.Expr, sp.Expr]
+    inertia: sp.Expr = sp.Integer(0)
+    rotation: sp.Expr = sp.Integer(0)
+    polar: tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Symbol] | None = None
+
+
+@dataclass(frozen=True)
+class Foot:
+    """A point of the base that may touch the ground.
+
+    `force` is the vertical force of the ground on the foot where a spring or damper gives it;
+    None where the ground is rigid and the force is a constraint's.
+    """
+
+    position: tuple[sp.Expr, sp.Expr]
+    force: sp.Expr | None = None
+
+
+@dataclass(frozen=True)
+class Phase:
+    """The mechanism that moves while the set of contacts does not change.
+
+    contacts : side of each contact state that this mechanism serves. A rocking mechanism
+        serves two, {"left": -1, "right": +1}, written once with the side s = sgn(theta).
+    coordinates : those free to move; all others are held at zero.
+    dissipation : Rayleigh's function, half the power lost.
+    feet : the "left" and the "right" foot.
+    small : symbols taken as small of first order; energies are then truncated at second
+        order, which gives the linearised equations. Impacts keep the exact geometry.
+    """
+
+    contacts: dict[str, int]
+    coordinates: tuple[Coordinate, ...]
+    bodies: tuple[Body, ...]
+    gravity: sp.Expr
+    elastic_energy: sp.Expr = sp.Integer(0)
+    dissipation: sp.Expr = sp.Integer(0)
+    feet: dict[str, Foot] = field(default_factory=dict)
+    load_point: tuple[sp.Expr, sp.Expr] | None = None
+    small: tuple[sp.Symbol, ...] = ()
+
+    @cached_property
+    def equations(self) -> Equations:
+        from rockeom.symbolic.lagrange import derive_equations
+
+        return derive_equations(self)
+
+    @property
+    def has_side(self) -> bool:
+        return any(self.contacts.values())
+
+    def side_of(self, contact: str) -> int:
+        return self.contacts[contact]
+
+
+@dataclass(frozen=True)
+class Transition:
+    """The end of a contact state.
+
+    kind : "impact": the gap of `source` closes and velocities jump; "uplift": the acceleration
+        with which `target` would open turns positive; "switch": `guard` falls through zero and
+        the state goes on unchanged.
+    fallback : where an impact leads if its target could not open (the old foot does not lift).
+    guard : positive inside `source`.
+    """
+
+    source: str
+    target: str
+    kind: str
+    guard: sp.Expr | None = None
+    fallback: str | None = None
+    reference: str = ""
+
+
+@dataclass(frozen=True)
+class RockingModel:
+    """A structure: parameters, coordinates, phases and the transitions between them."""
+
+    name: str
+    title: str
+    parameters: tuple[Parameter, ...]
+    coordinates: tuple[Coordinate, ...]
+    phases: tuple[Phase, ...]
+    transitions: tuple[Transition, ...]
+    rotation: Coordinate
+    overturning: sp.Expr = sp.pi / 2
+    definitions: tuple[Definition, ...] = ()
+    rigid_velocity_ratio: sp.Expr | None = None
+    reference: str = ""
+
+    def __post_init__(self) -> None:
+        _check_symbols(self)
+
+    @property
+    def constants(self) -> dict[sp.Symbol, sp.Expr]:
+        """Derived constants, each in terms of the parameters."""
+        return {d.symbol: d.value for d in self.definitions}
+
+    @property
+    def contacts(self) -> tuple[str, ...]:
+        """Names of all contact states, in the order in which generated code numbers them."""
+        names = [name for phase in self.phases for name in phase.contacts]
+        return tuple(sorted(names, key=lambda n: ("left" not in n, "both" not in n, n)))
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        names = [c.name for c in self.coordinates]
+        return (*names, *(f"{n}_dot" for n in names))
+
+    @property
+    def has_impacts(self) -> bool:
+        return any(t.kind == "impact" for t in self.transitions)
+
+    def phase(self, contact: str) -> Phase:
+        """The phase that serves a contact state ("left", "both", "right", "flight")."""
+        for phase in self.phases:
+            if contact in phase.contacts:
+                return phase
+        raise KeyError(f"{self.name} has no contact state {contact!r}; it has {self.contacts}")
+
+    def equations(self, contact: str) -> Equations:
+        """Equations of motion of a contact state, its side put in as a number."""
+        phase = self.phase(contact)
+        return phase.equations.at_side(phase.side_of(contact)) if phase.has_side else phase.equations
+
+    def impulse_map(self, source: str, target: str) -> ImpulseMap:
+        """Velocities after the sudden passage from one contact state to another."""
+        from rockeom.symbolic.impulse import derive_impulse_map
+
+        return derive_impulse_map(self, source, target)
+
+    @cached_property
+    def velocity_ratio(self) -> sp.Expr | None:
+        """Ratio of angular velocities at an impact of the structure taken as rigid."""
+        from rockeom.symbolic.impulse import rigid_velocity_ratio
+
+        if self.rigid_velocity_ratio is not None:
+            return self.rigid_velocity_ratio
+        return rigid_velocity_ratio(self) if self.has_impacts else None
+
+    def latex(self, form: str = "width") -> str:
+        """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
+        from rockeom.symbolic.typeset import latex_document
+
+        return latex_document(self, form)
+
+    def markdown(self) -> str:
+        """The same equations as a Markdown page."""
+        from rockeom.symbolic.typeset import markdown_page
+
+        return markdown_page(self)
+
+    def _repr_latex_(self) -> str:
+        from rockeom.symbolic.typeset import equations_latex
+
+        return "$$" + equations_latex(self.phases[0]) + "$$"
+
+    def lambdify(self):
+        """Vectorised NumPy functions of every contact state, see `numpy_functions`."""
+        from rockeom.symbolic.evaluate import numpy_functions
+
+        return numpy_functions(self)
+
+
+def _check_symbols(model: RockingModel) -> None:
+    """Every symbol of the declaration must be a parameter, a coordinate or the side."""
+    known = {p.symbol for p in (*model.parameters, *model.definitions)}
+    known |= {SIDE, GROUND_X, GROUND_Y}
+    for c in model.coordinates:
+        known |= {c.position, c.velocity, c.acceleration}
+    for phase in model.phases:
+        used: set[sp.Basic] = set()
+        for body in phase.bodies:
+            for e in (body.mass, body.inertia, body.rotation, *body.position):
+                used |= sp.sympify(e).free_symbols
+        used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
+        unknown = sorted(str(x) for x in used - known)
+        if unknown:
+            raise ValueError(
+                f"{model.name}: undeclared symbols {', '.join(unknown)}; "
+                "add them to `parameters` or `coordinates`"
+            )
+    names = [p.name for p in model.parameters] + list(model.states)
+    twice = sorted({n for n in names if names.count(n) > 1})
+    if twice:
+        raise ValueError(f"{model.name}: declared twice: {', '.join(twice)}")
+
+
+def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
+    """A coordinate; its velocity and acceleration are typeset with one and two dots."""
+    return Coordinate(
+        sp.Symbol(symbol, real=True),
+        sp.Symbol(rf"\dot{{{_tex(symbol)}}}", real=True),
+        sp.Symbol(rf"\ddot{{{_tex(symbol)}}}", real=True),
+        name,
+        unit,
+        meaning,
+    )
+
+
+def parameter(symbol: str, name: str, unit: str, meaning: str) -> Parameter:
+    """A positive parameter."""
+    return Parameter(sp.Symbol(symbol, positive=True), name, unit, meaning)
+
+
+def _tex(symbol: str) -> str:
+    return sp.latex(sp.Symbol(symbol))
+
+
+def turned(point, about, angle) -> tuple[sp.Expr, sp.Expr]:
+    """`point` (x, y) turned clockwise through `angle` about the point `about`."""
+    dx, dy = sp.sympify(point[0]) - about[0], sp.sympify(point[1]) - about[1]
+    cos, sin = sp.cos(angle), sp.sin(angle)
+    return about[0] + dx * cos + dy * sin, about[1] - dx * sin + dy * cos
+
+
+def rocking_structure(
+    *,
+    name: str,
+    title: str,
+    parameters: Iterable[Parameter],
+    coordinates: Iterable[Coordinate],
+    bodies,
+    half_width: sp.Expr,
+    gravity: sp.Expr,
+    rotation_angle: sp.Expr | None = None,
+    elastic_energy: sp.Expr = sp.Integer(0),
+    dissipation: sp.Expr = sp.Integer(0),
+    load_on: str | None = None,
+    small: tuple[sp.Symbol, ...] = (),
+    overturning: sp.Expr = sp.pi / 2,
+    reference: str = "",
+) -> RockingModel:
+    """A structure that rocks about the two edges of its base on rigid ground.
+
+    `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
+    coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
+    same structure with the rotation held at zero.
+    """
+    rotation, *others = coordinates = tuple(coordinates)
+    angle = rotation.position if rotation_angle is None else rotation_angle
+    pivot = (SIDE * half_width, sp.Integer(0))
+    turning = tuple(bodies(pivot))
+    held = {rotation.position: 0}
+
+    def hold(expr) -> sp.Expr:
+        return at_side(sp.sympify(expr).subs(held), 1)
+
+    standing = tuple(
+        Body(b.name, b.mass, (hold(b.position[0]), hold(b.position[1])), b.inertia, hold(b.rotation))
+        for b in turning
+    )
+    edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
+    load = load_on or turning[0].name
+
+    def load_point(of: tuple[Body, ...]) -> tuple[sp.Expr, sp.Expr]:
+        return next(b.position for b in of if b.name == load)
+
+    rocking = Phase(
+        {"left": -1, "right": 1},
+        coordinates,
+        turning,
+        gravity,
+        sp.sympify(elastic_energy),
+        sp.sympify(dissipation),
+        {k: Foot(turned(edge, pivot, angle)) for k, edge in edges.items()},
+        load_point(turning),
+        small,
+    )
+    full = Phase(
+        {"both": 0},
+        tuple(others),
+        standing,
+        gravity,
+        sp.sympify(elastic_energy).subs(held),
+        sp.sympify(dissipation).subs({rotation.velocity: 0, **held}),
+        {k: Foot(edge) for k, edge in edges.items()},
+        load_point(standing),
+        small,
+    )
+    theta = rotation.position
+    return RockingModel(
+        name=name,
+        title=title,
+        parameters=tuple(parameters),
+        coordinates=coordinates,
+        phases=(rocking, full),
+        transitions=(
+            Transition("left", "right", "impact", -theta, "both"),
+            Transition("right", "left", "impact", theta, "both"),
+            Transition("both", "left", "uplift"),
+            Transition("both", "right", "uplift"),
+        ),
+        rotation=rotation,
+        overturning=overturning,
+        reference=reference,
+    )

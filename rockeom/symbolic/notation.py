@@ -1,0 +1,326 @@
+"""How an engineer writes an expression: order of factors and terms, common factors, line breaks.
+
+Factors: sign s, masses, inertia, gravity or ground acceleration, stiffnesses, lengths,
+coordinates, radii, brackets, sines and cosines, velocities, accelerations. Terms: by
+accelerations, velocities, ground acceleration and gravity; within each, mass by mass.
+"""
+
+from __future__ import annotations
+
+import re
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from rockeom.symbolic.algebra import SIDE, square_is
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Phase
+from rockeom.symbolic.polar import compound_angles
+
+GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
+MASS, INERTIA, FIELD, STRENGTH, LENGTH, POSITION, RADIUS, BRACKET, ANGLE, DOTTED = range(1, 11)
+AFTER, BEFORE = "+", "-"
+
+
+def at_impact(coordinate: Coordinate, when: str) -> sp.Symbol:
+    """The velocity just AFTER or BEFORE an impact."""
+    return sp.Symbol(f"{coordinate.velocity}^{{{when}}}", real=True)
+
+
+class Notation(LatexPrinter):
+    """LaTeX of expressions of one phase."""
+
+    def __init__(self, phase: Phase, others: tuple[Coordinate, ...] = ()) -> None:
+        super().__init__()
+        coordinates = tuple(dict.fromkeys((*phase.coordinates, *others)))
+        self.coordinates = coordinates
+        self.moving = {c.position for c in coordinates}
+        self.masses = _symbols(b.mass for b in phase.bodies)
+        heavy = _symbols(e for b in phase.bodies for e in (b.mass, b.inertia))
+        self.dotted = [c.acceleration for c in coordinates]
+        for c in coordinates:
+            self.dotted += [c.velocity, at_impact(c, AFTER), at_impact(c, BEFORE)]
+        field = [GROUND_X, GROUND_Y, *_symbols([phase.gravity])]
+        self.leaders = [*self.dotted, *field]
+        self.heavy = {x: i for i, x in enumerate(heavy)}
+        places = [b.position for b in phase.bodies] + [f.position for f in phase.feet.values()]
+        levers = [sp.diff(e, q) for place in places for e in place for q in self.moving]
+        radii = {body.polar[2] for body in phase.bodies if body.polar}
+        groups = [
+            (DOTTED, self.dotted),
+            (POSITION, [c.position for c in coordinates]),
+            (MASS, self.masses),
+            (FIELD, field),
+            (INERTIA, heavy),
+            (RADIUS, sorted(radii, key=str)),
+            (LENGTH, _symbols(levers)),
+        ]
+        self.rank = {SIDE: (0, 0)}
+        for group, symbols in groups:
+            for i, x in enumerate(symbols):
+                self.rank.setdefault(x, (group, i))
+
+    # --- order
+
+    def factor_key(self, factor: sp.Expr):
+        base = factor.base if factor.is_Pow else factor
+        if base.is_Symbol:
+            rank = self.rank.get(base, (STRENGTH, 0))
+        elif base.is_Function:
+            rank = (ANGLE, 0)
+        else:
+            weighed = all(set(self.masses) & t.free_symbols for t in sp.Add.make_args(base))
+            rank = (MASS if weighed and not base.has(sp.Function) else BRACKET, 0)
+        return *rank, sp.default_sort_key(factor)
+
+    def term_key(self, term: sp.Expr):
+        number, factors = _product(term)
+        symbols = {f.base if f.is_Pow else f for f in factors}
+        dots = [i for i, x in enumerate(self.dotted) if x in symbols]
+        mass = min((self.heavy[x] for x in symbols if x in self.heavy), default=len(self.heavy))
+        turning = [f for f in term.atoms(sp.Function) if f.free_symbols & self.moving]
+        # sin(alpha - s theta), then cos(theta), then sin(theta), then what does not turn
+        kind = min((0 if f.args[0].is_Add else 1 + (f.func != sp.cos) for f in turning), default=3)
+        last = bool(symbols & self.moving) if kind < 3 else bool(number < 0)
+        order = (not dots, dots, mass, kind, last, SIDE in symbols, len(factors))
+        return *order, sp.default_sort_key(term)
+
+    def sorted_terms(self, expr: sp.Expr) -> list[sp.Expr]:
+        return sorted(sp.Add.make_args(expr), key=self.term_key)
+
+    # --- common factors
+
+    def terms(self, expr: sp.Expr) -> list[sp.Expr]:
+        """The terms of `expr`, collected as stated above; their sum is `expr`."""
+        expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
+        expr = _oriented(compound_angles(expr, self.coordinates), self.moving)
+        leaders = [x for x in self.leaders if expr.has(x) and expr.is_polynomial(x)]
+        if not leaders:
+            return self._grouped(expr, sp.Integer(1))
+        found = []
+        for powers, part in sp.Poly(expr, *leaders).terms():
+            lead = sp.Mul(*(x**n for x, n in zip(leaders, powers, strict=True)))
+            one_bracket = lead.free_symbols & set(self.dotted)
+            found += self._joined(part, lead) if one_bracket else self._grouped(part, lead)
+        return found
+
+    def _grouped(self, expr: sp.Expr, lead: sp.Expr) -> list[sp.Expr]:
+        """Terms with masses, mass by mass unless a constant sum can be put in brackets."""
+        parts = dict.fromkeys((*self.masses, None), sp.Integer(0))
+        for term in sp.Add.make_args(expr):
+            parts[next((m for m in self.masses if term.has(m)), None)] += term
+        light = parts.pop(None)
+        heavy = sum(parts.values(), sp.Integer(0))
+        outer, bracket = self._factored(heavy)
+        if not bracket.free_symbols & self.moving and outer * lead != 1:
+            parts = {None: heavy}
+        return [t for part in (*parts.values(), light) if part for t in self._joined(part, lead)]
+
+    def _joined(self, expr: sp.Expr, lead: sp.Expr) -> list[sp.Expr]:
+        outer, bracket = self._factored(expr)
+        if bracket == 1 or outer * lead == 1:
+            return self.sorted_terms(outer * lead * bracket)
+        return [sp.Mul(outer * lead, bracket, evaluate=False)]
+
+    def _factored(self, expr: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """(common factor, bracket): the bracket's first term is positive, and has as few s."""
+        above, below = sp.fraction(sp.together(expr))
+        number, factors = _product(sp.gcd_terms(sp.expand(above)))
+        bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
+        outer = number * sp.Mul(*(f for f in factors if f is not bracket)) / below
+        sign, square = sp.factor(bracket).as_coeff_Mul()
+        if square.is_Pow and not square.free_symbols & self.moving:
+            return outer * sign * square, sp.Integer(1)
+        terms = self.sorted_terms(bracket)
+        with_side = sum(SIDE in _product(t)[1] for t in terms)
+        compound = any(f.args[0].has(SIDE) for f in terms[0].atoms(sp.Function))
+        if 2 * with_side + compound > len(terms):
+            bracket = square_is(sp.expand(SIDE * bracket), SIDE, sp.Integer(1))
+            outer *= SIDE
+        if _product(self.sorted_terms(bracket)[0])[0] < 0:
+            outer, bracket = -outer, -bracket
+        return outer, bracket
+
+    # --- LaTeX
+
+    def write(self, expr: sp.Expr) -> str:
+        """A sum, collected."""
+        return self.sum([self._print(t) for t in self.terms(expr)])
+
+    def quotient(self, expr: sp.Expr) -> str:
+        """A rational expression, numerator and denominator collected."""
+        above, below = sp.fraction(sp.together(expr))
+        if _product(self.terms(below)[0])[0] < 0:
+            above, below = -above, -below
+        terms = self.terms(above)
+        if below == 1:
+            return self.write(above)
+        sign = "-" if all(_product(t)[0] < 0 for t in terms) else ""
+        if sign:
+            above = -above
+        return rf"{sign}\frac{{{self.write(above)}}}{{{self.write(below)}}}"
+
+    @staticmethod
+    def sum(terms: list[str]) -> str:
+        """Terms joined by their signs; 0 if there are none."""
+        text = terms[0] if terms else "0"
+        for term in terms[1:]:
+            text += f" - {term[1:]}" if term.startswith("-") else f" + {term}"
+        return text
+
+    def _print_Add(self, expr: sp.Expr, order=None) -> str:
+        terms = [self._print(t) for t in self.sorted_terms(expr)]
+        first = next((t for t in terms if not t.startswith("-")), terms[0])
+        return self.sum([first, *(t for t in terms if t is not first)])
+
+    def _print_Mul(self, expr: sp.Expr) -> str:
+        number, factors = _product(expr)
+        below = [1 / f for f in factors if f.is_Pow and f.exp.is_negative]
+        above = [f for f in factors if not (f.is_Pow and f.exp.is_negative)]
+        sign = "-" if number < 0 else ""
+        p, q = abs(number.p), number.q
+        if not below and q != 1:
+            return rf"{sign}\tfrac{{{p}}}{{{q}}} {self._row(1, above)}".rstrip()
+        text = self._row(p, above) or "1"
+        return sign + (rf"\frac{{{text}}}{{{self._row(q, below)}}}" if below else text)
+
+    def _row(self, number: int, factors: list[sp.Expr]) -> str:
+        """A product, its factors in order; a lone sum needs no brackets."""
+        if number == 1 and len(factors) == 1:
+            return self._print(factors[0])
+        texts = [] if number == 1 else [str(number)]
+        for factor in sorted(factors, key=self.factor_key):
+            text = self._print(factor)
+            if texts and self.factor_key(factor)[0] == DOTTED and texts[-1][-1] != ")":
+                # keeps what follows out of the argument of a sine
+                texts += [r"\thinspace"] if re.match(r"\\(sin|cos|tan)", texts[-1]) else []
+            texts.append(_bracketed(text) if factor.is_Add else text)
+        return " ".join(texts)
+
+    def _print_Pow(self, expr: sp.Expr) -> str:
+        if expr.exp.is_negative:
+            return self._print_Mul(expr)
+        if expr.base.is_Add and expr.exp.is_Integer:
+            return f"{_bracketed(self._print(expr.base))}^{self._print(expr.exp)}"
+        return re.sub(r"\^\{(\w)\}$", r"^\1", super()._print_Pow(expr))
+
+    def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
+        name = GROUND.get(expr) or super()._print_Symbol(expr)
+        return re.sub(r"_\{(\w)\}", r"_\1", name)
+
+    def _print_Function(self, expr: sp.Function, exp: str | None = None) -> str:
+        name = {"atan": r"\arctan"}.get(expr.func.__name__, rf"\{expr.func.__name__}")
+        if len(expr.args) > 1 or name[1:] not in ("sin", "cos", "tan", "arctan"):
+            return super()._print_Function(expr, exp)
+        argument = self._print(expr.args[0])
+        if not expr.args[0].is_Symbol:
+            argument = _bracketed(argument)
+        power = f"^{exp}" if exp else ""
+        return f"{name}{power} {argument}" if argument[0].isalpha() else f"{name}{power}{argument}"
+
+    def _print_Min(self, expr: sp.Expr, exp: str | None = None) -> str:
+        arguments = sorted(expr.args, key=sp.default_sort_key)
+        return rf"\min({', '.join(self._print(a) for a in arguments)})"
+
+
+def _symbols(expressions) -> list[sp.Symbol]:
+    """Free symbols in order of appearance, those of one expression by name."""
+    found: dict[sp.Symbol, None] = {}
+    for expr in expressions:
+        free = sp.sympify(expr).free_symbols
+        found |= dict.fromkeys(sorted(free, key=sp.default_sort_key))
+    return list(found)
+
+
+def _product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
+    """(number, other factors), through products nested to keep a bracket together."""
+    number, factors = sp.Integer(1), []
+    for factor in sp.Mul.make_args(expr):
+        if factor.is_Rational:
+            number *= factor
+        elif factor.is_Mul:
+            inner, more = _product(factor)
+            number, factors = number * inner, factors + more
+        else:
+            factors.append(factor)
+    return number, factors
+
+
+def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
+    """Write sin(alpha - s theta) where SymPy's own order gives -sin(s theta - alpha)."""
+    put = {}
+    for f in expr.atoms(sp.sin, sp.cos, sp.tan):
+        (angle,) = f.args
+        fixed = [t for t in sp.Add.make_args(angle) if not t.free_symbols & moving]
+        if angle.is_Add and fixed and all(_product(t)[0] < 0 for t in fixed):
+            sign = 1 if f.func == sp.cos else -1
+            put[f] = sign * sp.Function(f.func.__name__)(-angle)
+    return expr.subs(put) if put else expr
+
+
+def _bracketed(text: str) -> str:
+    if r"\frac" in text:
+        return rf"\left[{text}\right]"
+    if "[" in text:
+        return rf"\bigl({text}\bigr)"
+    return f"[{text}]" if "(" in text else f"({text})"
+
+
+# --- width
+
+
+def _group(tex: str, start: int) -> int:
+    """Index behind the braces that open at `start`."""
+    depth = 0
+    for i in range(start, len(tex)):
+        depth += (tex[i] == "{") - (tex[i] == "}")
+        if depth == 0:
+            return i + 1
+    raise ValueError(f"unbalanced braces in {tex!r}")
+
+
+def width(tex: str) -> float:
+    """Estimated width of mathematics, in letters."""
+    while r"\frac" in tex:
+        start = tex.index(r"\frac")
+        middle = _group(tex, start + 5)
+        end = _group(tex, middle)
+        wider = max(tex[start + 6 : middle - 1], tex[middle + 1 : end - 1], key=width)
+        tex = tex[:start] + wider + tex[end:]
+    tex = re.sub(r"[_^](\{[^{}]*\}|\w)", "i", tex)
+    tex = re.sub(r"\\(d?dot|left|right|bigl|bigr|thinspace|tfrac|mathrm)(?![a-z])", "", tex)
+    tex = re.sub(r"\\(sin|cos|tan|min|arctan)", r"\1i", tex)
+    tex = re.sub(r"\\[a-z]+", "x", tex)
+    signs = len(re.findall(r" [-+=] ", tex))
+    return len(re.sub(r"[{}\s]", "", tex)) + 1.5 * signs - 0.4 * tex.count("i")
+
+
+_MARKS = re.compile(r"\\left|\\right|[\[({\])}]| [-+=] ")
+
+
+def _cuts(tex: str):
+    """(depth of brackets, index) of each sign before which a line may be broken."""
+    depth = closed = 0
+    for mark in _MARKS.finditer(tex):
+        if mark[0] in ("{", r"\left"):
+            closed += 1
+        elif mark[0] in ("}", r"\right"):
+            closed -= 1
+        elif mark[0] in "[(":
+            depth += 1
+        elif mark[0] in ")]":
+            depth -= 1
+        elif not closed:
+            yield (-1 if "=" in mark[0] else depth), mark.start()
+
+
+def broken(tex: str, limit: float) -> list[str]:
+    """`tex` in lines of at most that width, broken before signs, outside brackets if possible."""
+    lines = []
+    while width(tex) > limit:
+        cuts = [(d, -i) for d, i in _cuts(tex) if 0.4 * limit < width(tex[:i]) <= limit]
+        if not cuts:
+            break
+        cut = -min(cuts)[1]
+        lines.append(tex[:cut])
+        tex = tex[cut + 1 :]
+    return [*lines, tex]

@@ -1,0 +1,106 @@
+"""Equations in the radius R and the angle alpha of each body, as the thesis writes them.
+
+    B = R sin(alpha),  H = R cos(alpha)
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
+from rockeom.symbolic.model import Body, Coordinate, Parameter, Phase, RockingModel
+
+if TYPE_CHECKING:
+    from rockeom.symbolic.lagrange import Equations
+
+
+def has_polar_form(phase: Phase) -> bool:
+    return any(body.polar for body in phase.bodies)
+
+
+def in_polar_form(phase: Phase) -> Equations:
+    """The phase's equations with R and alpha of each body instead of half-width and height.
+
+    Raises ValueError if none of its bodies names its R and alpha.
+    """
+    if not has_polar_form(phase):
+        raise ValueError(
+            f"no polar form of phase {', '.join(phase.contacts)}: none of its bodies names a "
+            'radius and an angle (`polar`); use form="width"'
+        )
+    equations = polar_phase(phase).equations
+    return equations.map(lambda e: compound_angles(e, phase.coordinates))
+
+
+def polar_phase(phase: Phase) -> Phase:
+    """The same mechanism, its bodies placed by R and alpha."""
+    bodies = tuple(_polar_body(body) for body in phase.bodies)
+    loaded = [b.position for b in phase.bodies].index(phase.load_point) if phase.load_point else 0
+    return replace(phase, bodies=bodies, load_point=phase.load_point and bodies[loaded].position)
+
+
+def _polar_body(body: Body) -> Body:
+    if body.polar is None:
+        return body
+    half_width, height, radius, alpha = body.polar
+    put = {half_width: radius * sp.sin(alpha), height: radius * sp.cos(alpha)}
+    x, y = (e.subs(put, simultaneous=True) for e in body.position)
+    return replace(body, position=(x, y))
+
+
+def polar_parameters(model: RockingModel) -> tuple[tuple[Parameter, sp.Expr], ...]:
+    """R and alpha of each body, each with its value in half-width and height."""
+    found: dict[sp.Symbol, tuple[Parameter, sp.Expr]] = {}
+    for body in (b for phase in model.phases for b in phase.bodies if b.polar):
+        b, h, radius, alpha = body.polar
+        where = f"of the {body.name}'s centroid from the pivot"
+        found[radius] = (
+            Parameter(radius, str(radius), "m", f"distance {where}"),
+            sp.sqrt(b**2 + h**2),
+        )
+        found[alpha] = (
+            Parameter(alpha, str(alpha), "rad", "angle of that line from the vertical"),
+            sp.atan(b / h),
+        )
+    return tuple(found.values())
+
+
+def polar_model(model: RockingModel) -> RockingModel:
+    """The same structure, the bodies of its rocking phases placed by R and alpha."""
+    return replace(
+        model,
+        parameters=(*model.parameters, *(p for p, _ in polar_parameters(model))),
+        phases=tuple(polar_phase(phase) for phase in model.phases),
+    )
+
+
+def compound_angles(expr: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+    """Products of sines and cosines of a fixed and a turning angle as sin(alpha - s theta).
+
+    With S and C, sine and cosine of alpha - s theta, sin(alpha) = S cos(theta) + s C sin(theta)
+    and cos(alpha) = C cos(theta) - s S sin(theta). Kept only where it makes `expr` shorter.
+    """
+    moving = {c.position for c in coordinates}
+    angles = angles_in(expr)
+    for fixed in (a for a in angles if not a.free_symbols & moving):
+        for turning in (a for a in angles if a.free_symbols & moving):
+            both, others = sp.Integer(0), sp.Integer(0)
+            for term in sp.Add.make_args(sp.expand(expr)):
+                if {fixed, turning} <= set(angles_in(term)):
+                    both += term
+                else:
+                    others += term
+            sine, cosine = sp.Dummy("S"), sp.Dummy("C")
+            sin, cos = sp.sin(turning), sp.cos(turning)
+            put = {
+                sp.sin(fixed): sine * cos + SIDE * cosine * sin,
+                sp.cos(fixed): cosine * cos - SIDE * sine * sin,
+            }
+            joint = tidy(both.subs(put))
+            if len(sp.Add.make_args(joint)) < len(sp.Add.make_args(both)):
+                angle = fixed - SIDE * turning
+                expr = others + joint.subs({sine: sp.sin(angle), cosine: sp.cos(angle)})
+    return square_is(sp.expand(expr), SIDE, sp.Integer(1))

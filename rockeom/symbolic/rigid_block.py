@@ -1,0 +1,105 @@
+"""Housner's block, and its slender and non-dimensional forms (thesis 2.2 and 2.5.1)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from rockeom.symbolic.model import (
+    Body,
+    RockingModel,
+    coordinate,
+    parameter,
+    rocking_structure,
+    turned,
+)
+
+ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise about the right edge")
+GRAVITY = parameter("g", "gravity", "m/s2", "acceleration of gravity")
+
+
+def rigid_block() -> RockingModel:
+    """A rigid body on rigid ground, rocking about its two edges; any size of rotation."""
+    mass = parameter("m", "mass", "kg", "mass")
+    half_width = parameter("B", "half_width", "m", "half of the width of the base")
+    height = parameter("H", "height", "m", "height of the centroid above the base")
+    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
+    b, h = half_width.symbol, height.symbol
+    polar = (b, h, sp.Symbol("R", positive=True), sp.Symbol("alpha", positive=True))
+    theta = ROTATION.position
+
+    def bodies(pivot):
+        centroid = turned((0, h), pivot, theta)
+        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, polar)]
+
+    return rocking_structure(
+        name="rigid_block",
+        title="Rigid block on rigid ground",
+        parameters=(mass, half_width, height, inertia, GRAVITY),
+        coordinates=(ROTATION,),
+        bodies=bodies,
+        half_width=b,
+        gravity=GRAVITY.symbol,
+        reference="Housner (1963); thesis 2-2, 2-6, 2-9, 3-8, 3-9",
+    )
+
+
+def slender_block() -> RockingModel:
+    """The block linearised for small rotation and small alpha (thesis 2-3, 2-14).
+
+    Rotation, alpha and horizontal ground acceleration in g are small of first order. The
+    restitution keeps the exact geometry (thesis 2-6), as Housner's does.
+    """
+    mass = parameter("m", "mass", "kg", "mass")
+    radius = parameter("R", "radius", "m", "distance of the centroid from either edge")
+    alpha = parameter("alpha", "alpha", "rad", "angle of that line from the vertical")
+    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
+    r, a = radius.symbol, alpha.symbol
+    theta = ROTATION.position
+    half_width = r * sp.sin(a)
+
+    def bodies(pivot):
+        centroid = turned((0, r * sp.cos(a)), pivot, theta)
+        return [Body("block", mass.symbol, centroid, inertia.symbol, theta)]
+
+    return rocking_structure(
+        name="slender_block",
+        title="Slender rigid block, linearised",
+        parameters=(mass, radius, alpha, inertia, GRAVITY),
+        coordinates=(ROTATION,),
+        bodies=bodies,
+        half_width=half_width,
+        gravity=GRAVITY.symbol,
+        small=(theta, ROTATION.velocity, a, sp.Symbol("a_x", real=True)),
+        reference="Housner (1963); thesis 2-3, 2-14",
+    )
+
+
+def nondimensional_block() -> RockingModel:
+    """The block in x = theta/alpha and time p t (thesis 2-10 to 2-13).
+
+    Mass in units of m, length in units of g/p**2, time in units of 1/p, so that gravity is 1,
+    ground accelerations are in units of g, and I_o = mgR/p**2 leaves two numbers: alpha and
+    rho = m R**2/I_o (3/4 for a rectangular block), which is the radius in these units.
+    """
+    x = coordinate("x", "x", "-", "rotation over alpha")
+    alpha = parameter("alpha", "alpha", "rad", "angle of the line from edge to centroid")
+    ratio = parameter("rho", "radius_ratio", "-", "m R**2/I_o, 3/4 for a rectangular block")
+    a, rho = alpha.symbol, ratio.symbol
+    angle = a * x.position
+
+    def bodies(pivot):
+        centroid = turned((0, rho * sp.cos(a)), pivot, angle)
+        return [Body("block", sp.Integer(1), centroid, rho - rho**2, angle)]
+
+    return rocking_structure(
+        name="nondimensional_block",
+        title="Non-dimensional rigid block",
+        parameters=(alpha, ratio),
+        coordinates=(x,),
+        bodies=bodies,
+        half_width=rho * sp.sin(a),
+        gravity=sp.Integer(1),
+        rotation_angle=angle,
+        overturning=sp.pi / (2 * a),
+        reference="Hogan (1989); thesis 2-13",
+    )

@@ -1,0 +1,43 @@
+"""Equilibrium under a horizontal force at the load point, and the pushover curve."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import at_side
+from rockeom.symbolic.model import Phase, RockingModel
+
+LOAD = sp.Symbol("P", real=True)
+"""Horizontal force at the load point [N], positive to the right."""
+
+
+def equilibrium(phase: Phase) -> sp.Matrix:
+    """dV/dq - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point."""
+    eq = phase.equations
+    if phase.load_point is None:
+        raise ValueError("this phase declares no load point")
+    lever = [sp.diff(phase.load_point[0], c.position) for c in phase.coordinates]
+    return eq.gravity + eq.stiffness - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
+
+
+def pushover(model: RockingModel, contact: str) -> sp.Expr:
+    """The force P that holds the structure at a rotation, the other coordinates condensed.
+
+    Raises NotImplementedError where the condensation has no closed form that is unique (the
+    other coordinates enter non-linearly); the numeric pushover solves these.
+    """
+    phase = model.phase(contact)
+    rows = [at_side(e, phase.side_of(contact)) for e in equilibrium(phase)]
+    names = [c.name for c in phase.coordinates]
+    turning = rows.pop(names.index(model.rotation.name))
+    others = [c.position for c in phase.coordinates if c is not model.rotation]
+    if others:
+        try:
+            (others_at,) = sp.linsolve(rows, others)
+        except (ValueError, sp.solvers.solveset.NonlinearError) as e:
+            raise NotImplementedError(f"{model.name}: no unique closed form") from e
+        turning = turning.subs(dict(zip(others, others_at, strict=True)))
+    if sp.diff(turning, LOAD, 2) != 0:
+        raise NotImplementedError(f"{model.name}: the force enters non-linearly")
+    slope = sp.diff(turning, LOAD)
+    return sp.simplify(-turning.subs(LOAD, 0) / slope)

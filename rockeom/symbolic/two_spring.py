@@ -1,0 +1,208 @@
+"""Rigid lumped-mass structure on two compression-only springs (thesis Model B, 5.3.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.lumped_mass import (
+    BASE_HEIGHT,
+    BASE_MASS,
+    HALF_WIDTH,
+    HEIGHT,
+    MASS,
+    PARAMETERS,
+    base,
+    lumped_mass_structure,
+    superstructure,
+)
+from rockeom.symbolic.model import (
+    Body,
+    Definition,
+    Foot,
+    Phase,
+    RockingModel,
+    Transition,
+    coordinate,
+    parameter,
+)
+from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
+from rockeom.symbolic.statics import pushover
+
+FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
+FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
+HEAVE = coordinate("v", "heave", "m", "rise of the base's centre above its settled position")
+
+
+def two_spring_structure() -> RockingModel:
+    """The exact dynamics: rotation and heave, the centre of the base guided vertically.
+
+    Each foot presses on a spring and a damper that cannot pull: the force is
+    k_f delta + c_f delta' while both the compression delta and that sum are positive.
+    """
+    theta, v = ROTATION.position, HEAVE.position
+    k, c, b = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol, HALF_WIDTH.symbol
+    weight = (MASS.symbol + BASE_MASS.symbol) * GRAVITY.symbol
+    settlement = weight / (2 * k)  # thesis 5-16
+    centre = (sp.Integer(0), v - settlement)
+
+    def place(body: Body) -> Body:
+        """The body of the structure that turns about the centre of its base."""
+        x, y = body.position
+        return Body(body.name, body.mass, (x, y + centre[1]), body.inertia, body.rotation)
+
+    origin = (sp.Integer(0), sp.Integer(0))
+    bodies = tuple(place(b_) for b_ in (superstructure(origin, theta), base(origin, theta)))
+    sole = {
+        "left": (-b * sp.cos(theta), centre[1] + b * sp.sin(theta)),
+        "right": (b * sp.cos(theta), centre[1] - b * sp.sin(theta)),
+    }
+    compression = {foot: -y for foot, (_, y) in sole.items()}
+    speed = {
+        foot: sp.diff(d, theta) * ROTATION.velocity + sp.diff(d, v) * HEAVE.velocity
+        for foot, d in compression.items()
+    }
+    force = {foot: k * compression[foot] + c * speed[foot] for foot in sole}
+
+    def phase(name: str, *pressed: str) -> Phase:
+        return Phase(
+            {name: 0},
+            (ROTATION, HEAVE),
+            bodies,
+            GRAVITY.symbol,
+            sum((k * compression[f] ** 2 / 2 for f in pressed), sp.Integer(0)),
+            sum((c * speed[f] ** 2 / 2 for f in pressed), sp.Integer(0)),
+            {
+                f: Foot(sole[f], force[f] if f in pressed else sp.Integer(0))
+                for f in ("left", "right")
+            },
+            bodies[0].position,
+        )
+
+    def lifts(source: str, target: str, foot: str) -> Transition:
+        return Transition(source, target, "switch", force[foot])
+
+    def lands(source: str, target: str, foot: str) -> Transition:
+        return Transition(source, target, "switch", -sp.Min(compression[foot], force[foot]))
+
+    return RockingModel(
+        name="two_spring_structure",
+        title="Rigid lumped-mass structure on two compression-only springs (Model B)",
+        parameters=(*PARAMETERS, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
+        coordinates=(ROTATION, HEAVE),
+        phases=(
+            phase("both", "left", "right"),
+            phase("left", "left"),
+            phase("right", "right"),
+            phase("flight"),
+        ),
+        transitions=(
+            lifts("both", "right", "left"),
+            lifts("both", "left", "right"),
+            lands("left", "both", "right"),
+            lifts("left", "flight", "left"),
+            lands("right", "both", "left"),
+            lifts("right", "flight", "right"),
+            lands("flight", "left", "left"),
+            lands("flight", "right", "right"),
+        ),
+        rotation=ROTATION,
+        reference="thesis 5.3.2, derived exactly instead of 5-15",
+    )
+
+
+@dataclass(frozen=True)
+class BilinearPushover:
+    """Force against displacement, linear until a foot lifts and linear from there to overturning.
+
+    contact_stiffness : thesis 5-25, the tangent of the exact curve [N/m]
+    lift_off : displacement at which a foot lifts, thesis 5-23 [m]
+    lift_off_force : force on fixed pivots at that rotation, thesis 5-32 [N]
+    overturning : displacement at which the force has fallen to zero, see 5-33 [m]
+    """
+
+    contact_stiffness: sp.Expr
+    lift_off: sp.Expr
+    lift_off_force: sp.Expr
+    overturning: sp.Expr
+
+
+def bilinear_pushover() -> BilinearPushover:
+    """The thesis's closed form k(u), from the exact statics of springs and of fixed pivots."""
+    springs, pivots = two_spring_structure(), lumped_mass_structure()
+    theta, v = ROTATION.position, HEAVE.position
+    at_rest = {theta: 0, v: 0, ROTATION.velocity: 0, HEAVE.velocity: 0}
+    lever = HEIGHT.symbol  # u = H_e theta for small rotations
+    left = springs.phase("both").feet["left"].force
+    lift_off_rotation = sp.simplify(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
+    on_pivot = pushover(pivots, "right")
+    cosine, sine = (sp.expand(sp.numer(on_pivot)).coeff(f(theta)) for f in (sp.cos, sp.sin))
+    upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
+    x = at_side(pivots.phase("right").load_point[0], 1)
+    return BilinearPushover(
+        contact_stiffness=sp.simplify(sp.diff(pushover(springs, "both"), theta).subs(theta, 0) / lever),
+        lift_off=lift_off_rotation * lever,
+        lift_off_force=on_pivot.subs(theta, lift_off_rotation),
+        overturning=(x - x.subs(theta, 0)).subs(theta, upright),
+    )
+
+
+def two_spring_cart() -> RockingModel:
+    """The thesis's equivalent cart 5-15: one displacement u and the closed form k(u).
+
+    Each passage through u = 0 is an impact with the restitution of the structure on fixed
+    pivots (5-14).
+    """
+    u = coordinate("u", "u", "m", "horizontal displacement of the superstructure")
+    x = u.position
+    curve = bilinear_pushover()
+    stiffness = _constant(
+        "k_0", "contact_stiffness", "N/m", "stiffness with both feet down, 5-25", curve.contact_stiffness
+    )
+    lift_off = _constant("u_l", "lift_off", "m", "displacement at lift-off, 5-23", curve.lift_off)
+    force = _constant(
+        "P_l", "lift_off_force", "N", "force on fixed pivots there, 5-32", curve.lift_off_force
+    )
+    top = _constant("u_o", "top", "m", "displacement of zero force, 5-33", curve.overturning)
+    k0, ul, pl, uo = (d.symbol for d in (stiffness, lift_off, force, top))
+    beyond = SIDE * x - ul
+    lifted = k0 * ul**2 / 2 + pl * beyond - pl / (uo - ul) * beyond**2 / 2
+    cart = Body("cart", MASS.symbol + BASE_MASS.symbol, (x, sp.Integer(0)))
+
+    def phase(contacts: dict[str, int], energy: sp.Expr) -> Phase:
+        return Phase(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
+
+    def lifts(side: int, contact: str, lifted: str) -> tuple[Transition, Transition]:
+        inside = ul - side * x
+        return (
+            Transition(contact, lifted, "switch", inside),
+            Transition(lifted, contact, "switch", -inside),
+        )
+
+    return RockingModel(
+        name="two_spring_cart",
+        title="Equivalent cart of the structure on two springs (Model B as printed)",
+        parameters=(*PARAMETERS, FOUNDATION_STIFFNESS),
+        coordinates=(u,),
+        phases=(
+            phase({"both_left": -1, "both_right": 1}, k0 * x**2 / 2),
+            phase({"left": -1, "right": 1}, lifted),
+        ),
+        transitions=(
+            Transition("both_left", "both_right", "impact", -x),
+            Transition("both_right", "both_left", "impact", x),
+            *lifts(-1, "both_left", "left"),
+            *lifts(1, "both_right", "right"),
+        ),
+        rotation=u,
+        overturning=HALF_WIDTH.symbol + HEIGHT.symbol,
+        definitions=(stiffness, lift_off, force, top),
+        rigid_velocity_ratio=lumped_mass_structure().velocity_ratio,
+        reference="thesis 5-15, 5-25, 5-33",
+    )
+
+
+def _constant(symbol: str, name: str, unit: str, meaning: str, value: sp.Expr) -> Definition:
+    return Definition(sp.Symbol(symbol, positive=True), name, unit, meaning, value)

@@ -1,0 +1,112 @@
+"""The house itself: what an import costs, who loads SymPy, what is public, what a wheel carries."""
+
+import ast
+import importlib.util
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import rockeom
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def run_python(*arguments: str, cwd: Path = ROOT) -> str:
+    """Standard output of a fresh interpreter that sees the packages in `cwd` first."""
+    environment = {**os.environ, "PYTHONPATH": str(cwd)}
+    done = subprocess.run(
+        [sys.executable, *arguments], cwd=cwd, env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout.strip()
+
+
+def names_for_type_checkers() -> dict[str, str]:
+    """Name -> home, as the TYPE_CHECKING block of the package imports them."""
+    tree = ast.parse(Path(rockeom.__file__).read_text(encoding="utf-8"))
+    (block,) = (node for node in tree.body if isinstance(node, ast.If))
+    return {
+        alias.asname: node.module
+        for node in block.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+
+
+# --- what an import costs
+
+
+def test_import_is_fast_and_loads_no_heavy_library():
+    code = """
+import time
+start = time.perf_counter()
+import rockeom
+seconds = time.perf_counter() - start
+import sys
+heavy = {"sympy", "numba", "matplotlib", "scipy"} & set(sys.modules)
+assert not heavy, f"import rockeom loads {sorted(heavy)}"
+print(seconds)
+"""
+    # The best of three: a busy machine delays one run, a heavy import slows them all.
+    assert min(float(run_python("-c", code)) for _ in range(3)) < 0.2
+
+
+def test_simulation_in_a_fresh_process_never_imports_sympy():
+    code = """
+import rockeom as rk
+block = rk.RigidBlock(half_width=0.095, half_height=0.45)
+run = rk.simulate(block, rk.GroundMotion.none(1.0), initial={"theta": 0.1})
+import sys
+assert len(run.t) > 1
+print("sympy" in sys.modules)
+"""
+    assert run_python("-c", code) == "False"
+
+
+# --- what is public
+
+
+@pytest.mark.parametrize("name", rockeom.__all__)
+def test_public_name_resolves_and_has_a_docstring(name):
+    assert getattr(rockeom, name).__doc__
+    assert name in dir(rockeom)
+
+
+def test_type_checkers_see_the_same_names_as_users():
+    assert names_for_type_checkers() == rockeom._HOME_OF
+
+
+def test_unknown_name_is_an_attribute_error_that_names_it():
+    with pytest.raises(AttributeError, match="'rockeom' has no attribute 'Simulate'"):
+        _ = rockeom.Simulate
+
+
+# --- where the generated modules are found
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("hatchling") is None, reason="hatchling is not installed"
+)
+def test_wheel_carries_the_generated_modules(tmp_path):
+    run_python("-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path))
+    (wheel,) = tmp_path.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        carried = set(archive.namelist())
+        archive.extractall(tmp_path / "site")
+    generated = {f"rockeom/generated/{path.name}" for path in (ROOT / "generated").glob("*.py")}
+    assert "rockeom/generated/rigid_block.py" in generated
+    assert generated | {"rockeom/py.typed", "rockeom/generated/__init__.py"} <= carried
+    assert not [name for name in carried if "__pycache__" in name or name.startswith("tests")]
+
+    code = "import rockeom.generated.rigid_block as module; print(module.__file__)"
+    found = Path(run_python("-c", code, cwd=tmp_path / "site"))
+    assert found == tmp_path / "site" / "rockeom" / "generated" / "rigid_block.py"
+
+
+def test_generated_folder_stays_a_plain_folder():
+    # An __init__.py there would take the place of the search-path shim in the wheel.
+    assert not (ROOT / "generated" / "__init__.py").exists()
