@@ -9,10 +9,13 @@ jump, go on.
 """
 
 # Outcomes, numbered as in rockeom.numeric.response.Outcome
-COMPLETED, AT_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
+COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
+FULL = 7  # no outcome: the records must be emptied before the loop goes on
 
 # Columns of the record of events
 IMPACT, UPLIFT, SWITCH, REST = range(4)
+
+_entry = njit(cache=True, error_model="numpy", nogil=True)
 
 EPS = 2.220446049250313e-16
 NEVER = 2.0  # a place behind the end of any step
@@ -37,9 +40,10 @@ def ground(seg, column, t):
 
 
 @_compiled
-def bernstein_at(b, x):
-    """Value of a polynomial in Bernstein form, by de Casteljau's scheme."""
-    w = b.copy()
+def bernstein_at(b, x, w):
+    """Value of the polynomial with Bernstein coefficients b[:8], by de Casteljau in w (8,)."""
+    for i in range(8):
+        w[i] = b[i]
     for n in range(7, 0, -1):
         for i in range(n):
             w[i] += x * (w[i + 1] - w[i])
@@ -47,7 +51,7 @@ def bernstein_at(b, x):
 
 
 @_compiled
-def first_fall(b, touching, noise):
+def first_fall(b, touching, noise, stack):
     """Smallest x in (0, 1] at which a polynomial falls through zero, or NEVER.
 
     b (8,) Bernstein coefficients on [0, 1]. Its coefficients bound a polynomial, and the number
@@ -56,26 +60,21 @@ def first_fall(b, touching, noise):
 
     touching : the guard was closed at x = 0 (an event was just there); that root is no other event.
     noise : coefficients below it are rounding errors.
+    stack (64, 10) : scratch, a row holds the coefficients of a part, its start and its width.
     """
-    scale = 0.0
-    for i in range(8):
-        scale = max(scale, abs(b[i]))
+    scale = size(b)
     if scale == 0.0:
         return NEVER
     noise = max(8.0 * EPS * scale, noise)
-    stack = np.empty((64, 8))
-    left = np.empty(64)
-    width = np.empty(64)
-    stack[0] = b
+    for i in range(8):
+        stack[0, i] = b[i]
     if touching:
         stack[0, 0] = 0.0
-    left[0] = 0.0
-    width[0] = 1.0
-    depth = 1
-    while depth > 0:
-        depth -= 1
-        part = stack[depth].copy()
-        x0, dx = left[depth], width[depth]
+    stack[0, 8], stack[0, 9] = 0.0, 1.0
+    depth = 0
+    while depth >= 0:
+        part, upper = stack[depth], stack[depth + 1]
+        start, width = part[8], part[9]
         changes = 0
         first = sign = 0
         for i in range(8):
@@ -86,40 +85,41 @@ def first_fall(b, touching, noise):
                 elif new != sign:
                     changes += 1
                 sign = new
-        if sign == 0 or (changes == 0 and first > 0):
-            continue
         if changes == 0:
-            # below zero from its start: it fell where this part begins
-            return x0
-        if (changes == 1 and first > 0) or dx < 1e-13:
-            return x0 + dx * _root(part)
-        if changes == 1 and x0 == 0.0 and first < 0:
-            # begins below zero and rises: it is leaving the surface it stood on
-            if touching:
-                return 0.0
-            continue
-        if changes == 1:
-            continue
-        # halve: de Casteljau gives both parts at once
-        lower = np.empty(8)
-        for n in range(7, -1, -1):
-            lower[7 - n] = part[0]
-            for i in range(n):
-                part[i] = 0.5 * (part[i] + part[i + 1])
-        # part now holds the coefficients of the upper half
-        stack[depth] = part
-        left[depth], width[depth] = x0 + 0.5 * dx, 0.5 * dx
-        stack[depth + 1] = lower
-        left[depth + 1], width[depth + 1] = x0, 0.5 * dx
-        depth += 2
+            if first < 0 and (start > 0.0 or touching or depth == 0):
+                return start  # below zero from here on: it fell where this part begins
+            depth -= 1
+        elif changes == 1 or width < 1e-13:
+            if first > 0:
+                return start + width * fall(part, upper)
+            if touching and start == 0.0:
+                return 0.0  # it does not open: it falls back at once
+            depth -= 1  # begins below zero and rises
+        else:
+            # halve: de Casteljau gives both halves at once; the lower one is looked at first
+            for n in range(7, -1, -1):
+                upper[7 - n] = part[0]
+                for i in range(n):
+                    part[i] = 0.5 * (part[i] + part[i + 1])
+            upper[8], upper[9] = start, 0.5 * width
+            part[8], part[9] = start + 0.5 * width, 0.5 * width
+            depth += 1
     return NEVER
 
 
 @_compiled
-def _root(b):
+def size(b):
+    largest = 0.0
+    for i in range(8):
+        largest = max(largest, abs(b[i]))
+    return largest
+
+
+@_compiled
+def fall(b, w):
     """The single fall through zero on [0, 1], by bisection sped up by false position."""
     low, high = 0.0, 1.0
-    at_low, at_high = bernstein_at(b, 0.0), bernstein_at(b, 1.0)
+    at_low, at_high = b[0], b[7]
     for n in range(200):
         if high - low <= 2.0 * EPS:
             break
@@ -127,7 +127,7 @@ def _root(b):
         if n % 2 == 0 and at_low > 0.0 > at_high:
             x = low + (high - low) * at_low / (at_low - at_high)
             x = min(max(x, low + 0.01 * (high - low)), high - 0.01 * (high - low))
-        value = bernstein_at(b, x)
+        value = bernstein_at(b, x, w)
         if value > 0.0:
             low, at_low = x, value
         else:
@@ -138,9 +138,19 @@ def _root(b):
 
 
 @_compiled
-def guard_polynomial(contact, index, t, h, p, seg, coefficients, y, g, b):
-    """Bernstein coefficients of a guard over the step whose dense output is given."""
-    if KINDS[contact][index] == 0:
+def dense_at(coefficients, x, out):
+    """States at x in [0, 1] of a step from its dense output (8, N), into out (N,)."""
+    for i in range(N_STATES):
+        value = coefficients[7, i]
+        for j in range(6, -1, -1):
+            value = value * x + coefficients[j, i]
+        out[i] = value
+
+
+@_compiled
+def guard_polynomial(contact, index, t, h, p, seg, coefficients, w, g, b):
+    """Bernstein coefficients of a guard over the step whose dense output is given, into b (8,)."""
+    if KINDS[contact][index] == IMPACT:
         # an impact's guard is the rotation, on its side: exactly the dense output
         side = SIDES[contact]
         for i in range(8):
@@ -148,20 +158,14 @@ def guard_polynomial(contact, index, t, h, p, seg, coefficients, y, g, b):
             for j in range(i + 1):
                 b[i] += POWERS_TO_BERNSTEIN[i, j] * side * coefficients[j, ROTATION]
         return
-    samples = np.empty(8)
-    for n in range(8):
-        x = NODES[n]
-        for i in range(N_STATES):
-            y[i] = coefficients[7, i]
-            for j in range(6, -1, -1):
-                y[i] = y[i] * x + coefficients[j, i]
-        tau = t + x * h
-        guards(contact, y, p, ground(seg, 2, tau), ground(seg, 8, tau), g)
-        samples[n] = g[index]
     for i in range(8):
         b[i] = 0.0
-        for j in range(8):
-            b[i] += SAMPLES_TO_BERNSTEIN[i, j] * samples[j]
+    for n in range(8):
+        dense_at(coefficients, NODES[n], w)
+        tau = t + NODES[n] * h
+        guards(contact, w, p, ground(seg, 2, tau), ground(seg, 8, tau), g)
+        for i in range(8):
+            b[i] += SAMPLES_TO_BERNSTEIN[i, n] * g[index]
 
 
 @_compiled
@@ -171,9 +175,7 @@ def rounding(contact, index, h, y, p, seg, t, b):
     A gap that opens without speed grows with the third power of time out of accelerations that
     cancel: what is left of them by rounding acts over the whole step.
     """
-    scale = 0.0
-    for i in range(8):
-        scale = max(scale, abs(b[i]))
+    scale = size(b)
     if KINDS[contact][index] != IMPACT:
         return 1e-8 * scale
     ax, ay = ground(seg, 2, t), ground(seg, 8, t)
@@ -188,7 +190,7 @@ def rounding(contact, index, h, y, p, seg, t, b):
 
 
 @_compiled
-def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, out):
+def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
     Close to the end of a free rocking motion the flights between impacts are parabolas: a flight
@@ -197,7 +199,8 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, out):
     than `tolerance` in units of 1/sqrt(a), or while an acceleration opens the gap. `out` gets
     the state of the limit.
     """
-    w = y.copy()
+    for i in range(N_STATES):
+        w[i] = y[i]
     total = 0.0
     start = abs(y[ROTATION_RATE])
     while True:
@@ -214,7 +217,8 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, out):
             return total, contact
         if not abs(out[ROTATION_RATE]) < v:
             return np.inf, contact  # nothing is lost: there is no end
-        w[:] = out
+        for i in range(N_STATES):
+            w[i] = out[i]
 
 
 # -- the loop ------------------------------------------------------------------------------------
@@ -252,68 +256,80 @@ def settle(contact, t, y, p, seg, touching, g):
 
 
 @_compiled
-def integrate(
-    contact, y0, t_end, segments, p, law, ratio, rtol, atol, h_max, fallen, rest_tolerance,
-    max_impacts, max_steps, keep,
-):
-    """Integrate from y0 (N,) at t = 0 to t_end, or to the outcome that ends the motion.
+def record_step(row, t, h, contact, coefficients, steps, step_contact, step_states):
+    steps[row, 0] = t
+    steps[row, 1] = h
+    step_contact[row] = contact
+    for j in range(8):
+        for i in range(N_STATES):
+            step_states[row, j, i] = coefficients[j, i]
 
+
+@_compiled
+def record_event(row, t, kind, before, follows, y, after, events, event_kinds, event_states):
+    events[row] = t
+    event_kinds[row, 0] = kind
+    event_kinds[row, 1] = before
+    event_kinds[row, 2] = follows
+    for i in range(N_STATES):
+        event_states[row, 0, i] = y[i]
+        event_states[row, 1, i] = after[i]
+
+
+@_entry
+def integrate(
+    status, clock, y, t_end, segments, p, law, ratio, rtol, atol, h_max, fallen, rest_tolerance,
+    max_impacts, max_steps, steps, step_contact, step_states, events, event_kinds, event_states,
+):
+    """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
+
+    status : contact, segment, guard closed at t (or -1), impacts, steps taken, steps recorded,
+        events recorded. clock : t, next step (0: unknown). y (N,): the state. All three are
+        changed in place, so that a call goes on where the last one ended.
     segments (m, 14) : start, end, and the law of the horizontal (columns 2 to 7) and of the
         vertical acceleration (8 to 13); they cover [0, t_end] and no step straddles an end.
-    Returns (outcome, t, contact, y, steps, step_contact, step_states, events, event_kinds,
-    event_states): steps (n, 2) start and length, step_states (n, 8, N) their dense output,
-    events (m,) times, event_kinds (m, 3) kind and contact before and after, event_states
-    (m, 2, N) state before and after.
+    steps (n, 2) start and length, step_contact (n,), step_states (n, 8, N) the dense output of
+    each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
+    and after, event_states (m, 2, N) state before and after.
     """
+    contact, s, touching, impacts, taken, n_steps, n_events = status
+    t, h_next = clock
     k = np.zeros((N_ALL_STAGES, N_STATES))
     w = np.empty(N_STATES)
-    y = y0.copy()
     y_new = np.empty(N_STATES)
     after = np.empty(N_STATES)
-    coefficients = np.empty((8, N_STATES))
+    coefficients = np.zeros((8, N_STATES))
+    stack = np.empty((64, 10))
     b = np.empty(8)
     g = np.zeros(N_GUARDS)
 
-    capacity = 256 if keep else 1
-    n_steps = 0
-    steps = np.empty((capacity, 2))
-    step_contact = np.empty(capacity, np.int64)
-    step_states = np.empty((capacity, 8, N_STATES))
-    n_events = 0
-    events = np.empty(64)
-    event_kinds = np.empty((64, 3), np.int64)
-    event_states = np.empty((64, 2, N_STATES))
-
-    t = 0.0
-    s = 0
-    seg = segments[0]
-    h_next = 0.0
+    seg = segments[s]
+    keep = steps.shape[0] > 0
     outcome = COMPLETED
-    taken = impacts = 0
     fresh = True  # the rate at t, and whether a guard is due there, are not known
-    touching = -1  # guard that is closed at t: where the state came through
     idle = 0  # passages since time last moved
 
     while t < t_end:
+        if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
+            outcome = FULL
+            break
         if t >= seg[1] and s + 1 < segments.shape[0]:
             s += 1
             seg = segments[s]
             fresh = True
             continue
 
-        due = -1
+        landed = -1  # the guard that ends this contact state now
         if fresh:
-            due = settle(contact, t, y, p, seg, touching, g)
-            if due < 0:
+            landed = settle(contact, t, y, p, seg, touching, g)
+            if landed < 0:
                 rates(contact, y, p, ground(seg, 2, t), ground(seg, 8, t), k[0])
                 fresh = False
                 if h_next == 0.0:
                     h_next = first_step(y, k[0], rtol, atol)
-        h = 0.0
-        landed = due
 
-        if due < 0:
-            # -- step, cut at the end of the segment; land on the first event, if there is one
+        if landed < 0:
+            # -- step, cut at the end of the segment, and once more to the first event in it
             last = min(seg[1], t_end)
             h = min(h_next, h_max)
             cut = t + 1.1 * h >= last
@@ -325,20 +341,14 @@ def integrate(
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, seg, rtol, atol, k, w, y_new)
-                if not math.isfinite(error):
-                    if h < 1e-3 * first_step(y, k[0], rtol, atol) or taken >= max_steps:
-                        outcome = NOT_FINITE
-                        break
-                    h *= 0.1
+                if target < 0 and not error <= 1.0:
+                    # refused: too inaccurate, or not finite
                     cut = False
-                    target = -1
-                    continue
-                if error > 1.0 and target < 0:
-                    h *= max(0.2, 0.9 * error**ERROR_EXPONENT)
+                    shrink = 0.9 * error**ERROR_EXPONENT if math.isfinite(error) else 0.1
+                    h *= max(0.1, shrink)
                     h_next = h
-                    cut = False
-                    if h <= 4.0 * EPS * abs(t) or taken >= max_steps:
-                        outcome = STALLED
+                    if h <= 4.0 * EPS * t or h < 1e-290 or taken >= max_steps:
+                        outcome = STALLED if math.isfinite(error) else NOT_FINITE
                         break
                     continue
                 if target >= 0:
@@ -346,81 +356,64 @@ def integrate(
                     tau = t + h
                     guards(contact, y_new, p, ground(seg, 2, tau), ground(seg, 8, tau), g)
                     move = -g[target] / slope if slope < 0.0 else 0.0
-                    if corrections < 3 and abs(move) > 2.0 * EPS * tau and abs(move) < 0.01 * h:
+                    if corrections < 3 and 2.0 * EPS * tau < abs(move) < 0.01 * h:
                         corrections += 1
                         h += move
                         continue
-                    dense_output(contact, t, h, y, p, seg, k, w, coefficients)
                     landed = target
-                    break
-                # accepted: ask every guard
-                if not cut:
-                    h_next = h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT)
-                elif error > 0.0:
-                    h_next = max(h_next, h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT))
+                else:
+                    growth = h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT)
+                    h_next = max(h_next, growth) if cut else growth
                 dense_output(contact, t, h, y, p, seg, k, w, coefficients)
+                if landed >= 0:
+                    break
                 place = NEVER
                 for i in range(GUARDS[contact]):
                     guard_polynomial(contact, i, t, h, p, seg, coefficients, w, g, b)
                     noise = rounding(contact, i, h, y, p, seg, t, b) if touching == i else 0.0
-                    x = first_fall(b, touching == i, noise)
+                    x = first_fall(b, touching == i, noise, stack)
                     if x < place:
                         place = x
                         target = i
-                        high = min(x + 1e-4, 1.0)
-                        low = max(x - 1e-4, 0.0)
-                        slope = (bernstein_at(b, high) - bernstein_at(b, low)) / ((high - low) * h)
+                        low, high = max(x - 1e-4, 0.0), min(x + 1e-4, 1.0)
+                        slope = bernstein_at(b, high, stack[0]) - bernstein_at(b, low, stack[0])
+                        slope /= (high - low) * h
                 if target < 0:
                     break
                 if place * h <= 4.0 * EPS * max(t, h):
-                    landed = target  # it falls here and now
-                    h = 0.0
-                    break
-                if place >= 1.0:
+                    h = 0.0  # it falls here and now
+                if place >= 1.0 or h == 0.0:
                     landed = target
                     break
                 h *= place
+                cut = False
             if outcome != COMPLETED:
                 break
 
-            # -- fallen over: cut the step where it passed the bound
-            over = False
+            # -- fallen over: the step ends where it passed the bound
             if h > 0.0 and abs(y_new[ROTATION]) >= fallen:
-                over = True
-                x = _bound_passed(coefficients, fallen)
-                for i in range(N_STATES):
-                    factor = 1.0
-                    for j in range(8):
-                        coefficients[j, i] *= factor
-                        factor *= x
-                    y_new[i] = 0.0
-                    for j in range(8):
-                        y_new[i] += coefficients[j, i]
+                x = bound_passed(coefficients, fallen)
+                dense_at(coefficients, x, y_new)
+                shorten(coefficients, x)
                 h *= x
-                landed = -1
+                cut = False
+                outcome = OVERTURNED
 
             if h > 0.0:
                 if keep:
-                    if n_steps == steps.shape[0]:
-                        steps = _grown2(steps)
-                        step_contact = np.append(step_contact, step_contact)
-                        step_states = _grown3(step_states)
-                    steps[n_steps, 0] = t
-                    steps[n_steps, 1] = h
-                    step_contact[n_steps] = contact
-                    step_states[n_steps] = coefficients
+                    record_step(n_steps, t, h, contact, coefficients, steps, step_contact, step_states)
                     n_steps += 1
-                t = last if t + h >= last or (cut and landed < 0 and not over) else t + h
-                y[:] = y_new
-                k[0] = k[N_STAGES]
+                t = last if cut or t + h > last else t + h
+                for i in range(N_STATES):
+                    y[i] = y_new[i]
+                    k[0, i] = k[N_STAGES, i]
                 touching = -1
                 idle = 0
-                if over:
-                    outcome = OVERTURNED
-                    break
-                if taken >= max_steps:
-                    outcome = STALLED
-                    break
+            if outcome != COMPLETED:
+                break
+            if taken >= max_steps:
+                outcome = STALLED
+                break
 
         if landed < 0:
             continue
@@ -430,71 +423,56 @@ def integrate(
         if idle > 100:
             outcome = CHATTER
             break
+        before = contact
         kind = KINDS[contact][landed]
-        follows = jump(contact, landed, law, ratio, y, p, after)
-        if kind == IMPACT:
-            impacts += 1
-        if n_events == events.shape[0]:
-            events = np.append(events, events)
-            event_kinds = np.append(event_kinds, event_kinds).reshape(-1, 3)
-            event_states = _grown3(event_states)
-        events[n_events] = t
-        event_kinds[n_events, 0] = kind
-        event_kinds[n_events, 1] = contact
-        event_kinds[n_events, 2] = follows
-        event_states[n_events, 0] = y
-        event_states[n_events, 1] = after
+        contact = jump(before, landed, law, ratio, y, p, after)
+        record_event(n_events, t, kind, before, contact, y, after, events, event_kinds, event_states)
         n_events += 1
-        y[:] = after
-        came_from = contact
-        contact = follows
+        for i in range(N_STATES):
+            y[i] = after[i]
         fresh = True
-        touching = CLOSED[came_from][landed] if kind != IMPACT or SIDES[contact] != 0.0 else -1
+        touching = CLOSED[before][landed] if kind != IMPACT or SIDES[contact] != 0.0 else -1
+        if kind != IMPACT:
+            continue
+        impacts += 1
         if impacts > max_impacts:
             outcome = TOO_MANY_IMPACTS
             break
-        if kind == IMPACT and SIDES[contact] != 0.0:
-            ax, ay = ground(seg, 2, t), ground(seg, 8, t)
-            rests, follows = time_to_rest(
-                contact, y, p, law, ratio, ax, ay, rest_tolerance, after
-            )
-            if t + rests < min(seg[1], t_end) or rests < 16.0 * EPS * t:
-                if n_events == events.shape[0]:
-                    events = np.append(events, events)
-                    event_kinds = np.append(event_kinds, event_kinds).reshape(-1, 3)
-                    event_states = _grown3(event_states)
-                if keep and rests > 0.0:
-                    if n_steps == steps.shape[0]:
-                        steps = _grown2(steps)
-                        step_contact = np.append(step_contact, step_contact)
-                        step_states = _grown3(step_states)
-                    steps[n_steps, 0] = t
-                    steps[n_steps, 1] = rests
-                    step_contact[n_steps] = follows
-                    step_states[n_steps] = 0.0
-                    step_states[n_steps, 0] = after
-                    n_steps += 1
-                t += rests
-                events[n_events] = t
-                event_kinds[n_events, 0] = REST
-                event_kinds[n_events, 1] = contact
-                event_kinds[n_events, 2] = follows
-                event_states[n_events, 0] = y
-                event_states[n_events, 1] = after
-                n_events += 1
-                y[:] = after
-                contact = follows
-                touching = -1
-                h_next = 0.0
+        if SIDES[contact] == 0.0:
+            continue
 
-    return (
-        outcome, t, contact, y, steps[:n_steps], step_contact[:n_steps], step_states[:n_steps],
-        events[:n_events], event_kinds[:n_events], event_states[:n_events],
-    )
+        # -- the rest of infinitely many impacts at once
+        ax, ay = ground(seg, 2, t), ground(seg, 8, t)
+        rests, follows = time_to_rest(
+            contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after
+        )
+        if t + rests < min(seg[1], t_end) or rests < 16.0 * EPS * t:
+            if keep and t + rests > t:
+                for i in range(N_STATES):
+                    for j in range(8):
+                        coefficients[j, i] = after[i] if j == 0 else 0.0
+                record_step(
+                    n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
+                )
+                n_steps += 1
+            t += rests
+            record_event(
+                n_events, t, REST, contact, follows, y, after, events, event_kinds, event_states
+            )
+            n_events += 1
+            for i in range(N_STATES):
+                y[i] = after[i]
+            contact = follows
+            touching = -1
+            h_next = 0.0
+
+    status[:] = np.array([contact, s, touching, impacts, taken, n_steps, n_events])
+    clock[:] = np.array([t, h_next])
+    return outcome
 
 
 @_compiled
-def _bound_passed(coefficients, bound):
+def bound_passed(coefficients, bound):
     """Place in a step at which the rotation's size reaches `bound`, by bisection."""
     low, high = 0.0, 1.0
     for _ in range(60):
@@ -510,20 +488,16 @@ def _bound_passed(coefficients, bound):
 
 
 @_compiled
-def _grown2(old):
-    new = np.empty((2 * old.shape[0], old.shape[1]))
-    new[: old.shape[0]] = old
-    return new
+def shorten(coefficients, x):
+    """Make [0, x] of a step its whole [0, 1]."""
+    factor = 1.0
+    for j in range(8):
+        for i in range(N_STATES):
+            coefficients[j, i] *= factor
+        factor *= x
 
 
-@_compiled
-def _grown3(old):
-    new = np.empty((2 * old.shape[0], old.shape[1], old.shape[2]))
-    new[: old.shape[0]] = old
-    return new
-
-
-@_compiled
+@_entry
 def evaluate(contacts, t, states, segments, p, energy, force, motion):
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
     s = 0

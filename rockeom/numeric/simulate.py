@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -56,27 +58,22 @@ def simulate(
     law, ratio = structure.law(impact)
     compiled = program(structure.module, options.method)
     segments = segment_table(motion, vertical, end)
+    problem = _Problem(compiled, structure.vector, law, ratio, fallen, options)
+    record = problem.run(contact, y0, segments, end, options.max_impacts)
+    outcome, last, span, contacts, powers = record.outcome, record.contact, *record.steps
     n = len(y0)
-
-    def run(contact: int, y: np.ndarray, table: np.ndarray, t_end: float, impacts: int, keep: bool):
-        return compiled.integrate(
-            contact, y, t_end, table, structure.vector, law, ratio,
-            options.rtol, np.full(n, options.atol), options.max_step, fallen,
-            options.rest_tolerance, impacts, options.max_steps, keep,
-        )  # fmt: skip
-
-    code, t, last, y, span, contacts, powers, times, kinds, states = run(
-        contact, y0, segments, end, options.max_impacts, True
-    )
-    outcome = _OUTCOMES[code]
     shaking_ends = max(m.shaking_ends for m in (motion, vertical) if m is not None)
-    if outcome is Outcome.COMPLETED and shaking_ends <= end:
+    if (
+        outcome is Outcome.COMPLETED
+        and shaking_ends <= end
+        and compiled.SIDES[last] != 0
+        and 0 in compiled.KINDS[last]
+    ):
         # the rest is free motion: follow it, unrecorded, to the next impact or to the ground
-        if compiled.SIDES[last] != 0 and 0 in compiled.KINDS[last]:
-            quiet = segment_table(None, None, 1e3 * max(end, 1.0))
-            code, *_ = run(last, y, quiet, float(quiet[-1, 1]), 0, False)
-            if _OUTCOMES[code] is Outcome.OVERTURNED:
-                outcome = Outcome.OVERTURNED
+        quiet = segment_table(None, None, 1e3 * max(end, 1.0))
+        after = problem.run(last, record.y, quiet, quiet[-1, 1], 0, keep=False)
+        if after.outcome is Outcome.OVERTURNED:
+            outcome = Outcome.OVERTURNED
     if len(span) == 0:  # ended before the first step: keep the start
         span = np.array([[0.0, np.finfo(float).tiny]])
         contacts = np.array([contact])
@@ -94,7 +91,7 @@ def simulate(
             dict(zip(names, pair[0].tolist(), strict=True)),
             dict(zip(names, pair[1].tolist(), strict=True)),
         )
-        for time, (kind, before, after), pair in zip(times, kinds, states, strict=True)
+        for time, (kind, before, after), pair in zip(*record.events, strict=True)
     )
     response = Response(
         structure=structure,
@@ -114,6 +111,60 @@ def simulate(
     if outcome is Outcome.COMPLETED and shaking_ends <= end and _is_at_rest(response, last):
         object.__setattr__(response, "outcome", Outcome.CAME_TO_REST)
     return response
+
+
+@dataclass(frozen=True)
+class _Record:
+    """What a run of the compiled loop left: the end, the steps and the events."""
+
+    outcome: Outcome
+    contact: int
+    y: np.ndarray
+    steps: tuple[np.ndarray, np.ndarray, np.ndarray]
+    events: tuple[np.ndarray, np.ndarray, np.ndarray]
+
+
+@dataclass(frozen=True)
+class _Problem:
+    """A compiled loop with all that stays the same while it runs."""
+
+    compiled: ModuleType
+    vector: np.ndarray
+    law: int
+    ratio: float
+    fallen: float
+    options: SolverOptions
+
+    def run(
+        self,
+        contact: int,
+        y0: np.ndarray,
+        segments: np.ndarray,
+        t_end: float,
+        max_impacts: int,
+        keep: bool = True,
+    ) -> _Record:
+        """Run to t_end or to an outcome, emptying the loop's records whenever they are full."""
+        o, n = self.options, len(y0)
+        status = np.array([contact, 0, -1, 0, 0, 0, 0])
+        clock = np.zeros(2)
+        y = y0.copy()
+        size, events = (max(256, len(segments) + 256) if keep else 0), 256
+        full = len(_OUTCOMES)
+        code = full
+        chunks: list[tuple[np.ndarray, ...]] = []
+        while code == full:
+            steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
+            marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
+            status[5:] = 0
+            code = self.compiled.integrate(
+                status, clock, y, t_end, segments, self.vector, self.law, self.ratio,
+                o.rtol, np.full(n, o.atol), o.max_step, self.fallen, o.rest_tolerance,
+                max_impacts, o.max_steps, *steps, *marks,
+            )  # fmt: skip
+            chunks.append((*(a[: status[5]] for a in steps), *(a[: status[6]] for a in marks)))
+        whole = [np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks)]
+        return _Record(_OUTCOMES[code], int(status[0]), y, tuple(whole[:3]), tuple(whole[3:]))
 
 
 def _is_at_rest(response: Response, contact: int) -> bool:

@@ -85,9 +85,11 @@ def _loop_text() -> str:
 @cache
 def program(generated: ModuleType, method: str) -> ModuleType:
     """The module with `integrate` and `evaluate` for a generated module and a method's name."""
+    # only the entries of the loop are stored: what they call is part of their code
+    equations = inspect.getsource(generated).replace("njit(cache=True, ", "njit(")
     parts = (
         _PREAMBLE.format(name=generated.NAME, method=method),
-        inspect.getsource(generated),
+        equations,
         step_text(tableau(method)),
         "\n\n",
         _loop_text(),

@@ -12,8 +12,8 @@ import re
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from rockeom.symbolic.algebra import SIDE, square_is
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Phase
+from rockeom.symbolic.algebra import SIDE, square_is, tidy
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Phase, RockingModel
 from rockeom.symbolic.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
@@ -27,21 +27,24 @@ def at_impact(coordinate: Coordinate, when: str) -> sp.Symbol:
 
 
 class Notation(LatexPrinter):
-    """LaTeX of expressions of one phase."""
+    """LaTeX of expressions of one phase; a `model` adds its units and all its coordinates."""
 
-    def __init__(self, phase: Phase, others: tuple[Coordinate, ...] = ()) -> None:
+    def __init__(self, phase: Phase, model: RockingModel | None = None) -> None:
         super().__init__()
-        coordinates = tuple(dict.fromkeys((*phase.coordinates, *others)))
+        coordinates = model.coordinates if model else phase.coordinates
+        unit = {p.symbol: p.unit for p in model.parameters} if model else {}
         self.coordinates = coordinates
         self.moving = {c.position for c in coordinates}
-        self.masses = _symbols(b.mass for b in phase.bodies)
-        heavy = _symbols(e for b in phase.bodies for e in (b.mass, b.inertia))
+        heavy = [x for x in unit if unit[x] in ("kg", "kg m2")]
+        heavy += _symbols(e for b in phase.bodies for e in (b.mass, b.inertia))
+        masses = {x for b in phase.bodies for x in sp.sympify(b.mass).free_symbols}
+        self.masses = [x for x in dict.fromkeys(heavy) if x in masses or unit.get(x) == "kg"]
         self.dotted = [c.acceleration for c in coordinates]
         for c in coordinates:
             self.dotted += [c.velocity, at_impact(c, AFTER), at_impact(c, BEFORE)]
         field = [GROUND_X, GROUND_Y, *_symbols([phase.gravity])]
         self.leaders = [*self.dotted, *field]
-        self.heavy = {x: i for i, x in enumerate(heavy)}
+        self.heavy = {x: i for i, x in enumerate(dict.fromkeys(heavy))}
         places = [b.position for b in phase.bodies] + [f.position for f in phase.feet.values()]
         levers = [sp.diff(e, q) for place in places for e in place for q in self.moving]
         radii = {body.polar[2] for body in phase.bodies if body.polar}
@@ -52,7 +55,7 @@ class Notation(LatexPrinter):
             (FIELD, field),
             (INERTIA, heavy),
             (RADIUS, sorted(radii, key=str)),
-            (LENGTH, _symbols(levers)),
+            (LENGTH, [*_symbols(levers), *(x for x in unit if unit[x] == "m")]),
         ]
         self.rank = {SIDE: (0, 0)}
         for group, symbols in groups:
@@ -79,7 +82,8 @@ class Notation(LatexPrinter):
         mass = min((self.heavy[x] for x in symbols if x in self.heavy), default=len(self.heavy))
         turning = [f for f in term.atoms(sp.Function) if f.free_symbols & self.moving]
         # sin(alpha - s theta), then cos(theta), then sin(theta), then what does not turn
-        kind = min((0 if f.args[0].is_Add else 1 + (f.func != sp.cos) for f in turning), default=3)
+        kinds = {sp.cos: 1, sp.sin: 2}
+        kind = min((0 if f.args[0].is_Add else kinds.get(f.func, 3) for f in turning), default=3)
         last = bool(symbols & self.moving) if kind < 3 else bool(number < 0)
         order = (not dots, dots, mass, kind, last, SIDE in symbols, len(factors))
         return *order, sp.default_sort_key(term)
@@ -104,14 +108,15 @@ class Notation(LatexPrinter):
         return found
 
     def _grouped(self, expr: sp.Expr, lead: sp.Expr) -> list[sp.Expr]:
-        """Terms with masses, mass by mass unless a constant sum can be put in brackets."""
+        """Terms with masses, mass by mass unless a sum of masses can be put in brackets."""
         parts = dict.fromkeys((*self.masses, None), sp.Integer(0))
         for term in sp.Add.make_args(expr):
             parts[next((m for m in self.masses if term.has(m)), None)] += term
         light = parts.pop(None)
         heavy = sum(parts.values(), sp.Integer(0))
         outer, bracket = self._factored(heavy)
-        if not bracket.free_symbols & self.moving and outer * lead != 1:
+        few = len(sp.Add.make_args(bracket)) <= len(self.masses)
+        if few and not bracket.free_symbols & self.moving:
             parts = {None: heavy}
         return [t for part in (*parts.values(), light) if part for t in self._joined(part, lead)]
 
@@ -146,9 +151,13 @@ class Notation(LatexPrinter):
         """A sum, collected."""
         return self.sum([self._print(t) for t in self.terms(expr)])
 
+    def plain(self, expr: sp.Expr) -> str:
+        """An expression as it stands."""
+        return self._print(expr)
+
     def quotient(self, expr: sp.Expr) -> str:
         """A rational expression, numerator and denominator collected."""
-        above, below = sp.fraction(sp.together(expr))
+        above, below = map(tidy, sp.fraction(sp.together(expr)))
         if _product(self.terms(below)[0])[0] < 0:
             above, below = -above, -below
         terms = self.terms(above)
@@ -259,7 +268,8 @@ def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
 
 def _bracketed(text: str) -> str:
     if r"\frac" in text:
-        return rf"\left[{text}\right]"
+        left, right = "[]" if "(" in text else "()"
+        return rf"\left{left}{text}\right{right}"
     if "[" in text:
         return rf"\bigl({text}\bigr)"
     return f"[{text}]" if "(" in text else f"({text})"
@@ -285,7 +295,7 @@ def width(tex: str) -> float:
         middle = _group(tex, start + 5)
         end = _group(tex, middle)
         wider = max(tex[start + 6 : middle - 1], tex[middle + 1 : end - 1], key=width)
-        tex = tex[:start] + wider + tex[end:]
+        tex = f"{tex[:start]}x{wider}{tex[end:]}"
     tex = re.sub(r"[_^](\{[^{}]*\}|\w)", "i", tex)
     tex = re.sub(r"\\(d?dot|left|right|bigl|bigr|thinspace|tfrac|mathrm)(?![a-z])", "", tex)
     tex = re.sub(r"\\(sin|cos|tan|min|arctan)", r"\1i", tex)

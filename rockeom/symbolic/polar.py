@@ -81,7 +81,8 @@ def compound_angles(expr: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Ex
     """Products of sines and cosines of a fixed and a turning angle as sin(alpha - s theta).
 
     With S and C, sine and cosine of alpha - s theta, sin(alpha) = S cos(theta) + s C sin(theta)
-    and cos(alpha) = C cos(theta) - s S sin(theta). Kept only where it makes `expr` shorter.
+    and cos(alpha) = C cos(theta) - s S sin(theta). Squares give cos(2 alpha). Either is kept only
+    where it makes `expr` shorter.
     """
     moving = {c.position for c in coordinates}
     angles = angles_in(expr)
@@ -103,4 +104,10 @@ def compound_angles(expr: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Ex
             if len(sp.Add.make_args(joint)) < len(sp.Add.make_args(both)):
                 angle = fixed - SIDE * turning
                 expr = others + joint.subs({sine: sp.sin(angle), cosine: sp.cos(angle)})
+    for fixed in (a for a in angles if not a.free_symbols & moving):
+        double = sp.cos(2 * fixed)
+        put = {sp.sin(fixed) ** 2: (1 - double) / 2, sp.cos(fixed) ** 2: (1 + double) / 2}
+        doubled = sp.expand(sp.expand(expr).subs(put))
+        if len(sp.Add.make_args(doubled)) < len(sp.Add.make_args(sp.expand(expr))):
+            expr = doubled
     return square_is(sp.expand(expr), SIDE, sp.Integer(1))

@@ -4,23 +4,28 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import reactions, total_reaction
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel, Transition
+from rockeom.symbolic.lagrange import Equations
+from rockeom.symbolic.model import (
+    GROUND_X,
+    GROUND_Y,
+    Coordinate,
+    Phase,
+    RockingModel,
+    Transition,
+)
 from rockeom.symbolic.notation import AFTER, BEFORE, Notation, at_impact, broken, width
 from rockeom.symbolic.polar import has_polar_form, in_polar_form, polar_model, polar_parameters
-from rockeom.symbolic.statics import LOAD, pushover
+from rockeom.symbolic.statics import pushover
 
-LINE = 62.0
+LINE = 66.0
 """Width of a line of mathematics on the page, in letters."""
-SHORT = 1.6 * LINE
-
-
-# --- equations of motion
 
 
 def equation_lines(phase: Phase, form: str = "width") -> list[str]:
@@ -30,34 +35,59 @@ def equation_lines(phase: Phase, form: str = "width") -> list[str]:
     then vertical. `form` is "width" (B, H) or "polar" (R, alpha).
     Raises ValueError if `form` is neither or the phase has no polar form.
     """
-    if form not in ("width", "polar"):
-        raise ValueError(f'form must be "width" or "polar", not {form!r}')
+    _check(form)
     equations = in_polar_form(phase) if form == "polar" else phase.equations
-    notation = Notation(phase)
+    return _equation_lines(equations, phase.coordinates, Notation(phase))
+
+
+def equations_latex(phase: Phase, form: str = "width") -> str:
+    """The equations of motion as an `aligned` block, a line each; "" if no coordinate is free."""
+    lines = [line.replace(" = ", " &= ") for line in equation_lines(phase, form)]
+    return _environment("aligned", lines) if lines else ""
+
+
+def latex_document(model: RockingModel, form: str = "width") -> str:
+    """A LaTeX article on the whole structure, in width form where it has no polar one.
+
+    Raises ValueError if `form` is neither "width" nor "polar".
+    """
+    return _latex(content(model, form))
+
+
+def markdown_page(model: RockingModel) -> str:
+    """The same in Markdown, with mathematics between dollar signs."""
+    return _markdown(content(model, "width"))
+
+
+def _check(form: str) -> None:
+    if form not in ("width", "polar"):
+        raise ValueError(f'form must be "width" (B, H) or "polar" (R, alpha), not {form!r}')
+
+
+def _environment(name: str, lines: list[str]) -> str:
+    return "\n".join([rf"\begin{{{name}}}", " \\\\\n".join(lines), rf"\end{{{name}}}"])
+
+
+def _equation_lines(
+    equations: Equations, coordinates: tuple[Coordinate, ...], notation: Notation
+) -> list[str]:
     lines = []
-    for i in range(len(phase.coordinates)):
-        row = [
-            equations.mass_matrix[i, j] * c.acceleration for j, c in enumerate(phase.coordinates)
+    for i in range(len(coordinates)):
+        accelerations = [
+            equations.mass_matrix[i, j] * c.acceleration for j, c in enumerate(coordinates)
         ]
-        row += [equations.velocity[i], equations.damping[i]]
         statics = [equations.gravity[i], equations.stiffness[i]]
-        together = notation.terms(sum(statics))
-        # one sum where weight and spring cancel in part, as at a settled position
-        apart = [t for part in statics for t in notation.terms(part)]
-        row += [sum(statics)] if len(together) < len(apart) else statics
-        left = notation.sum([notation.write(part) for part in row if part != 0])
+        # one sum where weight and spring cancel in part, as about a settled position
+        apart = [term for part in statics for term in notation.terms(part)]
+        if len(notation.terms(sum(statics))) < len(apart):
+            statics = [sum(statics)]
+        parts = [*accelerations, equations.velocity[i], equations.damping[i], *statics]
+        left = notation.sum([notation.write(part) for part in parts if part != 0])
         lines.append(f"{left} = {notation.write(equations.excitation[i])}")
     return lines
 
 
-def equations_latex(phase: Phase, form: str = "width") -> str:
-    """The equations of motion as an `aligned` block, one line each; "" without coordinates."""
-    lines = [line.replace(" = ", " &= ") for line in equation_lines(phase, form)]
-    return "\n".join([r"\begin{aligned}", " \\\\\n".join(lines), r"\end{aligned}"]) if lines else ""
-
-
-# --- content of a document
-# Text holds mathematics between $ and code between `, in both forms of document.
+# --- what a document says; its text holds mathematics between $ and code between `
 
 
 @dataclass(frozen=True)
@@ -74,6 +104,8 @@ class Table:
 
 @dataclass(frozen=True)
 class Display:
+    """Displayed equations, one a line."""
+
     lines: tuple[str, ...]
 
 
@@ -81,17 +113,360 @@ Block = Heading | Table | Display | str
 
 
 def content(model: RockingModel, form: str) -> list[Block]:
-    """Everything that was derived of a structure; in width form where there is no polar one."""
-    if form not in ("width", "polar"):
-        raise ValueError(f'form must be "width" or "polar", not {form!r}')
+    """All that was derived of a structure."""
+    _check(form)
     polar = form == "polar" and any(has_polar_form(phase) for phase in model.phases)
     shown = polar_model(model) if polar else model
     blocks: list[Block] = [Heading(1, model.title)]
-    if model.reference:
-        blocks.append(f"Reference: {model.reference}.")
-    blocks += _symbols(model, shown, polar)
+    blocks += [f"Reference: {model.reference}."] if model.reference else []
+    blocks += _symbols(model, polar)
     for phase, original in zip(shown.phases, model.phases, strict=True):
-        blocks += _phase(model, phase, original, "polar" if polar and phase.polar else "width")
-    blocks += _transitions(shown)
-    blocks += _pushover(shown)
+        # where no body is placed by R and alpha, the geometry left is that of B and H
+        blocks += _phase(model, phase if has_polar_form(phase) else original)
+    return [*blocks, *_transitions(shown), *_pushover(shown)]
+
+
+def _symbols(model: RockingModel, polar: bool) -> list[Block]:
+    notation = Notation(model.phases[0], model)
+    header = ("Symbol", "Name", "Unit", "Meaning")
+
+    def row(symbol: sp.Symbol, name: str, unit: str, meaning: str) -> tuple[str, ...]:
+        unit = re.sub(r"(?<=[a-z])[23]", lambda m: {"2": "²", "3": "³"}[m[0]], unit)
+        return f"${notation.plain(symbol)}$", name and f"`{name}`", unit, meaning
+
+    rows = [row(c.position, c.name, c.unit, c.meaning) for c in model.coordinates]
+    rows += [row(p.symbol, p.name, p.unit, p.meaning) for p in model.parameters]
+    unit = "m/s2" if model.phases[0].gravity.free_symbols else "g"
+    rows += [
+        row(GROUND_X, "", unit, "horizontal ground acceleration, positive to the right"),
+        row(GROUND_Y, "", unit, "vertical ground acceleration, positive upwards"),
+    ]
+    if any(phase.has_side for phase in model.phases):
+        side = rf"\operatorname{{sgn}} {notation.plain(model.rotation.position)}"
+        rows.append(row(SIDE, "", "-", f"side, ${side}$"))
+    blocks: list[Block] = [
+        Heading(2, "Symbols"),
+        Table(header, tuple(rows)),
+        "Dots denote derivatives with respect to time.",
+    ]
+    derived = [(d.symbol, d.name, d.unit, d.meaning, d.value) for d in model.definitions]
+    if polar:
+        derived += [(p.symbol, "", p.unit, p.meaning, e) for p, e in polar_parameters(model)]
+    known: dict[sp.Symbol, sp.Expr] = {}
+    lines = []
+    for symbol, *_, value in derived:
+        lines.append(f"{notation.plain(symbol)} = {notation.plain(_in_terms_of(known, value))}")
+        known[symbol] = value
+    if derived:
+        table = Table(header, tuple(row(*words) for *words, _ in derived))
+        blocks += ["Constants that follow from these:", table, Display(tuple(lines))]
     return blocks
+
+
+def _in_terms_of(known: dict[sp.Symbol, sp.Expr], expr: sp.Expr) -> sp.Expr:
+    """`expr`, the angles in it written by the constants known before where that is shorter."""
+    for symbol, value in known.items():
+        for angle in {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}:
+            ratio = sp.cancel(angle / value)
+            if ratio.count_ops() + 1 < angle.count_ops():
+                expr = expr.subs(angle, ratio * symbol)
+    return expr
+
+
+def _list(names: Iterable[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def _sides(phase: Phase) -> str:
+    return ", ".join(f"$s = {side:+d}$ in `{name}`" for name, side in phase.contacts.items())
+
+
+def _phase(model: RockingModel, phase: Phase) -> list[Block]:
+    notation, equations = Notation(phase, model), phase.equations
+    blocks: list[Block] = [Heading(2, f"Contact {_list(phase.contacts)}")]
+    blocks += [f"One form for both sides: {_sides(phase)}."] if phase.has_side else []
+    if phase.small:
+        small = ", ".join(f"${notation.plain(x)}$" for x in phase.small)
+        blocks.append(f"Energies are kept to second order in the small quantities {small}.")
+    blocks.append(Heading(3, "Equations of motion"))
+    if phase.coordinates:
+        lines = _equation_lines(equations, phase.coordinates, notation)
+        blocks.append(Display(tuple(lines)))
+    else:
+        blocks.append("No coordinate is free: the structure stands still on the ground.")
+    energies = (
+        f"T = {notation.write(equations.kinetic_energy)}",
+        f"V_g = {notation.write(equations.gravitational_energy)}",
+        f"V_e = {notation.plain(equations.elastic_energy)}",
+        f"D = {notation.plain(phase.dissipation)}",
+    )
+    return [
+        *blocks,
+        Heading(3, "Energies"),
+        "Kinetic energy $T$, potential energies of gravity $V_g$ and of springs $V_e$, half the "
+        "power lost to damping $D$; what is not shown is zero.",
+        Display(tuple(line for line in energies if not line.endswith(" = 0"))),
+        Heading(3, "Support reactions"),
+        *_reactions(model, phase, notation),
+    ]
+
+
+def _reactions(model: RockingModel, phase: Phase, notation: Notation) -> list[Block]:
+    forces = reactions(model, phase)
+    lines = [f"F = {notation.write(forces['horizontal_reaction'])}"]
+    text = "Force of the ground on the structure, horizontal $F$"
+    if phase.has_side and phase.feet:
+        lines.append(f"N = {notation.write(total_reaction(phase)[1])}")
+        text += ", vertical $N$ at the foot on the ground: the right one for $s = +1$, "
+        text += "the left one for $s = -1$."
+    elif phase.feet:
+        for foot in ("left", "right"):
+            given = phase.feet[foot].force is not None
+            force = (notation.plain if given else notation.write)(forces[f"{foot}_reaction"])
+            lines.append(rf"N_{{\mathrm{{{foot}}}}} = {force}")
+        text += " (sum over both feet), vertical $N$ at each foot."
+    return [text if text.endswith(".") else text + ".", Display(tuple(lines))]
+
+
+# --- transitions and statics
+
+
+def _transitions(model: RockingModel) -> list[Block]:
+    order = {name: i for i, phase in enumerate(model.phases) for name in phase.contacts}
+    groups: dict[tuple, list[Transition]] = {}
+    for t in model.transitions:
+        key = (t.kind, order[t.source], order[t.target], order.get(t.fallback or "", -1))
+        groups.setdefault(key, []).append(t)
+    blocks: list[Block] = [Heading(2, "Transitions")]
+    for group in groups.values():
+        guard = _common_guard(model, group)
+        for alike in [group] if guard is not None else [[t] for t in group]:
+            blocks += _transition(model, alike, alike[0].guard if guard is None else guard)
+    ratio = model.velocity_ratio
+    if ratio is not None:
+        dot = Notation(model.phases[0], model).plain(model.rotation.velocity)
+        e = Notation(model.phases[0], model).quotient(ratio)
+        blocks += [
+            "Velocity ratio at an impact of the structure held rigid:",
+            Display((rf"e = \frac{{{dot}^+}}{{{dot}^-}} = {e}",)),
+        ]
+    return blocks
+
+
+def _common_guard(model: RockingModel, group: list[Transition]) -> sp.Expr | None:
+    """The guard written once with s for the transitions of both sides; 0 if they have none."""
+    if all(t.guard is None for t in group):
+        return sp.Integer(0)
+    q = model.rotation
+    for t in group:
+        if model.phase(t.source).side_of(t.source) == 1 and t.guard is not None:
+            flip = {q.position: SIDE * q.position, q.velocity: SIDE * q.velocity}
+            common = t.guard.subs(flip, simultaneous=True)
+            sides = [model.phase(other.source).side_of(other.source) for other in group]
+            if all(common.subs(SIDE, s) == o.guard for s, o in zip(sides, group, strict=True)):
+                return common
+    return None
+
+
+def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | None) -> list[Block]:
+    first = alike[0]
+    notation = Notation(model.phase(first.source), model)
+    passages = ", ".join(f"`{t.source}` to `{t.target}`" for t in alike)
+    blocks: list[Block] = [Heading(3, f"{first.kind.capitalize()}: {passages}")]
+    theta, rate, acceleration = (
+        notation.plain(x)
+        for x in (model.rotation.position, model.rotation.velocity, model.rotation.acceleration)
+    )
+    if first.kind == "uplift":
+        blocks.append(
+            f"The foot opposite to the new pivot lifts when $s {acceleration} > 0$, with "
+            f"${acceleration}$ from the equations of the contact that would follow at "
+            f"${theta} = 0$, ${rate} = 0$, and {_sides(model.phase(first.target))}. "
+            "That is when its vertical reaction falls to zero."
+        )
+        return blocks
+    ends = "The gap closes" if first.kind == "impact" else "The contact changes"
+    short, *lines = _guard_lines(notation, sp.sympify(guard))
+    go_on = "" if first.kind == "impact" else "; velocities go on unchanged"
+    blocks.append(f"{ends} when ${short}$ falls through zero{go_on}{':' if lines else '.'}")
+    blocks += [Display(tuple(lines))] if lines else []
+    if first.kind != "impact":
+        return blocks
+    if model.rigid_velocity_ratio is not None:
+        return [*blocks, f"The velocity after it is ${rate}^+ = e {rate}^-$, with $e$ below."]
+    blocks += _impulse(model, first.source, first.target)
+    if first.fallback:
+        blocks.append(
+            f"If the old foot cannot lift after it, `{first.fallback}` follows instead."
+        )
+        blocks += _impulse(model, first.source, first.fallback)
+    return blocks
+
+
+def _guard_lines(notation: Notation, guard: sp.Expr) -> list[str]:
+    """A short form of the guard, and equations for what it names."""
+    parts = [a for m in guard.atoms(sp.Min) for a in sorted(m.args, key=sp.default_sort_key)]
+    if not parts and width(notation.plain(guard)) < LINE / 3:
+        return [notation.plain(guard)]
+    names = {part: sp.Symbol(rf"\gamma_{i}") for i, part in enumerate(parts or [guard], 1)}
+    if not parts:
+        names = {guard: sp.Symbol(r"\gamma")}
+    lines = [f"{notation.plain(name)} = {notation.plain(part)}" for part, name in names.items()]
+    return [notation.plain(guard.subs(names)), *lines]
+
+
+def _impulse(model: RockingModel, source: str, target: str) -> list[Block]:
+    """Conservation of the momenta of the phase that follows, and its solution where short."""
+    after = model.phase(target)
+    if not after.coordinates:
+        return [f"In `{target}` all motion has stopped."]
+    notation, derived = Notation(after, model), model.impulse_map(source, target)
+    arriving = {c.velocity: at_impact(c, BEFORE) for c in model.coordinates}
+    new = sp.Matrix([at_impact(c, AFTER) for c in derived.coordinates])
+    momentum = derived.momentum.subs(arriving)
+    rows = zip(derived.mass_matrix * new, momentum, strict=True)
+    lines = [f"{notation.write(a)} = {notation.write(b)}" for a, b in rows]
+    if len(model.coordinates) > 1:
+        solved = zip(new, derived.velocities().subs(arriving), strict=True)
+        closed = [f"{notation.plain(x)} = {notation.quotient(v)}" for x, v in solved]
+        lines += [line for line in closed if width(line) < LINE and line not in lines]
+    text = "Momentum in the directions that stay free is conserved; $-$ is just before, $+$ just "
+    text += "after, and $s$ is the side before:" if after.has_side else "after:"
+    return [text, Display(tuple(lines))]
+
+
+def _pushover(model: RockingModel) -> list[Block]:
+    blocks: list[Block] = []
+    theta = model.rotation.position
+    for phase in model.phases:
+        held = any(foot.force != 0 for foot in phase.feet.values()) or not phase.feet
+        if model.rotation not in phase.coordinates or phase.load_point is None or not held:
+            continue
+        notation = Notation(phase, model)
+        try:
+            force = {contact: pushover(model, contact) for contact in phase.contacts}
+        except NotImplementedError:
+            continue
+        (contact, one), *others = sorted(force.items(), key=lambda item: -phase.side_of(item[0]))
+        mirrored = others and sp.simplify(one.subs(theta, -theta) + others[0][1]) == 0
+        for contact, one in [(contact, one)] if mirrored else force.items():
+            blocks += [f"In `{contact}`:", Display((f"P = {notation.quotient(one)}",))]
+        if mirrored:
+            blocks.append(f"In `{others[0][0]}` it is the mirror image.")
+    if not blocks:
+        return []
+    return [
+        Heading(2, "Pushover"),
+        f"Horizontal force at the load point, positive to the right, that holds the structure at "
+        f"${Notation(model.phases[0], model).plain(theta)}$, the other coordinates condensed.",
+        *blocks,
+    ]
+
+
+# --- the two forms of document
+
+
+def _layout(lines: tuple[str, ...]) -> list[list[str]]:
+    """Each equation in rows: aligned at = if all then fit the page, else broken before signs."""
+    if all(" = " in line for line in lines):
+        sides = [line.split(" = ", 1) for line in lines]
+        if max(width(a) for a, _ in sides) + max(width(b) for _, b in sides) + 3 < LINE:
+            return [[f"{a} &= {b}"] for a, b in sides]
+    found = []
+    for line in lines:
+        left, sign, right = line.partition(" = ")
+        if width(line) > LINE and width(left) > 0.4 * LINE:
+            first, *more = [*broken(left, LINE), *broken(f"= {right}", LINE)]
+        else:
+            first, *more = broken(line, LINE)
+        # a sign that opens a line is no binary operator
+        found.append([f"& {re.sub('^-', '{-}', first)}", *(rf"& \quad {part}" for part in more)])
+    return found
+
+
+def _markdown(blocks: list[Block]) -> str:
+    parts = []
+    for block in blocks:
+        match block:
+            case Heading(level, text):
+                parts.append(f"{'#' * level} {text}")
+            case Table(header, rows):
+                table = [header, ("---",) * len(header), *rows]
+                parts.append("\n".join(map(_markdown_row, table)))
+            case Display(lines):
+                rows = [row for equation in _layout(lines) for row in equation]
+                parts.append(f"$$\n{_environment('aligned', rows)}\n$$")
+            case str(text):
+                parts.append(text)
+    return "\n\n".join(parts) + "\n"
+
+
+def _markdown_row(cells: tuple[str, ...]) -> str:
+    return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"
+
+
+def _latex(blocks: list[Block]) -> str:
+    parts = []
+    for block in blocks:
+        match block:
+            case Heading(1, text):
+                parts.append(rf"\title{{{_latex_text(text)}}}\author{{}}\date{{}}\maketitle")
+            case Heading(level, text):
+                parts.append(rf"\{'sub' * (level - 2)}section*{{{_latex_text(text)}}}")
+            case Table(header, rows):
+                cells = [" & ".join(map(_latex_text, row)) + r" \\" for row in (header, *rows)]
+                cells[0] += r" \hline"
+                columns = f"@{{}}{'l' * (len(header) - 1)}p{{0.5\\textwidth}}@{{}}"
+                table = [rf"\begin{{tabular}}{{{columns}}} \hline", *cells, r"\hline\end{tabular}"]
+                parts.append("\n".join(table))
+            case Display(lines):
+                rows = [" \\notag\\\\\n".join(equation) for equation in _layout(lines)]
+                parts.append(_environment("align", rows))
+            case str(text):
+                parts.append(_latex_text(text))
+    # an empty line before a display would open a paragraph of its own
+    body = "\n\n".join(parts).replace("\n\n\\begin{align}", "\n\\begin{align}")
+    return "\n".join([*_PREAMBLE, *_greek(body), r"\begin{document}", body, r"\end{document}", ""])
+
+
+_PREAMBLE = (
+    r"\documentclass[11pt,a4paper]{article}",
+    r"\usepackage[margin=25mm]{geometry}",
+    r"\usepackage{amsmath}",
+    r"\setlength{\parindent}{0pt}\setlength{\parskip}{6pt}\allowdisplaybreaks",
+)
+_ESCAPED = {c: rf"\{c}" for c in "{}#$%&_"} | {
+    "\\": r"\textbackslash{}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "²": r"\textsuperscript{2}",
+    "³": r"\textsuperscript{3}",
+}
+
+
+def _latex_text(text: str) -> str:
+    """Plain text escaped; $mathematics$ and `code` kept as such."""
+    parts = []
+    for part in re.split(r"(\$[^$]*\$|`[^`]*`)", text):
+        if part.startswith("$") and part.endswith("$") and len(part) > 1:
+            parts.append(part)
+        else:
+            escaped = "".join(_ESCAPED.get(c, c) for c in part.strip("`"))
+            parts.append(rf"\texttt{{{escaped}}}" if part.startswith("`") else escaped)
+    return "".join(parts)
+
+
+def _greek(text: str) -> list[str]:
+    """Declarations of the Greek letters in names and meanings, which LaTeX does not know."""
+    found = []
+    for char in sorted(set(text)):
+        name = unicodedata.name(char, "")
+        if match := re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER ([A-Z]+)", name):
+            letter = match[2].lower().replace("lamda", "lambda")
+            command = letter if match[1] == "SMALL" else letter.capitalize()
+            found.append(
+                rf"\DeclareUnicodeCharacter{{{ord(char):04X}}}{{\ensuremath{{\{command}}}}}"
+            )
+    return found
