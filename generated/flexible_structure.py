@@ -17,8 +17,8 @@ Source: thesis 5-34, 5-35, D-1 to D-29.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      55    47
-    rates                    143   107
+    opening_acceleration      41    37
+    rates                     88    66
     guards                     1     1
     impulse                   56    43
     energies                  91    62
@@ -34,7 +34,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "ab19cd7e4227698f"
+SOURCE_HASH = "862f4379b8f1974c"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -116,21 +116,17 @@ def opening_acceleration(contact, y, p, ax, ay):
     gravity = p[7]
     stiffness = p[8]
     damping = p[9]
+    total_gravity = ay + gravity
     x0 = half_width*half_width
     x1 = half_width*s
     x2 = height*mass
-    x3 = ay*x1
-    x4 = gravity*x1
     m00 = (
         base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass +
         inertia + mass*u*u - 2*mass*u*x1 + mass*x0
     )
     m10 = x2
     m11 = mass
-    f0 = (
-        -ax*base_height*base_mass - ax*x2 + ay*mass*u - base_mass*x3 - base_mass*x4 +
-        gravity*mass*u - mass*x3 - mass*x4
-    )
+    f0 = -ax*(base_height*base_mass + x2) + total_gravity*(-base_mass*x1 + mass*u - mass*x1)
     f1 = -ax*mass - damping*u_dot - stiffness*u
     l10 = m10 / m00
     m11 -= l10 * m10
@@ -159,34 +155,29 @@ def rates(contact, y, p, ax, ay, dy):
         gravity = p[7]
         stiffness = p[8]
         damping = p[9]
+        total_gravity = ay + gravity
         x0 = half_width*half_width
         x1 = half_width*s
-        x2 = 2*mass*u
-        x3 = height*mass
-        x4 = math.cos(theta)
-        x5 = ax*x4
-        x6 = math.sin(theta)
-        x7 = base_mass*x1
-        x8 = ay*x4
-        x9 = mass*x1
-        x10 = gravity*x4
-        x11 = theta_dot*theta_dot
+        x2 = height*mass
+        x3 = math.sin(theta)
+        x4 = base_height*base_mass + x2
+        x5 = math.cos(theta)
+        x6 = mass*x1
+        x7 = -base_mass*x1 + mass*u - x6
+        x8 = theta_dot*theta_dot
         m00 = (
             base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass
-            + inertia + mass*u*u + mass*x0 - x1*x2
+            + inertia + mass*u*u - 2*mass*u*x1 + mass*x0
         )
-        m10 = x3
+        m10 = x2
         m11 = mass
         f0 = (
-            ax*mass*u*x6 - ax*mass*x1*x6 - ax*x6*x7 + ay*base_height*base_mass*x6 +
-            ay*height*mass*x6 + ay*mass*u*x4 + base_height*base_mass*gravity*x6 -
-            base_height*base_mass*x5 + gravity*height*mass*x6 + gravity*mass*u*x4 +
-            2*half_width*mass*s*theta_dot*u_dot - theta_dot*u_dot*x2 - x10*x7 - x10*x9 - x3*x5 -
-            x7*x8 - x8*x9
+            ax*(x3*x7 - x4*x5) + 2*mass*theta_dot*u_dot*(-u + x1) + total_gravity*(x3*x4 +
+            x5*x7)
         )
         f1 = (
-            ay*mass*x6 - damping*u_dot + gravity*mass*x6 + mass*u*x11 - mass*x5 - stiffness*u -
-            x11*x9
+            -ax*mass*x5 - damping*u_dot + mass*total_gravity*x3 + mass*u*x8 - stiffness*u -
+            x6*x8
         )
         l10 = m10 / m00
         m11 -= l10 * m10

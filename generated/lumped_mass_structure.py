@@ -15,8 +15,8 @@ Source: thesis 5-8 to 5-14.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      35    29
-    rates                     78    54
+    opening_acceleration      23    22
+    rates                     39    30
     guards                     1     1
     impulse                   32    23
     energies                  57    38
@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "66b385d71f619a9a"
+SOURCE_HASH = "3a0ebd7f738984b4"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -106,17 +106,15 @@ def opening_acceleration(contact, y, p, ax, ay):
     base_inertia = p[5]
     half_width = p[6]
     gravity = p[7]
+    total_gravity = ay + gravity
     x0 = half_width*half_width
-    x1 = half_width*s
-    x2 = ay*x1
-    x3 = gravity*x1
     m00 = (
         base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass +
         inertia + mass*x0
     )
     f0 = (
-        -ax*base_height*base_mass - ax*height*mass - base_mass*x2 - base_mass*x3 - mass*x2 -
-        mass*x3
+        -ax*(base_height*base_mass + height*mass) - half_width*s*total_gravity*(base_mass +
+        mass)
     )
     theta_ddot = f0 / m00
     return s * theta_ddot
@@ -136,25 +134,17 @@ def rates(contact, y, p, ax, ay, dy):
         base_inertia = p[5]
         half_width = p[6]
         gravity = p[7]
+        total_gravity = ay + gravity
         x0 = half_width*half_width
         x1 = math.cos(theta)
-        x2 = ax*x1
+        x2 = half_width*s*(base_mass + mass)
         x3 = math.sin(theta)
-        x4 = half_width*s
-        x5 = base_mass*x4
-        x6 = ax*x3
-        x7 = mass*x4
-        x8 = ay*x1
-        x9 = gravity*x1
+        x4 = base_height*base_mass + height*mass
         m00 = (
             base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass
             + inertia + mass*x0
         )
-        f0 = (
-            ay*base_height*base_mass*x3 + ay*height*mass*x3 + base_height*base_mass*gravity*x3 -
-            base_height*base_mass*x2 + gravity*height*mass*x3 - height*mass*x2 - x5*x6 - x5*x8 -
-            x5*x9 - x6*x7 - x7*x8 - x7*x9
-        )
+        f0 = ax*(-x1*x4 - x2*x3) + total_gravity*(-x1*x2 + x3*x4)
         theta_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = theta_ddot

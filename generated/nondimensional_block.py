@@ -9,8 +9,8 @@ Source: Hogan (1989); thesis 2-13.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      18    13
-    rates                     50    29
+    opening_acceleration      13    12
+    rates                     34    23
     guards                     1     1
     impulse                   14    12
     energies                  19    18
@@ -26,7 +26,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "f5fb2065c6281bb4"
+SOURCE_HASH = "097cd71244f39588"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -79,10 +79,10 @@ def opening_acceleration(contact, y, p, ax, ay):
     s = 1.0 if contact == RIGHT else -1.0
     alpha = p[0]
     radius_ratio = p[1]
+    total_gravity = ay + 1
     x0 = alpha*radius_ratio
-    x1 = s*x0*math.sin(alpha)
     m00 = alpha*alpha*radius_ratio
-    f0 = -ax*x0*math.cos(alpha) - ay*x1 - x1
+    f0 = -ax*x0*math.cos(alpha) - s*total_gravity*x0*math.sin(alpha)
     x_ddot = f0 / m00
     return s * x_ddot
 
@@ -95,18 +95,15 @@ def rates(contact, y, p, ax, ay, dy):
         x = y[0]
         alpha = p[0]
         radius_ratio = p[1]
+        total_gravity = ay + 1
         x0 = math.cos(alpha)
         x1 = alpha*x
         x2 = math.sin(x1)
         x3 = math.cos(x1)
         x4 = alpha*radius_ratio
         x5 = s*x4*math.sin(alpha)
-        x6 = x3*x5
         m00 = alpha*alpha*radius_ratio
-        f0 = (
-            alpha*ay*radius_ratio*x0*x2 + alpha*radius_ratio*x0*x2 - ax*x0*x3*x4 - ax*x2*x5 -
-            ay*x6 - x6
-        )
+        f0 = ax*(-x0*x3*x4 - x2*x5) + total_gravity*(alpha*radius_ratio*x0*x2 - x3*x5)
         x_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = x_ddot

@@ -12,8 +12,8 @@ Source: Housner (1963); thesis 2-2, 2-6, 2-9, 3-8, 3-9.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      17    15
-    rates                     38    29
+    opening_acceleration      13    13
+    rates                     26    22
     guards                     1     1
     impulse                   15    11
     energies                  27    21
@@ -29,7 +29,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "2375ccfa32125276"
+SOURCE_HASH = "c0961470b9775dd5"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -88,9 +88,9 @@ def opening_acceleration(contact, y, p, ax, ay):
     height = p[2]
     inertia = p[3]
     gravity = p[4]
-    x0 = half_width*mass*s
+    total_gravity = ay + gravity
     m00 = half_width*half_width*mass + height*height*mass + inertia
-    f0 = -ax*height*mass - ay*x0 - gravity*x0
+    f0 = -ax*height*mass - half_width*mass*s*total_gravity
     theta_ddot = f0 / m00
     return s * theta_ddot
 
@@ -106,15 +106,12 @@ def rates(contact, y, p, ax, ay, dy):
         height = p[2]
         inertia = p[3]
         gravity = p[4]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
+        total_gravity = ay + gravity
+        x0 = math.sin(theta)
+        x1 = math.cos(theta)
         x2 = half_width*mass*s
-        x3 = x0*x2
         m00 = half_width*half_width*mass + height*height*mass + inertia
-        f0 = (
-            -ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1 - ay*x3 + gravity*height*mass*x1 -
-            gravity*x3
-        )
+        f0 = ax*(-height*mass*x1 - x0*x2) + total_gravity*(height*mass*x0 - x1*x2)
         theta_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = theta_ddot

@@ -16,7 +16,7 @@ Source: thesis 5-15, 5-25, 5-33.
     contacts    both_left, left, both_right, right
 
 Operations before and after common subexpressions were shared:
-    rates                    279    80
+    rates                    171    67
     guards                    30    30
     energies                 217    94
     reactions                 14    14
@@ -31,7 +31,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "0a8aed5b87db625c"
+SOURCE_HASH = "943b5d19108b33b9"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -118,9 +118,10 @@ def rates(contact, y, p, ax, ay, dy):
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
-        m00 = base_mass + mass
+        x0 = base_mass + mass
+        m00 = x0
         f0 = (
-            -ax*base_mass - ax*mass - u*(-base_height*base_mass*gravity +
+            -ax*x0 - u*(-base_height*base_mass*gravity +
             2*foundation_stiffness*half_width*half_width - gravity*height*mass)/height*height
         )
         u_ddot = f0 / m00
@@ -137,22 +138,20 @@ def rates(contact, y, p, ax, ay, dy):
         gravity = p[7]
         foundation_stiffness = p[8]
         x0 = base_mass + mass
-        x1 = (1/2)*x0/(foundation_stiffness*half_width)
-        x2 = gravity*x1
-        x3 = math.sin(x2)
-        x4 = math.cos(x2)
-        x5 = 1/(half_width*x3 + height*x4)
-        x6 = base_height*base_mass
-        x7 = height*mass
-        x8 = base_mass*half_width*x4 + half_width*mass*x4 - x3*x6 - x3*x7
-        x9 = x6 + x7
-        x10 = base_mass*half_width + half_width*mass
-        x11 = 1/math.sqrt(x10*x10/x9*x9 + 1)
-        x12 = 1/(-half_width*x11 + half_width + height*x10*x11/x9 - height*x2)
+        x1 = (1/2)*gravity*x0/(foundation_stiffness*half_width)
+        x2 = math.sin(x1)
+        x3 = math.cos(x1)
+        x4 = base_height*base_mass
+        x5 = height*mass
+        x6 = height*x1
+        x7 = x4 + x5
+        x8 = base_mass*half_width + half_width*mass
+        x9 = 1/math.sqrt(1 + x8*x8/x7*x7)
+        x10 = 1/(-half_width*x9 + half_width + height*x8*x9/x7 - x6)
         m00 = x0
         f0 = (
-            -ax*base_mass - ax*mass - gravity*gravity*height*s*x1*x12*x5*x8 - gravity*s*x5*x8 +
-            gravity*u*x12*x5*x8
+            -ax*x0 + gravity*(-s*x10*x6 - s + u*x10)*(base_mass*half_width*x3 +
+            half_width*mass*x3 - x2*x4 - x2*x5)/(half_width*x2 + height*x3)
         )
         u_ddot = f0 / m00
         dy[0] = y[1]

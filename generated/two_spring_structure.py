@@ -17,7 +17,7 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
     contacts    left, both, flight, right
 
 Operations before and after common subexpressions were shared:
-    rates                    376   289
+    rates                    270   189
     guards                   164   112
     energies                 329   241
     reactions                162   123
@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "6ae19c0b103a9cb4"
+SOURCE_HASH = "6cf50de8fa1bc539"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -129,24 +129,24 @@ def rates(contact, y, p, ax, ay, dy):
         gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = ax*x1
-        x3 = half_width*half_width
-        x4 = 2*foundation_stiffness
-        x5 = 2*foundation_damping
-        x6 = theta_dot*theta_dot
+        x1 = base_height*base_mass
+        x2 = height*mass
+        x3 = base_mass + mass
+        x4 = math.cos(theta)
+        x5 = half_width*half_width
+        x6 = 2*foundation_stiffness
+        x7 = x1 + x2
+        x8 = x4*x7
+        x9 = 2*foundation_damping
         m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -base_height*base_mass*x0 - height*mass*x0
-        m11 = base_mass + mass
-        f0 = (
-            ay*base_height*base_mass*x0 + ay*height*mass*x0 + base_height*base_mass*gravity*x0 -
-            base_height*base_mass*x2 + gravity*height*mass*x0 - height*mass*x2 -
-            theta_dot*x1*x1*x3*x5 - x0*x1*x3*x4
-        )
+        m10 = -x0*x1 - x0*x2
+        m11 = x3
+        f0 = -ax*x8 - theta_dot*x4*x4*x5*x9 + total_gravity*x0*x7 - x0*x4*x5*x6
         f1 = (
-            -ay*base_mass - ay*mass + base_height*base_mass*x1*x6 - heave*x4 - heave_dot*x5 +
-            height*mass*x1*x6
+            base_mass*gravity + gravity*mass - heave*x6 - heave_dot*x9 + theta_dot*theta_dot*x8
+            - total_gravity*x3
         )
         l10 = m10 / m00
         m11 -= l10 * m10
@@ -172,29 +172,29 @@ def rates(contact, y, p, ax, ay, dy):
         gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = ax*x1
-        x3 = foundation_damping*heave_dot
-        x4 = half_width*x1
-        x5 = foundation_stiffness*heave
-        x6 = half_width*half_width
-        x7 = foundation_stiffness*x0
-        x8 = foundation_damping*theta_dot
-        x9 = (1/2)*gravity
-        x10 = theta_dot*theta_dot
+        x1 = base_height*base_mass
+        x2 = height*mass
+        x3 = base_mass + mass
+        x4 = math.cos(theta)
+        x5 = half_width*half_width
+        x6 = foundation_stiffness*x0
+        x7 = x1 + x2
+        x8 = (1/2)*gravity
+        x9 = foundation_damping*heave_dot
+        x10 = foundation_stiffness*heave
         m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -base_height*base_mass*x0 - height*mass*x0
-        m11 = base_mass + mass
+        m10 = -x0*x1 - x0*x2
+        m11 = x3
         f0 = (
-            ay*base_height*base_mass*x0 + ay*height*mass*x0 + base_height*base_mass*gravity*x0 -
-            base_height*base_mass*x2 + (1/2)*base_mass*gravity*half_width*x1 +
-            (1/2)*gravity*half_width*mass*x1 + gravity*height*mass*x0 - height*mass*x2 -
-            x1*x1*x6*x8 - x1*x6*x7 - x3*x4 - x4*x5
+            -ax*x4*x7 - foundation_damping*theta_dot*x4*x4*x5 + half_width*x4*(base_mass*x8 +
+            mass*x8 - x10 - x9) + total_gravity*x0*x7 - x4*x5*x6
         )
         f1 = (
-            -ay*base_mass - ay*mass + base_height*base_mass*x1*x10 - base_mass*x9 -
-            half_width*x7 + height*mass*x1*x10 - mass*x9 - x3 - x4*x8 - x5
+            (1/2)*base_mass*gravity + (1/2)*gravity*mass - half_width*x6 +
+            theta_dot*x4*(-foundation_damping*half_width + theta_dot*x1 + theta_dot*x2) -
+            total_gravity*x3 - x10 - x9
         )
         l10 = m10 / m00
         m11 -= l10 * m10
@@ -220,30 +220,27 @@ def rates(contact, y, p, ax, ay, dy):
         gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = ax*x1
-        x3 = (1/2)*gravity
-        x4 = base_mass*x3
-        x5 = half_width*x1
-        x6 = mass*x3
-        x7 = half_width*half_width
-        x8 = theta_dot*theta_dot
+        x1 = base_height*base_mass
+        x2 = height*mass
+        x3 = base_mass + mass
+        x4 = math.cos(theta)
+        x5 = half_width*half_width
+        x6 = foundation_stiffness*x0
+        x7 = x1 + x2
+        x8 = (1/2)*gravity
+        x9 = base_mass*x8 - foundation_damping*heave_dot - foundation_stiffness*heave + mass*x8
         m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -base_height*base_mass*x0 - height*mass*x0
-        m11 = base_mass + mass
+        m10 = -x0*x1 - x0*x2
+        m11 = x3
         f0 = (
-            ay*base_height*base_mass*x0 + ay*height*mass*x0 + base_height*base_mass*gravity*x0 -
-            base_height*base_mass*x2 + foundation_damping*half_width*heave_dot*x1 -
-            foundation_damping*theta_dot*x1*x1*x7 + foundation_stiffness*half_width*heave*x1 -
-            foundation_stiffness*x0*x1*x7 + gravity*height*mass*x0 - height*mass*x2 - x4*x5 -
-            x5*x6
+            -ax*x4*x7 - foundation_damping*theta_dot*x4*x4*x5 - half_width*x4*x9 +
+            total_gravity*x0*x7 - x4*x5*x6
         )
         f1 = (
-            -ay*base_mass - ay*mass + base_height*base_mass*x1*x8 +
-            foundation_damping*half_width*theta_dot*x1 - foundation_damping*heave_dot +
-            foundation_stiffness*half_width*x0 - foundation_stiffness*heave + height*mass*x1*x8
-            - x4 - x6
+            half_width*x6 + theta_dot*x4*(foundation_damping*half_width + theta_dot*x1 +
+            theta_dot*x2) - total_gravity*x3 + x9
         )
         l10 = m10 / m00
         m11 -= l10 * m10
@@ -264,21 +261,18 @@ def rates(contact, y, p, ax, ay, dy):
         base_height = p[4]
         base_inertia = p[5]
         gravity = p[7]
+        total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = base_height*x0
-        x2 = height*x0
-        x3 = ay*base_mass
-        x4 = ay*mass
-        x5 = base_mass*gravity
-        x6 = gravity*mass
-        x7 = math.cos(theta)
-        x8 = ax*x7
-        x9 = theta_dot*theta_dot
+        x1 = base_height*base_mass
+        x2 = height*mass
+        x3 = base_mass + mass
+        x4 = x1 + x2
+        x5 = x4*math.cos(theta)
         m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -base_mass*x1 - mass*x2
-        m11 = base_mass + mass
-        f0 = -base_height*base_mass*x8 - height*mass*x8 + x1*x3 + x1*x5 + x2*x4 + x2*x6
-        f1 = base_height*base_mass*x7*x9 + height*mass*x7*x9 - x3 - x4 - x5 - x6
+        m10 = -x0*x1 - x0*x2
+        m11 = x3
+        f0 = -ax*x5 + total_gravity*x0*x4
+        f1 = theta_dot*theta_dot*x5 - total_gravity*x3
         l10 = m10 / m00
         m11 -= l10 * m10
         f1 -= l10 * f0

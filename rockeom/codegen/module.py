@@ -18,6 +18,9 @@ from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel, Transition
 from rockeom.symbolic.statics import LOAD, equilibrium
 
+TOTAL_GRAVITY = sp.Symbol("total_gravity")
+"""g + a_y."""
+
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy")
 
 HEADER = '''"""{title}.
@@ -94,21 +97,46 @@ class _Module:
         b, a = self.operations.get(function, (0, 0))
         self.operations[function] = (b + before, a + after)
 
-    def evaluate(self, function: str, targets: Mapping[str, sp.Expr], indent: str) -> list[str]:
-        """Lines that read what is needed and assign the targets."""
+    def evaluate(
+        self,
+        function: str,
+        targets: Mapping[str, sp.Expr],
+        indent: str,
+        first: Mapping[str, sp.Expr] | None = None,
+    ) -> list[str]:
+        """Lines that read what is needed, assign `first`, and then the targets."""
+        ahead = {k: self.plain(e) for k, e in (first or {}).items()}
         plain = {k: self.plain(e) for k, e in targets.items()}
         lines, before, after = statements(plain, indent)
         self.count(function, before, after)
-        return self.unpack(plain.values(), indent) + lines
+        used = {str(x) for e in plain.values() for x in e.free_symbols}
+        ahead = {k: e for k, e in ahead.items() if k in used}
+        assigned = [line for k, e in ahead.items() for line in assign(k, python(e), indent)]
+        return self.unpack([*ahead.values(), *plain.values()], indent) + assigned + lines
 
     def system(
-        self, function: str, matrix: sp.Matrix, right: sp.Matrix, out: list[str], indent: str
+        self,
+        function: str,
+        matrix: sp.Matrix,
+        right: sp.Matrix,
+        out: list[str],
+        indent: str,
+        gravity: sp.Expr | None = None,
     ) -> list[str]:
-        """Lines that evaluate and solve matrix * x = right, x assigned to the names in `out`."""
+        """Lines that evaluate and solve matrix * x = right, x assigned to the names in `out`.
+
+        Where `gravity` is given, the right-hand side is collected by it and by the ground
+        acceleration: weight and vertical shaking act alike, as g + a_y.
+        """
         n = matrix.rows
+        first = {}
+        if gravity is not None:
+            first[TOTAL_GRAVITY.name] = gravity + GROUND_Y
+            right = right.applyfunc(lambda e: _collected(e, gravity))
         entries = {f"m{i}{j}": matrix[i, j] for i in range(n) for j in range(i + 1)}
         entries |= {f"f{i}": right[i] for i in range(n)}
-        return self.evaluate(function, entries, indent) + solve_symmetric(n, "m", "f", out, indent)
+        solved = solve_symmetric(n, "m", "f", out, indent)
+        return self.evaluate(function, entries, indent, first) + solved
 
     def function(self, signature: str, doc: str, body: list[str]) -> None:
         self.text += ["", "", "@_compiled", f"def {signature}:", *_docstring(doc), *body]
@@ -136,7 +164,9 @@ class _Module:
             if free:
                 eq = phase.equations
                 out = [f"{n}_ddot" for n in free]
-                lines += self.system("rates", eq.mass_matrix, eq.forcing, out, indent)
+                lines += self.system(
+                    "rates", eq.mass_matrix, eq.forcing, out, indent, phase.gravity
+                )
             for i, c in enumerate(self.model.coordinates):
                 moving = c.name in free
                 lines.append(f"{indent}dy[{i}] = {f'y[{self.n + i}]' if moving else '0.0'}")
@@ -167,6 +197,7 @@ class _Module:
                 eq.forcing.subs(closed),
                 out,
                 "    ",
+                phase.gravity,
             )
             body.append(f"    return s * {rotation.name}_ddot")
         self.function(
@@ -468,6 +499,17 @@ class _Module:
             imports=_imports(body),
             digest=hashlib.sha256(body.encode()).hexdigest()[:16],
         )
+
+
+def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
+    """Collected by g + a_y and by the horizontal ground acceleration, then by angles."""
+    expr = sp.expand(expr.subs(GROUND_Y, TOTAL_GRAVITY - gravity))
+    angles = sorted(expr.atoms(sp.sin, sp.cos), key=sp.default_sort_key)
+    parts = sp.collect(expr, [TOTAL_GRAVITY, GROUND_X], evaluate=False)
+    return sum(
+        (k * sp.collect(part, angles, func=sp.factor_terms) for k, part in parts.items()),
+        sp.Integer(0),
+    )
 
 
 def _imports(body: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 from types import ModuleType
@@ -111,16 +111,49 @@ class Response:
     structure: Structure
     motion: GroundMotion
     vertical: GroundMotion | None
-    t: np.ndarray
-    y: np.ndarray
-    contact: np.ndarray
     outcome: Outcome
-    events: tuple[Impact, ...]
     duration: float
+    output_step: float
     statistics: dict[str, Any]
-    steps: Steps = field(repr=False)
-    segments: np.ndarray = field(repr=False)
-    program: ModuleType = field(repr=False)
+    steps: Steps
+    passages: tuple[np.ndarray, np.ndarray, np.ndarray]
+    segments: np.ndarray
+    program: ModuleType
+
+    @cached_property
+    def _samples(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        return self.steps.samples(self.output_step)
+
+    @property
+    def t(self) -> np.ndarray:
+        """(n,) times of the samples [s]; the instant of a jump stands twice."""
+        return self._samples[0]
+
+    @property
+    def y(self) -> np.ndarray:
+        """(n, d) states, columns in the order of `states`."""
+        return self._samples[1]
+
+    @property
+    def contact(self) -> np.ndarray:
+        """(n,) number of the contact state."""
+        return self._samples[2]
+
+    @cached_property
+    def events(self) -> tuple[Impact, ...]:
+        """All passages between contact states, in time order."""
+        names = self.program.CONTACTS
+        return tuple(
+            Impact(
+                float(time),
+                _KINDS[kind],
+                names[before],
+                names[after],
+                dict(zip(self.states, pair[0].tolist(), strict=True)),
+                dict(zip(self.states, pair[1].tolist(), strict=True)),
+            )
+            for time, (kind, before, after), pair in zip(*self.passages, strict=True)
+        )
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -148,8 +181,9 @@ class Response:
     @property
     def rest_time(self) -> float | None:
         """When infinitely many impacts had come to their end for the last time [s], or None."""
-        times = [e.time for e in self.events if e.kind == "rest"]
-        return times[-1] if times else None
+        times, kinds, _ = self.passages
+        rests = times[kinds[:, 0] == _KINDS.index("rest")]
+        return float(rests[-1]) if len(rests) else None
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name in self.states:
@@ -200,7 +234,7 @@ class Response:
     @property
     def final(self) -> dict[str, float]:
         """The last state, by name."""
-        return dict(zip(self.states, self.y[-1].tolist(), strict=True))
+        return dict(zip(self.states, self.steps.powers[-1].sum(axis=0).tolist(), strict=True))
 
     @cached_property
     def friction_demand(self) -> float:
@@ -255,4 +289,4 @@ class Response:
         return importlib.import_module("rockeom.plots").plot_response(self, **kwargs)
 
     def __repr__(self) -> str:
-        return f"<Response: {self.outcome}, {len(self.t)} samples, {len(self.impacts)} impacts>"
+        return f"<Response: {self.outcome}, {self.duration:.6g} s, {len(self.impacts)} impacts>"

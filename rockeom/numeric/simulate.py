@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
-from rockeom.numeric.response import _KINDS, Impact, Outcome, Response, Steps
+from rockeom.numeric.response import Outcome, Response, Steps
 from rockeom.numeric.specialise import program
 
 if TYPE_CHECKING:
@@ -63,53 +63,28 @@ def simulate(
     outcome, last, span, contacts, powers = record.outcome, record.contact, *record.steps
     n = len(y0)
     shaking_ends = max(m.shaking_ends for m in (motion, vertical) if m is not None)
-    if (
-        outcome is Outcome.COMPLETED
-        and shaking_ends <= end
-        and compiled.SIDES[last] != 0
-        and 0 in compiled.KINDS[last]
-    ):
-        # the rest is free motion: follow it, unrecorded, to the next impact or to the ground
-        quiet = segment_table(None, None, 1e3 * max(end, 1.0))
-        after = problem.run(last, record.y, quiet, quiet[-1, 1], 0, keep=False)
-        if after.outcome is Outcome.OVERTURNED:
-            outcome = Outcome.OVERTURNED
+    if outcome is Outcome.COMPLETED and shaking_ends <= end and problem.falls(record, end):
+        outcome = Outcome.OVERTURNED
     if len(span) == 0:  # ended before the first step: keep the start
         span = np.array([[0.0, np.finfo(float).tiny]])
         contacts = np.array([contact])
         powers = np.zeros((1, 8, n))
         powers[0, 0] = y0
-    steps = Steps(span, contacts, powers)
-    t_out, y_out, contact_out = steps.samples(options.output_step or end / 4000)
-    names, phases = structure.states, structure.module.CONTACTS
-    events = tuple(
-        Impact(
-            float(time),
-            _KINDS[kind],
-            phases[before],
-            phases[after],
-            dict(zip(names, pair[0].tolist(), strict=True)),
-            dict(zip(names, pair[1].tolist(), strict=True)),
-        )
-        for time, (kind, before, after), pair in zip(*record.events, strict=True)
-    )
     response = Response(
         structure=structure,
         motion=motion,
         vertical=vertical,
-        t=t_out,
-        y=y_out,
-        contact=contact_out,
         outcome=outcome,
-        events=events,
         duration=end,
-        statistics={"steps": len(span), "events": len(events), "method": options.method},
-        steps=steps,
+        output_step=options.output_step or end / 4000,
+        statistics={"steps": len(span), "events": len(record.events[0]), "method": options.method},
+        steps=Steps(span, contacts, powers),
+        passages=record.events,
         segments=segments,
         program=compiled,
     )
     if outcome is Outcome.COMPLETED and shaking_ends <= end and _is_at_rest(response, last):
-        object.__setattr__(response, "outcome", Outcome.CAME_TO_REST)
+        return replace(response, outcome=Outcome.CAME_TO_REST)
     return response
 
 
@@ -166,12 +141,35 @@ class _Problem:
         whole = [np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks)]
         return _Record(_OUTCOMES[code], int(status[0]), y, tuple(whole[:3]), tuple(whole[3:]))
 
+    def falls(self, record: _Record, end: float) -> bool:
+        """Whether the free motion that follows a record leads to the ground, not back upright.
+
+        It is followed, unrecorded, until the next impact; on springs while it leans further.
+        """
+        p, contact, y = self.compiled, record.contact, record.y
+        if p.CONTACTS[contact] == "both":
+            return False
+        if p.SIDES[contact] != 0 and 0 in p.KINDS[contact]:
+            quiet = segment_table(None, None, 1e3 * max(end, 1.0))
+            last = self.run(contact, y, quiet, quiet[-1, 1], 0, keep=False)
+            return last.outcome is Outcome.OVERTURNED
+        quiet = segment_table(None, None, 0.1 * end)
+        for _ in range(100):
+            lean = abs(y[p.ROTATION])
+            last = self.run(contact, y, quiet, quiet[-1, 1], self.options.max_impacts, keep=False)
+            contact, y = last.contact, last.y
+            if last.outcome is not Outcome.COMPLETED or abs(y[p.ROTATION]) <= lean:
+                return last.outcome is Outcome.OVERTURNED
+        return False
+
 
 def _is_at_rest(response: Response, contact: int) -> bool:
     """Full contact, and no more motion than a millionth of the largest kinetic energy."""
     p = response.program
     if p.CONTACTS[contact] != "both" or 1 not in p.KINDS[contact]:
         return False
+    if not any(response.final[name] for name in p.STATES[len(p.STATES) // 2 :]):
+        return True
     kinetic = response["kinetic_energy"]
     return bool(kinetic[-1] <= 1e-6 * kinetic.max())
 

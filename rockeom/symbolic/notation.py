@@ -36,15 +36,17 @@ class Notation(LatexPrinter):
         self.coordinates = coordinates
         self.moving = {c.position for c in coordinates}
         heavy = [x for x in unit if unit[x] in ("kg", "kg m2")]
-        heavy += _symbols(e for b in phase.bodies for e in (b.mass, b.inertia))
-        masses = {x for b in phase.bodies for x in sp.sympify(b.mass).free_symbols}
-        self.masses = [x for x in dict.fromkeys(heavy) if x in masses or unit.get(x) == "kg"]
+        for body in phase.bodies:
+            heavy += _symbols([body.mass]) + ([body.inertia] if body.inertia.is_Symbol else [])
+        heavy = list(dict.fromkeys(heavy))
+        masses = set(_symbols(b.mass for b in phase.bodies))
+        self.masses = [x for x in heavy if x in masses or unit.get(x) == "kg"]
         self.dotted = [c.acceleration for c in coordinates]
         for c in coordinates:
             self.dotted += [c.velocity, at_impact(c, AFTER), at_impact(c, BEFORE)]
         field = [GROUND_X, GROUND_Y, *_symbols([phase.gravity])]
         self.leaders = [*self.dotted, *field]
-        self.heavy = {x: i for i, x in enumerate(dict.fromkeys(heavy))}
+        self.heavy = {x: i for i, x in enumerate(heavy)}
         places = [b.position for b in phase.bodies] + [f.position for f in phase.feet.values()]
         levers = [sp.diff(e, q) for place in places for e in place for q in self.moving]
         radii = {body.polar[2] for body in phase.bodies if body.polar}
@@ -122,26 +124,30 @@ class Notation(LatexPrinter):
 
     def _joined(self, expr: sp.Expr, lead: sp.Expr) -> list[sp.Expr]:
         outer, bracket = self._factored(expr)
-        if bracket == 1 or outer * lead == 1:
-            return self.sorted_terms(outer * lead * bracket)
+        if bracket == 1 or outer * lead in (1, -1):
+            return self.sorted_terms(sp.expand(outer * lead * bracket))
         return [sp.Mul(outer * lead, bracket, evaluate=False)]
 
     def _factored(self, expr: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """(common factor, bracket): the bracket's first term is positive, and has as few s."""
-        above, below = sp.fraction(sp.together(expr))
-        number, factors = _product(sp.gcd_terms(sp.expand(above)))
+        if any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow)):
+            above, below = sp.fraction(sp.together(expr))
+            expr = sp.expand(above) / below
+        number, factors = _product(sp.gcd_terms(expr))
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
-        outer = number * sp.Mul(*(f for f in factors if f is not bracket)) / below
-        sign, square = sp.factor(bracket).as_coeff_Mul()
-        if square.is_Pow and not square.free_symbols & self.moving:
-            return outer * sign * square, sp.Integer(1)
+        outer = number * sp.Mul(*(f for f in factors if f is not bracket))
         terms = self.sorted_terms(bracket)
+        if len(terms) > 2 and not bracket.free_symbols & self.moving:
+            sign, square = sp.factor(bracket).as_coeff_Mul()
+            if square.is_Pow:
+                return outer * sign * square, sp.Integer(1)
         with_side = sum(SIDE in _product(t)[1] for t in terms)
         compound = any(f.args[0].has(SIDE) for f in terms[0].atoms(sp.Function))
         if 2 * with_side + compound > len(terms):
             bracket = square_is(sp.expand(SIDE * bracket), SIDE, sp.Integer(1))
             outer *= SIDE
-        if _product(self.sorted_terms(bracket)[0])[0] < 0:
+        leads = [_product(self.sorted_terms(b)[0])[0] for b in (bracket, -bracket)]
+        if leads[0] < 0 or (leads[1] > 0 and _product(outer)[0] < 0):
             outer, bracket = -outer, -bracket
         return outer, bracket
 
@@ -157,16 +163,16 @@ class Notation(LatexPrinter):
 
     def quotient(self, expr: sp.Expr) -> str:
         """A rational expression, numerator and denominator collected."""
+        expr = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
         above, below = map(tidy, sp.fraction(sp.together(expr)))
         if _product(self.terms(below)[0])[0] < 0:
             above, below = -above, -below
         terms = self.terms(above)
         if below == 1:
-            return self.write(above)
+            return self._positive_first(terms)
         sign = "-" if all(_product(t)[0] < 0 for t in terms) else ""
-        if sign:
-            above = -above
-        return rf"{sign}\frac{{{self.write(above)}}}{{{self.write(below)}}}"
+        terms = self.terms(-above) if sign else terms
+        return rf"{sign}\frac{{{self._positive_first(terms)}}}{{{self.write(below)}}}"
 
     @staticmethod
     def sum(terms: list[str]) -> str:
@@ -177,9 +183,17 @@ class Notation(LatexPrinter):
         return text
 
     def _print_Add(self, expr: sp.Expr, order=None) -> str:
-        terms = [self._print(t) for t in self.sorted_terms(expr)]
-        first = next((t for t in terms if not t.startswith("-")), terms[0])
-        return self.sum([first, *(t for t in terms if t is not first)])
+        return self._positive_first(self.sorted_terms(expr))
+
+    def _positive_first(self, terms: list[sp.Expr]) -> str:
+        texts = [self._print(t) for t in terms]
+        first = next((i for i, text in enumerate(texts) if text[0] != "-"), 0)
+        return self.sum([texts.pop(first), *texts])
+
+    def _print_Rational(self, expr: sp.Rational) -> str:
+        return self._print_Mul(expr)
+
+    _print_Half = _print_Rational
 
     def _print_Mul(self, expr: sp.Expr) -> str:
         number, factors = _product(expr)
@@ -187,16 +201,20 @@ class Notation(LatexPrinter):
         above = [f for f in factors if not (f.is_Pow and f.exp.is_negative)]
         sign = "-" if number < 0 else ""
         p, q = abs(number.p), number.q
-        if not below and q != 1:
-            return rf"{sign}\tfrac{{{p}}}{{{q}}} {self._row(1, above)}".rstrip()
-        text = self._row(p, above) or "1"
-        return sign + (rf"\frac{{{text}}}{{{self._row(q, below)}}}" if below else text)
+        if below:
+            return rf"{sign}\frac{{{self._alone(p, above)}}}{{{self._alone(q, below)}}}"
+        if q != 1:
+            row = f" {self._row(1, above)}" if above else ""
+            return rf"{sign}\tfrac{{{p}}}{{{q}}}{row}"
+        return sign + self._row(p, above)
+
+    def _alone(self, number: int, factors: list[sp.Expr]) -> str:
+        """A product above or below a fraction bar, where a lone sum needs no brackets."""
+        lone = number == 1 and len(factors) == 1
+        return self._print(factors[0]) if lone else self._row(number, factors)
 
     def _row(self, number: int, factors: list[sp.Expr]) -> str:
-        """A product, its factors in order; a lone sum needs no brackets."""
-        if number == 1 and len(factors) == 1:
-            return self._print(factors[0])
-        texts = [] if number == 1 else [str(number)]
+        texts = [str(number)] if number != 1 or not factors else []
         for factor in sorted(factors, key=self.factor_key):
             text = self._print(factor)
             if texts and self.factor_key(factor)[0] == DOTTED and texts[-1][-1] != ")":

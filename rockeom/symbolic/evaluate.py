@@ -1,0 +1,195 @@
+"""Vectorised NumPy functions of a model, for notebooks and for checks of the generated code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+import numpy as np
+import sympy as sp
+
+from rockeom.symbolic.algebra import at_side
+from rockeom.symbolic.contact import reactions
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel, Transition
+
+Function = Callable[[Sequence], np.ndarray]
+
+
+class NumpyPhase:
+    """One contact state of a model as functions of arrays.
+
+        phase = rk.derive("rigid_block").lambdify()["right"]
+        phase.accelerations([theta, theta_dot], {"mass": 1.0, "half_width": 0.1, ...}, ax=1.2)
+
+    Every method takes
+
+    y : the states in the order of `states`, (N, ...); the trailing shape is free.
+    parameters : name -> value, all of the model's and no other. A value may be an array that
+        broadcasts with a state: parameter studies need no loop.
+    ax, ay : ground accelerations [m/s2], numbers or arrays that broadcast with a state.
+
+    and raises ValueError for a wrong number of states and for missing or unknown parameters.
+    Units are those of the model, SI. `coordinates` are the d free ones; held ones do not move.
+    """
+
+    def __init__(self, model: RockingModel, contact: str) -> None:
+        phase = model.phase(contact)
+        side = phase.side_of(contact)
+        equations = model.equations(contact)
+        self.contact = contact
+        self.states = model.states
+        self.parameters = tuple(p.name for p in model.parameters)
+        self.coordinates = tuple(c.name for c in phase.coordinates)
+        self._rows = [model.states.index(name) for name in self.coordinates]
+
+        q = [c.position for c in model.coordinates]
+        qd = [c.velocity for c in model.coordinates]
+        given = [p.symbol for p in model.parameters]
+        self._constants = _function(given, model.constants.values())
+        given += [*model.constants, *q, *qd, GROUND_X, GROUND_Y]
+        moving = [*given, *(c.acceleration for c in phase.coordinates)]
+
+        def table(named: Mapping[str, sp.Expr], arguments: list[sp.Symbol] = given):
+            return tuple(named), _function(arguments, (at_side(e, side) for e in named.values()))
+
+        self._mass_matrix = _function(given, equations.mass_matrix)
+        self._forcing = _function(given, equations.forcing)
+        self._energies = table(
+            {
+                "kinetic_energy": equations.kinetic_energy,
+                "gravitational_energy": equations.gravitational_energy,
+                "elastic_energy": equations.elastic_energy,
+            }
+        )
+        self._reactions = table(reactions(model, phase), moving)
+        places = {body.name: body.position for body in phase.bodies}
+        places |= {f"{name}_foot": foot.position for name, foot in phase.feet.items()}
+        self._positions = table(
+            {f"{k}.{i}": place[i] for k, place in places.items() for i in (0, 1)}
+        )
+        leaving = [t for t in model.transitions if t.source == contact]
+        self._switches = table({t.target: t.guard for t in leaving if t.guard is not None})
+        self._uplifts = {t.target: _Opening(model, t, given) for t in leaving if t.kind == "uplift"}
+
+    def mass_matrix(self, y, parameters: Mapping[str, float]) -> np.ndarray:
+        """M of M q'' = f, (d, d, ...)."""
+        found = self._mass_matrix(self._values(y, parameters))
+        d = len(self.coordinates)
+        return found.reshape(d, d, *found.shape[1:])
+
+    def forcing(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> np.ndarray:
+        """f of M q'' = f, (d, ...)."""
+        return self._forcing(self._values(y, parameters, ax, ay))
+
+    def accelerations(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> np.ndarray:
+        """q'' of the free coordinates, (d, ...)."""
+        values = self._values(y, parameters, ax, ay)
+        return _solved(self._mass_matrix(values), self._forcing(values))
+
+    def rates(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> np.ndarray:
+        """Rates of all states, (N, ...), as an integrator wants them; held ones are zero."""
+        y = np.asarray(y, dtype=float)
+        found = self.accelerations(y, parameters, ax, ay)
+        out = np.zeros((len(self.states), *found.shape[1:]))
+        half = len(self.states) // 2
+        for i, row in enumerate(self._rows):
+            out[row] = y[half + row]
+            out[half + row] = found[i]
+        return out
+
+    def energies(self, y, parameters: Mapping[str, float]) -> dict[str, np.ndarray]:
+        """Kinetic, gravitational and elastic energy [J], each (...)."""
+        return _named(self._energies, self._values(y, parameters))
+
+    def reactions(
+        self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0
+    ) -> dict[str, np.ndarray]:
+        """Forces of the ground on the structure [N], each (...); see `rockeom.symbolic.contact`."""
+        values = self._values(y, parameters, ax, ay)
+        found = _solved(self._mass_matrix(values), self._forcing(values))
+        return _named(self._reactions, [*values, *found])
+
+    def positions(self, y, parameters: Mapping[str, float]) -> dict[str, np.ndarray]:
+        """(x, y) of every body's centroid and of the left_foot and right_foot [m], (2, ...)."""
+        flat = _named(self._positions, self._values(y, parameters))
+        names = dict.fromkeys(name.rpartition(".")[0] for name in flat)
+        return {name: np.array([flat[f"{name}.0"], flat[f"{name}.1"]]) for name in names}
+
+    def guards(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> dict[str, np.ndarray]:
+        """Guard of each passage out of this contact state by its target, (...), positive inside."""
+        values = self._values(y, parameters, ax, ay)
+        lifts = {target: -opening(values) for target, opening in self._uplifts.items()}
+        return _named(self._switches, values) | lifts
+
+    def _values(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> list[np.ndarray]:
+        """All arguments of the functions in their order, of one common shape."""
+        if len(y) != len(self.states):
+            raise ValueError(
+                f"y has {len(y)} rows, the states are {len(self.states)}: {', '.join(self.states)}"
+            )
+        missing = [name for name in self.parameters if name not in parameters]
+        unknown = [name for name in parameters if name not in self.parameters]
+        if missing or unknown:
+            raise ValueError(
+                f"parameters missing: {', '.join(missing) or 'none'}; "
+                f"unknown: {', '.join(unknown) or 'none'}; all are {', '.join(self.parameters)}"
+            )
+        chosen = [parameters[name] for name in self.parameters]
+        chosen += list(self._constants(_common(chosen)))
+        return _common([*chosen, *y, ax, ay])
+
+    def __repr__(self) -> str:
+        return f"<NumpyPhase {self.contact!r} of {', '.join(self.states)}>"
+
+
+class _Opening:
+    """Acceleration with which a rocking phase would open from closed and at rest."""
+
+    def __init__(self, model: RockingModel, transition: Transition, given: list[sp.Symbol]) -> None:
+        rotation, target = model.rotation, transition.target
+        phase, equations = model.phase(target), model.equations(target)
+        closed = {rotation.position: 0, rotation.velocity: 0}
+        self._side = phase.side_of(target)
+        self._row = [c.name for c in phase.coordinates].index(rotation.name)
+        self._mass_matrix = _function(given, equations.mass_matrix.subs(closed))
+        self._forcing = _function(given, equations.forcing.subs(closed))
+
+    def __call__(self, values: Sequence) -> np.ndarray:
+        found = _solved(self._mass_matrix(values), self._forcing(values))
+        return self._side * found[self._row]
+
+
+def numpy_functions(model: RockingModel) -> dict[str, NumpyPhase]:
+    """The functions of every contact state, by its name ("left", "both", "right", ...)."""
+    return {contact: NumpyPhase(model, contact) for contact in model.contacts}
+
+
+def _function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr]) -> Function:
+    """values of the arguments, of one common shape (...) -> values of the expressions, (k, ...)."""
+    # dummies, so that no name of a symbol becomes a part of the function's text
+    compiled = sp.lambdify(
+        list(arguments), list(expressions), modules="numpy", cse=True, dummify=True
+    )
+
+    def evaluate(values: Sequence) -> np.ndarray:
+        found = compiled(*values)
+        shape = np.shape(values[0])
+        return np.array([np.broadcast_to(f, shape) for f in found]).reshape(len(found), *shape)
+
+    return evaluate
+
+
+def _common(values: Iterable) -> list[np.ndarray]:
+    return list(np.broadcast_arrays(*(np.asarray(v, dtype=float) for v in values)))
+
+
+def _solved(mass_matrix: np.ndarray, forcing: np.ndarray) -> np.ndarray:
+    """Solution (d, ...) of M q'' = f, from the entries of M (d * d, ...) and f (d, ...)."""
+    d, *shape = forcing.shape
+    matrices = np.moveaxis(mass_matrix.reshape(d, d, *shape), (0, 1), (-2, -1))
+    right = np.moveaxis(forcing, 0, -1)[..., None]
+    return np.moveaxis(np.linalg.solve(matrices, right)[..., 0], -1, 0)
+
+
+def _named(table: tuple[tuple[str, ...], Function], values: Sequence) -> dict[str, np.ndarray]:
+    names, function = table
+    return dict(zip(names, function(values), strict=True))

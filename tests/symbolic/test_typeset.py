@@ -1,0 +1,332 @@
+"""Derived equations as a person reads them: what the LaTeX says, and that it can be typeset."""
+
+import dataclasses
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, strategies as st
+
+from rockeom.symbolic import SHIPPED, derive
+from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.contact import total_reaction
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.notation import Notation, broken, width
+from rockeom.symbolic.polar import has_polar_form, in_polar_form, polar_model, polar_phase
+from rockeom.symbolic.typeset import (
+    LINE,
+    equation_lines,
+    equations_latex,
+    latex_document,
+    markdown_page,
+)
+
+ROOT = Path(__file__).resolve().parents[2]
+POLAR = [n for n in SHIPPED if any(has_polar_form(p) for p in SHIPPED[n]().phases)]
+
+
+@pytest.fixture(scope="module")
+def shipped():
+    """Each structure derived once."""
+    return {name: derive(name) for name in SHIPPED}
+
+
+def values_of(phase, seed=0) -> dict[sp.Symbol, float]:
+    """A random state and random parameters, R and alpha in accord with B and H."""
+    rng = np.random.default_rng(seed)
+    used = {SIDE, GROUND_X, GROUND_Y}
+    for c in phase.coordinates:
+        used |= {c.position, c.velocity, c.acceleration}
+    for body in phase.bodies:
+        used |= {x for e in (body.mass, body.inertia, *body.position) for x in e.free_symbols}
+    used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
+    used |= phase.gravity.free_symbols
+    values = {x: rng.uniform(0.2, 1.2) for x in sorted(used, key=str)}
+    values[SIDE] = rng.choice([-1.0, 1.0])
+    for body in phase.bodies:
+        if body.polar:
+            b, h, radius, alpha = body.polar
+            if b in values:
+                values[radius] = math.hypot(values[b], values[h])
+                values[alpha] = math.atan2(values[b], values[h])
+    return values
+
+
+class Reader:
+    """Evaluates the LaTeX of an expression: what a person would compute from the page."""
+
+    FUNCTIONS = {r"\sin": math.sin, r"\cos": math.cos, r"\tan": math.tan, r"\arctan": math.atan}
+
+    def __init__(self, notation: Notation, values: dict[sp.Symbol, float]) -> None:
+        self.values = {notation.plain(x): v for x, v in values.items()}
+        names = sorted(map(re.escape, self.values), key=len, reverse=True)
+        skipped = r"(?P<skip>\s+|\\thinspace|\\left(?![a-z])|\\right(?![a-z])|\\bigl|\\bigr)"
+        known = "|".join(rf"{n}(?![A-Za-z_])" for n in names)
+        self.token = re.compile(rf"{skipped}|({known}|\\[a-z]+|\d+|[-+=^{{}}()\[\]])")
+
+    def __call__(self, tex: str) -> float:
+        self.tokens, at = [], 0
+        while at < len(tex):
+            match = self.token.match(tex, at)
+            assert match, f"cannot read {tex[at:]!r} in {tex!r}"
+            self.tokens += [] if match["skip"] else [match[0]]
+            at = match.end()
+        value = self.sum()
+        assert not self.tokens, f"left over: {self.tokens} in {tex!r}"
+        return value
+
+    def next(self, *wanted: str) -> str | None:
+        return self.tokens.pop(0) if self.tokens and self.tokens[0] in wanted else None
+
+    def sum(self) -> float:
+        total = -self.product() if self.next("-") else self.product()
+        while sign := self.next("+", "-"):
+            total += self.product() if sign == "+" else -self.product()
+        return total
+
+    def product(self) -> float:
+        value = self.power()
+        while self.tokens and self.tokens[0] not in "+-=)]}":
+            value *= self.power()
+        return value
+
+    def power(self) -> float:
+        value = self.atom()
+        return value ** self.atom() if self.next("^") else value
+
+    def atom(self) -> float:
+        token = self.tokens.pop(0)
+        if token in "([{":
+            value = self.sum()
+            assert self.tokens.pop(0) == {"(": ")", "[": "]", "{": "}"}[token]
+            return value
+        if token in (r"\frac", r"\tfrac"):
+            return self.atom() / self.atom()
+        if token in self.FUNCTIONS:
+            exponent = self.atom() if self.next("^") else 1
+            return self.FUNCTIONS[token](self.atom()) ** exponent
+        return self.values[token] if token in self.values else float(token)
+
+
+def phases(name):
+    """(phase, form) of every way to show a structure."""
+    for phase in derive(name).phases:
+        yield phase, "width"
+        if has_polar_form(phase):
+            yield phase, "polar"
+
+
+# --- what the page says
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_reading_the_typeset_equations_gives_the_residual_of_the_derived_ones(name):
+    for phase, form in phases(name):
+        values = values_of(phase)
+        residual = phase.equations.residual(phase.coordinates).subs(values)
+        shown = polar_phase(phase) if form == "polar" else phase
+        read = Reader(Notation(shown), values)
+        for line, expected in zip(equation_lines(phase, form), residual, strict=True):
+            left, right = line.split(" = ")
+            scale = abs(read(left)) + abs(read(right))
+            assert read(left) - read(right) == pytest.approx(float(expected), abs=1e-12 * scale)
+
+
+@pytest.mark.parametrize("form", ["width", "polar"])
+@pytest.mark.parametrize("name", SHIPPED)
+def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived_ones(
+    shipped, name, form
+):
+    original = shipped[name]
+    model = polar_model(original) if form == "polar" else original
+    for phase, plain in zip(model.phases, original.phases, strict=True):
+        notation, values = Notation(phase, model), values_of(plain, 1)
+        read = Reader(notation, values)
+        equations, exact = phase.equations, plain.equations
+        pairs = [
+            (notation.write(equations.kinetic_energy), exact.kinetic_energy),
+            (notation.write(equations.gravitational_energy), exact.gravitational_energy),
+            (notation.plain(equations.elastic_energy), exact.elastic_energy),
+            (notation.plain(phase.dissipation), plain.dissipation),
+        ]
+        shown, expected = total_reaction(phase), total_reaction(plain)
+        pairs += [(notation.write(a), b) for a, b in zip(shown, expected, strict=True)]
+        for tex, expr in pairs:
+            assert read(tex) == pytest.approx(float(expr.subs(values)), rel=1e-12, abs=1e-12)
+    if model.velocity_ratio is not None and original.rigid_velocity_ratio is None:
+        first = original.phases[0]
+        values = values_of(first, 2)
+        tex = Notation(model.phases[0], model).quotient(model.velocity_ratio)
+        exact = float(original.velocity_ratio.subs(values))
+        assert Reader(Notation(model.phases[0], model), values)(tex) == pytest.approx(exact)
+
+
+def test_flexible_structure_reads_as_the_thesis_prints_it():
+    """The thesis, equations 5-34 and 5-35, with vertical acceleration added."""
+    rotation, deformation = equation_lines(derive("flexible_structure").phase("right"), "polar")
+    left, right = rotation.split(" = ")
+    assert left == (
+        r"(m_e R_e^2 + m_e u^2 - 2 s m_e u R_e \sin\alpha_e + I_{eg} + m_b R_b^2 + I_{bg})"
+        r" \ddot{\theta} + m_e R_e \cos\alpha_e \thinspace \ddot{u}"
+        r" + 2 m_e (u - s R_e \sin\alpha_e) \dot{\theta} \dot{u}"
+        r" + s m_e g [R_e \sin(\alpha_e - s \theta) - s u \cos\theta]"
+        r" + s m_b g R_b \sin(\alpha_b - s \theta)"
+    )
+    assert right.startswith(
+        r"-m_e \ddot x_g [R_e \cos(\alpha_e - s \theta) - u \sin\theta]"
+        r" - m_b \ddot x_g R_b \cos(\alpha_b - s \theta)"
+    )
+    assert deformation == (
+        r"m_e R_e \cos\alpha_e \thinspace \ddot{\theta} + m_e \ddot{u}"
+        r" + m_e (s R_e \sin\alpha_e - u) \dot{\theta}^2 + c \dot{u} - m_e g \sin\theta + k u"
+        r" = -m_e \ddot x_g \cos\theta + m_e \ddot y_g \sin\theta"
+    )
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_one_line_an_equation_of_motion(name):
+    for phase, form in phases(name):
+        tex = equations_latex(phase, form)
+        assert tex.count(" &= ") == len(phase.coordinates)
+        assert tex.count(r"\\") == max(len(phase.coordinates) - 1, 0)
+
+
+# --- the form in R and alpha
+
+
+@pytest.mark.parametrize("name", POLAR)
+def test_polar_form_is_the_width_form(shipped, name):
+    phase = shipped[name].phases[0]
+    polar = in_polar_form(phase)
+    geometry = {b.polar[0] for b in phase.bodies} | {b.polar[1] for b in phase.bodies}
+    back = {}
+    for body in phase.bodies:
+        b, h, radius, alpha = body.polar
+        back |= {sp.sin(alpha): b / radius, sp.cos(alpha): h / radius}
+    for field in dataclasses.fields(polar):
+        shown = sp.Matrix([getattr(polar, field.name)])
+        exact = sp.Matrix([getattr(phase.equations, field.name)])
+        assert not shown.free_symbols & geometry
+        for side in (-1, 1):
+            for a, b in zip(shown.subs(SIDE, side), exact.subs(SIDE, side), strict=True):
+                difference = sp.expand_trig(a).subs(back) - b
+                for body in phase.bodies:
+                    width, height, radius, _ = body.polar
+                    difference = difference.subs(radius, sp.sqrt(width**2 + height**2))
+                assert sp.simplify(difference) == 0
+
+
+def test_structure_without_radius_and_angle_has_no_polar_form():
+    phase = derive("two_spring_structure").phase("both")
+    with pytest.raises(ValueError, match='no polar form of phase both.*form="width"'):
+        equations_latex(phase, "polar")
+
+
+def test_unknown_form_is_refused_by_name():
+    model = derive("rigid_block")
+    with pytest.raises(ValueError, match="not 'cartesian'"):
+        latex_document(model, "cartesian")
+    with pytest.raises(ValueError, match="not 'cartesian'"):
+        equations_latex(model.phases[0], "cartesian")
+
+
+# --- line breaks
+
+
+@given(st.integers(0, 10_000), st.floats(15, 70))
+def test_broken_lines_lose_nothing_and_are_no_wider_than_asked(seed, limit):
+    rng = np.random.default_rng(seed)
+    words = [r"m_e g", r"\ddot{\theta}", r"(a + b) c", r"\frac{a + b}{c}", r"\sin\theta", "[x - y]"]
+    tex = "".join(f"{rng.choice([' + ', ' - '])}{rng.choice(words)}" for _ in range(30))[3:]
+    lines = broken(tex, limit)
+    assert " ".join(lines) == tex
+    assert max(map(width, lines)) <= limit
+
+
+# --- documents
+
+
+@pytest.mark.parametrize("form", ["width", "polar"])
+@pytest.mark.parametrize("name", SHIPPED)
+def test_document_has_balanced_braces_and_names_every_symbol(shipped, name, form):
+    model = shipped[name]
+    tex = latex_document(model, form)
+    bare = re.sub(r"\\[{}]", "", tex)
+    assert bare.count("{") == bare.count("}")
+    assert len(re.findall(r"\\left(?![a-z])", tex)) == len(re.findall(r"\\right(?![a-z])", tex))
+    for entry in (*model.parameters, *model.definitions, *model.coordinates):
+        assert entry.name.replace("_", r"\_") in tex
+        assert entry.unit.split()[0][:1] in tex
+
+
+def compiled(tex: str, folder: Path) -> str:
+    """The log of pdflatex, which must succeed."""
+    (folder / "page.tex").write_text(tex, encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
+    assert done.returncode == 0, done.stdout[-2000:]
+    return done.stdout
+
+
+latex_installed = pytest.mark.skipif(not shutil.which("pdflatex"), reason="no pdflatex on PATH")
+
+
+@latex_installed
+@pytest.mark.parametrize("form", ["width", "polar"])
+@pytest.mark.parametrize("name", SHIPPED)
+def test_document_compiles_and_nothing_runs_off_the_page(shipped, tmp_path, name, form):
+    assert "Overfull" not in compiled(latex_document(shipped[name], form), tmp_path)
+
+
+STRANGE = r"50 % of {a_b} & #1 \ ~ ^ < > for θ and Ω at ½ $"
+
+
+def test_special_characters_in_a_users_words_are_escaped():
+    tex = latex_document(dataclasses.replace(derive("rigid_block"), title=STRANGE))
+    assert r"50 \% of \{a\_b\} \& \#1 \textbackslash{} " in tex
+    assert r"\DeclareUnicodeCharacter{03B8}{\ensuremath{\theta}}" in tex
+
+
+@latex_installed
+def test_special_characters_in_a_users_words_compile(tmp_path):
+    model = dataclasses.replace(derive("rigid_block"), title=STRANGE, reference=STRANGE)
+    compiled(latex_document(model), tmp_path)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_markdown_survives_the_markdown_reader(shipped, name):
+    """No mark-up that a Markdown reader would take for its own inside mathematics."""
+    page = markdown_page(shipped[name])
+    for block in re.findall(r"\$\$(.*?)\$\$", page, re.DOTALL):
+        assert "\n\n" not in block
+        assert not re.search(r"^\s*[-+*=<>#]", block, re.MULTILINE), "a list, heading or quote"
+        assert not re.search(r"[})\]]_|\*|<", block), "emphasis or a tag"
+        escapes = re.findall(r"\\[^A-Za-z]", block)
+        assert all(e == "\\\\" for e in escapes), "an escape that Markdown eats"
+        assert all(row.endswith("\\\\") for row in block.split("\n")[2:-3])
+        assert all(width(row) < 1.3 * LINE for row in block.split("\n"))
+    tables = [line for line in page.splitlines() if line.startswith("|")]
+    assert {line.count(" | ") for line in tables} == {3}
+
+
+def test_same_structure_gives_the_same_bytes_in_another_process():
+    code = (
+        "import sys; from rockeom.symbolic import derive;"
+        "m = derive('flexible_structure');"
+        "sys.stdout.buffer.write((m.markdown() + m.latex('polar')).encode())"
+    )
+    pages = set()
+    for seed in ("0", "1", "2"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
+        done = subprocess.run(
+            [sys.executable, "-c", code], env=environment, capture_output=True, check=True
+        )
+        pages.add(done.stdout)
+    assert len(pages) == 1
