@@ -34,7 +34,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "862f4379b8f1974c"
+SOURCE_HASH = "6d0ec62d87cf3a7b"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -102,7 +102,7 @@ _compiled = njit(cache=True, error_model="numpy")
 
 @_compiled
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which the gap of a contact state would open from closed and at rest."""
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
     u = y[1]
     u_dot = y[3]
@@ -220,7 +220,7 @@ def guards(contact, y, p, ax, ay, g):
 
 @_compiled
 def impulse_to_opposite(s, y, p, out):
-    """Velocities after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     u = y[1]
     theta_dot = y[2]
     u_dot = y[3]
@@ -257,7 +257,7 @@ def impulse_to_opposite(s, y, p, out):
 
 @_compiled
 def impulse_to_both(s, y, p, out):
-    """Velocities after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
     u_dot = y[3]
     mass = p[0]

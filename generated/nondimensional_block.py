@@ -26,7 +26,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "097cd71244f39588"
+SOURCE_HASH = "a2a21777c330cedd"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -75,7 +75,7 @@ _compiled = njit(cache=True, error_model="numpy")
 
 @_compiled
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which the gap of a contact state would open from closed and at rest."""
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
     alpha = p[0]
     radius_ratio = p[1]
@@ -129,7 +129,7 @@ def guards(contact, y, p, ax, ay, g):
 
 @_compiled
 def impulse_to_opposite(s, y, p, out):
-    """Velocities after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     x_dot = y[1]
     alpha = p[0]
     radius_ratio = p[1]
@@ -142,7 +142,7 @@ def impulse_to_opposite(s, y, p, out):
 
 @_compiled
 def impulse_to_both(s, y, p, out):
-    """Velocities after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
     pass
 
 

@@ -29,7 +29,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "c0961470b9775dd5"
+SOURCE_HASH = "e30ff3a51448fc0f"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -81,7 +81,7 @@ _compiled = njit(cache=True, error_model="numpy")
 
 @_compiled
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which the gap of a contact state would open from closed and at rest."""
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
     mass = p[0]
     half_width = p[1]
@@ -137,7 +137,7 @@ def guards(contact, y, p, ax, ay, g):
 
 @_compiled
 def impulse_to_opposite(s, y, p, out):
-    """Velocities after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
     mass = p[0]
     half_width = p[1]
@@ -153,7 +153,7 @@ def impulse_to_opposite(s, y, p, out):
 
 @_compiled
 def impulse_to_both(s, y, p, out):
-    """Velocities after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
     pass
 
 

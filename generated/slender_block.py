@@ -29,7 +29,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "53a85d4131a851c9"
+SOURCE_HASH = "172fd9208593d7e2"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -81,7 +81,7 @@ _compiled = njit(cache=True, error_model="numpy")
 
 @_compiled
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which the gap of a contact state would open from closed and at rest."""
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
     mass = p[0]
     radius = p[1]
@@ -135,7 +135,7 @@ def guards(contact, y, p, ax, ay, g):
 
 @_compiled
 def impulse_to_opposite(s, y, p, out):
-    """Velocities after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
     mass = p[0]
     radius = p[1]
@@ -151,7 +151,7 @@ def impulse_to_opposite(s, y, p, out):
 
 @_compiled
 def impulse_to_both(s, y, p, out):
-    """Velocities after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
     pass
 
 

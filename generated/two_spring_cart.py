@@ -31,7 +31,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "943b5d19108b33b9"
+SOURCE_HASH = "7d8bf5bb0ac7fba9"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -102,7 +102,7 @@ _compiled = njit(cache=True, error_model="numpy")
 
 @_compiled
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which the gap of a contact state would open from closed and at rest."""
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
     return 0.0
 
 

@@ -89,7 +89,9 @@ class _Module:
         used = {str(x) for e in exprs for x in sp.sympify(e).free_symbols}
         lines = [f"{indent}{n} = y[{i}]" for i, n in enumerate(self.model.states) if n in used]
         lines += [
-            f"{indent}{p.name} = p[{i}]" for i, p in enumerate(self.model.parameters) if p.name in used
+            f"{indent}{p.name} = p[{i}]"
+            for i, p in enumerate(self.model.parameters)
+            if p.name in used
         ]
         return lines
 
@@ -141,9 +143,7 @@ class _Module:
     def function(self, signature: str, doc: str, body: list[str]) -> None:
         self.text += ["", "", "@_compiled", f"def {signature}:", *_docstring(doc), *body]
 
-    def by_phase(
-        self, signature: str, doc: str, branch: Callable[[Phase, str], list[str]]
-    ) -> None:
+    def by_phase(self, signature: str, doc: str, branch: Callable[[Phase, str], list[str]]) -> None:
         """A function with one branch a phase."""
         body: list[str] = []
         for i, phase in enumerate(self.model.phases):
@@ -202,7 +202,7 @@ class _Module:
             body.append(f"    return s * {rotation.name}_ddot")
         self.function(
             "opening_acceleration(contact, y, p, ax, ay)",
-            "Acceleration with which the gap of a contact state would open from closed and at rest.",
+            "Acceleration with which a contact state's gap would open from closed and at rest.",
             body or ["    return 0.0"],
         )
 
@@ -303,12 +303,10 @@ class _Module:
                 if names
                 else ["    pass"]
             )
-            body += [
-                f"    out[{self.index(n)}] = {a}" for n, a in zip(names, after, strict=True)
-            ]
+            body += [f"    out[{self.index(n)}] = {a}" for n, a in zip(names, after, strict=True)]
             self.function(
                 f"impulse_to_{word}(s, y, p, out)",
-                f"Velocities after side s closes and {word} contact follows: M+ q'+ = sum J+^T m v-.",
+                f"Rates after side s closes and {word} contact follows: M+ q'+ = sum J+^T m v-.",
                 body,
             )
 
@@ -377,7 +375,9 @@ class _Module:
         )
 
     def scalar(self, name: str, doc: str, value: sp.Expr) -> None:
-        self.function(f"{name}(p)", doc, self.evaluate(name, {"value": value}, "    ") + ["    return value"])
+        self.function(
+            f"{name}(p)", doc, [*self.evaluate(name, {"value": value}, "    "), "    return value"]
+        )
 
     # -- the whole --------------------------------------------------------------------------
 
@@ -429,7 +429,8 @@ class _Module:
             *_table("STATES", model.states),
             *_table(
                 "STATE_UNITS",
-                [c.unit for c in model.coordinates] + [_rate_unit(c.unit) for c in model.coordinates],
+                [c.unit for c in model.coordinates]
+                + [_rate_unit(c.unit) for c in model.coordinates],
             ),
             *_table("PARAMETERS", [p.name for p in model.parameters]),
             *_table("PARAMETER_UNITS", [p.unit for p in model.parameters]),
@@ -489,9 +490,7 @@ class _Module:
             title=model.title,
             reference=f"Source: {model.reference}." if model.reference else "",
             states=", ".join(model.states),
-            parameters=wrap(
-                f"{p.name} [{p.unit}]: {p.meaning}" for p in model.parameters
-            ),
+            parameters=wrap(f"{p.name} [{p.unit}]: {p.meaning}" for p in model.parameters),
             contacts=", ".join(model.contacts),
             operations="\n".join(
                 f"    {name:<22}{b:>6}{a:>6}" for name, (b, a) in self.operations.items()

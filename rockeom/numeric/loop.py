@@ -278,8 +278,27 @@ def record_event(row, t, kind, before, follows, y, after, events, event_kinds, e
 
 @_entry
 def integrate(
-    status, clock, y, t_end, segments, p, law, ratio, rtol, atol, h_max, fallen, rest_tolerance,
-    max_impacts, max_steps, steps, step_contact, step_states, events, event_kinds, event_states,
+    status,
+    clock,
+    y,
+    t_end,
+    segments,
+    p,
+    law,
+    ratio,
+    rtol,
+    atol,
+    h_max,
+    fallen,
+    rest_tolerance,
+    max_impacts,
+    max_steps,
+    steps,
+    step_contact,
+    step_states,
+    events,
+    event_kinds,
+    event_states,
 ):
     """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
 
@@ -401,7 +420,9 @@ def integrate(
 
             if h > 0.0:
                 if keep:
-                    record_step(n_steps, t, h, contact, coefficients, steps, step_contact, step_states)
+                    record_step(
+                        n_steps, t, h, contact, coefficients, steps, step_contact, step_states
+                    )
                     n_steps += 1
                 t = last if cut or t + h > last else t + h
                 for i in range(N_STATES):
@@ -426,7 +447,9 @@ def integrate(
         before = contact
         kind = KINDS[contact][landed]
         contact = jump(before, landed, law, ratio, y, p, after)
-        record_event(n_events, t, kind, before, contact, y, after, events, event_kinds, event_states)
+        record_event(
+            n_events, t, kind, before, contact, y, after, events, event_kinds, event_states
+        )
         n_events += 1
         for i in range(N_STATES):
             y[i] = after[i]
@@ -443,9 +466,7 @@ def integrate(
 
         # -- the rest of infinitely many impacts at once
         ax, ay = ground(seg, 2, t), ground(seg, 8, t)
-        rests, follows = time_to_rest(
-            contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after
-        )
+        rests, follows = time_to_rest(contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after)
         if t + rests < min(seg[1], t_end) or rests < 16.0 * EPS * t:
             if keep and t + rests > t:
                 for i in range(N_STATES):

@@ -70,8 +70,8 @@ class Steps:
     def at(self, times: np.ndarray, side: str) -> tuple[np.ndarray, np.ndarray]:
         """States (m, N) and contact states (m,) at times (m,)."""
         starts = self.span[:, 0]
-        find = "right" if side == "right" else "left"
-        index = np.clip(np.searchsorted(starts, times, side=find) - 1, 0, len(starts) - 1)
+        found = np.searchsorted(starts, times, side="right" if side == "right" else "left")
+        index = np.clip(found - 1, 0, len(starts) - 1)
         x = (times - starts[index]) / self.span[index, 1]
         powers = self.powers[index]
         values = powers[:, 7]
@@ -93,7 +93,9 @@ class Steps:
         # the end of a step is the start of the next: keep one unless a state jumps there
         keep = np.ones(len(t), dtype=bool)
         seam = first[1:]
-        same = np.all(np.abs(values[seam] - values[seam - 1]) <= 1e-9 * np.abs(values[seam]), axis=1)
+        same = np.all(
+            np.abs(values[seam] - values[seam - 1]) <= 1e-9 * np.abs(values[seam]), axis=1
+        )
         keep[seam[same & (self.contact[1:] == self.contact[:-1])]] = False
         return t[keep], values[keep], self.contact[index][keep]
 
@@ -198,9 +200,7 @@ class Response:
         n = len(self.t)
         tables = (p.ENERGIES, p.REACTIONS, p.KINEMATICS)
         values = [np.empty((n, len(names))) for names in tables]
-        p.evaluate(
-            self.contact, self.t, self.y, self.segments, self.structure.vector, *values
-        )
+        p.evaluate(self.contact, self.t, self.y, self.segments, self.structure.vector, *values)
         found = {
             name: value[:, i]
             for names, value in zip(tables, values, strict=True)

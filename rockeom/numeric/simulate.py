@@ -138,8 +138,12 @@ class _Problem:
                 max_impacts, o.max_steps, *steps, *marks,
             )  # fmt: skip
             chunks.append((*(a[: status[5]] for a in steps), *(a[: status[6]] for a in marks)))
-        whole = [np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks)]
-        return _Record(_OUTCOMES[code], int(status[0]), y, tuple(whole[:3]), tuple(whole[3:]))
+        span, contacts, powers, times, kinds, states = (
+            np.concatenate(parts) if len(parts) > 1 else parts[0]
+            for parts in zip(*chunks, strict=True)
+        )
+        steps, marks = (span, contacts, powers), (times, kinds, states)
+        return _Record(_OUTCOMES[code], int(status[0]), y, steps, marks)
 
     def falls(self, record: _Record, end: float) -> bool:
         """Whether the free motion that follows a record leads to the ground, not back upright.

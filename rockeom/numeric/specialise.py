@@ -56,7 +56,8 @@ def load_text(name: str, text: str) -> ModuleType:
     except OSError:  # a read-only home: compile for this process only
         path = _store(Path(tempfile.mkdtemp(prefix="rockeom-")) / f"{module_name}.py", text)
     spec = importlib.util.spec_from_file_location(module_name, path)
-    assert spec is not None and spec.loader is not None
+    assert spec is not None
+    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[module_name] = module
     try:

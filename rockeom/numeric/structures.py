@@ -10,7 +10,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar, dataclass_transform
 
 import numpy as np
 
@@ -185,6 +185,9 @@ class Structure:
         return pushover(self, rotations)
 
 
+S = TypeVar("S", bound=Structure)
+
+
 class ParameterError(TypeError):
     """Parameters that a structure lacks or does not know."""
 
@@ -201,10 +204,12 @@ def check_names(what: str, required: set[str], known: set[str], given: set[str])
     for name in unknown:
         near = difflib.get_close_matches(name, known, n=1)
         text.append(f"unknown {name}" + (f" (did you mean {near[0]}?)" if near else ""))
-    raise ParameterError(f"{what}: {'; '.join(text)}. Its parameters are {', '.join(sorted(known))}")
+    raise ParameterError(
+        f"{what}: {'; '.join(text)}. Its parameters are {', '.join(sorted(known))}"
+    )
 
 
-def check_values(what: str, values: Mapping[str, float], may_vanish: frozenset[str]) -> None:
+def check_values(what: str, values: Mapping[str, float | None], may_vanish: frozenset[str]) -> None:
     """Raise ValueError for a parameter that is not a positive (or, where allowed, zero) number."""
     for name, value in values.items():
         if value is None:
@@ -219,21 +224,22 @@ def check_values(what: str, values: Mapping[str, float], may_vanish: frozenset[s
             raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
 
 
-def _structure_class(cls: type) -> type:
+@dataclass_transform(kw_only_default=True, frozen_default=True)
+def _structure_class(cls: type[S]) -> type[S]:
     """A frozen dataclass by keyword whose constructor explains what is wrong."""
-    cls = dataclass(frozen=True, kw_only=True)(cls)
-    fields = dataclasses.fields(cls)
+    dataclass(frozen=True, kw_only=True)(cls)
+    fields = dataclasses.fields(cls)  # type: ignore[arg-type]
     known = {f.name for f in fields}
     required = {f.name for f in fields if f.default is dataclasses.MISSING}
-    plain = cls.__init__
+    plain: Any = cls.__init__
 
     @functools.wraps(plain)
-    def init(self, **values: Any) -> None:
+    def init(self: Structure, **values: Any) -> None:
         check_names(cls.__name__, required, known, set(values))
         check_values(cls.__name__, values, cls.may_vanish)
         plain(self, **values)
 
-    cls.__init__ = init
+    setattr(cls, "__init__", init)  # noqa: B010
     return cls
 
 
@@ -245,7 +251,7 @@ class RigidBlock(Structure):
     homogeneous rectangle if not given; gravity [m/s2]. The centroid stands at half_height.
     """
 
-    model = "rigid_block"
+    model: ClassVar[str] = "rigid_block"
     may_vanish = frozenset({"inertia"})
     half_width: float
     half_height: float
@@ -308,7 +314,7 @@ class SlenderBlock(Structure):
     m R**2/3 if not given.
     """
 
-    model = "slender_block"
+    model: ClassVar[str] = "slender_block"
     may_vanish = frozenset({"inertia"})
     radius: float
     alpha: float
@@ -342,7 +348,7 @@ class NondimensionalBlock(Structure):
     alpha [rad]; radius_ratio m R**2/I_o, 3/4 for a homogeneous rectangle.
     """
 
-    model = "nondimensional_block"
+    model: ClassVar[str] = "nondimensional_block"
     alpha: float
     radius_ratio: float = 0.75
 
@@ -363,7 +369,7 @@ class LumpedMassStructure(_Lumped, Structure):
     centroids [kg m2]; half_width [m] half of the distance between the feet.
     """
 
-    model = "lumped_mass_structure"
+    model: ClassVar[str] = "lumped_mass_structure"
     mass: float
     height: float
     inertia: float
@@ -382,7 +388,7 @@ class TwoSpringStructure(_Lumped, Structure):
     LumpedMassStructure. `heave` counts from the settled position.
     """
 
-    model = "two_spring_structure"
+    model: ClassVar[str] = "two_spring_structure"
     mass: float
     height: float
     inertia: float
@@ -399,7 +405,7 @@ class TwoSpringStructure(_Lumped, Structure):
 class TwoSpringCart(_Lumped, Structure):
     """Model B as the thesis has it: a cart on the closed-form k(u), 5-15, 5-25 and 5-33."""
 
-    model = "two_spring_cart"
+    model: ClassVar[str] = "two_spring_cart"
     mass: float
     height: float
     inertia: float
@@ -418,7 +424,7 @@ class FlexibleStructure(_Lumped, Structure):
     As LumpedMassStructure, with the column's stiffness [N/m] and damping [N s/m].
     """
 
-    model = "flexible_structure"
+    model: ClassVar[str] = "flexible_structure"
     mass: float
     height: float
     inertia: float
@@ -450,7 +456,7 @@ class DeclaredStructure(Structure):
 
     def __init__(self, module: ModuleType, values: Mapping[str, float]) -> None:
         self.module = module
-        self.model = module.NAME
+        self.model = module.NAME  # type: ignore[misc]
         self.values = dict(values)
 
     def parameters(self) -> dict[str, float]:
@@ -468,7 +474,9 @@ def structure(model, **parameters: float) -> Structure:
         if model not in SHIPPED:
             near = difflib.get_close_matches(model, SHIPPED, n=1)
             hint = f" (did you mean {near[0]}?)" if near else ""
-            raise ValueError(f"no structure named {model!r}{hint}; shipped are {', '.join(SHIPPED)}")
+            raise ValueError(
+                f"no structure named {model!r}{hint}; shipped are {', '.join(SHIPPED)}"
+            )
         return SHIPPED[model](**parameters)
     from rockeom.numeric.specialise import load_text
 

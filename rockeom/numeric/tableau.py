@@ -157,9 +157,7 @@ def step_text(method: Tableau) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method."""
     s = method.stages
     stages = "".join(_stage(i, method.a[i], float(method.c[i])) for i in range(1, s))
-    extra = "".join(
-        _stage(i, method.a[i], float(method.c[i])) for i in range(s + 1, len(method.c))
-    )
+    extra = "".join(_stage(i, method.a[i], float(method.c[i])) for i in range(s + 1, len(method.c)))
     sums = "".join(
         f"""        e{n} = (
             {_sum(e, " " * 12)}

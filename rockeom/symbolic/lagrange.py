@@ -51,7 +51,9 @@ class Equations:
         values = {}
         for f in fields(self):
             value = getattr(self, f.name)
-            values[f.name] = value.applyfunc(change) if isinstance(value, sp.MatrixBase) else change(value)
+            values[f.name] = (
+                value.applyfunc(change) if isinstance(value, sp.MatrixBase) else change(value)
+            )
         return Equations(**values)
 
     def residual(self, coordinates: tuple[Coordinate, ...]) -> sp.Matrix:
@@ -71,7 +73,9 @@ def rate(expr: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
     )
 
 
-def body_velocity(body: Body, coordinates: tuple[Coordinate, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def body_velocity(
+    body: Body, coordinates: tuple[Coordinate, ...]
+) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """(x', y', angular velocity) of a body relative to the ground."""
     x, y = body.position
     return tuple(rate(e, coordinates) for e in (x, y, sp.sympify(body.rotation)))
@@ -108,7 +112,9 @@ def derive_equations(phase: Phase) -> Equations:
     # dp/dt without its acceleration terms, less dT/dq
     velocity = sp.Matrix(
         [
-            tidy(sum(sp.diff(p, x) * v for x, v in zip(q, qd, strict=True)) - sp.diff(kinetic, q[i]))
+            tidy(
+                sum(sp.diff(p, x) * v for x, v in zip(q, qd, strict=True)) - sp.diff(kinetic, q[i])
+            )
             for i, p in enumerate(momenta)
         ]
     ).reshape(len(q), 1)

@@ -19,7 +19,9 @@ HEIGHT = parameter("H_e", "height", "m", "height of the superstructure's centroi
 INERTIA = parameter("I_eg", "inertia", "kg m2", "its moment of inertia about its centroid")
 BASE_MASS = parameter("m_b", "base_mass", "kg", "mass of the base structure")
 BASE_HEIGHT = parameter("H_b", "base_height", "m", "height of the base's centroid")
-BASE_INERTIA = parameter("I_bg", "base_inertia", "kg m2", "its moment of inertia about its centroid")
+BASE_INERTIA = parameter(
+    "I_bg", "base_inertia", "kg m2", "its moment of inertia about its centroid"
+)
 HALF_WIDTH = parameter("B", "half_width", "m", "half of the distance between the feet")
 
 PARAMETERS: tuple[Parameter, ...] = (
@@ -56,7 +58,7 @@ def base(pivot, angle) -> Body:
     )
 
 
-def superstructure(pivot, angle, deformation=sp.Integer(0)) -> Body:
+def superstructure(pivot, angle, deformation=sp.S.Zero) -> Body:
     """The superstructure, displaced by `deformation` at right angles to the turned axis."""
     return Body(
         "superstructure",

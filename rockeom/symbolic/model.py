@@ -69,8 +69,8 @@ class Body:
     name: str
     mass: sp.Expr
     position: tuple[sp.Expr, sp.Expr]
-    inertia: sp.Expr = sp.Integer(0)
-    rotation: sp.Expr = sp.Integer(0)
+    inertia: sp.Expr = sp.S.Zero
+    rotation: sp.Expr = sp.S.Zero
     polar: tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Symbol] | None = None
 
 
@@ -103,8 +103,8 @@ class Phase:
     coordinates: tuple[Coordinate, ...]
     bodies: tuple[Body, ...]
     gravity: sp.Expr
-    elastic_energy: sp.Expr = sp.Integer(0)
-    dissipation: sp.Expr = sp.Integer(0)
+    elastic_energy: sp.Expr = sp.S.Zero
+    dissipation: sp.Expr = sp.S.Zero
     feet: dict[str, Foot] = field(default_factory=dict)
     load_point: tuple[sp.Expr, sp.Expr] | None = None
     small: tuple[sp.Symbol, ...] = ()
@@ -191,7 +191,9 @@ class RockingModel:
     def equations(self, contact: str) -> Equations:
         """Equations of motion of a contact state, its side put in as a number."""
         phase = self.phase(contact)
-        return phase.equations.at_side(phase.side_of(contact)) if phase.has_side else phase.equations
+        return (
+            phase.equations.at_side(phase.side_of(contact)) if phase.has_side else phase.equations
+        )
 
     def impulse_map(self, source: str, target: str) -> ImpulseMap:
         """Velocities after the sudden passage from one contact state to another."""
@@ -234,7 +236,7 @@ class RockingModel:
 
 def _check_symbols(model: RockingModel) -> None:
     """Every symbol of the declaration must be a parameter, a coordinate or the side."""
-    known = {p.symbol for p in (*model.parameters, *model.definitions)}
+    known = {p.symbol for p in model.parameters} | set(model.constants)
     known |= {SIDE, GROUND_X, GROUND_Y}
     for c in model.coordinates:
         known |= {c.position, c.velocity, c.acceleration}
@@ -294,8 +296,8 @@ def rocking_structure(
     half_width: sp.Expr,
     gravity: sp.Expr,
     rotation_angle: sp.Expr | None = None,
-    elastic_energy: sp.Expr = sp.Integer(0),
-    dissipation: sp.Expr = sp.Integer(0),
+    elastic_energy: sp.Expr = sp.S.Zero,
+    dissipation: sp.Expr = sp.S.Zero,
     load_on: str | None = None,
     small: tuple[sp.Symbol, ...] = (),
     overturning: sp.Expr = sp.pi / 2,
@@ -317,7 +319,9 @@ def rocking_structure(
         return at_side(sp.sympify(expr).subs(held), 1)
 
     standing = tuple(
-        Body(b.name, b.mass, (hold(b.position[0]), hold(b.position[1])), b.inertia, hold(b.rotation))
+        Body(
+            b.name, b.mass, (hold(b.position[0]), hold(b.position[1])), b.inertia, hold(b.rotation)
+        )
         for b in turning
     )
     edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}

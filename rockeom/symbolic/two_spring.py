@@ -8,7 +8,6 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.lumped_mass import (
-    BASE_HEIGHT,
     BASE_MASS,
     HALF_WIDTH,
     HEIGHT,
@@ -135,14 +134,16 @@ def bilinear_pushover() -> BilinearPushover:
     theta, v = ROTATION.position, HEAVE.position
     at_rest = {theta: 0, v: 0, ROTATION.velocity: 0, HEAVE.velocity: 0}
     lever = HEIGHT.symbol  # u = H_e theta for small rotations
-    left = springs.phase("both").feet["left"].force
+    left = sp.sympify(springs.phase("both").feet["left"].force)
     lift_off_rotation = sp.simplify(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
     on_pivot = pushover(pivots, "right")
     cosine, sine = (sp.expand(sp.numer(on_pivot)).coeff(f(theta)) for f in (sp.cos, sp.sin))
     upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
-    x = at_side(pivots.phase("right").load_point[0], 1)
+    x = at_side(pivots.phase("right").bodies[0].position[0], 1)  # of the superstructure
     return BilinearPushover(
-        contact_stiffness=sp.simplify(sp.diff(pushover(springs, "both"), theta).subs(theta, 0) / lever),
+        contact_stiffness=sp.simplify(
+            sp.diff(pushover(springs, "both"), theta).subs(theta, 0) / lever
+        ),
         lift_off=lift_off_rotation * lever,
         lift_off_force=on_pivot.subs(theta, lift_off_rotation),
         overturning=(x - x.subs(theta, 0)).subs(theta, upright),
@@ -159,7 +160,11 @@ def two_spring_cart() -> RockingModel:
     x = u.position
     curve = bilinear_pushover()
     stiffness = _constant(
-        "k_0", "contact_stiffness", "N/m", "stiffness with both feet down, 5-25", curve.contact_stiffness
+        "k_0",
+        "contact_stiffness",
+        "N/m",
+        "stiffness with both feet down, 5-25",
+        curve.contact_stiffness,
     )
     lift_off = _constant("u_l", "lift_off", "m", "displacement at lift-off, 5-23", curve.lift_off)
     force = _constant(

@@ -296,9 +296,7 @@ def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | N
         return [*blocks, f"The velocity after it is ${rate}^+ = e {rate}^-$, with $e$ below."]
     blocks += _impulse(model, first.source, first.target)
     if first.fallback:
-        blocks.append(
-            f"If the old foot cannot lift after it, `{first.fallback}` follows instead."
-        )
+        blocks.append(f"If the old foot cannot lift after it, `{first.fallback}` follows instead.")
         blocks += _impulse(model, first.source, first.fallback)
     return blocks
 

@@ -1,0 +1,319 @@
+"""Generated functions against lambdified expressions, at 1,000 random states a contact state.
+
+Both sides start from the same derived expressions, but nothing else is shared: the generated
+text has its common subexpressions, constants and solution of M q'' = f written out; here NumPy
+evaluates the plain expressions and LAPACK solves. What differs is rounding, so the tolerance is
+1e-12 of the size of the terms that were added up, and not of their sum, which may cancel.
+"""
+
+import functools
+import importlib
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import rockeom as rk
+from rockeom.numeric.impact import IMPULSIVE, RATIO
+from rockeom.symbolic.contact import reactions
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.statics import LOAD, equilibrium
+
+N = 1000
+TOLERANCE = 1e-12
+
+TWO_MASSES = {
+    "mass": 122.6,
+    "height": 1.05,
+    "inertia": 44.8,
+    "base_mass": 45.6,
+    "base_height": 0.10,
+    "base_inertia": 1.37,
+    "half_width": 0.285,
+    "gravity": 9.81,
+}
+TYPICAL = {
+    "rigid_block": {"mass": 334.0, "half_width": 0.1, "height": 0.45, "inertia": 24.0, "gravity": 9.81},
+    "slender_block": {"mass": 334.0, "radius": 0.46, "alpha": 0.2, "inertia": 24.0, "gravity": 9.81},
+    "nondimensional_block": {"alpha": 0.3, "radius_ratio": 0.75},
+    "lumped_mass_structure": TWO_MASSES,
+    "two_spring_structure": TWO_MASSES | {"foundation_stiffness": 5.5e5, "foundation_damping": 3e3},
+    "two_spring_cart": TWO_MASSES | {"foundation_stiffness": 5.5e5},
+    "flexible_structure": TWO_MASSES | {"stiffness": 571.8e3, "damping": 502.4},
+}  # fmt: skip
+
+
+@functools.cache
+def model(name):
+    return rk.derive(name)
+
+
+@functools.cache
+def module(name):
+    return importlib.import_module(f"rockeom.generated.{name}")
+
+
+@functools.cache
+def phases(name):
+    return model(name).lambdify()
+
+
+class Sample:
+    """N random states of one contact state with as many random structures and accelerations."""
+
+    def __init__(self, name, contact):
+        self.name, self.contact, self.model = name, contact, model(name)
+        self.phase = self.model.phase(contact)
+        self.side = self.phase.side_of(contact)
+        rng = np.random.default_rng(abs(hash_of(name + contact)))
+        self.parameters = {
+            k: value * rng.uniform(0.8, 1.25, N) for k, value in TYPICAL[name].items()
+        }
+        half = len(self.model.states) // 2
+        self.y = np.concatenate([rng.uniform(-0.6, 0.6, (half, N)), rng.uniform(-2, 2, (half, N))])
+        if self.side:  # on its own side
+            row = self.model.states.index(self.model.rotation.name)
+            self.y[row] = self.side * np.abs(self.y[row])
+        held = set(range(half)) - {
+            self.model.coordinates.index(c) for c in self.phase.coordinates
+        }
+        for row in held:
+            self.y[row] = self.y[half + row] = 0.0
+        self.ax, self.ay, self.load = rng.uniform(-10, 10, (3, N))
+
+    def values(self, *expressions, accelerations=()):
+        """(k, N): plain expressions of the model at the sample."""
+        m = self.model
+        symbols = [p.symbol for p in m.parameters]
+        symbols += [e for c in m.coordinates for e in (c.position, c.velocity)]
+        numbers = [self.parameters[p.name] for p in m.parameters]
+        for i in range(len(m.coordinates)):
+            numbers += [self.y[i], self.y[len(m.coordinates) + i]]
+        symbols += [GROUND_X, GROUND_Y, LOAD, *(c.acceleration for c in self.phase.coordinates)]
+        numbers += [self.ax, self.ay, self.load, *accelerations]
+        plain = [
+            sp.sympify(e).xreplace(m.constants).subs(sp.Symbol("s", real=True), self.side)
+            for e in expressions
+        ]
+        found = sp.lambdify(symbols[: len(numbers)], plain, modules="numpy", dummify=True)(*numbers)
+        return np.array([np.broadcast_to(f, (N,)) for f in found])
+
+    def sizes(self, *expressions, accelerations=()):
+        """(k, N): the sums of the absolute values of the expressions' terms."""
+        return self.values(
+            *(magnitude(self.model, e) for e in expressions), accelerations=accelerations
+        )
+
+    def solution_size(self):
+        """(d, N): the scale of rounding errors of q'' = M^-1 f."""
+        equations = self.model.equations(self.contact)
+        d = len(self.phase.coordinates)
+        mass = self.values(*equations.mass_matrix).reshape(d, d, N)
+        mass_size = self.sizes(*equations.mass_matrix).reshape(d, d, N)
+        right_size = self.sizes(*equations.forcing).reshape(d, N)
+        found = phases(self.name)[self.contact].accelerations(
+            self.y, self.parameters, self.ax, self.ay
+        )
+        inverse = np.abs(np.linalg.inv(np.moveaxis(mass, -1, 0)))
+        lacking = np.einsum("ijn,jn->in", mass_size, np.abs(found)) + right_size
+        return np.einsum("nij,jn->in", inverse, lacking)
+
+    def generated(self, function, length, *arguments):
+        """(length, N): a function of the generated module at each state."""
+        p = np.array([self.parameters[k] for k in module(self.name).PARAMETERS])
+        number = module(self.name).CONTACTS.index(self.contact)
+        out = np.empty((N, length))
+        compiled = getattr(module(self.name), function)
+        states, structures = np.ascontiguousarray(self.y.T), np.ascontiguousarray(p.T)
+        for i in range(N):
+            compiled(number, states[i], structures[i], *(a[i] for a in arguments), out[i])
+        return out.T
+
+
+def hash_of(text):
+    return int.from_bytes(text.encode(), "little") % 2**32
+
+
+def magnitude(of, expr):
+    plain = sp.sympify(expr).xreplace(of.constants).replace(sp.Min, sp.Add)
+    return sp.Add(*(sp.Abs(term) for term in sp.Add.make_args(sp.expand(plain))))
+
+
+def assert_agree(what, found, expected, size):
+    excess = np.abs(found - expected) / np.maximum(size, 1e-300)
+    assert excess.max() <= TOLERANCE, f"{what}: differs by {excess.max():.2e} of its terms' size"
+
+
+STRUCTURES = pytest.mark.parametrize("name", TYPICAL)
+
+
+def samples(name):
+    return [Sample(name, contact) for contact in model(name).contacts]
+
+
+def test_every_shipped_structure_is_compared():
+    assert set(TYPICAL) == set(rk.models())
+
+
+@STRUCTURES
+def test_rates(name):
+    for sample in samples(name):
+        found = sample.generated("rates", len(sample.model.states), sample.ax, sample.ay)
+        expected = phases(name)[sample.contact].rates(
+            sample.y, sample.parameters, sample.ax, sample.ay
+        )
+        size = np.abs(expected)
+        half = len(found) // 2
+        for coordinate, scale in zip(
+            sample.phase.coordinates, sample.solution_size(), strict=True
+        ):
+            size[half + sample.model.coordinates.index(coordinate)] = scale
+        assert_agree(f"rates in {sample.contact}", found, expected, size)
+
+
+@STRUCTURES
+def test_energies(name):
+    for sample in samples(name):
+        expected = phases(name)[sample.contact].energies(sample.y, sample.parameters)
+        eq = sample.phase.equations
+        size = sample.sizes(eq.kinetic_energy, eq.gravitational_energy, eq.elastic_energy)
+        found = sample.generated("energies", len(expected))
+        assert tuple(expected) == module(name).ENERGIES
+        assert_agree(f"energies in {sample.contact}", found, list(expected.values()), size)
+
+
+@STRUCTURES
+def test_reactions(name):
+    for sample in samples(name):
+        expected = phases(name)[sample.contact].reactions(
+            sample.y, sample.parameters, sample.ax, sample.ay
+        )
+        assert tuple(expected) == module(name).REACTIONS
+        size = sample.sizes(
+            *reactions(sample.model, sample.phase).values(),
+            accelerations=sample.solution_size(),
+        )
+        found = sample.generated("reactions", len(expected), sample.ax, sample.ay)
+        assert_agree(f"reactions in {sample.contact}", found, list(expected.values()), size)
+
+
+@STRUCTURES
+def test_kinematics(name):
+    """Displacement and uplifts against the positions of the bodies, from rest."""
+    for sample in samples(name):
+        phase = phases(name)[sample.contact]
+        now = phase.positions(sample.y, sample.parameters)
+        rest = phase.positions(np.zeros_like(sample.y), sample.parameters)
+        size = {k: np.abs(v) + np.abs(rest[k]) for k, v in now.items()}
+        (loaded,) = (
+            b.name for b in sample.phase.bodies if b.position == sample.phase.load_point
+        )
+        columns = {"displacement": (loaded, 0)}
+        columns |= {f"{foot}_uplift": (f"{foot}_foot", 1) for foot in sample.phase.feet}
+        found = sample.generated("kinematics", len(columns))
+        for name_of_column, row in zip(module(name).KINEMATICS, found, strict=True):
+            body, axis = columns[name_of_column]
+            assert_agree(
+                f"{name_of_column} in {sample.contact}",
+                row,
+                now[body][axis] - rest[body][axis],
+                size[body].sum(axis=0),
+            )
+
+
+@STRUCTURES
+def test_guards(name):
+    m = module(name)
+    for sample in samples(name):
+        expected = phases(name)[sample.contact].guards(
+            sample.y, sample.parameters, sample.ax, sample.ay
+        )
+        found = sample.generated("guards", m.N_GUARDS, sample.ax, sample.ay)
+        leaving = [t for t in sample.model.transitions if t.source == sample.contact]
+        assert [t.target for t in leaving] == [b for a, b, _ in m.TRANSITIONS if a == sample.contact]
+        for t, row in zip(leaving, found, strict=False):
+            if t.kind == "uplift":
+                # q'' of the structure closed and at rest: the size is that of its own phase
+                opened = Sample(name, t.target)
+                opened.y, opened.parameters = sample.y, sample.parameters
+                opened.ax, opened.ay = sample.ax, sample.ay
+                place = [c.name for c in opened.phase.coordinates].index(sample.model.rotation.name)
+                size = opened.solution_size()[place]
+            else:
+                (size,) = sample.sizes(t.guard)
+            assert_agree(f"{sample.contact} to {t.target}", row, expected[t.target], size)
+
+
+@STRUCTURES
+def test_statics(name):
+    for sample in samples(name):
+        rows = equilibrium(sample.phase)
+        free = {c.name: e for c, e in zip(sample.phase.coordinates, rows, strict=True)}
+        every = [free.get(c.name, sp.Integer(0)) for c in sample.model.coordinates]
+        found = sample.generated("statics", len(every), sample.load)
+        assert_agree(
+            f"statics in {sample.contact}", found, sample.values(*every), sample.sizes(*every)
+        )
+
+
+@STRUCTURES
+def test_velocity_ratio_and_overturning(name):
+    sample = samples(name)[0]
+    p = np.array([sample.parameters[k] for k in module(name).PARAMETERS])
+    ratio = sample.model.velocity_ratio
+    for function, expr in (
+        ("velocity_ratio", sp.Integer(1) if ratio is None else ratio),
+        ("overturning", sample.model.overturning),
+    ):
+        found = [getattr(module(name), function)(np.ascontiguousarray(x)) for x in p.T]
+        numerator, denominator = sp.fraction(sp.together(expr))
+        size = sample.sizes(numerator)[0] / np.abs(sample.values(denominator)[0])
+        assert_agree(function, np.array(found), sample.values(expr)[0], size)
+
+
+@STRUCTURES
+@pytest.mark.parametrize("law", [RATIO, IMPULSIVE])
+def test_jump(name, law):
+    """Each impact against the closed form of the impulse map, or the prescribed ratio."""
+    m = module(name)
+    impacts = [t for t in model(name).transitions if t.kind == "impact"]
+    if not impacts or (law == IMPULSIVE and not m.HAS_IMPULSIVE):
+        pytest.skip("the model has no such impact")
+    rotation, rate = m.ROTATION, m.ROTATION_RATE
+    met = set()
+    for t in impacts:
+        sample = Sample(name, t.source)
+        sample.y[rotation] = -0.0 * sample.side
+        sample.y[rate] = -sample.side * np.abs(sample.y[rate])
+        size = np.abs(sample.y)
+        followed = {}
+        if law == IMPULSIVE:
+            for target in (t.target, t.fallback):
+                after = dict.fromkeys(model(name).states, 0.0)
+                followed[target] = sample.y.copy()
+                followed[target][[rotation, rate]] = 0.0
+                impulse = model(name).impulse_map(t.source, target).at_side(sample.side)
+                after = sample.values(*impulse.velocities())
+                for c, values in zip(impulse.coordinates, after, strict=True):
+                    followed[target][model(name).states.index(f"{c.name}_dot")] = values
+                size = size + np.abs(followed[target])
+            opens = -sample.side * followed[t.target][rate] > 0
+            expected = np.where(opens, followed[t.target], followed[t.fallback])
+            targets = np.where(opens, t.target, t.fallback)
+        else:
+            expected = sample.y.copy()
+            expected[rate] *= 0.7
+            targets = np.full(N, t.target)
+        p = np.array([sample.parameters[k] for k in m.PARAMETERS])
+        out = np.empty_like(sample.y)
+        for i in range(N):
+            row = np.empty(len(out))
+            source = m.CONTACTS.index(t.source)
+            y, structure = np.ascontiguousarray(sample.y[:, i]), np.ascontiguousarray(p[:, i])
+            follows = m.jump(source, 0, law, 0.7, y, structure, row)
+            assert m.CONTACTS[follows] == targets[i]
+            out[:, i] = row
+        met |= set(targets)
+        assert_agree(f"impact from {t.source}", out, expected, size)
+    if name == "flexible_structure" and law == IMPULSIVE:
+        assert "both" in met  # u of half the width: the case in which the old foot cannot lift

@@ -1,0 +1,158 @@
+"""Thesis and engine brought to one notation, and a comparison that decides exactly.
+
+The thesis places a body by R and alpha, the engine by half-width and height:
+
+    R sin(alpha) = B,    R cos(alpha) = H,    R**2 = B**2 + H**2
+
+Of what is left, polynomials in sines and cosines, zero is decided by division by
+sin**2 + cos**2 - 1. None of the engine's simplification is used for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from rockeom.symbolic import RockingModel, flexible_structure, rigid_block, two_spring_cart
+from rockeom.symbolic.model import GROUND_X
+from rockeom.symbolic.statics import LOAD
+
+from . import printed as T
+
+
+def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
+    """Parameters, constants, and coordinates with derivatives, by name."""
+    found = {p.name: p.symbol for p in (*model.parameters, *model.definitions)}
+    for c in model.coordinates:
+        found |= {c.name: c.position, f"{c.name}_d": c.velocity, f"{c.name}_dd": c.acceleration}
+    return found
+
+
+BLOCK = symbols_of(rigid_block())
+PIER = symbols_of(flexible_structure())
+CART = symbols_of(two_spring_cart())
+R, ALPHA = T.R, T.alpha  # the slender block's own, and not among the parameters of the others
+
+_weight = (PIER["mass"] + PIER["base_mass"]) * PIER["gravity"]
+_centroid = sp.cancel(
+    (PIER["mass"] * PIER["height"] + PIER["base_mass"] * PIER["base_height"])
+    / (PIER["mass"] + PIER["base_mass"])
+)
+POLAR = (
+    (T.R_e, T.alpha_e, PIER["height"]),
+    (T.R_b, T.alpha_b, PIER["base_height"]),
+    (T.R_c, T.alpha_c, _centroid),
+)
+"""Radius and angle in the thesis, height in the engine."""
+
+TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
+    T.theta: PIER["theta"],
+    T.theta_d: PIER["theta_d"],
+    T.theta_d1: PIER["theta_d"],
+    T.theta_d2: PIER["theta_d"],
+    T.theta_d_impact: PIER["theta_d"],
+    T.theta_dd: PIER["theta_dd"],
+    T.u: PIER["u"],
+    T.u_d: PIER["u_d"],
+    T.u_dd: PIER["u_dd"],
+    T.a_g: GROUND_X,
+    T.a_gx: GROUND_X,
+    T.g: PIER["gravity"],
+    T.m: BLOCK["mass"],
+    T.I_o: BLOCK["inertia"] + BLOCK["mass"] * R**2,
+    T.m_e: PIER["mass"],
+    T.H_e: PIER["height"],
+    T.I_eg: PIER["inertia"],
+    T.m_b: PIER["base_mass"],
+    T.H_b: PIER["base_height"],
+    T.I_bg: PIER["base_inertia"],
+    T.B: PIER["half_width"],
+    T.I_O: PIER["inertia"]
+    + PIER["mass"] * (PIER["half_width"] ** 2 + PIER["height"] ** 2)
+    + PIER["base_inertia"]
+    + PIER["base_mass"] * (PIER["half_width"] ** 2 + PIER["base_height"] ** 2),
+    T.k: PIER["stiffness"],
+    T.c: PIER["damping"],
+    T.k_f: CART["foundation_stiffness"],
+    T.W: _weight,
+    T.H_c: _centroid,
+    T.P: LOAD,
+    T.u_crit: CART["lift_off"],
+    T.P_crit2: CART["lift_off_force"],
+    T.u_overturn: CART["top"],
+}
+"""What the engine calls a symbol of the thesis, or makes of it."""
+
+SAME = {T.x, T.x_dd, T.R, T.alpha, T.beta, T.omega, T.t, T.R_e, T.R_b, T.R_c}
+"""Thesis symbols that remain."""
+
+
+def at_side(expr, side: int):
+    """sgn(theta), |theta|, the double sign and the cases of a brace for one sign of theta."""
+    expr = expr.replace(sp.sign, lambda _: sp.Integer(side))
+    expr = expr.replace(sp.Abs, lambda argument: side * argument)
+    cases = {T.theta > 0: side > 0, T.theta < 0: side < 0}
+    return expr.subs({k: sp.sympify(v) for k, v in cases.items()}).subs(T.PM, side)
+
+
+def spread(expr: sp.Expr) -> sp.Expr:
+    """Sines and cosines of sums as products."""
+    tangents = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
+    return sp.expand_trig(sp.expand(tangents))
+
+
+def in_engine_notation(
+    expr: sp.Expr, side: int, known: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> sp.Expr:
+    """A thesis expression in the engine's symbols; `known` adds values of further symbols.
+
+    Raises ValueError if a symbol of the thesis has no meaning in the engine: what is not
+    understood must not pass for a difference.
+    """
+    expr = spread(at_side(sp.sympify(expr), side).doit())
+    half_width = PIER["half_width"]
+    polar = {}
+    for radius, angle, height in POLAR:
+        polar |= {sp.sin(angle): half_width / radius, sp.cos(angle): height / radius}
+    known = known or {}
+    expr = expr.subs(polar)
+    unknown = expr.free_symbols - set(TO_ENGINE) - SAME - set(known)
+    if unknown:
+        raise ValueError(f"not translated: {sorted(map(str, unknown))}")
+    return expr.subs({**TO_ENGINE, **known}, simultaneous=True)
+
+
+def normal_form(expr: sp.Expr) -> sp.Expr:
+    """The numerator of `expr`, reduced: zero if and only if `expr` is."""
+    numerator = sp.fraction(sp.together(spread(expr)))[0]
+    trig: dict[sp.Expr, sp.Symbol] = {}
+    for angle in {f.args[0] for f in numerator.atoms(sp.sin, sp.cos)}:
+        trig |= {sp.sin(angle): sp.Dummy("S"), sp.cos(angle): sp.Dummy("C")}
+    result = sp.expand(numerator.subs(trig))
+    for sine, cosine in zip(list(trig.values())[::2], list(trig.values())[1::2], strict=True):
+        result = sp.rem(result, sine**2 + cosine**2 - 1, cosine)
+    for radius, _, height in POLAR:
+        if result.has(radius):
+            result = sp.rem(result, radius**2 - PIER["half_width"] ** 2 - height**2, radius)
+            result = sp.fraction(sp.together(result))[0]
+    return sp.expand(result).subs({v: f for f, v in trig.items()})
+
+
+def differences(
+    relation: sp.Eq, derived, side: int, known: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> list[sp.Expr]:
+    """Thesis minus engine for one relation, a term for each component, not yet reduced.
+
+    A relation whose left side is a single symbol gives that symbol a value, and `derived` is the
+    engine's value of it. Any other is an equation of motion, and `derived` the engine's left
+    minus right side.
+    """
+    stated = relation.rhs if relation.lhs.is_Symbol else relation.lhs - relation.rhs
+    stated, derived = (
+        list(e) if isinstance(e, sp.MatrixBase) else [e] for e in (stated, derived)
+    )
+    return [
+        in_engine_notation(a, side, known) - sp.sympify(b)
+        for a, b in zip(stated, derived, strict=True)
+    ]
