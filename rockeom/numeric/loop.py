@@ -148,24 +148,57 @@ def dense_at(coefficients, x, out):
 
 
 @_compiled
-def guard_polynomial(contact, index, t, h, p, seg, coefficients, w, g, b):
-    """Bernstein coefficients of a guard over the step whose dense output is given, into b (8,)."""
-    if KINDS[contact][index] == IMPACT:
-        # an impact's guard is the rotation, on its side: exactly the dense output
-        side = SIDES[contact]
+def stays_open(contact, h, y, y_new, k, touching):
+    """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
+
+    The quintic through rotation, rate and acceleration at both ends, in Bernstein form: where all
+    coefficients are positive by a margin far above its error, there is no root.
+    """
+    if GUARDS[contact] != 1 or KINDS[contact][0] != IMPACT:
+        return False
+    side = SIDES[contact]
+    q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
+    v0, v1 = side * h * y[ROTATION_RATE] / 5.0, side * h * y_new[ROTATION_RATE] / 5.0
+    a0 = side * h * h * k[0, ROTATION_RATE] / 20.0
+    a1 = side * h * h * k[N_STAGES, ROTATION_RATE] / 20.0
+    b1, b2, b3, b4 = q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1
+    least = 1e-3 * max(q0, q1)
+    return (
+        (q0 > least or touching == 0)
+        and b1 > least
+        and b2 > least
+        and b3 > least
+        and (b4 > least and q1 > least)
+    )
+
+
+@_compiled
+def guard_polynomials(contact, t, h, p, seg, coefficients, w, g, b):
+    """Bernstein coefficients of all guards over the step of the dense output, into b (m, 8)."""
+    n_guards = GUARDS[contact]
+    for n in range(n_guards):
         for i in range(8):
-            b[i] = 0.0
-            for j in range(i + 1):
-                b[i] += POWERS_TO_BERNSTEIN[i, j] * side * coefficients[j, ROTATION]
+            b[n, i] = 0.0
+    sampled = False
+    for n in range(n_guards):
+        if KINDS[contact][n] == IMPACT:
+            # an impact's guard is the rotation, on its side: exactly the dense output
+            side = SIDES[contact]
+            for i in range(8):
+                for j in range(i + 1):
+                    b[n, i] += POWERS_TO_BERNSTEIN[i, j] * side * coefficients[j, ROTATION]
+        else:
+            sampled = True
+    if not sampled:
         return
-    for i in range(8):
-        b[i] = 0.0
-    for n in range(8):
-        dense_at(coefficients, NODES[n], w)
-        tau = t + NODES[n] * h
+    for m in range(8):
+        dense_at(coefficients, NODES[m], w)
+        tau = t + NODES[m] * h
         guards(contact, w, p, ground(seg, 2, tau), ground(seg, 8, tau), g)
-        for i in range(8):
-            b[i] += SAMPLES_TO_BERNSTEIN[i, n] * g[index]
+        for n in range(n_guards):
+            if KINDS[contact][n] != IMPACT:
+                for i in range(8):
+                    b[n, i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
 
 
 @_compiled
@@ -319,7 +352,8 @@ def integrate(
     after = np.empty(N_STATES)
     coefficients = np.zeros((8, N_STATES))
     stack = np.empty((64, 10))
-    b = np.empty(8)
+    b = np.empty((N_GUARDS, 8))
+    w8 = np.empty(8)
     g = np.zeros(N_GUARDS)
 
     seg = segments[s]
@@ -383,19 +417,21 @@ def integrate(
                 else:
                     growth = h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT)
                     h_next = max(h_next, growth) if cut else growth
-                dense_output(contact, t, h, y, p, seg, k, w, coefficients)
-                if landed >= 0:
+                quiet = landed < 0 and stays_open(contact, h, y, y_new, k, touching)
+                if keep or not quiet or abs(y_new[ROTATION]) >= fallen:
+                    dense_output(contact, t, h, y, p, seg, k, w, coefficients)
+                if landed >= 0 or quiet:
                     break
                 place = NEVER
+                guard_polynomials(contact, t, h, p, seg, coefficients, w, g, b)
                 for i in range(GUARDS[contact]):
-                    guard_polynomial(contact, i, t, h, p, seg, coefficients, w, g, b)
-                    noise = rounding(contact, i, h, y, p, seg, t, b) if touching == i else 0.0
-                    x = first_fall(b, touching == i, noise, stack)
+                    noise = rounding(contact, i, h, y, p, seg, t, b[i]) if touching == i else 0.0
+                    x = first_fall(b[i], touching == i, noise, stack)
                     if x < place:
                         place = x
                         target = i
                         low, high = max(x - 1e-4, 0.0), min(x + 1e-4, 1.0)
-                        slope = bernstein_at(b, high, stack[0]) - bernstein_at(b, low, stack[0])
+                        slope = bernstein_at(b[i], high, w8) - bernstein_at(b[i], low, w8)
                         slope /= (high - low) * h
                 if target < 0:
                     break

@@ -116,7 +116,7 @@ class Notation(LatexPrinter):
             parts[next((m for m in self.masses if term.has(m)), None)] += term
         light = parts.pop(None)
         heavy = sum(parts.values(), sp.Integer(0))
-        outer, bracket = self._factored(heavy)
+        _, bracket = self._factored(heavy)
         few = len(sp.Add.make_args(bracket)) <= len(self.masses)
         if few and not bracket.free_symbols & self.moving:
             parts = {None: heavy}
@@ -260,7 +260,8 @@ def _symbols(expressions) -> list[sp.Symbol]:
 
 def _product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
     """(number, other factors), through products nested to keep a bracket together."""
-    number, factors = sp.Integer(1), []
+    number: sp.Rational = sp.Integer(1)
+    factors: list[sp.Expr] = []
     for factor in sp.Mul.make_args(expr):
         if factor.is_Rational:
             number *= factor
@@ -291,64 +292,3 @@ def _bracketed(text: str) -> str:
     if "[" in text:
         return rf"\bigl({text}\bigr)"
     return f"[{text}]" if "(" in text else f"({text})"
-
-
-# --- width
-
-
-def _group(tex: str, start: int) -> int:
-    """Index behind the braces that open at `start`."""
-    depth = 0
-    for i in range(start, len(tex)):
-        depth += (tex[i] == "{") - (tex[i] == "}")
-        if depth == 0:
-            return i + 1
-    raise ValueError(f"unbalanced braces in {tex!r}")
-
-
-def width(tex: str) -> float:
-    """Estimated width of mathematics, in letters."""
-    while r"\frac" in tex:
-        start = tex.index(r"\frac")
-        middle = _group(tex, start + 5)
-        end = _group(tex, middle)
-        wider = max(tex[start + 6 : middle - 1], tex[middle + 1 : end - 1], key=width)
-        tex = f"{tex[:start]}x{wider}{tex[end:]}"
-    tex = re.sub(r"[_^](\{[^{}]*\}|\w)", "i", tex)
-    tex = re.sub(r"\\(d?dot|left|right|bigl|bigr|thinspace|tfrac|mathrm)(?![a-z])", "", tex)
-    tex = re.sub(r"\\(sin|cos|tan|min|arctan)", r"\1i", tex)
-    tex = re.sub(r"\\[a-z]+", "x", tex)
-    signs = len(re.findall(r" [-+=] ", tex))
-    return len(re.sub(r"[{}\s]", "", tex)) + 1.5 * signs - 0.4 * tex.count("i")
-
-
-_MARKS = re.compile(r"\\left|\\right|[\[({\])}]| [-+=] ")
-
-
-def _cuts(tex: str):
-    """(depth of brackets, index) of each sign before which a line may be broken."""
-    depth = closed = 0
-    for mark in _MARKS.finditer(tex):
-        if mark[0] in ("{", r"\left"):
-            closed += 1
-        elif mark[0] in ("}", r"\right"):
-            closed -= 1
-        elif mark[0] in "[(":
-            depth += 1
-        elif mark[0] in ")]":
-            depth -= 1
-        elif not closed:
-            yield (-1 if "=" in mark[0] else depth), mark.start()
-
-
-def broken(tex: str, limit: float) -> list[str]:
-    """`tex` in lines of at most that width, broken before signs, outside brackets if possible."""
-    lines = []
-    while width(tex) > limit:
-        cuts = [(d, -i) for d, i in _cuts(tex) if 0.4 * limit < width(tex[:i]) <= limit]
-        if not cuts:
-            break
-        cut = -min(cuts)[1]
-        lines.append(tex[:cut])
-        tex = tex[cut + 1 :]
-    return [*lines, tex]

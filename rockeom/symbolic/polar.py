@@ -1,6 +1,6 @@
 """Equations in the radius R and the angle alpha of each body, as the thesis writes them.
 
-    B = R sin(alpha),  H = R cos(alpha)
+B = R sin(alpha),  H = R cos(alpha)
 """
 
 from __future__ import annotations
@@ -54,7 +54,9 @@ def _polar_body(body: Body) -> Body:
 def polar_parameters(model: RockingModel) -> tuple[tuple[Parameter, sp.Expr], ...]:
     """R and alpha of each body, each with its value in half-width and height."""
     found: dict[sp.Symbol, tuple[Parameter, sp.Expr]] = {}
-    for body in (b for phase in model.phases for b in phase.bodies if b.polar):
+    for body in (b for phase in model.phases for b in phase.bodies):
+        if body.polar is None:
+            continue
         b, h, radius, alpha = body.polar
         where = f"of the {body.name}'s centroid from the pivot"
         found[radius] = (

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -20,12 +18,20 @@ from rockeom.symbolic.model import (
     RockingModel,
     Transition,
 )
-from rockeom.symbolic.notation import AFTER, BEFORE, Notation, at_impact, broken, width
+from rockeom.symbolic.notation import AFTER, BEFORE, Notation, at_impact
+from rockeom.symbolic.page import (
+    LINE,
+    Block,
+    Display,
+    Heading,
+    Table,
+    environment,
+    to_latex,
+    to_markdown,
+    width,
+)
 from rockeom.symbolic.polar import has_polar_form, in_polar_form, polar_model, polar_parameters
 from rockeom.symbolic.statics import pushover
-
-LINE = 66.0
-"""Width of a line of mathematics on the page, in letters."""
 
 
 def equation_lines(phase: Phase, form: str = "width") -> list[str]:
@@ -43,7 +49,7 @@ def equation_lines(phase: Phase, form: str = "width") -> list[str]:
 def equations_latex(phase: Phase, form: str = "width") -> str:
     """The equations of motion as an `aligned` block, a line each; "" if no coordinate is free."""
     lines = [line.replace(" = ", " &= ") for line in equation_lines(phase, form)]
-    return _environment("aligned", lines) if lines else ""
+    return environment("aligned", lines) if lines else ""
 
 
 def latex_document(model: RockingModel, form: str = "width") -> str:
@@ -51,21 +57,17 @@ def latex_document(model: RockingModel, form: str = "width") -> str:
 
     Raises ValueError if `form` is neither "width" nor "polar".
     """
-    return _latex(content(model, form))
+    return to_latex(content(model, form))
 
 
 def markdown_page(model: RockingModel) -> str:
     """The same in Markdown, with mathematics between dollar signs."""
-    return _markdown(content(model, "width"))
+    return to_markdown(content(model, "width"))
 
 
 def _check(form: str) -> None:
     if form not in ("width", "polar"):
         raise ValueError(f'form must be "width" (B, H) or "polar" (R, alpha), not {form!r}')
-
-
-def _environment(name: str, lines: list[str]) -> str:
-    return "\n".join([rf"\begin{{{name}}}", " \\\\\n".join(lines), rf"\end{{{name}}}"])
 
 
 def _equation_lines(
@@ -87,29 +89,7 @@ def _equation_lines(
     return lines
 
 
-# --- what a document says; its text holds mathematics between $ and code between `
-
-
-@dataclass(frozen=True)
-class Heading:
-    level: int
-    text: str
-
-
-@dataclass(frozen=True)
-class Table:
-    header: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-
-
-@dataclass(frozen=True)
-class Display:
-    """Displayed equations, one a line."""
-
-    lines: tuple[str, ...]
-
-
-Block = Heading | Table | Display | str
+# --- what a document says
 
 
 def content(model: RockingModel, form: str) -> list[Block]:
@@ -345,12 +325,14 @@ def _pushover(model: RockingModel) -> list[Block]:
             force = {contact: pushover(model, contact) for contact in phase.contacts}
         except NotImplementedError:
             continue
-        (contact, one), *others = sorted(force.items(), key=lambda item: -phase.side_of(item[0]))
-        mirrored = others and sp.simplify(one.subs(theta, -theta) + others[0][1]) == 0
-        for contact, one in [(contact, one)] if mirrored else force.items():
-            blocks += [f"In `{contact}`:", Display((f"P = {notation.quotient(one)}",))]
-        if mirrored:
-            blocks.append(f"In `{others[0][0]}` it is the mirror image.")
+        by_side = sorted(force, key=phase.side_of)
+        left, right = by_side[0], by_side[-1]
+        mirrored = sp.simplify(force[right].subs(theta, -theta) + force[left]) == 0
+        for contact in [right] if mirrored else by_side:
+            blocks.append(f"In `{contact}`:")
+            blocks.append(Display((f"P = {notation.quotient(force[contact])}",)))
+        if mirrored and left != right:
+            blocks.append(f"In `{left}` it is the mirror image.")
     if not blocks:
         return []
     return [
@@ -359,112 +341,3 @@ def _pushover(model: RockingModel) -> list[Block]:
         f"${Notation(model.phases[0], model).plain(theta)}$, the other coordinates condensed.",
         *blocks,
     ]
-
-
-# --- the two forms of document
-
-
-def _layout(lines: tuple[str, ...]) -> list[list[str]]:
-    """Each equation in rows: aligned at = if all then fit the page, else broken before signs."""
-    if all(" = " in line for line in lines):
-        sides = [line.split(" = ", 1) for line in lines]
-        if max(width(a) for a, _ in sides) + max(width(b) for _, b in sides) + 3 < LINE:
-            return [[f"{a} &= {b}"] for a, b in sides]
-    found = []
-    for line in lines:
-        left, sign, right = line.partition(" = ")
-        if width(line) > LINE and width(left) > 0.4 * LINE:
-            first, *more = [*broken(left, LINE), *broken(f"= {right}", LINE)]
-        else:
-            first, *more = broken(line, LINE)
-        # a sign that opens a line is no binary operator
-        found.append([f"& {re.sub('^-', '{-}', first)}", *(rf"& \quad {part}" for part in more)])
-    return found
-
-
-def _markdown(blocks: list[Block]) -> str:
-    parts = []
-    for block in blocks:
-        match block:
-            case Heading(level, text):
-                parts.append(f"{'#' * level} {text}")
-            case Table(header, rows):
-                table = [header, ("---",) * len(header), *rows]
-                parts.append("\n".join(map(_markdown_row, table)))
-            case Display(lines):
-                rows = [row for equation in _layout(lines) for row in equation]
-                parts.append(f"$$\n{_environment('aligned', rows)}\n$$")
-            case str(text):
-                parts.append(text)
-    return "\n\n".join(parts) + "\n"
-
-
-def _markdown_row(cells: tuple[str, ...]) -> str:
-    return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"
-
-
-def _latex(blocks: list[Block]) -> str:
-    parts = []
-    for block in blocks:
-        match block:
-            case Heading(1, text):
-                parts.append(rf"\title{{{_latex_text(text)}}}\author{{}}\date{{}}\maketitle")
-            case Heading(level, text):
-                parts.append(rf"\{'sub' * (level - 2)}section*{{{_latex_text(text)}}}")
-            case Table(header, rows):
-                cells = [" & ".join(map(_latex_text, row)) + r" \\" for row in (header, *rows)]
-                cells[0] += r" \hline"
-                columns = f"@{{}}{'l' * (len(header) - 1)}p{{0.5\\textwidth}}@{{}}"
-                table = [rf"\begin{{tabular}}{{{columns}}} \hline", *cells, r"\hline\end{tabular}"]
-                parts.append("\n".join(table))
-            case Display(lines):
-                rows = [" \\notag\\\\\n".join(equation) for equation in _layout(lines)]
-                parts.append(_environment("align", rows))
-            case str(text):
-                parts.append(_latex_text(text))
-    # an empty line before a display would open a paragraph of its own
-    body = "\n\n".join(parts).replace("\n\n\\begin{align}", "\n\\begin{align}")
-    return "\n".join([*_PREAMBLE, *_greek(body), r"\begin{document}", body, r"\end{document}", ""])
-
-
-_PREAMBLE = (
-    r"\documentclass[11pt,a4paper]{article}",
-    r"\usepackage[margin=25mm]{geometry}",
-    r"\usepackage{amsmath}",
-    r"\setlength{\parindent}{0pt}\setlength{\parskip}{6pt}\allowdisplaybreaks",
-)
-_ESCAPED = {c: rf"\{c}" for c in "{}#$%&_"} | {
-    "\\": r"\textbackslash{}",
-    "^": r"\textasciicircum{}",
-    "~": r"\textasciitilde{}",
-    "<": r"\textless{}",
-    ">": r"\textgreater{}",
-    "²": r"\textsuperscript{2}",
-    "³": r"\textsuperscript{3}",
-}
-
-
-def _latex_text(text: str) -> str:
-    """Plain text escaped; $mathematics$ and `code` kept as such."""
-    parts = []
-    for part in re.split(r"(\$[^$]*\$|`[^`]*`)", text):
-        if part.startswith("$") and part.endswith("$") and len(part) > 1:
-            parts.append(part)
-        else:
-            escaped = "".join(_ESCAPED.get(c, c) for c in part.strip("`"))
-            parts.append(rf"\texttt{{{escaped}}}" if part.startswith("`") else escaped)
-    return "".join(parts)
-
-
-def _greek(text: str) -> list[str]:
-    """Declarations of the Greek letters in names and meanings, which LaTeX does not know."""
-    found = []
-    for char in sorted(set(text)):
-        name = unicodedata.name(char, "")
-        if match := re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER ([A-Z]+)", name):
-            letter = match[2].lower().replace("lamda", "lambda")
-            command = letter if match[1] == "SMALL" else letter.capitalize()
-            found.append(
-                rf"\DeclareUnicodeCharacter{{{ord(char):04X}}}{{\ensuremath{{\{command}}}}}"
-            )
-    return found

@@ -8,6 +8,7 @@ evaluates the plain expressions and LAPACK solves. What differs is rounding, so 
 
 import functools
 import importlib
+import zlib
 
 import numpy as np
 import pytest
@@ -33,14 +34,26 @@ TWO_MASSES = {
     "gravity": 9.81,
 }
 TYPICAL = {
-    "rigid_block": {"mass": 334.0, "half_width": 0.1, "height": 0.45, "inertia": 24.0, "gravity": 9.81},
-    "slender_block": {"mass": 334.0, "radius": 0.46, "alpha": 0.2, "inertia": 24.0, "gravity": 9.81},
+    "rigid_block": {
+        "mass": 334.0,
+        "half_width": 0.1,
+        "height": 0.45,
+        "inertia": 24.0,
+        "gravity": 9.81,
+    },
+    "slender_block": {
+        "mass": 334.0,
+        "radius": 0.46,
+        "alpha": 0.2,
+        "inertia": 24.0,
+        "gravity": 9.81,
+    },
     "nondimensional_block": {"alpha": 0.3, "radius_ratio": 0.75},
     "lumped_mass_structure": TWO_MASSES,
     "two_spring_structure": TWO_MASSES | {"foundation_stiffness": 5.5e5, "foundation_damping": 3e3},
     "two_spring_cart": TWO_MASSES | {"foundation_stiffness": 5.5e5},
     "flexible_structure": TWO_MASSES | {"stiffness": 571.8e3, "damping": 502.4},
-}  # fmt: skip
+}
 
 
 @functools.cache
@@ -65,7 +78,7 @@ class Sample:
         self.name, self.contact, self.model = name, contact, model(name)
         self.phase = self.model.phase(contact)
         self.side = self.phase.side_of(contact)
-        rng = np.random.default_rng(abs(hash_of(name + contact)))
+        rng = np.random.default_rng(zlib.crc32(f"{name} {contact}".encode()))
         self.parameters = {
             k: value * rng.uniform(0.8, 1.25, N) for k, value in TYPICAL[name].items()
         }
@@ -74,9 +87,7 @@ class Sample:
         if self.side:  # on its own side
             row = self.model.states.index(self.model.rotation.name)
             self.y[row] = self.side * np.abs(self.y[row])
-        held = set(range(half)) - {
-            self.model.coordinates.index(c) for c in self.phase.coordinates
-        }
+        held = set(range(half)) - {self.model.coordinates.index(c) for c in self.phase.coordinates}
         for row in held:
             self.y[row] = self.y[half + row] = 0.0
         self.ax, self.ay, self.load = rng.uniform(-10, 10, (3, N))
@@ -130,10 +141,6 @@ class Sample:
         return out.T
 
 
-def hash_of(text):
-    return int.from_bytes(text.encode(), "little") % 2**32
-
-
 def magnitude(of, expr):
     plain = sp.sympify(expr).xreplace(of.constants).replace(sp.Min, sp.Add)
     return sp.Add(*(sp.Abs(term) for term in sp.Add.make_args(sp.expand(plain))))
@@ -164,9 +171,7 @@ def test_rates(name):
         )
         size = np.abs(expected)
         half = len(found) // 2
-        for coordinate, scale in zip(
-            sample.phase.coordinates, sample.solution_size(), strict=True
-        ):
+        for coordinate, scale in zip(sample.phase.coordinates, sample.solution_size(), strict=True):
             size[half + sample.model.coordinates.index(coordinate)] = scale
         assert_agree(f"rates in {sample.contact}", found, expected, size)
 
@@ -205,9 +210,7 @@ def test_kinematics(name):
         now = phase.positions(sample.y, sample.parameters)
         rest = phase.positions(np.zeros_like(sample.y), sample.parameters)
         size = {k: np.abs(v) + np.abs(rest[k]) for k, v in now.items()}
-        (loaded,) = (
-            b.name for b in sample.phase.bodies if b.position == sample.phase.load_point
-        )
+        (loaded,) = (b.name for b in sample.phase.bodies if b.position == sample.phase.load_point)
         columns = {"displacement": (loaded, 0)}
         columns |= {f"{foot}_uplift": (f"{foot}_foot", 1) for foot in sample.phase.feet}
         found = sample.generated("kinematics", len(columns))
@@ -230,7 +233,9 @@ def test_guards(name):
         )
         found = sample.generated("guards", m.N_GUARDS, sample.ax, sample.ay)
         leaving = [t for t in sample.model.transitions if t.source == sample.contact]
-        assert [t.target for t in leaving] == [b for a, b, _ in m.TRANSITIONS if a == sample.contact]
+        assert [t.target for t in leaving] == [
+            b for a, b, _ in m.TRANSITIONS if a == sample.contact
+        ]
         for t, row in zip(leaving, found, strict=False):
             if t.kind == "uplift":
                 # q'' of the structure closed and at rest: the size is that of its own phase
@@ -283,13 +288,16 @@ def test_jump(name, law):
     met = set()
     for t in impacts:
         sample = Sample(name, t.source)
-        sample.y[rotation] = -0.0 * sample.side
+        # from slender to squat, where the old foot cannot lift
+        sample.parameters["alpha" if "alpha" in sample.parameters else "half_width"] *= np.linspace(
+            1, 4, N
+        )
+        sample.y[rotation] = 0.0
         sample.y[rate] = -sample.side * np.abs(sample.y[rate])
         size = np.abs(sample.y)
         followed = {}
         if law == IMPULSIVE:
             for target in (t.target, t.fallback):
-                after = dict.fromkeys(model(name).states, 0.0)
                 followed[target] = sample.y.copy()
                 followed[target][[rotation, rate]] = 0.0
                 impulse = model(name).impulse_map(t.source, target).at_side(sample.side)
@@ -315,5 +323,4 @@ def test_jump(name, law):
             out[:, i] = row
         met |= set(targets)
         assert_agree(f"impact from {t.source}", out, expected, size)
-    if name == "flexible_structure" and law == IMPULSIVE:
-        assert "both" in met  # u of half the width: the case in which the old foot cannot lift
+    assert law == RATIO or met == {"left", "right", "both"}

@@ -14,7 +14,14 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from rockeom.symbolic import RockingModel, flexible_structure, rigid_block, two_spring_cart
+from rockeom.symbolic import (
+    RockingModel,
+    flexible_structure,
+    nondimensional_block,
+    rigid_block,
+    slender_block,
+    two_spring_cart,
+)
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import LOAD
 
@@ -29,10 +36,11 @@ def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
     return found
 
 
-BLOCK = symbols_of(rigid_block())
+BLOCK, SLENDER = symbols_of(rigid_block()), symbols_of(slender_block())
+SCALED = symbols_of(nondimensional_block())
 PIER = symbols_of(flexible_structure())
 CART = symbols_of(two_spring_cart())
-R, ALPHA = T.R, T.alpha  # the slender block's own, and not among the parameters of the others
+R, ALPHA = SLENDER["radius"], SLENDER["alpha"]
 
 _weight = (PIER["mass"] + PIER["base_mass"]) * PIER["gravity"]
 _centroid = sp.cancel(
@@ -60,6 +68,10 @@ TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
     T.a_gx: GROUND_X,
     T.g: PIER["gravity"],
     T.m: BLOCK["mass"],
+    T.R: R,
+    T.alpha: ALPHA,
+    T.x: SCALED["x"],
+    T.x_dd: SCALED["x_dd"],
     T.I_o: BLOCK["inertia"] + BLOCK["mass"] * R**2,
     T.m_e: PIER["mass"],
     T.H_e: PIER["height"],
@@ -84,8 +96,8 @@ TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
 }
 """What the engine calls a symbol of the thesis, or makes of it."""
 
-SAME = {T.x, T.x_dd, T.R, T.alpha, T.beta, T.omega, T.t, T.R_e, T.R_b, T.R_c}
-"""Thesis symbols that remain."""
+OWN = {T.beta, T.omega, T.t, T.R_e, T.R_b, T.R_c}
+"""Symbols of the thesis that the engine has no counterpart of; the radii go in `normal_form`."""
 
 
 def at_side(expr, side: int):
@@ -117,7 +129,7 @@ def in_engine_notation(
         polar |= {sp.sin(angle): half_width / radius, sp.cos(angle): height / radius}
     known = known or {}
     expr = expr.subs(polar)
-    unknown = expr.free_symbols - set(TO_ENGINE) - SAME - set(known)
+    unknown = expr.free_symbols - set(TO_ENGINE) - OWN - set(known)
     if unknown:
         raise ValueError(f"not translated: {sorted(map(str, unknown))}")
     return expr.subs({**TO_ENGINE, **known}, simultaneous=True)

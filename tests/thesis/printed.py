@@ -53,12 +53,12 @@ def says(left, *rights) -> tuple[sp.Eq, ...]:
     return tuple(sp.Eq(left, right, evaluate=False) for right in rights)
 
 
-def real(names: str):
-    return sp.symbols(names, real=True)
+def real(names: str) -> list[sp.Symbol]:
+    return [sp.Symbol(name, real=True) for name in names.split()]
 
 
-def positive(names: str):
-    return sp.symbols(names, positive=True)
+def positive(names: str) -> list[sp.Symbol]:
+    return [sp.Symbol(name, positive=True) for name in names.split()]
 
 
 # --- symbols
@@ -67,7 +67,7 @@ theta, x, u = real("theta x u")
 theta_d, u_d = real(r"\dot{\theta} \dot{u}")
 theta_dd, u_dd, x_dd = real(r"\ddot{\theta} \ddot{u} \ddot{x}")
 a_g, a_gx = real(r"\ddot{u}_g \ddot{u}_{gx}")
-g = positive("g")
+(g,) = positive("g")
 PM = sp.Symbol(r"\pm", real=True)
 s = sign(theta)
 
@@ -77,7 +77,7 @@ beta, omega, Omega, t, tau, r = positive("beta omega Omega t tau r")
 u_cx_dd, u_cy_dd, F_H, F_V = real(r"\ddot{u}_{cx} \ddot{u}_{cy} F_H F_V")
 FH_impact, FV_impact, FH_limit, FV_limit = real("FH_{impact} FV_{impact} FH_{lim} FV_{lim}")
 theta_d_impact, theta_d_max = real(r"\dot{\theta}_{impact} \dot{\theta}_{max,impact}")
-theta_dd_impact = real(r"\ddot{\theta}_{impact}")
+(theta_dd_impact,) = real(r"\ddot{\theta}_{impact}")
 
 # chapter 5 and Appendix D: superstructure (e) on a base structure (b)
 m_e, m_b, R_e, R_b, alpha_e, alpha_b = positive("m_e m_b R_e R_b alpha_e alpha_b")
@@ -267,11 +267,6 @@ CHAPTER_3 = (
 # --- 5.3.1: Model A, two rigid lumped masses on rigid ground
 
 
-def about_pivot(mass, radius, angle, inertia, gravity_sign) -> sp.Expr:
-    """One mass's part of 5-9 to 5-11, of which each prints two alike; `angle` as in its sine."""
-    return -mass * radius * g / inertia * (a_g / g * cos(angle) + gravity_sign * sin(angle))
-
-
 MODEL_A = (
     Equation(
         "5-8",
@@ -284,8 +279,8 @@ MODEL_A = (
         (),
         says(
             theta_dd,
-            about_pivot(m_e, R_e, alpha_e - theta, I_O, 1)
-            + about_pivot(m_b, R_b, alpha_b - theta, I_O, 1),
+            -m_e * R_e * g / I_O * (a_g / g * cos(alpha_e - theta) + sin(alpha_e - theta))
+            - m_b * R_b * g / I_O * (a_g / g * cos(alpha_b - theta) + sin(alpha_b - theta)),
         ),
         "Not legible; the moments about O, in the form of 5-10.",
         POSITIVE,
@@ -295,8 +290,8 @@ MODEL_A = (
         "Model A for theta < 0",
         says(
             theta_dd,
-            about_pivot(m_e, R_e, alpha_e + theta, I_O, -1)
-            + about_pivot(m_b, R_b, alpha_b + theta, I_O, -1),
+            -m_e * R_e * g / I_O * (a_g / g * cos(alpha_e + theta) - sin(alpha_e + theta))
+            - m_b * R_b * g / I_O * (a_g / g * cos(alpha_b + theta) - sin(alpha_b + theta)),
         ),
         sides=NEGATIVE,
     ),
@@ -305,13 +300,29 @@ MODEL_A = (
         "Model A",
         says(
             theta_dd,
-            about_pivot(m_e, R_e, alpha_e + s * theta, I_O, s)
-            + about_pivot(m_b, R_b, alpha_b + s * theta, I_O, s),
+            -m_e
+            * R_e
+            * g
+            / I_O
+            * (a_g / g * cos(alpha_e + s * theta) + s * sin(alpha_e + s * theta))
+            - m_b
+            * R_b
+            * g
+            / I_O
+            * (a_g / g * cos(alpha_b + s * theta) + s * sin(alpha_b + s * theta)),
         ),
         says(
             theta_dd,
-            about_pivot(m_e, R_e, alpha_e - s * theta, I_O, s)
-            + about_pivot(m_b, R_b, alpha_b - s * theta, I_O, s),
+            -m_e
+            * R_e
+            * g
+            / I_O
+            * (a_g / g * cos(alpha_e - s * theta) + s * sin(alpha_e - s * theta))
+            - m_b
+            * R_b
+            * g
+            / I_O
+            * (a_g / g * cos(alpha_b - s * theta) + s * sin(alpha_b - s * theta)),
         ),
         "The angles are alpha - sgn(theta) theta, as in 5-34; for theta < 0 that is 5-10.",
     ),
@@ -498,7 +509,7 @@ MODEL_C = (
 
 q_t = Function("q_i")(t)
 LAGRANGIAN, DISSIPATION = Function(r"\mathcal{L}"), Function("F_{nc}")
-Q_i = real("Q_i")
+(Q_i,) = real("Q_i")
 
 X_E = -R_e * sin(alpha_e - theta) + u * cos(theta)
 X_B = -R_b * sin(alpha_b - theta)

@@ -1,0 +1,17 @@
+"""The one error of this layer."""
+
+from __future__ import annotations
+
+import os
+
+
+class MotionError(ValueError):
+    """A ground motion that cannot be had as asked; the message says what, where and the remedy."""
+
+    @classmethod
+    def at(
+        cls, path: str | os.PathLike[str], line: int | None, what: str, remedy: str
+    ) -> MotionError:
+        """The error of a file, at a line (counted from 1) where there is one."""
+        where = os.fspath(path) if line is None else f"{os.fspath(path)}, line {line}"
+        return cls(f"{where}: {what}. Remedy: {remedy}.")

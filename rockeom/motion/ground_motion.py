@@ -1,0 +1,529 @@
+"""`GroundMotion`: the acceleration of the ground in one direction."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.motion import library, readers
+from rockeom.motion.errors import MotionError
+from rockeom.motion.readers import Column, FilePath, Record
+from rockeom.motion.segments import (
+    ANTISYMMETRIC_RICKER_PEAK,
+    C0,
+    C1,
+    COLUMNS,
+    END,
+    KIND,
+    START,
+    SegmentKind,
+    acceleration as _acceleration,
+    is_quiet as _is_quiet,
+    peak as _peak,
+    scaled as _scaled,
+)
+from rockeom.motion.units import STANDARD_GRAVITY, factor
+
+QUIET_PERIODS = 10
+"""Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
+is often the answer sought."""
+
+_RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
+_ABSURD_PEAK = 10 * STANDARD_GRAVITY  # three times the strongest acceleration ever recorded
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class GroundMotion:
+    """The acceleration of the ground in one direction, as a table of analytic segments.
+
+    Motions are made by the class methods: `none`, `constant`, `half_sine`, `single_sine`,
+    `single_cosine`, `harmonic`, `ricker`, `from_array`, `from_at2`, `from_columns`, `from_csv`,
+    `read`, `from_library`.
+
+    segments : (n, 7) start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous from
+        time 0. Before and after them the acceleration is zero. Read-only.
+    name : what a figure calls the motion.
+    source : where it comes from.
+    dt, samples : time step [s] and accelerations (m,) [m/s2] of a record, which is linear between
+        its samples; None for an analytic motion.
+
+    Two motions are equal if their names, sources and tables are.
+
+    Raises MotionError for a table that is not as said.
+    """
+
+    segments: np.ndarray
+    name: str = ""
+    source: str = ""
+    dt: float | None = None
+    samples: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
+        for field in ("segments", "samples"):
+            if (values := getattr(self, field)) is not None:
+                values = np.asarray(values, dtype=float) + 0.0
+                values.flags.writeable = False
+                object.__setattr__(self, field, values)
+        _check_segments(self.segments)
+        if (self.dt is None) != (self.samples is None):
+            raise MotionError("dt and samples belong together: give both or neither")
+
+    # -- made from a formula
+
+    @classmethod
+    def none(cls, duration: float) -> GroundMotion:
+        """No shaking, for free rocking; duration [s]."""
+        return _analytic("no shaking", [(_positive("duration", duration), SegmentKind.LINEAR)])
+
+    @classmethod
+    def constant(
+        cls, acceleration: float, duration: float, total_duration: float | None = None
+    ) -> GroundMotion:
+        """Constant acceleration [m/s2] for `duration` [s]: a rectangular pulse if quiet follows.
+
+        total_duration : with the quiet time after it [s]; `duration` if not given.
+        """
+        a, end = _finite("acceleration", acceleration), _positive("duration", duration)
+        total = end if total_duration is None else total_duration
+        name = f"constant, {a:.4g} m/s2, {end:.4g} s"
+        return _analytic(name, [(end, SegmentKind.LINEAR, a)]).padded(total)
+
+    @classmethod
+    def half_sine(
+        cls, amplitude: float, period: float, duration: float | None = None
+    ) -> GroundMotion:
+        """Half of a sine: amplitude sin(2 pi t/period) up to period/2.
+
+        amplitude : [m/s2]; period : of the full sine [s]; duration : with the quiet time after
+        the pulse [s], at least the pulse; if not given, ten periods of quiet follow.
+        """
+        return _pulse("half sine", amplitude, period, 0.5, 0.0, duration)
+
+    @classmethod
+    def single_sine(
+        cls, amplitude: float, period: float, duration: float | None = None
+    ) -> GroundMotion:
+        """One full sine: amplitude sin(2 pi t/period) up to one period.
+
+        amplitude : [m/s2]; period [s]; duration : with the quiet time after the pulse [s], at
+        least the pulse; if not given, ten periods of quiet follow.
+        """
+        return _pulse("single sine", amplitude, period, 1.0, 0.0, duration)
+
+    @classmethod
+    def single_cosine(
+        cls, amplitude: float, period: float, duration: float | None = None
+    ) -> GroundMotion:
+        """One full cosine: amplitude cos(2 pi t/period) up to one period.
+
+        amplitude : [m/s2]; period [s]; duration : with the quiet time after the pulse [s], at
+        least the pulse; if not given, ten periods of quiet follow.
+        """
+        return _pulse("single cosine", amplitude, period, 1.0, 0.5 * math.pi, duration)
+
+    @classmethod
+    def harmonic(
+        cls,
+        amplitude: float,
+        *,
+        duration: float,
+        frequency: float | None = None,
+        angular_frequency: float | None = None,
+        period: float | None = None,
+        phase: float = 0.0,
+    ) -> GroundMotion:
+        """amplitude sin(omega t + phase), without end up to `duration` [s].
+
+        amplitude : [m/s2]; exactly one of frequency [Hz], angular_frequency [rad/s] and period
+        [s]; phase : [rad], pi/2 for a cosine.
+        """
+        a, end, phase = (
+            _finite("amplitude", amplitude),
+            _positive("duration", duration),
+            _finite("phase", phase),
+        )
+        given = {
+            "frequency": frequency,
+            "angular_frequency": angular_frequency,
+            "period": period,
+        }
+        stated = [name for name, value in given.items() if value is not None]
+        if len(stated) != 1:
+            raise MotionError(
+                f"harmonic has {' and '.join(stated) or 'no frequency'}: give exactly one of "
+                "frequency [Hz], angular_frequency [rad/s] and period [s]"
+            )
+        value = _positive(stated[0], given[stated[0]])
+        omega = {
+            "frequency": 2.0 * math.pi * value,
+            "angular_frequency": value,
+            "period": 2.0 * math.pi / value,
+        }[stated[0]]
+        name = f"harmonic, {a:.4g} m/s2, {omega:.4g} rad/s"
+        return _analytic(name, [(end, SegmentKind.SINE, a, omega, phase)])
+
+    @classmethod
+    def ricker(
+        cls,
+        amplitude: float,
+        period: float,
+        duration: float | None = None,
+        antisymmetric: bool = False,
+    ) -> GroundMotion:
+        """A Ricker wavelet whose largest acceleration is `amplitude` [m/s2].
+
+        period : 2 pi over the angular frequency at which the Fourier spectrum peaks [s].
+        The wavelet is centred at two periods and cut off two periods before and after its centre,
+        where the symmetric one is below 1e-14 and the antisymmetric one below 2e-9 of its peak.
+        The symmetric wavelet is largest at its centre; the antisymmetric one reaches +amplitude
+        before its centre and -amplitude after it.
+        duration : with the quiet time after the wavelet [s], at least four periods; if not given,
+        ten periods of quiet follow.
+
+        Source: Ricker (1943, 1944) as written by Vassiliou and Makris, Bulletin of the
+        Seismological Society of America 101 (2011) 596-618.
+        """
+        a, t_p = _finite("amplitude", amplitude), _positive("period", period)
+        centre = _RICKER_HALF_WINDOW * t_p
+        if antisymmetric:
+            kind, c0, c1 = (
+                SegmentKind.ANTISYMMETRIC_RICKER,
+                a / ANTISYMMETRIC_RICKER_PEAK,
+                2.0 * math.pi / (math.sqrt(3.0) * t_p),
+            )
+        else:
+            kind, c0, c1 = SegmentKind.RICKER, a, math.pi / t_p
+        shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
+        end = 2.0 * centre
+        motion = _analytic(f"{shape}, {a:.4g} m/s2, {t_p:.4g} s", [(end, kind, c0, c1, centre)])
+        return motion.padded(end + QUIET_PERIODS * t_p if duration is None else duration)
+
+    # -- made from numbers and files
+
+    @classmethod
+    def from_array(
+        cls,
+        acceleration: ArrayLike,
+        dt: float,
+        *,
+        name: str = "array",
+        units: str = "m/s2",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> GroundMotion:
+        """A record of n accelerations (n,), n >= 2, at times 0, dt, 2 dt ...; dt [s].
+
+        units : of the accelerations: "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2".
+        gravity : the value of 1 g [m/s2].
+
+        Raises MotionError for NaN or infinity (with its index) and for other than one dimension.
+        """
+        values = _one_dimension(acceleration) * factor(units, gravity)
+        return _from_record(Record(values, dt, name, "array"))
+
+    @classmethod
+    def from_at2(
+        cls,
+        path: FilePath,
+        *,
+        units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+        name: str | None = None,
+    ) -> GroundMotion:
+        """A PEER record (.AT2), with the old or the new header.
+
+        units : only where the header does not state them ("IN UNITS OF G").
+        gravity : the value of 1 g [m/s2].
+        name : the second line of the file if not given.
+
+        Raises MotionError, with file, line, value and remedy, for anything the file leaves open.
+        """
+        return _from_record(readers.read_at2(path, units, gravity, name))
+
+    @classmethod
+    def from_columns(
+        cls,
+        path: FilePath,
+        *,
+        units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+        name: str | None = None,
+    ) -> GroundMotion:
+        """A text file of two columns, time [s] and acceleration.
+
+        Columns are separated by blanks, tabs, commas or semicolons. Lines that start with # or %
+        are comments, and one line of names may precede the numbers. The time step must be
+        uniform; the motion starts at the first time, whatever its value.
+
+        units : "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2"; may be left out only
+        where the heading states them, as in "acceleration (g)".
+        gravity : the value of 1 g [m/s2].
+        name : the file's name if not given.
+
+        Raises MotionError, with file, line, value and remedy, for anything the file leaves open.
+        """
+        return _from_record(readers.read_columns(path, units, gravity, name))
+
+    @classmethod
+    def from_csv(
+        cls,
+        path: FilePath,
+        *,
+        time_column: Column,
+        acceleration_column: Column,
+        units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+        name: str | None = None,
+    ) -> GroundMotion:
+        """Two columns out of several of a text file, by their headings or numbers (from 0).
+
+        Everything else is as in `from_columns`.
+        """
+        return _from_record(
+            readers.read_csv(path, time_column, acceleration_column, units, gravity, name)
+        )
+
+    @classmethod
+    def read(
+        cls,
+        path: FilePath,
+        *,
+        units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+        name: str | None = None,
+    ) -> GroundMotion:
+        """A record from a file, by `from_at2` or `from_columns`, whichever the file calls for."""
+        is_at2 = readers.is_at2(path, readers.read_lines(path))
+        reader = readers.read_at2 if is_at2 else readers.read_columns
+        return _from_record(reader(path, units, gravity, name))
+
+    @classmethod
+    def from_library(cls, words: str) -> GroundMotion:
+        """A real record of the extra rockeom[records], by words of its name.
+
+        words : enough of them to tell it apart, such as "El Centro 1940 180"; `library` lists the
+        names. In g, converted with 9.81 m/s2.
+
+        Raises MotionError if none or several match, or if the extra is not installed.
+        """
+        motion = cls.from_at2(library.find(words))
+        return replace(motion, source=f"{library.source_package()}, {motion.source}")
+
+    @classmethod
+    def library(cls) -> tuple[str, ...]:
+        """Names of the records that `from_library` knows."""
+        return tuple(library.records())
+
+    # -- what it is
+
+    @property
+    def duration(self) -> float:
+        """End of the last segment [s]."""
+        return float(self.segments[-1, END])
+
+    @property
+    def peak(self) -> float:
+        """Largest absolute acceleration [m/s2], exact to rounding."""
+        if self.samples is not None:
+            return float(np.abs(self.samples).max())
+        return _peak(self.segments)
+
+    @property
+    def shaking_ends(self) -> float:
+        """Time after which the acceleration is identically zero [s]; 0.0 if it always is."""
+        shaking = np.flatnonzero(~_is_quiet(self.segments))
+        return float(self.segments[shaking[-1], END]) if len(shaking) else 0.0
+
+    @property
+    def breakpoints(self) -> np.ndarray:
+        """Ends of the segments (n + 1,) [s], where an integrator has to stop."""
+        return np.append(self.segments[:, START], self.segments[-1, END])
+
+    def acceleration(self, t: ArrayLike) -> Any:
+        """Acceleration [m/s2] at times t [s], of the shape of t.
+
+        At a breakpoint the value is that of the segment which starts there.
+        """
+        time = np.asarray(t, dtype=float)
+        flat = time.ravel()
+        starts = self.segments[:, START]
+        index = np.maximum(np.searchsorted(starts, flat, side="right") - 1, 0)
+        found = _acceleration(self.segments[index], flat - starts[index])
+        found[(flat < 0.0) | (flat > self.duration)] = 0.0
+        return found.reshape(time.shape)[()]
+
+    def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
+        """Times 0, dt, 2 dt ... (m,) [s] up to the duration, and accelerations there (m,) [m/s2]."""
+        steps = math.floor(self.duration / _positive("dt", dt) * (1.0 + 1e-12))
+        t = np.minimum(dt * np.arange(steps + 1), self.duration)
+        return t, self.acceleration(t)
+
+    # -- made from another
+
+    def scaled(self, acceleration: float = 1.0, time: float = 1.0) -> GroundMotion:
+        """The motion with accelerations and the time axis multiplied, as in Table 4-1 of the thesis.
+
+        "Tabas-A1-T0.38" has the accelerations of Tabas, in 0.38 times its time.
+        """
+        a, s = _finite("acceleration", acceleration), _positive("time", time)
+        return GroundMotion(
+            _scaled(self.segments, a, s),
+            f"{self.name}-A{a:.4g}-T{s:.4g}",
+            self.source,
+            None if self.dt is None else self.dt * s,
+            None if self.samples is None else self.samples * a,
+        )
+
+    def scaled_to(self, peak: float) -> GroundMotion:
+        """The motion with accelerations multiplied so that the largest is `peak` [m/s2]."""
+        wanted = _positive("peak", peak)
+        if self.peak == 0.0:
+            raise MotionError(f"{self.name}: no factor makes a motion of zero acceleration shake")
+        return self.scaled(wanted / self.peak)
+
+    def padded(self, duration: float) -> GroundMotion:
+        """The motion with quiet time at its end, up to `duration` [s]."""
+        wanted = _positive("duration", duration)
+        if wanted < self.duration:
+            raise MotionError(
+                f"duration is {wanted:g} s, but {self.name or 'the motion'} lasts "
+                f"{self.duration:g} s: give a longer duration"
+            )
+        if wanted == self.duration:
+            return self
+        quiet = [self.duration, wanted, SegmentKind.LINEAR, 0.0, 0.0, 0.0, 0.0]
+        return replace(self, segments=np.vstack([self.segments, quiet]))
+
+    def __neg__(self) -> GroundMotion:
+        """The mirrored motion."""
+        name = self.name[1:] if self.name.startswith("-") else f"-{self.name}"
+        return replace(self.scaled(acceleration=-1.0), name=name)
+
+    # -- how it compares, prints and travels
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, GroundMotion):
+            return NotImplemented
+        mine, theirs = (self.name, self.source), (other.name, other.source)
+        return mine == theirs and np.array_equal(self.segments, other.segments)
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.source, self.segments.tobytes()))
+
+    def __repr__(self) -> str:
+        record = "" if self.samples is None else f", {len(self.samples)} samples at {self.dt:.6g} s"
+        return (
+            f"GroundMotion({self.name!r}: {self.duration:.6g} s, peak {self.peak:.4g} m/s2{record})"
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Arrays come back writable from a pickle; the constructor locks them again.
+        return GroundMotion, (self.segments, self.name, self.source, self.dt, self.samples)
+
+
+# -- construction --------------------------------------------------------------------------------
+
+
+def _analytic(name: str, laws: list[tuple[float, ...]]) -> GroundMotion:
+    """Segments one after the other, each by its end, kind and constants."""
+    segments = np.zeros((len(laws), COLUMNS))
+    start = 0.0
+    for row, (end, *law) in zip(segments, laws, strict=True):
+        row[:KIND] = start, end
+        row[KIND : KIND + len(law)] = law
+        start = end
+    return GroundMotion(segments, name, "analytic")
+
+
+def _pulse(
+    shape: str,
+    amplitude: float,
+    period: float,
+    periods: float,
+    phase: float,
+    duration: float | None,
+) -> GroundMotion:
+    """A sine of `phase` for so many periods, and quiet time after it."""
+    a, t_p = _finite("amplitude", amplitude), _positive("period", period)
+    end = periods * t_p
+    law = (end, SegmentKind.SINE, a, 2.0 * math.pi / t_p, phase)
+    motion = _analytic(f"{shape}, {a:.4g} m/s2, {t_p:.4g} s", [law])
+    return motion.padded(end + QUIET_PERIODS * t_p if duration is None else duration)
+
+
+def _from_record(record: Record) -> GroundMotion:
+    """A record as linear segments from sample to sample."""
+    a, dt = record.acceleration, _positive("dt", record.dt)
+    if len(a) < 2:
+        raise MotionError(f"{record.source}: {len(a)} sample(s), where a record needs two or more")
+    largest = float(np.abs(a).max())
+    if largest > _ABSURD_PEAK:
+        warnings.warn(
+            f"{record.source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
+            "is above any recorded one: check the units",
+            stacklevel=3,
+        )
+    t = dt * np.arange(len(a))
+    segments = np.zeros((len(a) - 1, COLUMNS))
+    segments[:, START], segments[:, END] = t[:-1], t[1:]
+    segments[:, C0], segments[:, C1] = a[:-1], np.diff(a) / np.diff(t)
+    return GroundMotion(segments, record.name, record.source, dt, a)
+
+
+# -- checks --------------------------------------------------------------------------------------
+
+
+def _check_segments(segments: np.ndarray) -> None:
+    if segments.ndim != 2 or segments.shape[1] != COLUMNS or not len(segments):
+        raise MotionError(f"segments have shape {segments.shape}: they must be (n, {COLUMNS})")
+    if not np.isfinite(segments).all():
+        raise MotionError("segments hold NaN or infinity")
+    starts, ends, kinds = segments[:, START], segments[:, END], segments[:, KIND]
+    if starts[0] != 0.0 or (starts[1:] != ends[:-1]).any() or (ends <= starts).any():
+        raise MotionError("segments must follow each other without gap from time 0 on")
+    if not np.isin(kinds, list(SegmentKind)).all():
+        raise MotionError(f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}")
+    if (segments[kinds != SegmentKind.LINEAR, C1] <= 0.0).any():
+        raise MotionError("c1, the rate of a sine or a wavelet, must be positive")
+
+
+def _finite(name: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise MotionError(f"{name} is {value!r}: give a number") from None
+    if not math.isfinite(number):
+        raise MotionError(f"{name} is {number}: give a finite number")
+    return number
+
+
+def _positive(name: str, value: Any) -> float:
+    number = _finite(name, value)
+    if number <= 0.0:
+        raise MotionError(f"{name} is {number:g}: give a positive number")
+    return number
+
+
+def _one_dimension(acceleration: ArrayLike) -> np.ndarray:
+    """Accelerations as (n,) floats, where nothing is lost in the conversion."""
+    if np.ma.is_masked(acceleration) or np.iscomplexobj(acceleration):
+        raise MotionError(
+            "acceleration is masked or complex: fill the gaps, or take the real part, yourself"
+        )
+    try:
+        values = np.asarray(acceleration, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise MotionError(f"acceleration holds something that is no number: {error}") from None
+    if values.ndim != 1:
+        raise MotionError(f"acceleration has shape {values.shape}: give one dimension, (n,)")
+    for index in np.flatnonzero(~np.isfinite(values))[:1]:
+        raise MotionError(
+            f"acceleration[{index}] is {values[index]}: give finite numbers only, or cut the "
+            "record where it ends"
+        )
+    return values

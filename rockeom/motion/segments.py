@@ -1,0 +1,101 @@
+"""A ground acceleration as a table of analytic segments, (n, 7) float64.
+
+Columns: start [s], end [s], kind, c0, c1, c2, c3. Within a segment the acceleration is a smooth
+function of the local time tau = t - start, so that an integrator which stops at every segment's
+end never steps over a kink or a jump. c0 is the amplitude of every kind but LINEAR; c3 is spare.
+"""
+
+from __future__ import annotations
+
+import math
+from enum import IntEnum
+
+import numpy as np
+
+START, END, KIND, C0, C1, C2 = range(6)
+COLUMNS = 7
+
+
+class SegmentKind(IntEnum):
+    """The law of a segment."""
+
+    LINEAR = 0  # c0 + c1 tau
+    SINE = 1  # c0 sin(c1 tau + c2)
+    RICKER = 2  # c0 (1 - 2 x^2) exp(-x^2), x = c1 (tau - c2)
+    ANTISYMMETRIC_RICKER = 3  # c0 x (x^2 - 3) exp(-x^2 / 2), x = c1 (tau - c2)
+
+
+# Both wavelets are stationary where a quadratic in x^2 vanishes.
+_RICKER_EXTREMA = (0.0, math.sqrt(1.5))
+_ANTISYMMETRIC_EXTREMA = (math.sqrt(3.0 - math.sqrt(6.0)), math.sqrt(3.0 + math.sqrt(6.0)))
+
+ANTISYMMETRIC_RICKER_PEAK = math.sqrt(6.0 * (3.0 - math.sqrt(6.0))) * math.exp(
+    -0.5 * (3.0 - math.sqrt(6.0))
+)
+"""Largest value of |x (x^2 - 3) exp(-x^2 / 2)|, the beta = 1.38 of Vassiliou and Makris (2011)."""
+
+
+def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Acceleration (m,) [m/s2] of the segments `rows` (m, 7) at their local times tau (m,) [s]."""
+    found = np.empty(len(tau))
+    for kind in SegmentKind:
+        of_kind = rows[:, KIND] == kind
+        if of_kind.any():
+            c0, c1, c2 = rows[of_kind, C0 : C2 + 1].T
+            found[of_kind] = _law(kind, c0, c1, c2, tau[of_kind])
+    return found
+
+
+def _law(
+    kind: SegmentKind, c0: np.ndarray, c1: np.ndarray, c2: np.ndarray, tau: np.ndarray
+) -> np.ndarray:
+    if kind is SegmentKind.LINEAR:
+        return c0 + c1 * tau
+    if kind is SegmentKind.SINE:
+        return c0 * np.sin(c1 * tau + c2)
+    x = c1 * (tau - c2)
+    if kind is SegmentKind.RICKER:
+        return c0 * (1.0 - 2.0 * x**2) * np.exp(-(x**2))
+    return c0 * x * (x**2 - 3.0) * np.exp(-0.5 * x**2)
+
+
+def peak(segments: np.ndarray) -> float:
+    """Largest absolute acceleration [m/s2]: at the ends and at the stationary points inside."""
+    length = segments[:, END] - segments[:, START]
+    candidates = [np.zeros_like(length), length]
+
+    kind, c1, c2 = segments[:, KIND], segments[:, C1], segments[:, C2]
+    rate = np.where(kind == SegmentKind.LINEAR, 1.0, c1)  # that of linear segments is not used
+    first_crest = np.pi * (np.ceil(c2 / np.pi - 0.5) + 0.5)
+    stationary = [(SegmentKind.SINE, (first_crest - c2) / rate)]
+    stationary += [
+        (SegmentKind.RICKER, c2 + s * x / rate) for x in _RICKER_EXTREMA for s in (1, -1)
+    ]
+    stationary += [
+        (SegmentKind.ANTISYMMETRIC_RICKER, c2 + s * x / rate)
+        for x in _ANTISYMMETRIC_EXTREMA
+        for s in (1, -1)
+    ]
+    for of_kind, tau in stationary:
+        # A point beyond an end falls back on that end, which is a candidate anyway.
+        candidates.append(np.where(kind == of_kind, np.clip(tau, 0.0, length), 0.0))
+    return float(max(np.abs(acceleration(segments, tau)).max() for tau in candidates))
+
+
+def is_quiet(segments: np.ndarray) -> np.ndarray:
+    """Whether each segment is identically zero, (n,) bool."""
+    rising = (segments[:, KIND] == SegmentKind.LINEAR) & (segments[:, C1] != 0.0)
+    return (segments[:, C0] == 0.0) & ~rising
+
+
+def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
+    """The table with accelerations times `amplitude` and the time axis times `time`."""
+    linear = segments[:, KIND] == SegmentKind.LINEAR
+    found = segments.copy()
+    found[:, [START, END]] *= time
+    found[:, C0] *= amplitude
+    found[:, C1] /= time
+    found[linear, C1] *= amplitude
+    wavelet = segments[:, KIND] >= SegmentKind.RICKER
+    found[wavelet, C2] *= time  # the centre of a wavelet is a time, the c2 of a sine an angle
+    return found

@@ -1,0 +1,48 @@
+"""Units of acceleration, converted once, where a record enters."""
+
+from __future__ import annotations
+
+import math
+
+from rockeom.motion.errors import MotionError
+
+STANDARD_GRAVITY = 9.81
+"""What "g" stands for in a record [m/s2] unless the reader is told otherwise: the value that the
+structures take as well, so that a record of 0.3 g is 0.3 times the weight of what it shakes."""
+
+# In the spelling that `_plain` leaves; "g" is not here because its value is the user's.
+_FACTORS = {
+    "m/s2": 1.0,
+    "cm/s2": 0.01,
+    "gal": 0.01,
+    "mm/s2": 0.001,
+    "in/s2": 0.0254,
+    "ft/s2": 0.3048,
+}
+NAMES = ("m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2", "ft/s2")
+
+
+def _plain(units: str) -> str:
+    """One spelling for CM/SEC/SEC, cm/sec**2, cm/s^2 and cm/s²."""
+    text = "".join(units.lower().split()).replace("sec", "s").replace("²", "2")
+    return text.replace("^", "").replace("**", "").replace("/s/s", "/s2")
+
+
+def is_known(units: str) -> bool:
+    """Whether `factor` knows these units."""
+    return _plain(units) in ("g", *_FACTORS)
+
+
+def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
+    """What a value in these units is multiplied by to be in m/s2.
+
+    gravity : the value of 1 g [m/s2], used for units="g" only.
+
+    Raises MotionError for unknown units and for a gravity that is not finite and positive.
+    """
+    if not (isinstance(gravity, int | float) and math.isfinite(gravity) and gravity > 0):
+        raise MotionError(f"gravity is {gravity!r}: give a positive number of m/s2, such as 9.81")
+    if not isinstance(units, str) or not is_known(units):
+        raise MotionError(f"units {units!r} are unknown: choose one of {', '.join(NAMES)}")
+    plain = _plain(units)
+    return float(gravity) if plain == "g" else _FACTORS[plain]

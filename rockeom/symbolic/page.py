@@ -1,0 +1,211 @@
+"""Pages of text, tables and displayed equations, in LaTeX and in Markdown.
+
+Text holds mathematics between dollar signs and code between backquotes.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+LINE = 66.0
+"""Width of a line of mathematics on the page, in letters."""
+
+
+@dataclass(frozen=True)
+class Heading:
+    level: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Table:
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Display:
+    """Displayed equations, one a line."""
+
+    lines: tuple[str, ...]
+
+
+Block = Heading | Table | Display | str
+
+
+# --- width
+
+
+def _group(tex: str, start: int) -> int:
+    """Index behind the braces that open at `start`."""
+    depth = 0
+    for i in range(start, len(tex)):
+        depth += (tex[i] == "{") - (tex[i] == "}")
+        if depth == 0:
+            return i + 1
+    raise ValueError(f"unbalanced braces in {tex!r}")
+
+
+def width(tex: str) -> float:
+    """Estimated width of mathematics, in letters."""
+    while r"\frac" in tex:
+        start = tex.index(r"\frac")
+        middle = _group(tex, start + 5)
+        end = _group(tex, middle)
+        wider = max(tex[start + 6 : middle - 1], tex[middle + 1 : end - 1], key=width)
+        tex = f"{tex[:start]}x{wider}{tex[end:]}"
+    tex = re.sub(r"[_^](\{[^{}]*\}|\w)", "i", tex)
+    tex = re.sub(r"\\(d?dot|left|right|bigl|bigr|thinspace|tfrac|mathrm)(?![a-z])", "", tex)
+    tex = re.sub(r"\\(sin|cos|tan|min|arctan)", r"\1i", tex)
+    tex = re.sub(r"\\[a-z]+", "x", tex)
+    signs = len(re.findall(r" [-+=] ", tex))
+    return len(re.sub(r"[{}\s]", "", tex)) + 1.5 * signs - 0.4 * tex.count("i")
+
+
+_MARKS = re.compile(r"\\left|\\right|[\[({\])}]| [-+=] ")
+
+
+def _cuts(tex: str) -> Iterator[tuple[int, int]]:
+    """(depth of brackets, index) of each sign before which a line may be broken."""
+    depth = closed = 0
+    for mark in _MARKS.finditer(tex):
+        if mark[0] in ("{", r"\left"):
+            closed += 1
+        elif mark[0] in ("}", r"\right"):
+            closed -= 1
+        elif mark[0] in "[(":
+            depth += 1
+        elif mark[0] in ")]":
+            depth -= 1
+        elif not closed:
+            yield (-1 if "=" in mark[0] else depth), mark.start()
+
+
+def broken(tex: str, limit: float) -> list[str]:
+    """`tex` in lines of at most that width, broken before signs, outside brackets if possible."""
+    lines = []
+    while width(tex) > limit:
+        cuts = [(d, -i) for d, i in _cuts(tex) if 0.4 * limit < width(tex[:i]) <= limit]
+        if not cuts:
+            break
+        cut = -min(cuts)[1]
+        lines.append(tex[:cut])
+        tex = tex[cut + 1 :]
+    return [*lines, tex]
+
+
+# --- the two kinds of page
+
+
+def _layout(lines: tuple[str, ...]) -> list[list[str]]:
+    """Each equation in rows: aligned at = if all then fit the page, else broken before signs."""
+    if all(" = " in line for line in lines):
+        pairs = [line.split(" = ", 1) for line in lines]
+        if max(width(a) for a, _ in pairs) + max(width(b) for _, b in pairs) + 3 < LINE:
+            return [[f"{a} &= {b}"] for a, b in pairs]
+    found: list[list[str]] = []
+    for line in lines:
+        sides = line.split(" = ", 1)
+        if width(line) > LINE and width(sides[0]) > 0.4 * LINE:
+            first, *more = [*broken(sides[0], LINE), *broken(f"= {sides[1]}", LINE)]
+        else:
+            first, *more = broken(line, LINE)
+        # a sign that opens a line is no binary operator
+        found.append([f"& {re.sub('^-', '{-}', first)}", *(rf"& \quad {part}" for part in more)])
+    return found
+
+
+def to_markdown(blocks: list[Block]) -> str:
+    parts = []
+    for block in blocks:
+        match block:
+            case Heading(level, text):
+                parts.append(f"{'#' * level} {text}")
+            case Table(header, rows):
+                table = [" | ".join(cells) for cells in (header, ("---",) * len(header))]
+                table += [" | ".join(c.replace("|", r"\|") for c in cells) for cells in rows]
+                parts.append("\n".join(f"| {line} |" for line in table))
+            case Display(lines):
+                broken_lines = [line for equation in _layout(lines) for line in equation]
+                parts.append(f"$$\n{environment('aligned', broken_lines)}\n$$")
+            case str(text):
+                parts.append(text)
+    return "\n\n".join(parts) + "\n"
+
+
+def to_latex(blocks: list[Block]) -> str:
+    """A complete article."""
+    parts = []
+    for block in blocks:
+        match block:
+            case Heading(1, text):
+                parts.append(rf"\title{{{_latex_text(text)}}}\author{{}}\date{{}}\maketitle")
+            case Heading(level, text):
+                parts.append(rf"\{'sub' * (level - 2)}section*{{{_latex_text(text)}}}")
+            case Table(header, rows):
+                cells = [" & ".join(map(_latex_text, row)) + r" \\" for row in (header, *rows)]
+                cells[0] += r" \hline"
+                columns = f"@{{}}{'l' * (len(header) - 1)}p{{0.5\\textwidth}}@{{}}"
+                table = [rf"\begin{{tabular}}{{{columns}}} \hline", *cells, r"\hline\end{tabular}"]
+                parts.append("\n".join(table))
+            case Display(lines):
+                equations = [" \\notag\\\\\n".join(equation) for equation in _layout(lines)]
+                parts.append(environment("align", equations))
+            case str(text):
+                parts.append(_latex_text(text))
+    # an empty line before a display would open a paragraph of its own
+    body = "\n\n".join(parts).replace("\n\n\\begin{align}", "\n\\begin{align}")
+    return "\n".join([*_PREAMBLE, *_greek(body), r"\begin{document}", body, r"\end{document}", ""])
+
+
+_PREAMBLE = (
+    r"\documentclass[11pt,a4paper]{article}",
+    r"\usepackage[margin=25mm]{geometry}",
+    r"\usepackage{amsmath}",
+    r"\setlength{\parindent}{0pt}\setlength{\parskip}{6pt}\allowdisplaybreaks",
+)
+_ESCAPED = {c: rf"\{c}" for c in "{}#$%&_"} | {
+    "\\": r"\textbackslash{}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "²": r"\textsuperscript{2}",
+    "³": r"\textsuperscript{3}",
+}
+
+
+def _latex_text(text: str) -> str:
+    """Plain text escaped; $mathematics$ and `code` kept as such."""
+    parts = []
+    for part in re.split(r"(\$[^$]*\$|`[^`]*`)", text):
+        if part.startswith("$") and part.endswith("$") and len(part) > 1:
+            parts.append(part)
+        else:
+            escaped = "".join(_ESCAPED.get(c, c) for c in part.strip("`"))
+            parts.append(rf"\texttt{{{escaped}}}" if part.startswith("`") else escaped)
+    return "".join(parts)
+
+
+def _greek(text: str) -> list[str]:
+    """Declarations of the Greek letters in names and meanings, which LaTeX does not know."""
+    found = []
+    for name in _GREEK.split():
+        case = "SMALL" if name.islower() else "CAPITAL"
+        letter = name.upper().replace("LAMBDA", "LAMDA")
+        char = unicodedata.lookup(f"GREEK {case} LETTER {letter}")
+        if char in text:
+            code = f"{ord(char):04X}"
+            found.append(rf"\DeclareUnicodeCharacter{{{code}}}{{\ensuremath{{\{name}}}}}")
+    return found
+
+
+_GREEK = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma
+tau upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"""
+
+
+def environment(name: str, lines: list[str]) -> str:
+    return "\n".join([rf"\begin{{{name}}}", " \\\\\n".join(lines), rf"\end{{{name}}}"])

@@ -1,0 +1,366 @@
+"""What the engine derives for each equation of the thesis, by its number.
+
+DERIVED[number] names the structure and a function (model, side) -> value, in the engine's
+symbols: the value of the thesis's left side where that is a single symbol, the engine's left
+minus right side of an equation of motion otherwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+
+import sympy as sp
+
+from rockeom.symbolic import SHIPPED, RockingModel
+from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.contact import total_reaction
+from rockeom.symbolic.lagrange import body_velocity, kinetic_energy, rate
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.statics import LOAD, equilibrium, pushover
+from rockeom.symbolic.two_spring import bilinear_pushover
+
+from . import printed as T
+from .compare import ALPHA, BLOCK, PIER, SCALED, TO_ENGINE, R, differences, normal_form
+
+CONTACT = {1: "right", -1: "left"}
+THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_d"], PIER["theta_dd"]
+G, B = PIER["gravity"], PIER["half_width"]
+
+Value = sp.Expr | sp.MatrixBase
+
+
+@dataclass(frozen=True)
+class Derived:
+    """`value(model, side)` for the structure; `known(model, side)` gives further symbols."""
+
+    structure: str
+    value: Callable[[RockingModel, int], Value | list[Value]]
+    known: Callable[[RockingModel, int], dict] = lambda model, side: {}
+
+
+@cache
+def shipped(name: str) -> RockingModel:
+    return SHIPPED[name]()
+
+
+def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple[list[Value], dict]:
+    """The engine's values for the relations of an equation, and the known symbols."""
+    entry = DERIVED[number]
+    model = model or shipped(entry.structure)
+    value = entry.value(model, side)
+    relations = len(T.EQUATIONS[number].right)
+    return (value if isinstance(value, list) else [value] * relations), entry.known(model, side)
+
+
+def disagreement(
+    number: str, relations, side: int, model: RockingModel | None = None
+) -> list[sp.Expr]:
+    """Thesis minus engine for each component of each relation, reduced: all zero in agreement."""
+    values, known = evaluate(number, side, model)
+    return [
+        normal_form(difference)
+        for relation, value in zip(relations, values, strict=True)
+        for difference in differences(relation, value, side, known)
+    ]
+
+
+# --- motion
+
+
+def residual(model: RockingModel, side: int, row: int = 0) -> sp.Expr:
+    """Left minus right side of an equation of motion; the thesis has no vertical shaking."""
+    contact = CONTACT[side]
+    coordinates = model.phase(contact).coordinates
+    return model.equations(contact).residual(coordinates)[row].subs(GROUND_Y, 0)
+
+
+def acceleration(model: RockingModel, side: int) -> sp.Expr:
+    """Of a structure with one coordinate."""
+    equations = model.equations(CONTACT[side])
+    return (equations.forcing[0] / equations.mass_matrix[0, 0]).subs(GROUND_Y, 0)
+
+
+def in_polar(expr: sp.Expr) -> sp.Expr:
+    """The block by R and alpha."""
+    put = {BLOCK["half_width"]: R * sp.sin(ALPHA), BLOCK["height"]: R * sp.cos(ALPHA)}
+    return expr.subs(put, simultaneous=True)
+
+
+def harmonic(expr: sp.Expr, unit) -> sp.Expr:
+    """The ground acceleration of 2.5.1, in units in which gravity is `unit`."""
+    return expr.subs(GROUND_X, ALPHA * T.beta * unit * sp.cos(T.omega * T.t))
+
+
+def nondimensional(model: RockingModel, side: int) -> sp.Expr:
+    return harmonic(residual(model, side), 1) / (SCALED["radius_ratio"] * ALPHA)
+
+
+def scaled(expr: sp.Expr, inertia: sp.Expr, radius: sp.Expr) -> sp.Expr:
+    """A block's moments by 2-10 to 2-12, in units of m g R."""
+    unit = BLOCK["mass"] * G * radius
+    put = {THETA: ALPHA * SCALED["x"], THETA_DD: ALPHA * SCALED["x_dd"] * unit / inertia}
+    return harmonic(expr.subs(put, simultaneous=True), G) / unit
+
+
+def slender_scaled(model: RockingModel, side: int) -> sp.Expr:
+    inertia = model.equations(CONTACT[side]).mass_matrix[0, 0]
+    return scaled(residual(model, side), inertia, R) / ALPHA
+
+
+# --- forces of the block
+
+
+def centroid_acceleration(model: RockingModel, side: int, axis: int) -> sp.Expr:
+    phase = model.phase(CONTACT[side])
+    relative = rate(rate(phase.bodies[0].position[axis], phase.coordinates), phase.coordinates)
+    return in_polar(relative.subs(SIDE, side)) + (GROUND_X, sp.Integer(0))[axis]
+
+
+def force(model: RockingModel, side: int, axis: int) -> sp.Expr:
+    total = total_reaction(model.phase(CONTACT[side]))[axis]
+    return in_polar(total.subs({SIDE: side, GROUND_Y: 0}))
+
+
+def rectangular(expr: sp.Expr) -> sp.Expr:
+    return expr.subs(BLOCK["inertia"], BLOCK["mass"] * R**2 / 3)
+
+
+def slender_start(side: int) -> sp.Expr:
+    """Angular acceleration of the slender rectangular block at theta = 0, as the thesis takes it."""
+    at_impact = {THETA: 0, GROUND_X: 0}
+    return rectangular(acceleration(shipped("slender_block"), side).subs(at_impact))
+
+
+def force_at_impact(model: RockingModel, side: int, axis: int) -> sp.Expr:
+    exact = force(model, side, axis).subs({THETA: 0, GROUND_X: 0})
+    return exact.subs(THETA_DD, slender_start(side))
+
+
+def resting_force(model: RockingModel, side: int, axis: int) -> sp.Expr:
+    return force_at_impact(model, side, axis).subs(THETA_D, 0)
+
+
+# --- impact
+
+
+def impulse(model: RockingModel, side: int):
+    return model.impulse_map(CONTACT[side], CONTACT[-side]).at_side(side)
+
+
+def momentum_before(model: RockingModel, side: int) -> sp.Expr:
+    return impulse(model, side).momentum[0]
+
+
+def momentum_after(model: RockingModel, side: int) -> sp.Expr:
+    return impulse(model, side).mass_matrix[0, 0] * THETA_D
+
+
+def energy_ratio(model: RockingModel, side: int) -> sp.Expr:
+    return model.velocity_ratio**2
+
+
+def block_energy_ratio(model: RockingModel, side: int) -> sp.Expr:
+    return in_polar(energy_ratio(model, side))
+
+
+# --- statics of the two springs
+
+
+def settled(model: RockingModel) -> sp.Expr:
+    """Compression of a spring in equilibrium without a load."""
+    phase = model.phase("both")
+    upright = {c.position: 0 for c in phase.coordinates if c is model.rotation}
+    turning, heaving = (row.subs({**upright, LOAD: 0}) for row in equilibrium(phase))
+    (heave,) = (c.position for c in phase.coordinates if c is not model.rotation)
+    (at,) = sp.solve(heaving, heave)
+    assert turning.subs(heave, at) == 0
+    return -phase.feet["right"].position[1].subs({**upright, heave: at})
+
+
+def foot_force(model: RockingModel, foot: str) -> sp.Expr:
+    """Static force of a spring at a rotation with both pressed, the vertical motion condensed."""
+    phase = model.phase("both")
+    (heave,) = (c for c in phase.coordinates if c is not model.rotation)
+    row = [c.name for c in phase.coordinates].index(heave.name)
+    (at,) = sp.solve(equilibrium(phase)[row], heave.position)
+    still = {c.velocity: 0 for c in phase.coordinates}
+    return phase.feet[foot].force.subs({**still, heave.position: at})
+
+
+def lift_off_sine(model: RockingModel) -> sp.Expr:
+    """sin(theta) at which the left spring's force has fallen to zero."""
+    sine = sp.Dummy("sine")
+    (at,) = sp.solve(foot_force(model, "left").subs(sp.sin(THETA), sine), sine)
+    return at
+
+
+def first_stiffness(model: RockingModel) -> sp.Expr:
+    """dP/dtheta of the exact pushover at the upright position."""
+    return sp.diff(pushover(model, "both"), THETA).subs(THETA, 0)
+
+
+def weight(model: RockingModel, side: int) -> sp.Expr:
+    return sp.expand(model.phase("flight").equations.gravity[1])
+
+
+def linear_lift_off_force(model: RockingModel, side: int) -> sp.Expr:
+    return first_stiffness(model) * lift_off_sine(model)
+
+
+def displacement(model: RockingModel, side: int) -> sp.Expr:
+    return model.phase("both").load_point[0]
+
+
+def centroid(model: RockingModel, side: int) -> list[sp.Expr]:
+    """Height, angle at the pivot and distance from it of the centroid of all bodies."""
+    bodies = model.phase("right").bodies
+    total = sum(b.mass for b in bodies)
+    upright = {SIDE: 1, THETA: 0}
+    x, y = (sum(b.mass * b.position[i] for b in bodies) / total for i in (0, 1))
+    x, y = (sp.cancel(sp.expand(e).subs(upright)) for e in (x, y))
+    return [y, sp.atan((B - x) / y), sp.sqrt((B - x) ** 2 + y**2)]
+
+
+def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
+    cart = shipped("two_spring_cart")
+    # the sine and the cosine of an arctangent: its root is R_c / H_c
+    top = bilinear_pushover().overturning.replace(
+        lambda e: e.is_Pow and abs(e.exp) == sp.Rational(1, 2),
+        lambda e: (T.R_c / TO_ENGINE[T.H_c]) ** (2 * e.exp),
+    )
+    return [top, cart.equations("right").stiffness[0]]
+
+
+def cart_forces(model: RockingModel, side: int) -> dict:
+    mass = sum(b.mass for b in model.phase(CONTACT[side]).bodies)
+    return {
+        T.k_u: model.equations(CONTACT[side]).stiffness[0],
+        T.P_t: -mass * GROUND_X,
+    }
+
+
+# --- Model C
+
+
+def from_pivot(model: RockingModel, side: int, body: int) -> sp.Matrix:
+    x, y = model.phase(CONTACT[side]).bodies[body].position
+    return sp.Matrix([x - SIDE * B, y]).subs(SIDE, side)
+
+
+def velocity(model: RockingModel, side: int, body: int) -> sp.Matrix:
+    phase = model.phase(CONTACT[side])
+    x, y, _ = body_velocity(phase.bodies[body], phase.coordinates)
+    return sp.Matrix([x, y]).subs(SIDE, side)
+
+
+def kinetic(model: RockingModel, side: int, body: int) -> sp.Expr:
+    phase = model.phase(CONTACT[side])
+    return kinetic_energy(replace(phase, bodies=(phase.bodies[body],))).subs(SIDE, side)
+
+
+def potential(model: RockingModel, side: int) -> sp.Expr:
+    equations = model.equations(CONTACT[side])
+    return equations.gravitational_energy + equations.elastic_energy
+
+
+def lagrangian(model: RockingModel, side: int) -> sp.Expr:
+    return model.equations(CONTACT[side]).kinetic_energy - potential(model, side)
+
+
+def energies(model: RockingModel, side: int) -> dict:
+    return {
+        T.T: kinetic(model, side, 0) + kinetic(model, side, 1),
+        T.T_e: kinetic(model, side, 0),
+        T.T_b: kinetic(model, side, 1),
+        T.V: potential(model, side),
+    }
+
+
+def excitation(model: RockingModel, side: int) -> sp.Matrix:
+    return model.equations(CONTACT[side]).excitation.subs(GROUND_Y, 0)
+
+
+def moved(model: RockingModel, side: int) -> sp.Matrix:
+    """Displacement of the superstructure from its upright position."""
+    now = from_pivot(model, side, 0)
+    return now - now.subs({THETA: 0, PIER["u"]: 0})
+
+
+def _of(structure: str, value, *arguments) -> Derived:
+    return Derived(structure, lambda model, side: value(model, side, *arguments))
+
+
+BLOCK_MODEL, MODEL_A, MODEL_C = "rigid_block", "lumped_mass_structure", "flexible_structure"
+SPRINGS = "two_spring_structure"
+
+DERIVED: dict[str, Derived] = {
+    "2-2": Derived(BLOCK_MODEL, lambda m, s: in_polar(residual(m, s)).subs(GROUND_X, 0)),
+    "2-3": Derived("slender_block", lambda m, s: residual(m, s).subs(GROUND_X, 0)),
+    "2-6": _of(BLOCK_MODEL, block_energy_ratio),
+    "2-9": Derived(BLOCK_MODEL, lambda m, s: in_polar(residual(m, s))),
+    "2-13": _of("nondimensional_block", nondimensional),
+    "2-14": _of("slender_block", slender_scaled),
+    "3-6": _of(BLOCK_MODEL, centroid_acceleration, 0),
+    "3-7": _of(BLOCK_MODEL, centroid_acceleration, 1),
+    "3-8": _of(BLOCK_MODEL, force, 0),
+    "3-9": _of(BLOCK_MODEL, force, 1),
+    "3-10": Derived("slender_block", lambda m, s: slender_start(s)),
+    "3-11": _of(BLOCK_MODEL, force_at_impact, 0),
+    "3-12": _of(BLOCK_MODEL, force_at_impact, 1),
+    "3-14": _of(BLOCK_MODEL, resting_force, 0),
+    "3-15": _of(BLOCK_MODEL, resting_force, 1),
+    "5-8": Derived(MODEL_A, lambda m, s: m.equations(CONTACT[s]).mass_matrix[0, 0]),
+    "5-9": _of(MODEL_A, acceleration),
+    "5-10": _of(MODEL_A, acceleration),
+    "5-11": _of(MODEL_A, acceleration),
+    "5-12": _of(MODEL_A, momentum_before),
+    "5-13": _of(MODEL_A, momentum_after),
+    "5-14": _of(MODEL_A, energy_ratio),
+    "5-15": Derived("two_spring_cart", residual, cart_forces),
+    "5-16": Derived(SPRINGS, lambda m, s: settled(m)),
+    "5-17": _of(SPRINGS, weight),
+    "5-18": _of(SPRINGS, displacement),
+    "5-22": Derived(SPRINGS, lambda m, s: lift_off_sine(m)),
+    "5-23": Derived(SPRINGS, lambda m, s: displacement(m, s).subs(sp.sin(THETA), lift_off_sine(m))),
+    "5-24": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
+    "5-25": Derived(SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]),
+    "5-26": _of(SPRINGS, linear_lift_off_force),
+    "5-27": Derived(SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]),
+    "5-28": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
+    "5-29": _of(SPRINGS, linear_lift_off_force),
+    "5-30": _of(MODEL_A, centroid),
+    "5-31": Derived(MODEL_A, lambda m, s: pushover(m, CONTACT[s])),
+    "5-32": Derived(
+        MODEL_A,
+        lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS))),
+    ),
+    "5-33": _of(MODEL_A, falling_branch),
+    "5-34": _of(MODEL_C, residual, 0),
+    "5-35": _of(MODEL_C, residual, 1),
+    "5-37": _of(MODEL_C, moved),
+    "D-1": _of(MODEL_C, from_pivot, 0),
+    "D-2": _of(MODEL_C, from_pivot, 1),
+    "D-3": _of(MODEL_C, velocity, 0),
+    "D-4": _of(MODEL_C, velocity, 1),
+    "D-6": Derived(MODEL_C, lagrangian, energies),
+    "D-7": Derived(MODEL_C, lambda m, s: m.equations(CONTACT[s]).kinetic_energy, energies),
+    "D-8": _of(MODEL_C, kinetic, 0),
+    "D-11": _of(MODEL_C, kinetic, 0),
+    "D-12": _of(MODEL_C, kinetic, 1),
+    "D-13": _of(MODEL_C, potential),
+    "D-14": _of(MODEL_C, lagrangian),
+    "D-15": Derived(MODEL_C, lambda m, s: m.phase(CONTACT[s]).dissipation),
+    "D-16": Derived(MODEL_C, lambda m, s: list(excitation(m, s))),
+    "D-17": Derived(MODEL_C, lambda m, s: excitation(m, s)[0]),
+    "D-18": Derived(MODEL_C, lambda m, s: excitation(m, s)[1]),
+    "D-19": _of(MODEL_C, residual, 0),
+    "D-20": _of(MODEL_C, residual, 1),
+    "D-21": _of(MODEL_C, from_pivot, 0),
+    "D-22": _of(MODEL_C, from_pivot, 1),
+    "D-23": _of(MODEL_C, residual, 0),
+    "D-24": _of(MODEL_C, residual, 1),
+    "D-25": _of(MODEL_C, residual, 0),
+    "D-26": _of(MODEL_C, residual, 1),
+}
