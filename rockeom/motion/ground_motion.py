@@ -34,7 +34,7 @@ QUIET_PERIODS = 10
 is often the answer sought."""
 
 _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
-_ABSURD_PEAK = 10 * STANDARD_GRAVITY  # three times the strongest acceleration ever recorded
+_ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -358,7 +358,7 @@ class GroundMotion:
         return found.reshape(time.shape)[()]
 
     def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
-        """Times 0, dt, 2 dt ... (m,) [s] up to the duration, and accelerations there (m,) [m/s2]."""
+        """Times 0, dt, 2 dt ... up to the duration (m,) [s], and accelerations (m,) [m/s2]."""
         steps = math.floor(self.duration / _positive("dt", dt) * (1.0 + 1e-12))
         t = np.minimum(dt * np.arange(steps + 1), self.duration)
         return t, self.acceleration(t)
@@ -366,9 +366,10 @@ class GroundMotion:
     # -- made from another
 
     def scaled(self, acceleration: float = 1.0, time: float = 1.0) -> GroundMotion:
-        """The motion with accelerations and the time axis multiplied, as in Table 4-1 of the thesis.
+        """The motion with accelerations and the time axis multiplied by these factors.
 
-        "Tabas-A1-T0.38" has the accelerations of Tabas, in 0.38 times its time.
+        It is named as in Table 4-1 of the thesis: "Tabas-A1-T0.38" has the accelerations of Tabas
+        in 0.38 times its time.
         """
         a, s = _finite("acceleration", acceleration), _positive("time", time)
         return GroundMotion(
@@ -465,7 +466,7 @@ def _from_record(record: Record) -> GroundMotion:
     if largest > _ABSURD_PEAK:
         warnings.warn(
             f"{record.source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
-            "is above any recorded one: check the units",
+            "is above all that was ever recorded: check the units",
             stacklevel=3,
         )
     t = dt * np.arange(len(a))

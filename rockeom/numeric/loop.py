@@ -22,18 +22,26 @@ NEVER = 2.0  # a place behind the end of any step
 
 
 @_compiled
-def ground(seg, column, t):
-    """Ground acceleration at t by the law written from `column` on in a segment's row."""
-    kind = seg[column]
-    tau = t - seg[column + 1]
+def ground(row, t):
+    """Ground acceleration at t by the law in a row of a motion's table."""
+    kind = row[2]
+    tau = t - row[0]
     if kind == 0.0:  # linear
-        return seg[column + 2] + seg[column + 3] * tau
+        return row[3] + row[4] * tau
     if kind == 1.0:  # sine
-        return seg[column + 2] * math.sin(seg[column + 3] * tau + seg[column + 4])
-    x = seg[column + 3] * (tau - seg[column + 4])
+        return row[3] * math.sin(row[4] * tau + row[5])
+    x = row[4] * (tau - row[5])
     if kind == 2.0:  # symmetric Ricker
-        return seg[column + 2] * (1.0 - 2.0 * x * x) * math.exp(-x * x)
-    return seg[column + 2] * x * (x * x - 3.0) * math.exp(-0.5 * x * x)
+        return row[3] * (1.0 - 2.0 * x * x) * math.exp(-x * x)
+    return row[3] * x * (x * x - 3.0) * math.exp(-0.5 * x * x)
+
+
+@_compiled
+def row_at(table, n, t, quiet):
+    """(n, row) of a motion's table that holds at t and after it, from row n on; quiet behind it."""
+    while n < table.shape[0] and t >= table[n, 1]:
+        n += 1
+    return n, (table[n] if n < table.shape[0] else quiet)
 
 
 # -- first fall of a guard through zero ----------------------------------------------------------
@@ -173,7 +181,7 @@ def stays_open(contact, h, y, y_new, k, touching):
 
 
 @_compiled
-def guard_polynomials(contact, t, h, p, seg, coefficients, w, g, b):
+def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
     """Bernstein coefficients of all guards over the step of the dense output, into b (m, 8)."""
     n_guards = GUARDS[contact]
     for n in range(n_guards):
@@ -194,7 +202,7 @@ def guard_polynomials(contact, t, h, p, seg, coefficients, w, g, b):
     for m in range(8):
         dense_at(coefficients, NODES[m], w)
         tau = t + NODES[m] * h
-        guards(contact, w, p, ground(seg, 2, tau), ground(seg, 8, tau), g)
+        guards(contact, w, p, ground(gx, tau), ground(gy, tau), g)
         for n in range(n_guards):
             if KINDS[contact][n] != IMPACT:
                 for i in range(8):
@@ -202,7 +210,7 @@ def guard_polynomials(contact, t, h, p, seg, coefficients, w, g, b):
 
 
 @_compiled
-def rounding(contact, index, h, y, p, seg, t, b):
+def rounding(contact, index, h, y, p, gx, gy, t, b):
     """Size of the rounding errors of a guard that opens from closed.
 
     A gap that opens without speed grows with the third power of time out of accelerations that
@@ -211,7 +219,7 @@ def rounding(contact, index, h, y, p, seg, t, b):
     scale = size(b)
     if KINDS[contact][index] != IMPACT:
         return 1e-8 * scale
-    ax, ay = ground(seg, 2, t), ground(seg, 8, t)
+    ax, ay = ground(gx, t), ground(gy, t)
     acceleration = 0.0
     for other in range(len(SIDES)):
         if SIDES[other] != 0.0:
@@ -271,16 +279,16 @@ def first_step(y, rate, rtol, atol):
 
 
 @_compiled
-def settle(contact, t, y, p, seg, touching, g):
+def settle(contact, t, y, p, gx, gy, touching, g):
     """Index of a guard that is already below zero, the lowest if there are several; else -1.
 
-    Ground acceleration may jump where a segment begins, and a new contact state may be one that
+    Ground acceleration may jump where a law of the ground begins, and a new contact state may be one that
     cannot last. Impacts are not asked, they happen only in motion; nor is the guard through
     which the state has just come.
     """
     if GUARDS[contact] == 0 or (GUARDS[contact] == 1 and KINDS[contact][0] == 0):
         return -1
-    guards(contact, y, p, ground(seg, 2, t), ground(seg, 8, t), g)
+    guards(contact, y, p, ground(gx, t), ground(gy, t), g)
     due = -1
     for i in range(GUARDS[contact]):
         if i != touching and KINDS[contact][i] != 0 and g[i] < 0.0 and (due < 0 or g[i] < g[due]):
@@ -315,7 +323,8 @@ def integrate(
     clock,
     y,
     t_end,
-    segments,
+    horizontal,
+    vertical,
     p,
     law,
     ratio,
@@ -335,16 +344,16 @@ def integrate(
 ):
     """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
 
-    status : contact, segment, guard closed at t (or -1), impacts, steps taken, steps recorded,
-        events recorded. clock : t, next step (0: unknown). y (N,): the state. All three are
+    status : contact, guard closed at t (or -1), impacts, steps taken, steps recorded, events
+        recorded. clock : t, next step (0: unknown). y (N,): the state. All three are
         changed in place, so that a call goes on where the last one ended.
-    segments (m, 14) : start, end, and the law of the horizontal (columns 2 to 7) and of the
-        vertical acceleration (8 to 13); they cover [0, t_end] and no step straddles an end.
+    horizontal, vertical (m, 7) : the ground's motion, each row start, end, kind and constants of
+        a law; no step straddles an end, and behind the last one the ground stands still.
     steps (n, 2) start and length, step_contact (n,), step_states (n, 8, N) the dense output of
     each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
     and after, event_states (m, 2, N) state before and after.
     """
-    contact, s, touching, impacts, taken, n_steps, n_events = status
+    contact, touching, impacts, taken, n_steps, n_events = status
     t, h_next = clock
     k = np.zeros((N_ALL_STAGES, N_STATES))
     w = np.empty(N_STATES)
@@ -356,7 +365,10 @@ def integrate(
     w8 = np.empty(8)
     g = np.zeros(N_GUARDS)
 
-    seg = segments[s]
+    quiet = np.zeros(7)
+    quiet[1] = np.inf
+    nx, gx = row_at(horizontal, 0, t, quiet)
+    ny, gy = row_at(vertical, 0, t, quiet)
     keep = steps.shape[0] > 0
     outcome = COMPLETED
     fresh = True  # the rate at t, and whether a guard is due there, are not known
@@ -366,24 +378,23 @@ def integrate(
         if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
             outcome = FULL
             break
-        if t >= seg[1] and s + 1 < segments.shape[0]:
-            s += 1
-            seg = segments[s]
+        if t >= gx[1] or t >= gy[1]:
+            nx, gx = row_at(horizontal, nx, t, quiet)
+            ny, gy = row_at(vertical, ny, t, quiet)
             fresh = True
-            continue
+        last = min(gx[1], gy[1], t_end)
 
         landed = -1  # the guard that ends this contact state now
         if fresh:
-            landed = settle(contact, t, y, p, seg, touching, g)
+            landed = settle(contact, t, y, p, gx, gy, touching, g)
             if landed < 0:
-                rates(contact, y, p, ground(seg, 2, t), ground(seg, 8, t), k[0])
+                rates(contact, y, p, ground(gx, t), ground(gy, t), k[0])
                 fresh = False
                 if h_next == 0.0:
                     h_next = first_step(y, k[0], rtol, atol)
 
         if landed < 0:
-            # -- step, cut at the end of the segment, and once more to the first event in it
-            last = min(seg[1], t_end)
+            # -- step, cut where a law of the ground ends, and once more to the first event in it
             h = min(h_next, h_max)
             cut = t + 1.1 * h >= last
             if cut:
@@ -393,7 +404,7 @@ def integrate(
             corrections = 0
             while True:
                 taken += 1
-                error = take_step(contact, t, h, y, p, seg, rtol, atol, k, w, y_new)
+                error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, w, y_new)
                 if target < 0 and not error <= 1.0:
                     # refused: too inaccurate, or not finite
                     cut = False
@@ -407,7 +418,7 @@ def integrate(
                 if target >= 0:
                     # this step ends at the event: correct what is left of the guard there
                     tau = t + h
-                    guards(contact, y_new, p, ground(seg, 2, tau), ground(seg, 8, tau), g)
+                    guards(contact, y_new, p, ground(gx, tau), ground(gy, tau), g)
                     move = -g[target] / slope if slope < 0.0 else 0.0
                     if corrections < 3 and 2.0 * EPS * tau < abs(move) < 0.01 * h:
                         corrections += 1
@@ -417,15 +428,15 @@ def integrate(
                 else:
                     growth = h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT)
                     h_next = max(h_next, growth) if cut else growth
-                quiet = landed < 0 and stays_open(contact, h, y, y_new, k, touching)
-                if keep or not quiet or abs(y_new[ROTATION]) >= fallen:
-                    dense_output(contact, t, h, y, p, seg, k, w, coefficients)
-                if landed >= 0 or quiet:
+                open_ = landed < 0 and stays_open(contact, h, y, y_new, k, touching)
+                if keep or not open_ or abs(y_new[ROTATION]) >= fallen:
+                    dense_output(contact, t, h, y, p, gx, gy, k, w, coefficients)
+                if landed >= 0 or open_:
                     break
                 place = NEVER
-                guard_polynomials(contact, t, h, p, seg, coefficients, w, g, b)
+                guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(GUARDS[contact]):
-                    noise = rounding(contact, i, h, y, p, seg, t, b[i]) if touching == i else 0.0
+                    noise = rounding(contact, i, h, y, p, gx, gy, t, b[i]) if touching == i else 0.0
                     x = first_fall(b[i], touching == i, noise, stack)
                     if x < place:
                         place = x
@@ -501,9 +512,9 @@ def integrate(
             continue
 
         # -- the rest of infinitely many impacts at once
-        ax, ay = ground(seg, 2, t), ground(seg, 8, t)
+        ax, ay = ground(gx, t), ground(gy, t)
         rests, follows = time_to_rest(contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after)
-        if t + rests < min(seg[1], t_end) or rests < 16.0 * EPS * t:
+        if t + rests < last or rests < 16.0 * EPS * t:
             if keep and t + rests > t:
                 for i in range(N_STATES):
                     for j in range(8):
@@ -523,7 +534,7 @@ def integrate(
             touching = -1
             h_next = 0.0
 
-    status[:] = np.array([contact, s, touching, impacts, taken, n_steps, n_events])
+    status[:] = np.array([contact, touching, impacts, taken, n_steps, n_events])
     clock[:] = np.array([t, h_next])
     return outcome
 
@@ -555,13 +566,15 @@ def shorten(coefficients, x):
 
 
 @_entry
-def evaluate(contacts, t, states, segments, p, energy, force, motion):
+def evaluate(contacts, t, states, horizontal, vertical, p, energy, force, motion):
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
-    s = 0
+    quiet = np.zeros(7)
+    quiet[1] = np.inf
+    nx = ny = 0
     for n in range(t.shape[0]):
-        while s + 1 < segments.shape[0] and t[n] >= segments[s, 1]:
-            s += 1
-        ax, ay = ground(segments[s], 2, t[n]), ground(segments[s], 8, t[n])
+        nx, gx = row_at(horizontal, nx, t[n], quiet)
+        ny, gy = row_at(vertical, ny, t[n], quiet)
+        ax, ay = ground(gx, t[n]), ground(gy, t[n])
         energies(contacts[n], states[n], p, energy[n])
         reactions(contacts[n], states[n], p, ax, ay, force[n])
         kinematics(contacts[n], states[n], p, motion[n])

@@ -119,7 +119,7 @@ class Response:
     statistics: dict[str, Any]
     steps: Steps
     passages: tuple[np.ndarray, np.ndarray, np.ndarray]
-    segments: np.ndarray
+    tables: tuple[np.ndarray, np.ndarray]
     program: ModuleType
 
     @cached_property
@@ -200,7 +200,7 @@ class Response:
         n = len(self.t)
         tables = (p.ENERGIES, p.REACTIONS, p.KINEMATICS)
         values = [np.empty((n, len(names))) for names in tables]
-        p.evaluate(self.contact, self.t, self.y, self.segments, self.structure.vector, *values)
+        p.evaluate(self.contact, self.t, self.y, *self.tables, self.structure.vector, *values)
         found = {
             name: value[:, i]
             for names, value in zip(tables, values, strict=True)

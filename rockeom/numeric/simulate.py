@@ -57,9 +57,9 @@ def simulate(
         raise ValueError(f"duration is {end} s: it must be finite and positive")
     law, ratio = structure.law(impact)
     compiled = program(structure.module, options.method)
-    segments = segment_table(motion, vertical, end)
+    tables = _table(motion), _table(vertical)
     problem = _Problem(compiled, structure.vector, law, ratio, fallen, options)
-    record = problem.run(contact, y0, segments, end, options.max_impacts)
+    record = problem.run(contact, y0, tables, end, options.max_impacts)
     outcome, last, span, contacts, powers = record.outcome, record.contact, *record.steps
     n = len(y0)
     shaking_ends = max(m.shaking_ends for m in (motion, vertical) if m is not None)
@@ -80,7 +80,7 @@ def simulate(
         statistics={"steps": len(span), "events": len(record.events[0]), "method": options.method},
         steps=Steps(span, contacts, powers),
         passages=record.events,
-        segments=segments,
+        tables=tables,
         program=compiled,
     )
     if outcome is Outcome.COMPLETED and shaking_ends <= end and _is_at_rest(response, last):
@@ -114,30 +114,30 @@ class _Problem:
         self,
         contact: int,
         y0: np.ndarray,
-        segments: np.ndarray,
+        tables: tuple[np.ndarray, np.ndarray],
         t_end: float,
         max_impacts: int,
         keep: bool = True,
     ) -> _Record:
         """Run to t_end or to an outcome, emptying the loop's records whenever they are full."""
         o, n = self.options, len(y0)
-        status = np.array([contact, 0, -1, 0, 0, 0, 0])
+        status = np.array([contact, -1, 0, 0, 0, 0])
         clock = np.zeros(2)
         y = y0.copy()
-        size, events = (max(256, len(segments) + 256) if keep else 0), 256
+        size, events = (256 + sum(len(table) for table in tables) if keep else 0), 256
         full = len(_OUTCOMES)
         code = full
         chunks: list[tuple[np.ndarray, ...]] = []
         while code == full:
             steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
             marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
-            status[5:] = 0
+            status[4:] = 0
             code = self.compiled.integrate(
-                status, clock, y, t_end, segments, self.vector, self.law, self.ratio,
+                status, clock, y, t_end, *tables, self.vector, self.law, self.ratio,
                 o.rtol, np.full(n, o.atol), o.max_step, self.fallen, o.rest_tolerance,
                 max_impacts, o.max_steps, *steps, *marks,
             )  # fmt: skip
-            chunks.append((*(a[: status[5]] for a in steps), *(a[: status[6]] for a in marks)))
+            chunks.append((*(a[: status[4]] for a in steps), *(a[: status[5]] for a in marks)))
         span, contacts, powers, times, kinds, states = (
             np.concatenate(parts) if len(parts) > 1 else parts[0]
             for parts in zip(*chunks, strict=True)
@@ -151,16 +151,15 @@ class _Problem:
         It is followed, unrecorded, until the next impact; on springs while it leans further.
         """
         p, contact, y = self.compiled, record.contact, record.y
+        quiet = _table(None), _table(None)
         if p.CONTACTS[contact] == "both":
             return False
         if p.SIDES[contact] != 0 and 0 in p.KINDS[contact]:
-            quiet = segment_table(None, None, 1e3 * max(end, 1.0))
-            last = self.run(contact, y, quiet, quiet[-1, 1], 0, keep=False)
+            last = self.run(contact, y, quiet, 1e3 * max(end, 1.0), 0, keep=False)
             return last.outcome is Outcome.OVERTURNED
-        quiet = segment_table(None, None, 0.1 * end)
         for _ in range(100):
             lean = abs(y[p.ROTATION])
-            last = self.run(contact, y, quiet, quiet[-1, 1], self.options.max_impacts, keep=False)
+            last = self.run(contact, y, quiet, 0.1 * end, self.options.max_impacts, keep=False)
             contact, y = last.contact, last.y
             if last.outcome is not Outcome.COMPLETED or abs(y[p.ROTATION]) <= lean:
                 return last.outcome is Outcome.OVERTURNED
@@ -178,24 +177,6 @@ def _is_at_rest(response: Response, contact: int) -> bool:
     return bool(kinetic[-1] <= 1e-6 * kinetic.max())
 
 
-def segment_table(
-    motion: GroundMotion | None, vertical: GroundMotion | None, end: float
-) -> np.ndarray:
-    """(m, 14): start, end, and both laws (kind, own start, four constants), covering [0, end]."""
-    tables = [None if m is None else np.asarray(m.segments) for m in (motion, vertical)]
-    edges = [np.array([0.0, end])]
-    edges += [np.append(table[:, 0], table[-1, 1]) for table in tables if table is not None]
-    cuts = np.unique(np.concatenate(edges))
-    cuts = cuts[cuts <= end]
-    rows = np.zeros((len(cuts) - 1, 14))
-    rows[:, 0], rows[:, 1] = cuts[:-1], cuts[1:]
-    for column, table in zip((2, 8), tables, strict=True):
-        rows[:, column + 1] = rows[:, 0]
-        if table is None:
-            continue
-        index = np.searchsorted(table[:, 0], rows[:, 0], side="right") - 1
-        inside = rows[:, 0] < table[-1, 1]
-        rows[inside, column] = table[index[inside], 2]
-        rows[inside, column + 1] = table[index[inside], 0]
-        rows[inside, column + 2 : column + 6] = table[index[inside], 3:7]
-    return rows
+def _table(motion: GroundMotion | None) -> np.ndarray:
+    """(m, 7) rows of a motion for the compiled loop; none for ground that stands still."""
+    return np.empty((0, 7)) if motion is None else np.array(motion.segments)

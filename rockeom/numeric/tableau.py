@@ -149,7 +149,7 @@ def _stage(i: int, row: np.ndarray, c: float) -> str:
             {_sum(row, " " * 12)}
         )
     tau = t + {c!r} * h
-    rates(contact, w, p, ground(seg, 2, tau), ground(seg, 8, tau), k[{i}])
+    rates(contact, w, p, ground(gx, tau), ground(gy, tau), k[{i}])
 """
 
 
@@ -196,7 +196,7 @@ NODES = np.array({NODES.tolist()!r})
 
 
 @_compiled
-def take_step(contact, t, h, y, p, seg, rtol, atol, k, w, y_new):
+def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, w, y_new):
     """One step from y at t; k[0] holds the rate there, k[N_STAGES] that at the new state.
 
     Returns the norm of the estimated error, 1 at the tolerance.
@@ -206,13 +206,13 @@ def take_step(contact, t, h, y, p, seg, rtol, atol, k, w, y_new):
             {_sum(method.b, " " * 12)}
         )
     tau = t + h
-    rates(contact, y_new, p, ground(seg, 2, tau), ground(seg, 8, tau), k[{s}])
+    rates(contact, y_new, p, ground(gx, tau), ground(gy, tau), k[{s}])
 {start}    for i in range(N_STATES):
         scale = atol[i] + rtol * max(abs(y[i]), abs(y_new[i]))
 {sums}{norm}
 
 @_compiled
-def dense_output(contact, t, h, y, p, seg, k, w, coefficients):
+def dense_output(contact, t, h, y, p, gx, gy, k, w, coefficients):
     """Coefficients (8, N) of the powers of x = (time - t)/h over the step just taken."""
 {extra}    for i in range(N_STATES):
         coefficients[0, i] = y[i]

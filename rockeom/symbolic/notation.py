@@ -14,6 +14,7 @@ from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Phase, RockingModel
+from rockeom.symbolic.page import LINE, width
 from rockeom.symbolic.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
@@ -34,7 +35,8 @@ class Notation(LatexPrinter):
         coordinates = model.coordinates if model else phase.coordinates
         unit = {p.symbol: p.unit for p in model.parameters} if model else {}
         self.coordinates = coordinates
-        self.moving = {c.position for c in coordinates}
+        self.positions = [c.position for c in coordinates]
+        self.moving = set(self.positions)
         heavy = [x for x in unit if unit[x] in ("kg", "kg m2")]
         for body in phase.bodies:
             heavy += _symbols([body.mass]) + ([body.inertia] if body.inertia.is_Symbol else [])
@@ -52,7 +54,7 @@ class Notation(LatexPrinter):
         radii = {body.polar[2] for body in phase.bodies if body.polar}
         groups = [
             (DOTTED, self.dotted),
-            (POSITION, [c.position for c in coordinates]),
+            (POSITION, self.positions),
             (MASS, self.masses),
             (FIELD, field),
             (INERTIA, heavy),
@@ -120,7 +122,11 @@ class Notation(LatexPrinter):
         few = len(sp.Add.make_args(bracket)) <= len(self.masses)
         if few and not bracket.free_symbols & self.moving:
             parts = {None: heavy}
-        return [t for part in (*parts.values(), light) if part for t in self._joined(part, lead)]
+        springs = [light]
+        if self._factored(light)[0].is_Number and not self._turns(light):
+            springs = [light.coeff(q) * q for q in self.positions]
+            springs = [*springs, sp.expand(light - sum(springs))]
+        return [t for part in (*parts.values(), *springs) if part for t in self._joined(part, lead)]
 
     def _joined(self, expr: sp.Expr, lead: sp.Expr) -> list[sp.Expr]:
         outer, bracket = self._factored(expr)
@@ -129,7 +135,7 @@ class Notation(LatexPrinter):
         return [sp.Mul(outer * lead, bracket, evaluate=False)]
 
     def _factored(self, expr: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """(common factor, bracket): the bracket's first term is positive, and has as few s."""
+        """(common factor, bracket with as few s and minus signs as it can)."""
         if any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow)):
             above, below = sp.fraction(sp.together(expr))
             expr = sp.expand(above) / below
@@ -146,10 +152,16 @@ class Notation(LatexPrinter):
         if 2 * with_side + compound > len(terms):
             bracket = square_is(sp.expand(SIDE * bracket), SIDE, sp.Integer(1))
             outer *= SIDE
-        leads = [_product(self.sorted_terms(b)[0])[0] for b in (bracket, -bracket)]
-        if leads[0] < 0 or (leads[1] > 0 and _product(outer)[0] < 0):
-            outer, bracket = -outer, -bracket
-        return outer, bracket
+        terms = self.sorted_terms(bracket)
+        negative = [_product(term)[0] < 0 for term in terms]
+        if self._turns(terms[0]):
+            flip = negative[0]
+        else:  # a plain sum may begin with any term: no minus before it if one is positive
+            flip = any(negative) if _product(outer)[0] < 0 else all(negative)
+        return (-outer, -bracket) if flip else (outer, bracket)
+
+    def _turns(self, expr: sp.Expr) -> bool:
+        return any(f.free_symbols & self.moving for f in expr.atoms(sp.Function))
 
     # --- LaTeX
 
@@ -172,7 +184,10 @@ class Notation(LatexPrinter):
             return self._positive_first(terms)
         sign = "-" if all(_product(t)[0] < 0 for t in terms) else ""
         terms = self.terms(-above) if sign else terms
-        return rf"{sign}\frac{{{self._positive_first(terms)}}}{{{self.write(below)}}}"
+        top, bottom = self._positive_first(terms), self.write(below)
+        if max(width(top), width(bottom)) > LINE - 8:  # a line that can be broken
+            return f"{sign}{_bracketed(top)} / {_bracketed(bottom)}"
+        return rf"{sign}\frac{{{top}}}{{{bottom}}}"
 
     @staticmethod
     def sum(terms: list[str]) -> str:

@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-LINE = 66.0
+LINE = 67.0
 """Width of a line of mathematics on the page, in letters."""
 
 
@@ -57,15 +57,16 @@ def width(tex: str) -> float:
         end = _group(tex, middle)
         wider = max(tex[start + 6 : middle - 1], tex[middle + 1 : end - 1], key=width)
         tex = f"{tex[:start]}x{wider}{tex[end:]}"
-    tex = re.sub(r"[_^](\{[^{}]*\}|\w)", "i", tex)
     tex = re.sub(r"\\(d?dot|left|right|bigl|bigr|thinspace|tfrac|mathrm)(?![a-z])", "", tex)
-    tex = re.sub(r"\\(sin|cos|tan|min|arctan)", r"\1i", tex)
-    tex = re.sub(r"\\[a-z]+", "x", tex)
-    signs = len(re.findall(r" [-+=] ", tex))
-    return len(re.sub(r"[{}\s]", "", tex)) + 1.5 * signs - 0.4 * tex.count("i")
+    tex = re.sub(r"\\(sin|cos|tan|min|arctan)", r"\1,", tex)
+    tex = re.sub(r"\\[a-z]+ ?", "x", tex)
+    tex = re.sub(r"\^\{?[-+]\}?", "x", tex)
+    small = sum(len(i.strip("{}")) for i in re.findall(r"[_^](\{[^{}]*\}|\w)", tex))
+    wide = len(re.findall(r"[A-Zm]", tex)) + 3 * len(re.findall(r" [-+=] ", tex))
+    return len(re.sub(r"[{}_^\s]", "", tex)) - 0.25 * small + 0.4 * wide
 
 
-_MARKS = re.compile(r"\\left|\\right|[\[({\])}]| [-+=] ")
+_MARKS = re.compile(r"\\left|\\right|[\[({\])}]| [-+=/] ")
 
 
 def _cuts(tex: str) -> Iterator[tuple[int, int]]:

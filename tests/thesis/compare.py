@@ -25,7 +25,7 @@ from rockeom.symbolic import (
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import LOAD
 
-from . import printed as T
+from . import printed as th
 
 
 def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
@@ -48,55 +48,55 @@ _centroid = sp.cancel(
     / (PIER["mass"] + PIER["base_mass"])
 )
 POLAR = (
-    (T.R_e, T.alpha_e, PIER["height"]),
-    (T.R_b, T.alpha_b, PIER["base_height"]),
-    (T.R_c, T.alpha_c, _centroid),
+    (th.R_e, th.alpha_e, PIER["height"]),
+    (th.R_b, th.alpha_b, PIER["base_height"]),
+    (th.R_c, th.alpha_c, _centroid),
 )
 """Radius and angle in the thesis, height in the engine."""
 
 TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
-    T.theta: PIER["theta"],
-    T.theta_d: PIER["theta_d"],
-    T.theta_d1: PIER["theta_d"],
-    T.theta_d2: PIER["theta_d"],
-    T.theta_d_impact: PIER["theta_d"],
-    T.theta_dd: PIER["theta_dd"],
-    T.u: PIER["u"],
-    T.u_d: PIER["u_d"],
-    T.u_dd: PIER["u_dd"],
-    T.a_g: GROUND_X,
-    T.a_gx: GROUND_X,
-    T.g: PIER["gravity"],
-    T.m: BLOCK["mass"],
-    T.R: R,
-    T.alpha: ALPHA,
-    T.x: SCALED["x"],
-    T.x_dd: SCALED["x_dd"],
-    T.I_o: BLOCK["inertia"] + BLOCK["mass"] * R**2,
-    T.m_e: PIER["mass"],
-    T.H_e: PIER["height"],
-    T.I_eg: PIER["inertia"],
-    T.m_b: PIER["base_mass"],
-    T.H_b: PIER["base_height"],
-    T.I_bg: PIER["base_inertia"],
-    T.B: PIER["half_width"],
-    T.I_O: PIER["inertia"]
+    th.theta: PIER["theta"],
+    th.theta_d: PIER["theta_d"],
+    th.theta_d1: PIER["theta_d"],
+    th.theta_d2: PIER["theta_d"],
+    th.theta_d_impact: PIER["theta_d"],
+    th.theta_dd: PIER["theta_dd"],
+    th.u: PIER["u"],
+    th.u_d: PIER["u_d"],
+    th.u_dd: PIER["u_dd"],
+    th.a_g: GROUND_X,
+    th.a_gx: GROUND_X,
+    th.g: PIER["gravity"],
+    th.m: BLOCK["mass"],
+    th.R: R,
+    th.alpha: ALPHA,
+    th.x: SCALED["x"],
+    th.x_dd: SCALED["x_dd"],
+    th.I_o: BLOCK["inertia"] + BLOCK["mass"] * R**2,
+    th.m_e: PIER["mass"],
+    th.H_e: PIER["height"],
+    th.I_eg: PIER["inertia"],
+    th.m_b: PIER["base_mass"],
+    th.H_b: PIER["base_height"],
+    th.I_bg: PIER["base_inertia"],
+    th.B: PIER["half_width"],
+    th.I_O: PIER["inertia"]
     + PIER["mass"] * (PIER["half_width"] ** 2 + PIER["height"] ** 2)
     + PIER["base_inertia"]
     + PIER["base_mass"] * (PIER["half_width"] ** 2 + PIER["base_height"] ** 2),
-    T.k: PIER["stiffness"],
-    T.c: PIER["damping"],
-    T.k_f: CART["foundation_stiffness"],
-    T.W: _weight,
-    T.H_c: _centroid,
-    T.P: LOAD,
-    T.u_crit: CART["lift_off"],
-    T.P_crit2: CART["lift_off_force"],
-    T.u_overturn: CART["top"],
+    th.k: PIER["stiffness"],
+    th.c: PIER["damping"],
+    th.k_f: CART["foundation_stiffness"],
+    th.W: _weight,
+    th.H_c: _centroid,
+    th.P: LOAD,
+    th.u_crit: CART["lift_off"],
+    th.P_crit2: CART["lift_off_force"],
+    th.u_overturn: CART["top"],
 }
 """What the engine calls a symbol of the thesis, or makes of it."""
 
-OWN = {T.beta, T.omega, T.t, T.R_e, T.R_b, T.R_c}
+OWN = {th.beta, th.omega, th.t, th.R_e, th.R_b, th.R_c}
 """Symbols of the thesis that the engine has no counterpart of; the radii go in `normal_form`."""
 
 
@@ -104,8 +104,8 @@ def at_side(expr, side: int):
     """sgn(theta), |theta|, the double sign and the cases of a brace for one sign of theta."""
     expr = expr.replace(sp.sign, lambda _: sp.Integer(side))
     expr = expr.replace(sp.Abs, lambda argument: side * argument)
-    cases = {T.theta > 0: side > 0, T.theta < 0: side < 0}
-    return expr.subs({k: sp.sympify(v) for k, v in cases.items()}).subs(T.PM, side)
+    cases = {th.theta > 0: side > 0, th.theta < 0: side < 0}
+    return expr.subs({k: sp.sympify(v) for k, v in cases.items()}).subs(th.PM, side)
 
 
 def spread(expr: sp.Expr) -> sp.Expr:
@@ -161,9 +161,7 @@ def differences(
     minus right side.
     """
     stated = relation.rhs if relation.lhs.is_Symbol else relation.lhs - relation.rhs
-    stated, derived = (
-        list(e) if isinstance(e, sp.MatrixBase) else [e] for e in (stated, derived)
-    )
+    stated, derived = (list(e) if isinstance(e, sp.MatrixBase) else [e] for e in (stated, derived))
     return [
         in_engine_notation(a, side, known) - sp.sympify(b)
         for a, b in zip(stated, derived, strict=True)

@@ -21,7 +21,7 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium, pushover
 from rockeom.symbolic.two_spring import bilinear_pushover
 
-from . import printed as T
+from . import printed as th
 from .compare import ALPHA, BLOCK, PIER, SCALED, TO_ENGINE, R, differences, normal_form
 
 CONTACT = {1: "right", -1: "left"}
@@ -50,7 +50,7 @@ def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple
     entry = DERIVED[number]
     model = model or shipped(entry.structure)
     value = entry.value(model, side)
-    relations = len(T.EQUATIONS[number].right)
+    relations = len(th.EQUATIONS[number].right)
     return (value if isinstance(value, list) else [value] * relations), entry.known(model, side)
 
 
@@ -90,11 +90,11 @@ def in_polar(expr: sp.Expr) -> sp.Expr:
 
 def harmonic(expr: sp.Expr, unit) -> sp.Expr:
     """The ground acceleration of 2.5.1, in units in which gravity is `unit`."""
-    return expr.subs(GROUND_X, ALPHA * T.beta * unit * sp.cos(T.omega * T.t))
+    return expr.subs(GROUND_X, ALPHA * th.beta * unit * sp.cos(th.omega * th.t))
 
 
 def nondimensional(model: RockingModel, side: int) -> sp.Expr:
-    return harmonic(residual(model, side), 1) / (SCALED["radius_ratio"] * ALPHA)
+    return sp.expand(harmonic(residual(model, side), 1) / (SCALED["radius_ratio"] * ALPHA))
 
 
 def scaled(expr: sp.Expr, inertia: sp.Expr, radius: sp.Expr) -> sp.Expr:
@@ -128,7 +128,7 @@ def rectangular(expr: sp.Expr) -> sp.Expr:
 
 
 def slender_start(side: int) -> sp.Expr:
-    """Angular acceleration of the slender rectangular block at theta = 0, as the thesis takes it."""
+    """Angular acceleration of the slender rectangular block at theta = 0, as in 3-10."""
     at_impact = {THETA: 0, GROUND_X: 0}
     return rectangular(acceleration(shipped("slender_block"), side).subs(at_impact))
 
@@ -228,7 +228,7 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
     # the sine and the cosine of an arctangent: its root is R_c / H_c
     top = bilinear_pushover().overturning.replace(
         lambda e: e.is_Pow and abs(e.exp) == sp.Rational(1, 2),
-        lambda e: (T.R_c / TO_ENGINE[T.H_c]) ** (2 * e.exp),
+        lambda e: (th.R_c / TO_ENGINE[th.H_c]) ** (2 * e.exp),
     )
     return [top, cart.equations("right").stiffness[0]]
 
@@ -236,8 +236,8 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
 def cart_forces(model: RockingModel, side: int) -> dict:
     mass = sum(b.mass for b in model.phase(CONTACT[side]).bodies)
     return {
-        T.k_u: model.equations(CONTACT[side]).stiffness[0],
-        T.P_t: -mass * GROUND_X,
+        th.k_u: model.equations(CONTACT[side]).stiffness[0],
+        th.P_t: -mass * GROUND_X,
     }
 
 
@@ -271,10 +271,10 @@ def lagrangian(model: RockingModel, side: int) -> sp.Expr:
 
 def energies(model: RockingModel, side: int) -> dict:
     return {
-        T.T: kinetic(model, side, 0) + kinetic(model, side, 1),
-        T.T_e: kinetic(model, side, 0),
-        T.T_b: kinetic(model, side, 1),
-        T.V: potential(model, side),
+        th.T: kinetic(model, side, 0) + kinetic(model, side, 1),
+        th.T_e: kinetic(model, side, 0),
+        th.T_b: kinetic(model, side, 1),
+        th.V: potential(model, side),
     }
 
 

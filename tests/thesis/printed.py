@@ -221,8 +221,7 @@ CHAPTER_3 = (
             FH_impact,
             m
             * (
-                s * R * theta_d_impact**2 * sin(alpha)
-                - s * Rational(3, 4) * g * alpha * cos(alpha)
+                s * R * theta_d_impact**2 * sin(alpha) - s * Rational(3, 4) * g * alpha * cos(alpha)
             ),
         ),
     ),
@@ -233,9 +232,7 @@ CHAPTER_3 = (
             FV_impact,
             m
             * (
-                g
-                - R * theta_d_impact**2 * cos(alpha)
-                - s * Rational(3, 4) * g * alpha * sin(alpha)
+                g - R * theta_d_impact**2 * cos(alpha) - s * Rational(3, 4) * g * alpha * sin(alpha)
             ),
         ),
         says(
@@ -445,10 +442,7 @@ MODEL_B = (
         "force just after lift-off",
         says(
             P_crit2,
-            W
-            * R_c
-            * sin(alpha_c - W / (2 * k_f * B))
-            / (R_e * cos(alpha_e - W / (2 * k_f * B))),
+            W * R_c * sin(alpha_c - W / (2 * k_f * B)) / (R_e * cos(alpha_e - W / (2 * k_f * B))),
         ),
         sides=POSITIVE,
     ),
@@ -514,14 +508,24 @@ LAGRANGIAN, DISSIPATION = Function(r"\mathcal{L}"), Function("F_{nc}")
 X_E = -R_e * sin(alpha_e - theta) + u * cos(theta)
 X_B = -R_b * sin(alpha_b - theta)
 
-D_8_BRACKETS = Rational(1, 2) * m_e * (
-    (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-    + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) + u_d * sin(theta)) ** 2
-) + Rational(1, 2) * I_eg * theta_d**2
-D_8_BRACKETS_CORRECTED = Rational(1, 2) * m_e * (
-    (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-    + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) - u_d * sin(theta)) ** 2
-) + Rational(1, 2) * I_eg * theta_d**2
+D_8_BRACKETS = (
+    Rational(1, 2)
+    * m_e
+    * (
+        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
+        + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) + u_d * sin(theta)) ** 2
+    )
+    + Rational(1, 2) * I_eg * theta_d**2
+)
+D_8_BRACKETS_CORRECTED = (
+    Rational(1, 2)
+    * m_e
+    * (
+        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
+        + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) - u_d * sin(theta)) ** 2
+    )
+    + Rational(1, 2) * I_eg * theta_d**2
+)
 # The last line of D-8, the square of each bracket by itself: slips that cancel between the two
 # are seen only there.
 D_8_SQUARES = (
@@ -700,7 +704,9 @@ APPENDIX_D = (
         "generalised forces of the d'Alembert loads -m a_g i",
         (),
         (
-            *says(Q_theta, -m_e * a_g * Derivative(X_E, theta) - m_b * a_g * Derivative(X_B, theta)),
+            *says(
+                Q_theta, -m_e * a_g * Derivative(X_E, theta) - m_b * a_g * Derivative(X_B, theta)
+            ),
             *says(Q_u, -m_e * a_g * Derivative(X_E, u) - m_b * a_g * Derivative(X_B, u)),
         ),
         "Not legible; the definition of a generalised force, of which D-17 and D-18 follow.",

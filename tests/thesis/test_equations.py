@@ -9,12 +9,12 @@ import pytest
 import sympy as sp
 from sympy import Rational, atan, cos, sign, sin
 
-from . import printed as T
+from . import printed as th
 from .compare import differences, in_engine_notation, normal_form
 from .derived import DERIVED, disagreement, evaluate
 from .printed import EQUATIONS
 
-s = sign(T.theta)
+s = sign(th.theta)
 
 
 @pytest.mark.parametrize("number", DERIVED)
@@ -25,47 +25,50 @@ def test_equation_is_derived(number):
 
 
 EXCESS: dict[str, list[sp.Expr]] = {
-    "2-9": [-2 * s * T.m * T.a_g * T.R * sin(T.alpha) * sin(T.theta)],
+    "2-9": [-2 * s * th.m * th.a_g * th.R * sin(th.alpha) * sin(th.theta)],
     "2-13": [
-        T.alpha
-        * T.beta
-        * cos(T.omega * T.t)
-        * (cos(T.alpha**2 * (1 - T.PM * T.x)) - cos(T.alpha * (1 - T.PM * T.x)))
+        th.alpha
+        * th.beta
+        * cos(th.omega * th.t)
+        * (cos(th.alpha**2 * (1 - th.PM * th.x)) - cos(th.alpha * (1 - th.PM * th.x)))
     ],
-    "3-12": [(1 - s) * Rational(3, 4) * T.m * T.g * T.alpha * sin(T.alpha)],
-    "3-14": [(1 + s) * Rational(3, 4) * T.m * T.g * T.alpha * cos(T.alpha)],
+    "3-12": [(1 - s) * Rational(3, 4) * th.m * th.g * th.alpha * sin(th.alpha)],
+    "3-14": [(1 + s) * Rational(3, 4) * th.m * th.g * th.alpha * cos(th.alpha)],
     "5-11": [
         -2
-        * sin(T.theta)
-        / T.I_O
-        * (T.m_e * (T.g * T.H_e - s * T.a_g * T.B) + T.m_b * (T.g * T.H_b - s * T.a_g * T.B))
+        * sin(th.theta)
+        / th.I_O
+        * (
+            th.m_e * (th.g * th.H_e - s * th.a_g * th.B)
+            + th.m_b * (th.g * th.H_b - s * th.a_g * th.B)
+        )
     ],
-    "5-29": [T.W / T.H_e * (T.B - T.W * T.H_c / (2 * T.k_f * T.B)) * (T.u - 1)],
-    "5-30": [0, T.B / T.H_c - atan(T.B / T.H_c), 0],
+    "5-29": [th.W / th.H_e * (th.B - th.W * th.H_c / (2 * th.k_f * th.B)) * (th.u - 1)],
+    "5-30": [0, th.B / th.H_c - atan(th.B / th.H_c), 0],
     "D-2": [
-        T.R_b * (sin(T.alpha_b - T.theta) - sin(T.alpha_e - T.theta)),
-        T.R_b * (cos(T.alpha_e - T.theta) - cos(T.alpha_b - T.theta)),
+        th.R_b * (sin(th.alpha_b - th.theta) - sin(th.alpha_e - th.theta)),
+        th.R_b * (cos(th.alpha_e - th.theta) - cos(th.alpha_b - th.theta)),
     ],
     "D-4": [
-        T.R_b * T.theta_d * (cos(T.alpha_e - T.theta) - cos(T.alpha_b - T.theta)),
-        T.R_b * T.theta_d * (sin(T.alpha_e - T.theta) - sin(T.alpha_b - T.theta)),
+        th.R_b * th.theta_d * (cos(th.alpha_e - th.theta) - cos(th.alpha_b - th.theta)),
+        th.R_b * th.theta_d * (sin(th.alpha_e - th.theta) - sin(th.alpha_b - th.theta)),
     ],
     "D-8": [
         2
-        * T.m_e
-        * T.u_d
-        * T.theta_d
-        * sin(T.theta)
-        * (T.R_e * sin(T.alpha_e - T.theta) - T.u * cos(T.theta)),
-        T.m_e * T.u_d**2 * cos(2 * T.theta) / 2,
+        * th.m_e
+        * th.u_d
+        * th.theta_d
+        * sin(th.theta)
+        * (th.R_e * sin(th.alpha_e - th.theta) - th.u * cos(th.theta)),
+        th.m_e * th.u_d**2 * cos(2 * th.theta) / 2,
     ],
-    "D-12": [0, T.m_b * T.R_b * (1 - T.R_b) * T.theta_d**2 / 2],
-    "D-14": [T.m_b * T.R_b * (1 - T.R_b) * T.theta_d**2 / 2],
+    "D-12": [0, th.m_b * th.R_b * (1 - th.R_b) * th.theta_d**2 / 2],
+    "D-14": [th.m_b * th.R_b * (1 - th.R_b) * th.theta_d**2 / 2],
     "D-22": [
-        T.R_b * (sin(T.alpha_e + T.theta) - sin(T.alpha_b + T.theta)),
-        T.R_b * (cos(T.alpha_e + T.theta) - cos(T.alpha_b + T.theta)),
+        th.R_b * (sin(th.alpha_e + th.theta) - sin(th.alpha_b + th.theta)),
+        th.R_b * (cos(th.alpha_e + th.theta) - cos(th.alpha_b + th.theta)),
     ],
-    "D-23": [2 * T.m_e * T.g * T.u * cos(T.theta)],
+    "D-23": [2 * th.m_e * th.g * th.u * cos(th.theta)],
 }
 """Printed minus derived, for each component of each relation, by hand."""
 

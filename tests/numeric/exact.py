@@ -1,0 +1,130 @@
+"""Motions of blocks that are known without stepping: quadrature, hyperbolic functions, sums."""
+
+import itertools
+import math
+
+import numpy as np
+from scipy.optimize import brentq
+
+GRAVITY = 9.81
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(80)
+
+
+class FreeBlock:
+    """theta'' = -p^2 sin(alpha - theta): a rigid block on one edge, theta > 0.
+
+    theta'^2 / 2 + p^2 cos(alpha - theta) is constant, so the time from a peak to the impact is an
+    integral over theta and the speed at the impact a root.
+    """
+
+    def __init__(self, p, alpha):
+        self.p, self.alpha = p, alpha
+
+    def quarter(self, peak):
+        """Time from rest at `peak` to the impact; theta = peak - u^2 takes the singularity away."""
+        u = 0.5 * math.sqrt(peak) * (_NODES + 1)
+        x = u**2 / 2
+        # u / sqrt(sin(x)), regular at u = 0
+        ratio = math.sqrt(2) / np.sqrt(np.sinc(x / np.pi))
+        values = ratio / (self.p * np.sqrt(np.sin(self.alpha - peak + x)))
+        return float(values @ _WEIGHTS) * 0.5 * math.sqrt(peak)
+
+    def impact_energy(self, peak):
+        """theta'^2 / 2 at the impact."""
+        return 2 * self.p**2 * math.sin(self.alpha - peak / 2) * math.sin(peak / 2)
+
+    def peak(self, energy):
+        """Peak reached with theta'^2 / 2 = energy at the impact; Newton on a monotonic function."""
+        peak = energy / (self.p**2 * math.sin(self.alpha))
+        for _ in range(60):
+            slope = self.p**2 * math.sin(self.alpha - peak)
+            peak -= (self.impact_energy(peak) - energy) / slope
+        return peak
+
+
+class FreeSlenderBlock(FreeBlock):
+    """theta'' = -p^2 (alpha - theta): thesis 2-3, quarter period 2-5."""
+
+    def quarter(self, peak):
+        return math.acosh(1 / (1 - peak / self.alpha)) / self.p
+
+    def impact_energy(self, peak):
+        return self.p**2 * peak * (self.alpha - peak / 2)
+
+    def peak(self, energy):
+        # alpha - sqrt(alpha^2 - c) without cancellation
+        c = 2 * energy / self.p**2
+        return c / (self.alpha + math.sqrt(self.alpha**2 - c))
+
+
+def impact_times(block, peak, energy_ratio):
+    """Every impact of a free decay from rest at `peak`: an endless series of times."""
+    time = 0.0
+    while True:
+        time += block.quarter(peak)
+        yield time
+        peak = block.peak(energy_ratio * block.impact_energy(peak))
+        time += block.quarter(peak)
+
+
+def rest_time(block, peak, energy_ratio):
+    """Limit of the impact times, summed until the sum no longer changes."""
+    terms = [block.quarter(peak)]
+    while terms[-1] > 1e-17 * terms[0]:
+        peak = block.peak(energy_ratio * block.impact_energy(peak))
+        terms.append(2 * block.quarter(peak))
+    return math.fsum(terms)
+
+
+class ShakenSlenderBlock:
+    """Slender block from rest under a ground acceleration that is linear between its samples.
+
+    theta'' = p^2 (theta - s alpha - a/g), thesis 2-14 with time in seconds. As a is linear,
+    w = theta - s alpha - a/g obeys w'' = p^2 w in each piece: cosh and sinh, exactly.
+    """
+
+    def __init__(self, p, alpha, velocity_ratio, acceleration, dt):
+        self.p, self.alpha, self.e = p, alpha, velocity_ratio
+        self.a, self.dt = np.asarray(acceleration) / GRAVITY, dt
+
+    def piece(self, t0, side, theta, speed):
+        """theta and theta' as functions of time from t0 to the next sample."""
+        i = min(int(t0 / self.dt + 1e-9), len(self.a) - 2)
+        slope = (self.a[i + 1] - self.a[i]) / self.dt
+        a0 = self.a[i] + slope * (t0 - i * self.dt)
+        w, w_dot = theta - side * self.alpha - a0, speed - slope
+
+        def at(t):
+            x = self.p * (t - t0)
+            cosh, sinh = np.cosh(x), np.sinh(x)
+            angle = w * cosh + w_dot / self.p * sinh + side * self.alpha + a0 + slope * (t - t0)
+            return angle, w * self.p * sinh + w_dot * cosh + slope
+
+        return at, (i + 1) * self.dt
+
+    def follow(self, end):
+        """(uplift time, impact times (n,), state at `end`); the first motion is from full contact."""
+        sample = next(i for i, a in enumerate(np.abs(self.a)) if a > self.alpha)
+        before, after = self.a[sample - 1 : sample + 1]
+        side = -int(np.sign(after))
+        uplift = self.dt * (sample - 1 + (-side * self.alpha - before) / (after - before))
+        t, theta, speed, impacts = uplift, 0.0, 0.0, []
+        while t < end:
+            at, stop = self.piece(t, side, theta, speed)
+            stop = min(stop, end)
+            grid = np.linspace(t, stop, 200)[1:]
+            inside = side * at(grid)[0] > 0
+            if inside.all():
+                (theta, speed), t = at(stop), stop
+                continue
+            k = int(np.argmin(inside))
+            low = grid[k - 1] if k else t + 1e-9 * (stop - t)
+            t = brentq(lambda x, at=at: at(x)[0], low, grid[k], xtol=1e-15)
+            impacts.append(t)
+            theta, speed, side = 0.0, self.e * at(t)[1], -side
+        return uplift, np.array(impacts), (theta, speed)
+
+
+def first(n, series):
+    return np.array(list(itertools.islice(series, n)))

@@ -1,0 +1,142 @@
+"""Passages between contact states: uplift, rest, re-uplift, and their order in time."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import rockeom as rk
+
+from .structures import FIRST_MOMENT, S1, TOTAL_MASS, by_model, column
+
+ALPHA, GRAVITY = 0.25, 9.81
+BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=ALPHA)
+LUMPED = rk.LumpedMassStructure(**S1)
+THRESHOLDS = [
+    (BLOCK, GRAVITY * math.tan(ALPHA)),
+    (rk.SlenderBlock.from_frequency(p=2.14, alpha=ALPHA), GRAVITY * ALPHA),
+    (rk.NondimensionalBlock(alpha=ALPHA), math.tan(ALPHA)),  # in units of g
+    (LUMPED, GRAVITY * S1["half_width"] * TOTAL_MASS / FIRST_MOMENT),
+]
+RIGID = pytest.mark.parametrize(
+    ("structure", "threshold"), THRESHOLDS, ids=[by_model(s) for s, _ in THRESHOLDS]
+)
+
+
+def ramp(rate, duration=1.0):
+    return rk.GroundMotion.from_array([0.0, rate * duration], dt=duration)
+
+
+@RIGID
+@pytest.mark.parametrize("direction", [1, -1])
+def test_uplift_when_a_ramp_crosses_the_threshold(structure, threshold, direction):
+    run = rk.simulate(structure, ramp(direction * 3 * threshold))
+    first = run.events[0]
+    assert first.kind == "uplift"
+    assert first.time == pytest.approx(1 / 3, rel=1e-14)
+    # ground accelerating to the right leaves the structure behind: it leans to the left
+    assert (first.phase_before, first.phase_after) == ("both", "left" if direction > 0 else "right")
+    before = run.t < first.time
+    assert before.any()
+    assert not run.y[before].any()
+
+
+@RIGID
+def test_acceleration_just_below_the_threshold_never_lifts(structure, threshold):
+    run = rk.simulate(structure, rk.GroundMotion.constant((1 - 1e-9) * threshold, duration=50.0))
+    assert run.events == ()
+    assert not run.y.any()
+
+
+@RIGID
+def test_acceleration_just_above_the_threshold_lifts_and_overturns(structure, threshold):
+    run = rk.simulate(structure, rk.GroundMotion.constant((1 + 1e-6) * threshold, duration=50.0))
+    (event,) = run.events
+    assert (event.time, event.kind, event.phase_after) == (0.0, "uplift", "left")
+    assert run.outcome is rk.Outcome.OVERTURNED
+    rotation = run.states[0]
+    assert run[rotation][-1] == pytest.approx(-structure.overturning_rotation, rel=1e-9)
+    assert run.t[-1] < 50.0
+    assert np.all(np.diff(run[rotation]) <= 0)
+
+
+def test_touching_the_threshold_is_not_an_uplift():
+    """A sine whose peak is the threshold itself, and one just above it."""
+    threshold = GRAVITY * math.tan(ALPHA)
+    for factor, events in ((1 - 1e-12, 0), (1 + 1e-4, 1)):
+        motion = rk.GroundMotion.single_sine(factor * threshold, period=2.0, duration=1.0)
+        run = rk.simulate(BLOCK, motion, impact=rk.VelocityRatio(0))
+        assert len([e for e in run.events if e.kind == "uplift"]) == events
+
+
+def test_rest_then_uplift_again():
+    """A pulse, rest, and another pulse the other way: the same motion mirrored."""
+    pulse, gap, dt = np.array([0.0, 1.5, 1.5, 0.0, 0.0]), 40, 0.1
+    a = 3.0 * np.concatenate([pulse, np.zeros(gap * 10), -pulse, np.zeros(gap * 10)])
+    run = rk.simulate(BLOCK, rk.GroundMotion.from_array(a, dt), impact=rk.VelocityRatio(0.7))
+    rests = [e.time for e in run.events if e.kind == "rest"]
+    uplifts = [e.time for e in run.events if e.kind == "uplift"]
+    assert len(rests) == len(uplifts) == 2
+    assert uplifts[0] < rests[0] < uplifts[1] < rests[1]
+    shift = dt * (len(pulse) + gap * 10)
+    assert uplifts[1] - uplifts[0] == pytest.approx(shift, rel=1e-12)
+    assert rests[1] - rests[0] == pytest.approx(shift, rel=1e-9)
+    t = np.linspace(uplifts[0], rests[0], 50)
+    np.testing.assert_allclose(run.at(t + shift)["theta"], -run.at(t)["theta"], atol=1e-8)
+
+
+def test_an_impact_without_loss_on_shaking_ground_goes_on_rocking():
+    """Full contact must not be entered from an impact that leaves speed."""
+    motion = rk.GroundMotion.harmonic(2.0, period=0.8, duration=8.0)
+    run = rk.simulate(BLOCK, motion, impact=rk.VelocityRatio(0.99), initial={"theta": 0.1})
+    assert {(e.phase_before, e.phase_after) for e in run.impacts} <= {
+        ("left", "right"),
+        ("right", "left"),
+    }
+    assert len(run.impacts) > 5
+
+
+@pytest.mark.parametrize("stiffness", [2e4, 571.8e3])
+def test_uplift_of_a_flexible_structure_is_where_a_foot_ceases_to_press(stiffness):
+    """From rest, under a ramp that is fast for the column: the foot's force is what is zero."""
+    run = rk.simulate(column(stiffness=stiffness), ramp(60.0, duration=0.2))
+    first = run.events[0]
+    assert first.kind == "uplift"
+    before = {k: v for k, v in first.before.items()}
+    force = column(stiffness=stiffness).reactions(before, 60.0 * first.time, phase="both")
+    assert abs(force["right_reaction"]) < 1e-9 * TOTAL_MASS * GRAVITY
+    assert force["left_reaction"] == pytest.approx(TOTAL_MASS * GRAVITY, rel=1e-9)
+    # and it pressed until then
+    standing = run.phase == "both"
+    assert run["right_reaction"][standing].min() > -1e-9 * TOTAL_MASS * GRAVITY
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    amplitude=st.floats(0.5, 12.0),
+    period=st.floats(0.1, 2.0),
+    e=st.floats(0.3, 1.0),
+    flexible=st.booleans(),
+)
+def test_events_follow_one_another_in_order(amplitude, period, e, flexible):
+    """Each event starts in the contact state in which the one before it ended."""
+    structure = column() if flexible else BLOCK
+    motion = rk.GroundMotion.single_sine(amplitude, period=period, duration=6.0)
+    run = rk.simulate(structure, motion, impact=rk.VelocityRatio(e))
+    assert np.all(np.diff(run.t) >= 0)
+    times = [event.time for event in run.events]
+    assert times == sorted(times)
+    for before, after in itertools.pairwise(run.events):
+        assert before.phase_after == after.phase_before
+    assert run.events == () or run.events[0].phase_before == "both"
+    # never on the wrong side
+    side = {"left": -1, "both": 0, "right": 1}
+    sign = np.array([side[name] for name in run.phase])
+    assert np.all(run["theta"] * sign >= -1e-12)
+    assert not run["theta"][sign == 0].any()
+    for event in run.impacts:
+        assert event.before["theta"] == pytest.approx(0.0, abs=1e-12)
+        assert event.after["theta"] == 0.0
+        assert event.before["theta_dot"] * side[event.phase_before] <= 0

@@ -1,0 +1,206 @@
+"""The equations of motion once more, by Newton's laws and with numbers.
+
+Positions are complex numbers, turned clockwise by exp(-i theta) about the pivot, and the moments
+of inertia forces and weights are summed. SymPy only puts numbers into the thesis's formulas: the
+engine has no part in this.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from . import printed as th
+from .compare import at_side
+from .printed import EQUATIONS
+
+STATES = 20
+TOLERANCE = 1e-12
+
+
+def random_state(rng: np.random.Generator, side: int) -> dict[sp.Symbol, float]:
+    """A state of the two masses and of the block, with theta on the given side."""
+    n = {
+        th.theta: side * rng.uniform(0.01, 0.5),
+        th.u: rng.uniform(-0.2, 0.2),
+        th.g: rng.uniform(5, 15),
+    }
+    for symbol in (th.theta_d, th.theta_dd, th.u_d, th.u_dd, th.a_g):
+        n[symbol] = rng.uniform(-3, 3)
+    for symbol in (th.m_e, th.m_b, th.I_eg, th.I_bg, th.H_e, th.H_b, th.B, th.k, th.c):
+        n[symbol] = rng.uniform(0.3, 3)
+    for radius, angle, height in (
+        (th.R_e, th.alpha_e, th.H_e),
+        (th.R_b, th.alpha_b, th.H_b),
+        (th.R, th.alpha, th.H_e),
+    ):
+        n[radius], n[angle] = np.hypot(n[th.B], n[height]), np.arctan2(n[th.B], n[height])
+    n[th.m] = n[th.m_e]
+    n[th.I_o] = n[th.I_eg] + n[th.m] * n[th.R] ** 2
+    n[th.I_O] = sum(
+        n[inertia] + n[mass] * n[radius] ** 2
+        for inertia, mass, radius in (
+            (th.I_eg, th.m_e, th.R_e),
+            (th.I_bg, th.m_b, th.R_b),
+        )
+    )
+    n[th.a_gx] = n[th.a_g]
+    return n
+
+
+def turning(n, side: int, height: float, u=0.0, u_d=0.0, u_dd=0.0) -> tuple[complex, complex]:
+    """Position from the pivot and acceleration relative to the ground of a point of the axis."""
+    w = u - side * n[th.B] + 1j * height
+    turn = np.exp(-1j * n[th.theta])
+    acceleration = (
+        u_dd - 2j * n[th.theta_d] * u_d - 1j * n[th.theta_dd] * w - n[th.theta_d] ** 2 * w
+    )
+    return turn * w, turn * acceleration
+
+
+def loads(n, mass: float, acceleration: complex) -> complex:
+    """Inertia force and weight of a mass."""
+    return -mass * (acceleration + n[th.a_g] + 1j * n[th.g])
+
+
+def clockwise(place: complex, force: complex) -> float:
+    return -(place.conjugate() * force).imag
+
+
+def moments(n, side: int, *, flexible: bool = False, base: bool = True) -> float:
+    """What the moments about the pivot lack of zero: left minus right side of a rotation."""
+    deformation = (n[th.u], n[th.u_d], n[th.u_dd]) if flexible else ()
+    parts = [(th.m_e, th.I_eg, th.H_e, deformation)]
+    parts += [(th.m_b, th.I_bg, th.H_b, ())] if base else []
+    total = 0.0
+    for mass, inertia, height, deformed in parts:
+        place, acceleration = turning(n, side, n[height], *deformed)
+        total += clockwise(place, loads(n, n[mass], acceleration)) - n[inertia] * n[th.theta_dd]
+    return -total
+
+
+def across_the_column(n, side: int) -> float:
+    """What the forces on the superstructure, at right angles to the column, lack of zero."""
+    _, acceleration = turning(n, side, n[th.H_e], n[th.u], n[th.u_d], n[th.u_dd])
+    along = np.exp(-1j * n[th.theta])
+    pushed = (along.conjugate() * loads(n, n[th.m_e], acceleration)).real
+    return n[th.k] * n[th.u] + n[th.c] * n[th.u_d] - pushed
+
+
+def block(n, side: int) -> float:
+    return moments(n, side, base=False)
+
+
+def model_a(n, side: int) -> float:
+    return moments(n, side) / n[th.I_O]
+
+
+def model_c(n, side: int) -> float:
+    return moments(n, side, flexible=True)
+
+
+def support(part: str):
+    """Force of the ground on the block, or with mass 1 and weightless its acceleration."""
+
+    def value(n, side: int) -> float:
+        _, acceleration = turning(n, side, n[th.H_e])
+        ground = acceleration + n[th.a_g]
+        if part in ("3-6", "3-7"):
+            return -(ground.real if part == "3-6" else ground.imag)
+        ground = n[th.m] * (ground + 1j * n[th.g])
+        return -(ground.real if part == "3-8" else ground.imag)
+
+    return value
+
+
+NEWTON = {
+    "2-2": block,
+    "2-9": block,
+    "3-6": support("3-6"),
+    "3-7": support("3-7"),
+    "3-8": support("3-8"),
+    "3-9": support("3-9"),
+    "5-9": model_a,
+    "5-10": model_a,
+    "5-11": model_a,
+    "5-34": model_c,
+    "5-35": across_the_column,
+    "D-19": model_c,
+    "D-20": across_the_column,
+    "D-23": model_c,
+    "D-24": across_the_column,
+    "D-25": model_c,
+    "D-26": across_the_column,
+}
+"""Left minus right side of an equation, by Newton."""
+
+VALUES = (th.u_cx_dd, th.u_cy_dd, th.F_H, th.F_V)
+"""Left sides that Newton gives, and no state."""
+
+
+def largest_difference(number: str, relations) -> float:
+    """Thesis minus Newton at random states of every side the equation is meant for."""
+    rng = np.random.default_rng([ord(letter) for letter in number])
+    (relation,) = relations
+    differences = []
+    for side in EQUATIONS[number].sides:
+        stated = at_side(relation.lhs - relation.rhs, side).subs(dict.fromkeys(VALUES, 0))
+        symbols = sorted(stated.free_symbols, key=str)
+        thesis = sp.lambdify(symbols, stated, "math")
+        for _ in range(STATES):
+            n = random_state(rng, side)
+            if number == "2-2":
+                n[th.a_g] = 0.0
+            differences.append(thesis(*(n[x] for x in symbols)) - NEWTON[number](n, side))
+    return float(np.abs(differences).max())
+
+
+@pytest.mark.parametrize("number", NEWTON)
+def test_equation_follows_from_newton(number):
+    equation = EQUATIONS[number]
+    assert largest_difference(number, equation.right) < TOLERANCE * 1e2
+
+
+@pytest.mark.parametrize("number", [n for n in NEWTON if EQUATIONS[n].is_erratum])
+def test_printed_form_does_not_follow_from_newton(number):
+    assert largest_difference(number, EQUATIONS[number].printed) > 1e-2
+
+
+def test_printed_2_13_does_not_follow_from_newton_in_scaled_time():
+    """The block's moments over m g R, rotation and time scaled by 2-10 to 2-12."""
+    rng = np.random.default_rng(213)
+    worst = {"printed": 0.0, "right": 0.0}
+    for side in (1, -1):
+        for _ in range(STATES):
+            n = random_state(rng, side)
+            unit = n[th.m] * n[th.g] * n[th.R]
+            n[th.x] = n[th.theta] / n[th.alpha]
+            n[th.x_dd] = n[th.theta_dd] * n[th.I_o] / unit / n[th.alpha]
+            n[th.omega], n[th.t] = rng.uniform(0.5, 5, 2)
+            shape = n[th.alpha] * n[th.g] * np.cos(n[th.omega] * n[th.t])
+            n[th.beta] = n[th.a_g] / shape
+            for form in worst:
+                (relation,) = getattr(EQUATIONS["2-13"], form)
+                stated = float(at_side(relation.lhs - relation.rhs, side).subs(n))
+                worst[form] = max(worst[form], abs(stated - block(n, side) / unit))
+    assert worst["right"] < TOLERANCE * 1e2
+    assert worst["printed"] > 1e-2
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_printed_3_12_is_not_the_support_force_on_the_left(side):
+    """The force beside an impact, with the acceleration of 3-10 put into Newton's second law."""
+    rng = np.random.default_rng(312)
+    (start,), (printed,) = EQUATIONS["3-10"].right, EQUATIONS["3-12"].printed
+    (corrected,) = EQUATIONS["3-12"].right
+    for _ in range(STATES):
+        n = random_state(rng, side)
+        n[th.theta], n[th.a_g] = 0.0, 0.0
+        n[th.theta_d_impact] = n[th.theta_d]
+        n[th.theta_dd] = float(at_side(start.rhs, side).subs(n))
+        newton = -support("3-9")(n, side)
+        assert abs(float(at_side(corrected.rhs, side).subs(n)) - newton) < TOLERANCE * 1e2
+        slip = float(at_side(printed.rhs, side).subs(n)) - newton
+        expected = (1 - side) * 0.75 * n[th.m] * n[th.g] * n[th.alpha] * np.sin(n[th.alpha])
+        assert abs(slip - expected) < TOLERANCE * 1e2
