@@ -17,16 +17,17 @@ Source: thesis 5-34, 5-35, D-1 to D-29.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      41    37
-    rates                     88    66
+    opening_acceleration      18    18
+    rates                     56    48
     guards                     1     1
-    impulse                   56    43
+    impulse                   29    27
     energies                  91    62
     reactions                291   137
     kinematics                20    15
     statics                   45    35
     overturning                1     1
     velocity_ratio            28    18
+    prepare                   31    20
 """
 
 import math
@@ -34,7 +35,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "6d0ec62d87cf3a7b"
+SOURCE_HASH = "8db6d34af0336ab9"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -107,26 +108,19 @@ def opening_acceleration(contact, y, p, ax, ay):
     u = y[1]
     u_dot = y[3]
     mass = p[0]
-    height = p[1]
-    inertia = p[2]
-    base_mass = p[3]
-    base_height = p[4]
-    base_inertia = p[5]
-    half_width = p[6]
     gravity = p[7]
     stiffness = p[8]
     damping = p[9]
+    c0 = p[10]  # 2*half_width*mass
+    c1 = p[11]
+    c2 = p[12]  # height*mass
+    c3 = p[13]  # half_width*(base_mass + mass)
+    c4 = p[14]  # base_height*base_mass + height*mass
     total_gravity = ay + gravity
-    x0 = half_width*half_width
-    x1 = half_width*s
-    x2 = height*mass
-    m00 = (
-        base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass +
-        inertia + mass*u*u - 2*mass*u*x1 + mass*x0
-    )
-    m10 = x2
+    m00 = -c0*s*u + c1 + mass*u*u
+    m10 = c2
     m11 = mass
-    f0 = -ax*(base_height*base_mass + x2) + total_gravity*(-base_mass*x1 + mass*u - mass*x1)
+    f0 = -ax*c4 + total_gravity*(-c3*s + mass*u)
     f1 = -ax*mass - damping*u_dot - stiffness*u
     l10 = m10 / m00
     m11 -= l10 * m10
@@ -146,38 +140,32 @@ def rates(contact, y, p, ax, ay, dy):
         theta_dot = y[2]
         u_dot = y[3]
         mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
         half_width = p[6]
         gravity = p[7]
         stiffness = p[8]
         damping = p[9]
+        c0 = p[10]  # 2*half_width*mass
+        c1 = p[11]
+        c2 = p[12]  # height*mass
+        c3 = p[13]  # half_width*(base_mass + mass)
+        c4 = p[14]  # base_height*base_mass + height*mass
+        c5 = p[15]  # 2*mass
+        c6 = p[16]  # half_width*mass
         total_gravity = ay + gravity
-        x0 = half_width*half_width
-        x1 = half_width*s
-        x2 = height*mass
-        x3 = math.sin(theta)
-        x4 = base_height*base_mass + x2
-        x5 = math.cos(theta)
-        x6 = mass*x1
-        x7 = -base_mass*x1 + mass*u - x6
-        x8 = theta_dot*theta_dot
-        m00 = (
-            base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass
-            + inertia + mass*u*u - 2*mass*u*x1 + mass*x0
-        )
-        m10 = x2
+        x0 = math.sin(theta)
+        x1 = math.cos(theta)
+        x2 = -c3*s + mass*u
+        x3 = theta_dot*theta_dot
+        m00 = -c0*s*u + c1 + mass*u*u
+        m10 = c2
         m11 = mass
         f0 = (
-            ax*(x3*x7 - x4*x5) + 2*mass*theta_dot*u_dot*(-u + x1) + total_gravity*(x3*x4 +
-            x5*x7)
+            ax*(-c4*x1 + x0*x2) + c5*theta_dot*u_dot*(half_width*s - u) + total_gravity*(c4*x0 +
+            x1*x2)
         )
         f1 = (
-            -ax*mass*x5 - damping*u_dot + mass*total_gravity*x3 + mass*u*x8 - stiffness*u -
-            x6*x8
+            -ax*mass*x1 - c6*s*x3 - damping*u_dot + mass*total_gravity*x0 + mass*u*x3 -
+            stiffness*u
         )
         l10 = m10 / m00
         m11 -= l10 * m10
@@ -225,27 +213,24 @@ def impulse_to_opposite(s, y, p, out):
     theta_dot = y[2]
     u_dot = y[3]
     mass = p[0]
-    height = p[1]
     inertia = p[2]
-    base_mass = p[3]
-    base_height = p[4]
     base_inertia = p[5]
-    half_width = p[6]
-    x0 = base_height*base_height*base_mass
-    x1 = half_width*half_width
-    x2 = base_mass*x1
-    x3 = mass*x1
-    x4 = height*height*mass
-    x5 = mass*u*u
-    x6 = height*mass
-    m00 = base_inertia + 2*half_width*mass*s*u + inertia + x0 + x2 + x3 + x4 + x5
-    m10 = x6
+    c0 = p[10]  # 2*half_width*mass
+    c1 = p[11]
+    c2 = p[12]  # height*mass
+    c7 = p[17]  # base_height*base_height*base_mass
+    c8 = p[18]  # height*height*mass
+    c9 = p[19]  # base_mass*half_width*half_width
+    c10 = p[20]  # half_width*half_width*mass
+    x0 = mass*u*u
+    m00 = c0*s*u + c1 + x0
+    m10 = c2
     m11 = mass
     f0 = (
-        base_inertia*theta_dot + inertia*theta_dot + theta_dot*x0 - theta_dot*x2 - theta_dot*x3
-        + theta_dot*x4 + theta_dot*x5 + u_dot*x6
+        base_inertia*theta_dot - c10*theta_dot + c2*u_dot + c7*theta_dot + c8*theta_dot -
+        c9*theta_dot + inertia*theta_dot + theta_dot*x0
     )
-    f1 = mass*u_dot + theta_dot*x6
+    f1 = c2*theta_dot + mass*u_dot
     l10 = m10 / m00
     m11 -= l10 * m10
     f1 -= l10 * f0
@@ -261,9 +246,9 @@ def impulse_to_both(s, y, p, out):
     theta_dot = y[2]
     u_dot = y[3]
     mass = p[0]
-    height = p[1]
+    c2 = p[12]  # height*mass
     m00 = mass
-    f0 = height*mass*theta_dot + mass*u_dot
+    f0 = c2*theta_dot + mass*u_dot
     u_dot_after = f0 / m00
     out[3] = u_dot_after
 
@@ -508,3 +493,36 @@ def velocity_ratio(p):
     x1 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (10,) with the constants that follow from them: p (21,)."""
+    p = np.empty(21)
+    p[:10] = parameters
+    mass = parameters[0]
+    height = parameters[1]
+    inertia = parameters[2]
+    base_mass = parameters[3]
+    base_height = parameters[4]
+    base_inertia = parameters[5]
+    half_width = parameters[6]
+    x0 = 2*mass
+    x1 = base_height*base_height*base_mass
+    x2 = half_width*half_width
+    x3 = base_mass*x2
+    x4 = mass*x2
+    x5 = height*height*mass
+    x6 = height*mass
+    p[10] = half_width*x0
+    p[11] = base_inertia + inertia + x1 + x3 + x4 + x5
+    p[12] = x6
+    p[13] = half_width*(base_mass + mass)
+    p[14] = base_height*base_mass + x6
+    p[15] = x0
+    p[16] = half_width*mass
+    p[17] = x1
+    p[18] = x5
+    p[19] = x3
+    p[20] = x4
+    return p

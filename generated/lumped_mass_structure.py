@@ -15,16 +15,17 @@ Source: thesis 5-8 to 5-14.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      23    22
-    rates                     39    30
+    opening_acceleration       5     5
+    rates                     16    13
     guards                     1     1
-    impulse                   32    23
+    impulse                   11    11
     energies                  57    38
     reactions                208    92
     kinematics                19    14
     statics                   29    24
     overturning                1     1
     velocity_ratio            28    18
+    prepare                   26    17
 """
 
 import math
@@ -32,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "4e7be233a195e3c7"
+SOURCE_HASH = "b3ee668358a4d997"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -98,24 +99,13 @@ _compiled = njit(cache=True, error_model="numpy")
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
-    mass = p[0]
-    height = p[1]
-    inertia = p[2]
-    base_mass = p[3]
-    base_height = p[4]
-    base_inertia = p[5]
-    half_width = p[6]
     gravity = p[7]
+    c0 = p[8]
+    c1 = p[9]  # base_height*base_mass + height*mass
+    c2 = p[10]  # half_width*(base_mass + mass)
     total_gravity = ay + gravity
-    x0 = half_width*half_width
-    m00 = (
-        base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass +
-        inertia + mass*x0
-    )
-    f0 = (
-        -ax*(base_height*base_mass + height*mass) - half_width*s*total_gravity*(base_mass +
-        mass)
-    )
+    m00 = c0
+    f0 = -ax*c1 - c2*s*total_gravity
     theta_ddot = f0 / m00
     return s * theta_ddot
 
@@ -126,25 +116,16 @@ def rates(contact, y, p, ax, ay, dy):
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
-        half_width = p[6]
         gravity = p[7]
+        c0 = p[8]
+        c1 = p[9]  # base_height*base_mass + height*mass
+        c2 = p[10]  # half_width*(base_mass + mass)
         total_gravity = ay + gravity
-        x0 = half_width*half_width
+        x0 = math.sin(theta)
         x1 = math.cos(theta)
-        x2 = half_width*s*(base_mass + mass)
-        x3 = math.sin(theta)
-        x4 = base_height*base_mass + height*mass
-        m00 = (
-            base_height*base_height*base_mass + base_inertia + base_mass*x0 + height*height*mass
-            + inertia + mass*x0
-        )
-        f0 = ax*(-x1*x4 - x2*x3) + total_gravity*(-x1*x2 + x3*x4)
+        x2 = c2*s
+        m00 = c0
+        f0 = ax*(-c1*x1 - x0*x2) + total_gravity*(c1*x0 - x1*x2)
         theta_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = theta_ddot
@@ -172,22 +153,17 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
-    mass = p[0]
-    height = p[1]
     inertia = p[2]
-    base_mass = p[3]
-    base_height = p[4]
     base_inertia = p[5]
-    half_width = p[6]
-    x0 = base_height*base_height*base_mass
-    x1 = half_width*half_width
-    x2 = base_mass*x1
-    x3 = mass*x1
-    x4 = height*height*mass
-    m00 = base_inertia + inertia + x0 + x2 + x3 + x4
+    c0 = p[8]
+    c3 = p[11]  # base_height*base_height*base_mass
+    c4 = p[12]  # height*height*mass
+    c5 = p[13]  # base_mass*half_width*half_width
+    c6 = p[14]  # half_width*half_width*mass
+    m00 = c0
     f0 = (
-        base_inertia*theta_dot + inertia*theta_dot + theta_dot*x0 - theta_dot*x2 - theta_dot*x3
-        + theta_dot*x4
+        base_inertia*theta_dot + c3*theta_dot + c4*theta_dot - c5*theta_dot - c6*theta_dot +
+        inertia*theta_dot
     )
     theta_dot_after = f0 / m00
     out[1] = theta_dot_after
@@ -400,3 +376,30 @@ def velocity_ratio(p):
     x1 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (8,) with the constants that follow from them: p (15,)."""
+    p = np.empty(15)
+    p[:8] = parameters
+    mass = parameters[0]
+    height = parameters[1]
+    inertia = parameters[2]
+    base_mass = parameters[3]
+    base_height = parameters[4]
+    base_inertia = parameters[5]
+    half_width = parameters[6]
+    x0 = base_height*base_height*base_mass
+    x1 = half_width*half_width
+    x2 = base_mass*x1
+    x3 = mass*x1
+    x4 = height*height*mass
+    p[8] = base_inertia + inertia + x0 + x2 + x3 + x4
+    p[9] = base_height*base_mass + height*mass
+    p[10] = half_width*(base_mass + mass)
+    p[11] = x0
+    p[12] = x4
+    p[13] = x2
+    p[14] = x3
+    return p

@@ -9,16 +9,17 @@ Source: Hogan (1989); thesis 2-13.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      13    12
-    rates                     34    23
+    opening_acceleration       5     5
+    rates                     20    14
     guards                     1     1
-    impulse                   14    12
+    impulse                    3     3
     energies                  19    18
     reactions                142    58
     kinematics                37    19
     statics                   30    20
     overturning                2     2
     velocity_ratio             5     5
+    prepare                   15    12
 """
 
 import math
@@ -26,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "a2a21777c330cedd"
+SOURCE_HASH = "2d402f25278c5c97"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -77,12 +78,12 @@ _compiled = njit(cache=True, error_model="numpy")
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
-    alpha = p[0]
-    radius_ratio = p[1]
+    c0 = p[2]  # alpha*alpha*radius_ratio
+    c1 = p[3]  # alpha*radius_ratio*math.cos(alpha)
+    c2 = p[4]  # alpha*radius_ratio*math.sin(alpha)
     total_gravity = ay + 1
-    x0 = alpha*radius_ratio
-    m00 = alpha*alpha*radius_ratio
-    f0 = -ax*x0*math.cos(alpha) - s*total_gravity*x0*math.sin(alpha)
+    m00 = c0
+    f0 = -ax*c1 - c2*s*total_gravity
     x_ddot = f0 / m00
     return s * x_ddot
 
@@ -94,16 +95,16 @@ def rates(contact, y, p, ax, ay, dy):
         s = 1.0 if contact == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
-        radius_ratio = p[1]
+        c0 = p[2]  # alpha*alpha*radius_ratio
+        c1 = p[3]  # alpha*radius_ratio*math.cos(alpha)
+        c2 = p[4]  # alpha*radius_ratio*math.sin(alpha)
         total_gravity = ay + 1
-        x0 = math.cos(alpha)
-        x1 = alpha*x
-        x2 = math.sin(x1)
-        x3 = math.cos(x1)
-        x4 = alpha*radius_ratio
-        x5 = s*x4*math.sin(alpha)
-        m00 = alpha*alpha*radius_ratio
-        f0 = ax*(-x0*x3*x4 - x2*x5) + total_gravity*(alpha*radius_ratio*x0*x2 - x3*x5)
+        x0 = alpha*x
+        x1 = math.sin(x0)
+        x2 = math.cos(x0)
+        x3 = c2*s
+        m00 = c0
+        f0 = ax*(-c1*x2 - x1*x3) + total_gravity*(c1*x1 - x2*x3)
         x_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = x_ddot
@@ -131,11 +132,10 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     x_dot = y[1]
-    alpha = p[0]
-    radius_ratio = p[1]
-    x0 = alpha*alpha
-    m00 = radius_ratio*x0
-    f0 = -2*radius_ratio*radius_ratio*x0*x_dot*math.sin(alpha)**2 + radius_ratio*x0*x_dot
+    c0 = p[2]  # alpha*alpha*radius_ratio
+    c3 = p[5]  # 2*alpha*alpha*radius_ratio*radius_ratio*math.sin(alpha)**2
+    m00 = c0
+    f0 = c0*x_dot - c3*x_dot
     x_dot_after = f0 / m00
     out[1] = x_dot_after
 
@@ -307,3 +307,20 @@ def velocity_ratio(p):
     radius_ratio = p[1]
     value = -2*radius_ratio*math.sin(alpha)**2 + 1
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (2,) with the constants that follow from them: p (6,)."""
+    p = np.empty(6)
+    p[:2] = parameters
+    alpha = parameters[0]
+    radius_ratio = parameters[1]
+    x0 = alpha*alpha
+    x1 = alpha*radius_ratio
+    x2 = math.sin(alpha)
+    p[2] = radius_ratio*x0
+    p[3] = x1*math.cos(alpha)
+    p[4] = x1*x2
+    p[5] = 2*radius_ratio*radius_ratio*x0*x2*x2
+    return p

@@ -12,16 +12,17 @@ Source: Housner (1963); thesis 2-2, 2-6, 2-9, 3-8, 3-9.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      13    13
-    rates                     26    22
+    opening_acceleration       5     5
+    rates                     16    13
     guards                     1     1
-    impulse                   15    11
+    impulse                    5     5
     energies                  27    21
     reactions                106    52
     kinematics                19    14
     statics                   18    16
     overturning                1     1
     velocity_ratio            14    10
+    prepare                   12     8
 """
 
 import math
@@ -29,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "e30ff3a51448fc0f"
+SOURCE_HASH = "ac9f172cb48b0b34"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -83,14 +84,13 @@ _compiled = njit(cache=True, error_model="numpy")
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
-    mass = p[0]
-    half_width = p[1]
-    height = p[2]
-    inertia = p[3]
     gravity = p[4]
+    c0 = p[5]  # half_width*half_width*mass + height*height*mass + inertia
+    c1 = p[6]  # height*mass
+    c2 = p[7]  # half_width*mass
     total_gravity = ay + gravity
-    m00 = half_width*half_width*mass + height*height*mass + inertia
-    f0 = -ax*height*mass - half_width*mass*s*total_gravity
+    m00 = c0
+    f0 = -ax*c1 - c2*s*total_gravity
     theta_ddot = f0 / m00
     return s * theta_ddot
 
@@ -101,17 +101,16 @@ def rates(contact, y, p, ax, ay, dy):
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
-        mass = p[0]
-        half_width = p[1]
-        height = p[2]
-        inertia = p[3]
         gravity = p[4]
+        c0 = p[5]  # half_width*half_width*mass + height*height*mass + inertia
+        c1 = p[6]  # height*mass
+        c2 = p[7]  # half_width*mass
         total_gravity = ay + gravity
         x0 = math.sin(theta)
         x1 = math.cos(theta)
-        x2 = half_width*mass*s
-        m00 = half_width*half_width*mass + height*height*mass + inertia
-        f0 = ax*(-height*mass*x1 - x0*x2) + total_gravity*(height*mass*x0 - x1*x2)
+        x2 = c2*s
+        m00 = c0
+        f0 = ax*(-c1*x1 - x0*x2) + total_gravity*(c1*x0 - x1*x2)
         theta_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = theta_ddot
@@ -139,14 +138,12 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
-    mass = p[0]
-    half_width = p[1]
-    height = p[2]
     inertia = p[3]
-    x0 = half_width*half_width*mass
-    x1 = height*height*mass
-    m00 = inertia + x0 + x1
-    f0 = inertia*theta_dot - theta_dot*x0 + theta_dot*x1
+    c0 = p[5]  # half_width*half_width*mass + height*height*mass + inertia
+    c3 = p[8]  # height*height*mass
+    c4 = p[9]  # half_width*half_width*mass
+    m00 = c0
+    f0 = c3*theta_dot - c4*theta_dot + inertia*theta_dot
     theta_dot_after = f0 / m00
     out[1] = theta_dot_after
 
@@ -326,3 +323,22 @@ def velocity_ratio(p):
     x1 = height*height*mass + inertia
     value = -(mass*x0 - x1)/(mass*x0 + x1)
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (5,) with the constants that follow from them: p (10,)."""
+    p = np.empty(10)
+    p[:5] = parameters
+    mass = parameters[0]
+    half_width = parameters[1]
+    height = parameters[2]
+    inertia = parameters[3]
+    x0 = half_width*half_width*mass
+    x1 = height*height*mass
+    p[5] = inertia + x0 + x1
+    p[6] = height*mass
+    p[7] = half_width*mass
+    p[8] = x1
+    p[9] = x0
+    return p

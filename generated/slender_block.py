@@ -12,16 +12,17 @@ Source: Housner (1963); thesis 2-3, 2-14.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      11    10
-    rates                     11    11
+    opening_acceleration       5     5
+    rates                      6     6
     guards                     1     1
-    impulse                   16    11
+    impulse                    5     5
     energies                  37    32
     reactions                130    55
     kinematics                33    18
     statics                   20    20
     overturning                1     1
     velocity_ratio            14    10
+    prepare                   14     9
 """
 
 import math
@@ -29,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "172fd9208593d7e2"
+SOURCE_HASH = "0158f04d3fdac51f"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -83,15 +84,13 @@ _compiled = njit(cache=True, error_model="numpy")
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
-    mass = p[0]
-    radius = p[1]
-    alpha = p[2]
-    inertia = p[3]
     gravity = p[4]
+    c0 = p[5]  # inertia + mass*radius*radius
+    c1 = p[6]  # mass*radius
+    c2 = p[7]  # alpha*mass*radius
     total_gravity = ay + gravity
-    x0 = mass*radius
-    m00 = inertia + mass*radius*radius
-    f0 = -alpha*s*total_gravity*x0 - ax*x0
+    m00 = c0
+    f0 = -ax*c1 - c2*s*total_gravity
     theta_ddot = f0 / m00
     return s * theta_ddot
 
@@ -102,14 +101,13 @@ def rates(contact, y, p, ax, ay, dy):
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
-        mass = p[0]
-        radius = p[1]
         alpha = p[2]
-        inertia = p[3]
         gravity = p[4]
+        c0 = p[5]  # inertia + mass*radius*radius
+        c1 = p[6]  # mass*radius
         total_gravity = ay + gravity
-        m00 = inertia + mass*radius*radius
-        f0 = -ax*mass*radius + mass*radius*total_gravity*(-alpha*s + theta)
+        m00 = c0
+        f0 = -ax*c1 + c1*total_gravity*(-alpha*s + theta)
         theta_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = theta_ddot
@@ -137,14 +135,12 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
-    mass = p[0]
-    radius = p[1]
-    alpha = p[2]
     inertia = p[3]
-    x0 = mass*radius*radius
-    x1 = theta_dot*x0
-    m00 = inertia + x0
-    f0 = inertia*theta_dot + 2*x1*math.cos(alpha)**2 - x1
+    c0 = p[5]  # inertia + mass*radius*radius
+    c3 = p[8]  # mass*radius*radius
+    c4 = p[9]  # 2*mass*radius*radius*math.cos(alpha)**2
+    m00 = c0
+    f0 = -c3*theta_dot + c4*theta_dot + inertia*theta_dot
     theta_dot_after = f0 / m00
     out[1] = theta_dot_after
 
@@ -325,3 +321,22 @@ def velocity_ratio(p):
     x0 = mass*radius*radius
     value = (inertia + 2*x0*math.cos(alpha)**2 - x0)/(inertia + x0)
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (5,) with the constants that follow from them: p (10,)."""
+    p = np.empty(10)
+    p[:5] = parameters
+    mass = parameters[0]
+    radius = parameters[1]
+    alpha = parameters[2]
+    inertia = parameters[3]
+    x0 = mass*radius*radius
+    x1 = mass*radius
+    p[5] = inertia + x0
+    p[6] = x1
+    p[7] = alpha*x1
+    p[8] = x0
+    p[9] = 2*x0*math.cos(alpha)**2
+    return p

@@ -16,7 +16,7 @@ Source: thesis 5-15, 5-25, 5-33.
     contacts    both_left, left, both_right, right
 
 Operations before and after common subexpressions were shared:
-    rates                    171    67
+    rates                     10    10
     guards                    30    30
     energies                 217    94
     reactions                 14    14
@@ -24,6 +24,7 @@ Operations before and after common subexpressions were shared:
     statics                  270    70
     overturning                1     1
     velocity_ratio            28    18
+    prepare                  159    54
 """
 
 import math
@@ -31,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "7d8bf5bb0ac7fba9"
+SOURCE_HASH = "26a99f348e9be07b"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -111,48 +112,22 @@ def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
         u = y[0]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = base_mass + mass
-        m00 = x0
-        f0 = (
-            -ax*x0 - u*(-base_height*base_mass*gravity +
-            2*foundation_stiffness*half_width*half_width - gravity*height*mass)/height*height
-        )
+        c0 = p[9]  # base_mass + mass
+        c1 = p[10]
+        m00 = c0
+        f0 = -ax*c0 - c1*u
         u_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = u_ddot
     elif contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         u = y[0]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = base_mass + mass
-        x1 = (1/2)*gravity*x0/(foundation_stiffness*half_width)
-        x2 = math.sin(x1)
-        x3 = math.cos(x1)
-        x4 = base_height*base_mass
-        x5 = height*mass
-        x6 = height*x1
-        x7 = x4 + x5
-        x8 = base_mass*half_width + half_width*mass
-        x9 = 1/math.sqrt(1 + x8*x8/x7*x7)
-        x10 = 1/(-half_width*x9 + half_width + height*x8*x9/x7 - x6)
-        m00 = x0
-        f0 = (
-            -ax*x0 + gravity*(-s*x10*x6 - s + u*x10)*(base_mass*half_width*x3 +
-            half_width*mass*x3 - x2*x4 - x2*x5)/(half_width*x2 + height*x3)
-        )
+        c0 = p[9]  # base_mass + mass
+        c2 = p[11]
+        c3 = p[12]
+        c4 = p[13]
+        m00 = c0
+        f0 = -ax*c0 + c4*(c2*u - c3*s)
         u_ddot = f0 / m00
         dy[0] = y[1]
         dy[1] = u_ddot
@@ -392,3 +367,39 @@ def velocity_ratio(p):
     x1 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (9,) with the constants that follow from them: p (14,)."""
+    p = np.empty(14)
+    p[:9] = parameters
+    mass = parameters[0]
+    height = parameters[1]
+    base_mass = parameters[3]
+    base_height = parameters[4]
+    half_width = parameters[6]
+    gravity = parameters[7]
+    foundation_stiffness = parameters[8]
+    x0 = base_mass + mass
+    x1 = base_height*base_mass
+    x2 = height*mass
+    x3 = (1/2)*gravity*x0/(foundation_stiffness*half_width)
+    x4 = height*x3
+    x5 = x1 + x2
+    x6 = base_mass*half_width + half_width*mass
+    x7 = 1/math.sqrt(1 + x6*x6/x5*x5)
+    x8 = 1/(-half_width*x7 + half_width + height*x6*x7/x5 - x4)
+    x9 = math.sin(x3)
+    x10 = math.cos(x3)
+    p[9] = x0
+    p[10] = (
+        (2*foundation_stiffness*half_width*half_width - gravity*x1 - gravity*x2)/height*height
+    )
+    p[11] = x8
+    p[12] = x4*x8 + 1
+    p[13] = (
+        gravity*(base_mass*half_width*x10 + half_width*mass*x10 - x1*x9 - x2*x9)/(half_width*x9
+        + height*x10)
+    )
+    return p

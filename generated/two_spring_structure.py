@@ -17,7 +17,7 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
     contacts    left, both, flight, right
 
 Operations before and after common subexpressions were shared:
-    rates                    270   189
+    rates                    149   118
     guards                   164   112
     energies                 329   241
     reactions                162   123
@@ -25,6 +25,7 @@ Operations before and after common subexpressions were shared:
     statics                  136   105
     overturning                1     1
     velocity_ratio             0     0
+    prepare                   35    26
 """
 
 import math
@@ -32,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "fcaefdbc2d06da9f"
+SOURCE_HASH = "dce4d2cfc59ee9d3"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -119,35 +120,25 @@ def rates(contact, y, p, ax, ay, dy):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
-        half_width = p[6]
         gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
+        c0 = p[10]
+        c1 = p[11]  # base_height*base_mass
+        c2 = p[12]  # height*mass
+        c3 = p[13]  # base_mass + mass
+        c4 = p[14]  # base_height*base_mass + height*mass
+        c5 = p[15]  # 2*foundation_damping*half_width*half_width
+        c6 = p[16]  # 2*foundation_stiffness*half_width*half_width
+        c7 = p[17]  # 2*foundation_damping
+        c8 = p[18]  # 2*foundation_stiffness
+        c9 = p[19]  # base_mass*gravity + gravity*mass
         total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = base_height*base_mass
-        x2 = height*mass
-        x3 = base_mass + mass
-        x4 = math.cos(theta)
-        x5 = half_width*half_width
-        x6 = 2*foundation_stiffness
-        x7 = x1 + x2
-        x8 = x4*x7
-        x9 = 2*foundation_damping
-        m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -x0*x1 - x0*x2
-        m11 = x3
-        f0 = -ax*x8 - theta_dot*x4*x4*x5*x9 + total_gravity*x0*x7 - x0*x4*x5*x6
-        f1 = (
-            base_mass*gravity + gravity*mass - heave*x6 - heave_dot*x9 + theta_dot*theta_dot*x8
-            - total_gravity*x3
-        )
+        x1 = math.cos(theta)
+        m00 = c0
+        m10 = -c1*x0 - c2*x0
+        m11 = c3
+        f0 = -ax*c4*x1 + c4*total_gravity*x0 - c5*theta_dot*x1*x1 - c6*x0*x1
+        f1 = -c3*total_gravity + c4*theta_dot*theta_dot*x1 - c7*heave_dot - c8*heave + c9
         l10 = m10 / m00
         m11 -= l10 * m10
         f1 -= l10 * f0
@@ -162,40 +153,31 @@ def rates(contact, y, p, ax, ay, dy):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        c0 = p[10]
+        c1 = p[11]  # base_height*base_mass
+        c2 = p[12]  # height*mass
+        c3 = p[13]  # base_mass + mass
+        c4 = p[14]  # base_height*base_mass + height*mass
+        c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
+        c11 = p[21]  # foundation_damping*half_width*half_width
+        c12 = p[22]  # foundation_stiffness*half_width*half_width
+        c13 = p[23]  # foundation_damping*half_width
+        c14 = p[24]  # foundation_stiffness*half_width
         total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = base_height*base_mass
-        x2 = height*mass
-        x3 = base_mass + mass
-        x4 = math.cos(theta)
-        x5 = half_width*half_width
-        x6 = foundation_stiffness*x0
-        x7 = x1 + x2
-        x8 = (1/2)*gravity
-        x9 = foundation_damping*heave_dot
-        x10 = foundation_stiffness*heave
-        m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -x0*x1 - x0*x2
-        m11 = x3
+        x1 = math.cos(theta)
+        x2 = -c10 + foundation_damping*heave_dot + foundation_stiffness*heave
+        m00 = c0
+        m10 = -c1*x0 - c2*x0
+        m11 = c3
         f0 = (
-            -ax*x4*x7 - foundation_damping*theta_dot*x4*x4*x5 + half_width*x4*(base_mass*x8 +
-            mass*x8 - x10 - x9) + total_gravity*x0*x7 - x4*x5*x6
+            -ax*c4*x1 - c11*theta_dot*x1*x1 - c12*x0*x1 + c4*total_gravity*x0 - half_width*x1*x2
         )
-        f1 = (
-            (1/2)*base_mass*gravity + (1/2)*gravity*mass - half_width*x6 +
-            theta_dot*x4*(-foundation_damping*half_width + theta_dot*x1 + theta_dot*x2) -
-            total_gravity*x3 - x10 - x9
-        )
+        f1 = -c14*x0 - c3*total_gravity + theta_dot*x1*(c1*theta_dot - c13 + c2*theta_dot) - x2
         l10 = m10 / m00
         m11 -= l10 * m10
         f1 -= l10 * f0
@@ -210,37 +192,35 @@ def rates(contact, y, p, ax, ay, dy):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        c0 = p[10]
+        c1 = p[11]  # base_height*base_mass
+        c2 = p[12]  # height*mass
+        c3 = p[13]  # base_mass + mass
+        c4 = p[14]  # base_height*base_mass + height*mass
+        c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
+        c11 = p[21]  # foundation_damping*half_width*half_width
+        c12 = p[22]  # foundation_stiffness*half_width*half_width
+        c13 = p[23]  # foundation_damping*half_width
+        c14 = p[24]  # foundation_stiffness*half_width
         total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = base_height*base_mass
-        x2 = height*mass
-        x3 = base_mass + mass
-        x4 = math.cos(theta)
-        x5 = half_width*half_width
-        x6 = foundation_stiffness*x0
-        x7 = x1 + x2
-        x8 = (1/2)*gravity
-        x9 = base_mass*x8 - foundation_damping*heave_dot - foundation_stiffness*heave + mass*x8
-        m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -x0*x1 - x0*x2
-        m11 = x3
+        x1 = math.cos(theta)
+        x2 = foundation_damping*heave_dot
+        x3 = foundation_stiffness*heave
+        m00 = c0
+        m10 = -c1*x0 - c2*x0
+        m11 = c3
         f0 = (
-            -ax*x4*x7 - foundation_damping*theta_dot*x4*x4*x5 - half_width*x4*x9 +
-            total_gravity*x0*x7 - x4*x5*x6
+            -ax*c4*x1 - c11*theta_dot*x1*x1 - c12*x0*x1 + c4*total_gravity*x0 +
+            half_width*x1*(-c10 + x2 + x3)
         )
         f1 = (
-            half_width*x6 + theta_dot*x4*(foundation_damping*half_width + theta_dot*x1 +
-            theta_dot*x2) - total_gravity*x3 + x9
+            c10 + c14*x0 - c3*total_gravity + theta_dot*x1*(c1*theta_dot + c13 + c2*theta_dot) -
+            x2 - x3
         )
         l10 = m10 / m00
         m11 -= l10 * m10
@@ -254,25 +234,20 @@ def rates(contact, y, p, ax, ay, dy):
     elif contact == FLIGHT:
         theta = y[0]
         theta_dot = y[2]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
         gravity = p[7]
+        c0 = p[10]
+        c1 = p[11]  # base_height*base_mass
+        c2 = p[12]  # height*mass
+        c3 = p[13]  # base_mass + mass
+        c4 = p[14]  # base_height*base_mass + height*mass
         total_gravity = ay + gravity
         x0 = math.sin(theta)
-        x1 = base_height*base_mass
-        x2 = height*mass
-        x3 = base_mass + mass
-        x4 = x1 + x2
-        x5 = x4*math.cos(theta)
-        m00 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
-        m10 = -x0*x1 - x0*x2
-        m11 = x3
-        f0 = -ax*x5 + total_gravity*x0*x4
-        f1 = theta_dot*theta_dot*x5 - total_gravity*x3
+        x1 = math.cos(theta)
+        m00 = c0
+        m10 = -c1*x0 - c2*x0
+        m11 = c3
+        f0 = -ax*c4*x1 + c4*total_gravity*x0
+        f1 = -c3*total_gravity + c4*theta_dot*theta_dot*x1
         l10 = m10 / m00
         m11 -= l10 * m10
         f1 -= l10 * f0
@@ -803,3 +778,43 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+@_compiled
+def prepare(parameters):
+    """Parameters (10,) with the constants that follow from them: p (25,)."""
+    p = np.empty(25)
+    p[:10] = parameters
+    mass = parameters[0]
+    height = parameters[1]
+    inertia = parameters[2]
+    base_mass = parameters[3]
+    base_height = parameters[4]
+    base_inertia = parameters[5]
+    half_width = parameters[6]
+    gravity = parameters[7]
+    foundation_stiffness = parameters[8]
+    foundation_damping = parameters[9]
+    x0 = base_height*base_mass
+    x1 = height*mass
+    x2 = half_width*half_width
+    x3 = 2*foundation_damping
+    x4 = 2*foundation_stiffness
+    x5 = base_mass*gravity
+    x6 = gravity*mass
+    p[10] = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
+    p[11] = x0
+    p[12] = x1
+    p[13] = base_mass + mass
+    p[14] = x0 + x1
+    p[15] = x2*x3
+    p[16] = x2*x4
+    p[17] = x3
+    p[18] = x4
+    p[19] = x5 + x6
+    p[20] = (1/2)*x5 + (1/2)*x6
+    p[21] = foundation_damping*x2
+    p[22] = foundation_stiffness*x2
+    p[23] = foundation_damping*half_width
+    p[24] = foundation_stiffness*half_width
+    return p

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 import sympy as sp
 
-from rockeom.codegen.printer import assign, python, solve_symmetric, statements
+from rockeom.codegen.printer import WIDTH, assign, python, solve_symmetric, statements
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel, Transition
@@ -61,6 +61,7 @@ class _Module:
             self.names[c.velocity] = sp.Symbol(f"{c.name}_dot")
             self.names[c.acceleration] = sp.Symbol(f"{c.name}_ddot")
         self.operations: dict[str, tuple[int, int]] = {}
+        self.constants: dict[sp.Expr, sp.Symbol] = {}
         self.text: list[str] = []
 
     # -- pieces ---------------------------------------------------------------------------
@@ -84,6 +85,31 @@ class _Module:
         right = next(c for c, side in phase.contacts.items() if side == 1)
         return [f"{indent}s = 1.0 if contact == {right.upper()} else -1.0"]
 
+    def constant(self, expr: sp.Expr) -> sp.Expr:
+        """A name for an expression in parameters alone, which `prepare` computes once."""
+        if expr.is_Atom or expr.is_number:
+            return expr
+        if expr.could_extract_minus_sign():
+            return -self.constant(-expr)
+        return self.constants.setdefault(expr, sp.Symbol(f"c{len(self.constants)}"))
+
+    def hoisted(self, expr: sp.Expr) -> sp.Expr:
+        """The expression with all parts that depend on parameters alone named as constants."""
+        parameters = {self.names[p.symbol] for p in self.model.parameters}
+
+        def walk(e: sp.Expr) -> sp.Expr:
+            if e.is_Atom:
+                return e
+            if e.free_symbols <= parameters:
+                return self.constant(e)
+            if e.is_Add or e.is_Mul:
+                fixed = [a for a in e.args if a.free_symbols <= parameters]
+                moving = [walk(a) for a in e.args if not a.free_symbols <= parameters]
+                return e.func(self.constant(e.func(*fixed)), *moving) if fixed else e.func(*moving)
+            return e.func(*(walk(a) for a in e.args))
+
+        return walk(expr)
+
     def unpack(self, exprs: Iterable[sp.Expr], indent: str) -> list[str]:
         """Read the states and parameters that occur, in the order of the tables."""
         used = {str(x) for e in exprs for x in sp.sympify(e).free_symbols}
@@ -93,6 +119,11 @@ class _Module:
             for i, p in enumerate(self.model.parameters)
             if p.name in used
         ]
+        first = len(self.model.parameters)
+        for i, (value, c) in enumerate(self.constants.items()):
+            if str(c) in used:
+                line, meaning = f"{indent}{c} = p[{first + i}]", f"  # {python(value)}"
+                lines.append(line + meaning if len(line + meaning) <= WIDTH else line)
         return lines
 
     def count(self, function: str, before: int, after: int) -> None:
@@ -105,10 +136,13 @@ class _Module:
         targets: Mapping[str, sp.Expr],
         indent: str,
         first: Mapping[str, sp.Expr] | None = None,
+        hoist: bool = False,
     ) -> list[str]:
         """Lines that read what is needed, assign `first`, and then the targets."""
         ahead = {k: self.plain(e) for k, e in (first or {}).items()}
         plain = {k: self.plain(e) for k, e in targets.items()}
+        if hoist:
+            plain = {k: self.hoisted(e) for k, e in plain.items()}
         lines, before, after = statements(plain, indent)
         self.count(function, before, after)
         used = {str(x) for e in plain.values() for x in e.free_symbols}
@@ -138,7 +172,7 @@ class _Module:
         entries = {f"m{i}{j}": matrix[i, j] for i in range(n) for j in range(i + 1)}
         entries |= {f"f{i}": right[i] for i in range(n)}
         solved = solve_symmetric(n, "m", "f", out, indent)
-        return self.evaluate(function, entries, indent, first) + solved
+        return self.evaluate(function, entries, indent, first, hoist=True) + solved
 
     def function(self, signature: str, doc: str, body: list[str]) -> None:
         self.text += ["", "", "@_compiled", f"def {signature}:", *_docstring(doc), *body]
@@ -359,6 +393,30 @@ class _Module:
             values[f"{foot}_uplift"] = moved(phase.feet[foot].position[1])
         return values
 
+    def prepare(self) -> None:
+        """The function that appends the constants of rates and impacts to the parameters."""
+        first = len(self.model.parameters)
+        total = first + len(self.constants)
+        targets = {f"p[{first + i}]": e for i, e in enumerate(self.constants)}
+        lines, before, after = statements(targets, "    ")
+        self.count("prepare", before, after)
+        used = {str(x) for e in self.constants for x in e.free_symbols}
+        self.function(
+            "prepare(parameters)",
+            f"Parameters ({first},) with the constants that follow from them: p ({total},).",
+            [
+                f"    p = np.empty({total})",
+                f"    p[:{first}] = parameters",
+                *(
+                    f"    {p.name} = parameters[{i}]"
+                    for i, p in enumerate(self.model.parameters)
+                    if p.name in used
+                ),
+                *lines,
+                "    return p",
+            ],
+        )
+
     def statics(self) -> None:
         def branch(phase: Phase, indent: str) -> list[str]:
             free = {c.name: e for c, e in zip(phase.coordinates, equilibrium(phase), strict=True)}
@@ -414,6 +472,7 @@ class _Module:
             "Ratio of the rates of rotation at an impact of the structure taken as rigid.",
             sp.Integer(1) if ratio is None else ratio,
         )
+        self.prepare()
         tables = self.tables(forces, motions)
         body = "\n".join(tables + self.text) + "\n"
         return self.header(body) + body
@@ -505,8 +564,12 @@ def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
     expr = sp.expand(expr.subs(GROUND_Y, TOTAL_GRAVITY - gravity))
     angles = sorted(expr.atoms(sp.sin, sp.cos), key=sp.default_sort_key)
     parts = sp.collect(expr, [TOTAL_GRAVITY, GROUND_X], evaluate=False)
+
+    def by_side(e: sp.Expr) -> sp.Expr:
+        return sp.factor_terms(sp.collect(sp.expand(e), SIDE))
+
     return sum(
-        (k * sp.collect(part, angles, func=sp.factor_terms) for k, part in parts.items()),
+        (k * sp.collect(part, angles, func=by_side) for k, part in parts.items()),
         sp.Integer(0),
     )
 

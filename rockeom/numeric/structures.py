@@ -45,9 +45,9 @@ class Structure:
 
     @functools.cached_property
     def vector(self) -> np.ndarray:
-        """(m,) the parameters in the order of the generated module."""
+        """What the compiled functions take as p: the parameters and the constants prepared of them."""
         values = self.parameters()
-        return np.array([float(values[name]) for name in self.module.PARAMETERS])
+        return self.module.prepare(np.array([float(values[n]) for n in self.module.PARAMETERS]))
 
     @property
     def states(self) -> tuple[str, ...]:

@@ -71,13 +71,17 @@ class Notation(LatexPrinter):
     def factor_key(self, factor: sp.Expr):
         base = factor.base if factor.is_Pow else factor
         if base.is_Symbol:
-            rank = self.rank.get(base, (STRENGTH, 0))
+            rank = self._rank(base)
         elif base.is_Function:
             rank = (ANGLE, 0)
-        else:
-            weighed = all(set(self.masses) & t.free_symbols for t in sp.Add.make_args(base))
-            rank = (MASS if weighed and not base.has(sp.Function) else BRACKET, 0)
+        elif base.has(sp.Function) or base.free_symbols & self.moving:
+            rank = (BRACKET, 0)
+        else:  # a constant sum stands where its first symbol would
+            rank = min(self._rank(x) for x in base.free_symbols - {SIDE})
         return *rank, sp.default_sort_key(factor)
+
+    def _rank(self, symbol: sp.Symbol) -> tuple[int, int]:
+        return self.rank.get(symbol, (STRENGTH, 0))
 
     def term_key(self, term: sp.Expr):
         number, factors = _product(term)
@@ -130,7 +134,9 @@ class Notation(LatexPrinter):
 
     def _joined(self, expr: sp.Expr, lead: sp.Expr) -> list[sp.Expr]:
         outer, bracket = self._factored(expr)
-        if bracket == 1 or outer * lead in (1, -1):
+        if bracket == 1:
+            return [outer * lead]
+        if outer * lead in (1, -1):
             return self.sorted_terms(sp.expand(outer * lead * bracket))
         return [sp.Mul(outer * lead, bracket, evaluate=False)]
 
@@ -232,7 +238,7 @@ class Notation(LatexPrinter):
         texts = [str(number)] if number != 1 or not factors else []
         for factor in sorted(factors, key=self.factor_key):
             text = self._print(factor)
-            if texts and self.factor_key(factor)[0] == DOTTED and texts[-1][-1] != ")":
+            if texts and self.factor_key(factor)[0] == DOTTED and texts[-1][-1] not in ")]":
                 # keeps what follows out of the argument of a sine
                 texts += [r"\thinspace"] if re.match(r"\\(sin|cos|tan)", texts[-1]) else []
             texts.append(_bracketed(text) if factor.is_Add else text)

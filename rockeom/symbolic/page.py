@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-LINE = 67.0
+LINE = 70.0
 """Width of a line of mathematics on the page, in letters."""
 
 

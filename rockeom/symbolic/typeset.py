@@ -227,7 +227,8 @@ def _transitions(model: RockingModel) -> list[Block]:
         dot = Notation(model.phases[0], model).plain(model.rotation.velocity)
         e = Notation(model.phases[0], model).quotient(ratio)
         blocks += [
-            "Velocity ratio at an impact of the structure held rigid:",
+            Heading(3, "Velocity ratio of the rigid structure"),
+            "After and before an impact, all other coordinates held at zero:",
             Display((rf"e = \frac{{{dot}^+}}{{{dot}^-}} = {e}",)),
         ]
     return blocks

@@ -1,0 +1,441 @@
+"""Records read from files: what the formats allow, and how each bad file is refused."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from rockeom.motion import GroundMotion, MotionError
+
+TITLE = "Somewhere-01, 1/2/1999, Old Station #3, 45"
+STEP_LINES = {
+    "new": "NPTS=   {n}, DT=   {dt} SEC,                     ",
+    "new without comma": "NPTS=  {n}, DT= {dt} SEC",
+    "lower case": "npts= {n}, dt= {dt} sec",
+    "without unit": "NPTS={n},DT={dt}",
+    "glued unit": "NPTS={n}, DT={dt}SEC",
+    "old": "  {n}    {dt}    NPTS, DT",
+    "old with colon": " {n}  {dt} : NPTS, DT(SEC)",
+}
+
+
+def fortran(value: float, exponent: str = "E") -> str:
+    """A number as Fortran prints it in 15 columns with 7 digits, without a leading zero."""
+    if value == 0.0:
+        return f"   .0000000{exponent}+00"
+    digits, power = f"{abs(value):.6e}".split("e")
+    sign = "-" if value < 0 else " "
+    return f"  {sign}.{digits.replace('.', '')}{exponent}{int(power) + 1:+03d}"
+
+
+def at2(
+    values,
+    step_line: str = "NPTS=   {n}, DT=   .0100 SEC",
+    units: str = "ACCELERATION TIME SERIES IN UNITS OF G",
+    exponent: str = "E",
+) -> str:
+    """The text of an .AT2 file."""
+    fields = [fortran(value, exponent) for value in values]
+    data = ["".join(fields[n : n + 5]) for n in range(0, len(fields), 5)]
+    head = ["PEER NGA STRONG MOTION DATABASE RECORD", TITLE, units, step_line.format(n=len(values))]
+    return "\n".join([*head, *data, ""])
+
+
+def write(folder: Path, name: str, content: str | bytes) -> Path:
+    path = folder / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+def columns(t, a, form: str = "{:.2f} {:.6f}") -> str:
+    return "\n".join(form.format(*row) for row in zip(t, a, strict=True)) + "\n"
+
+
+TIMES = np.arange(120) * 0.01
+VALUES = np.random.default_rng(3).normal(scale=0.2, size=120).round(6)
+
+
+# -- .AT2 ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("step_line", STEP_LINES.values(), ids=STEP_LINES)
+def test_at2_step_line_of_every_age_is_read(tmp_path, step_line):
+    path = write(tmp_path, "r.AT2", at2(VALUES, step_line.replace("{dt}", ".00500")))
+    motion = GroundMotion.from_at2(path)
+    assert motion.dt == 0.005
+    assert motion.samples == pytest.approx(9.81 * VALUES, rel=1e-6)
+    assert motion.name == TITLE
+    assert motion.source == f"r.AT2, line 2: {TITLE}"
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    st.lists(st.floats(-2.0, 2.0).map(lambda x: float(f"{x:.6e}")), min_size=2, max_size=23),
+    st.sampled_from("ED"),
+    st.sampled_from(["\n", "\r\n", "\r"]),
+    st.booleans(),
+)
+def test_at2_text_comes_back_as_it_was_written(tmp_path_factory, a, exponent, line_end, mark):
+    text = at2(a, exponent=exponent).replace("\n", line_end)
+    raw = (b"\xef\xbb\xbf" if mark else b"") + text.encode()
+    path = write(tmp_path_factory.mktemp("at2"), "r.at2", raw)
+    motion = GroundMotion.from_at2(path, gravity=1.0)
+    assert np.array_equal(motion.samples, a)
+
+
+def test_at2_fixed_width_fields_without_blanks_are_told_apart(tmp_path):
+    head = at2([]).format(n=7).replace("NPTS=   0", "NPTS=   7")
+    data = "-.1234567E-02-.5D-03 .25-.75\n-12.34567-12.34567 +.1E+01\n"
+    motion = GroundMotion.from_at2(write(tmp_path, "r.AT2", head + data), gravity=1.0)
+    assert np.array_equal(
+        motion.samples, [-0.001234567, -0.0005, 0.25, -0.75, -12.34567, -12.34567, 1.0]
+    )
+
+
+def test_at2_fields_that_cannot_be_told_apart_are_refused(tmp_path):
+    path = write(tmp_path, "r.AT2", at2([0.1, 0.2]) + "0.123450.23456\n")
+    with pytest.raises(MotionError, match=r"line 6: sample 3 is '0\.123450\.23456'.*no number"):
+        GroundMotion.from_at2(path)
+
+
+def test_at2_latin1_letters_in_the_header_and_a_dos_end_of_file_are_read(tmp_path):
+    text = at2([0.1, 0.2]).replace("Old Station", "Caf\xe9")
+    path = write(tmp_path, "r.AT2", text.encode("latin-1") + b"\x1a")
+    assert GroundMotion.from_at2(path).name == "Somewhere-01, 1/2/1999, Caf\xe9 #3, 45"
+
+
+def test_at2_units_are_those_of_the_header(tmp_path):
+    text = at2([0.0, 50.0], units="ACCELERATION TIME HISTORY IN UNITS OF CM/SEC/SEC. FILTERED")
+    assert GroundMotion.from_at2(write(tmp_path, "r.AT2", text)).peak == pytest.approx(0.5)
+
+
+def test_at2_without_units_takes_those_of_the_caller(tmp_path):
+    path = write(tmp_path, "r.AT2", at2([0.0, 0.5], units="ACCELERATION"))
+    assert GroundMotion.from_at2(path, units="m/s2").peak == pytest.approx(0.5)
+
+
+AT2_ERRORS = {
+    "cut short": (
+        at2(VALUES)[:-50],
+        r"r\.AT2, line 4: NPTS says 120 values, but the file holds 11\d.*download it again",
+    ),
+    "one value too many": (
+        at2(VALUES) + " .1E+00\n",
+        r"line 4: NPTS says 120 values, but the file holds 121",
+    ),
+    "NaN": (
+        at2(VALUES).replace(fortran(VALUES[7]), "            NaN"),
+        r"r\.AT2, line 6: sample 8 is NaN, not a finite number. Remedy: take the record from",
+    ),
+    "infinity": (
+        at2([0.1, 0.2]).replace(".2000000E+00", "-Inf"),
+        r"line 5: sample 2 is -Inf, not a finite number",
+    ),
+    "overflow": (
+        at2([0.1, 0.2]).replace(".2000000E+00", "1.0E+999"),
+        r"line 5: sample 2 is 1\.0E\+999, not a finite number",
+    ),
+    "Fortran overflow": (
+        at2([0.1, 0.2]).replace(".2000000E+00", "************"),
+        r"line 5: sample 2 is '\*{12}', which is no number. Remedy: .*correct this line",
+    ),
+    "text among the numbers": (
+        at2(VALUES) + "end of record\n",
+        r"line 29: sample 121 is 'end', which is no number",
+    ),
+    "underscore in a number": (
+        at2([0.1, 0.2]).replace(".2000000E+00", "1_000"),
+        r"line 5: sample 2 is '1_000', which is no number",
+    ),
+    "no DT": (
+        at2(VALUES, "NPTS= {n}"),
+        r"line 4: DT is missing: no number follows it in 'NPTS= 120'. Remedy: write the time step",
+    ),
+    "DT without number": (at2(VALUES, "NPTS= {n}, DT= SEC"), r"line 4: DT is missing.*DT= SEC"),
+    "DT zero": (at2(VALUES, "NPTS= {n}, DT= .0000 SEC"), r"line 4: DT is \.0000 s, not positive"),
+    "DT negative": (at2(VALUES, "NPTS= {n}, DT= -.01"), r"line 4: DT is -\.01 s, not positive"),
+    "old header, DT zero": (at2(VALUES, "{n} 0.0 NPTS, DT"), r"line 4: DT is 0\.0 s, not positive"),
+    "DT in milliseconds": (
+        at2(VALUES, "NPTS= {n}, DT= 10. MSEC"),
+        r"line 4: DT is in 'msec'.*Remedy: write the time step in seconds",
+    ),
+    "NPTS no whole number": (
+        at2(VALUES, "NPTS= ****, DT= .01"),
+        r"line 4: NPTS is '\*{4}' .*not a whole number. Remedy: correct the header",
+    ),
+    "no values": (at2([]), r"0 sample\(s\), where a record needs two"),
+    "no step line": (
+        at2(VALUES).replace("NPTS", "POINTS"),
+        r"r\.AT2: no line with NPTS and DT among the first 29.*from_columns",
+    ),
+    "velocity": (
+        at2(VALUES, units="VELOCITY TIME SERIES IN UNITS OF CM/S"),
+        r"line 3: this is a record of velocity, .*'VELOCITY TIME SERIES.*use the acceleration",
+    ),
+    "displacement": (
+        at2(VALUES, units="DISPLACEMENT TIME HISTORY IN UNITS OF CM"),
+        r"line 3: this is a record of displacement, not of acceleration",
+    ),
+    "no units": (
+        at2(VALUES, units="ACCELERATION TIME SERIES"),
+        r"r\.AT2: the file does not say its units.*Remedy: say units=, one of m/s2, g",
+    ),
+    "unknown units": (
+        at2(VALUES, units="ACCELERATION TIME SERIES IN UNITS OF FURLONGS"),
+        r"line 3: the file states accelerations in 'FURLONGS', which is unknown.*one of m/s2",
+    ),
+    "empty": ("", r"r\.AT2: the file is empty \(0 bytes\). Remedy: .*download"),
+    "blank": ("\n \n\n", r"the file is empty \(4 bytes\)"),
+    "web page": (
+        "\n<!DOCTYPE html>\n<html><head><title>Sign in</title></head></html>\n",
+        r"r\.AT2, line 2: this is a web page \(HTML\), .*<!DOCTYPE html>.*sign-in page",
+    ),
+    "binary": (
+        b"PK\x03\x04" + bytes(range(256)),
+        r"r\.AT2, line 1: the file is not plain text \(byte 3\). Remedy: unpack it",
+    ),
+    "UTF-16": (
+        at2(VALUES).encode("utf-16"),
+        r"line 1: the file is not plain text \(byte 0\).*export it as text \(UTF-8\)",
+    ),
+}
+
+
+@pytest.mark.parametrize(("content", "message"), AT2_ERRORS.values(), ids=AT2_ERRORS)
+@pytest.mark.parametrize("reader", ["from_at2", "read"])
+def test_bad_at2_file_is_refused(tmp_path, reader, content, message):
+    path = write(tmp_path, "r.AT2", content)
+    with pytest.raises(MotionError, match=message) as caught:
+        getattr(GroundMotion, reader)(path)
+    assert "Remedy: " in str(caught.value) or "needs two or more" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "quantity"), [("r.VT2", "velocity"), ("r.vt2", "velocity"), ("r.DT2", "displacement")]
+)
+@pytest.mark.parametrize("reader", ["from_at2", "from_columns", "read"])
+def test_velocity_or_displacement_by_extension_is_refused(tmp_path, reader, name, quantity):
+    path = write(tmp_path, name, at2(VALUES))
+    with pytest.raises(MotionError, match=rf"{name}: this is a record of {quantity}.*\.AT2"):
+        getattr(GroundMotion, reader)(path)
+
+
+def test_at2_units_that_contradict_the_caller_are_refused(tmp_path):
+    path = write(tmp_path, "r.AT2", at2(VALUES))
+    assert GroundMotion.from_at2(path, units="g") == GroundMotion.from_at2(path)
+    with pytest.raises(MotionError, match=r"line 3: .* in 'G', the caller in 'm/s2'.*leave units="):
+        GroundMotion.from_at2(path, units="m/s2")
+
+
+@pytest.mark.parametrize("reader", ["from_at2", "from_columns", "read"])
+def test_missing_file_is_refused_with_the_folder_that_was_searched(reader):
+    message = rf"nowhere/r\.AT2: there is no such file. Remedy: .*{re.escape(str(Path.cwd()))}"
+    with pytest.raises(MotionError, match=message):
+        getattr(GroundMotion, reader)("nowhere/r.AT2")
+
+
+def test_folder_in_place_of_a_file_is_refused(tmp_path):
+    with pytest.raises(MotionError, match=r"cannot be read.*check the path"):
+        GroundMotion.read(tmp_path)
+
+
+# -- columns -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("form", "before"),
+    [
+        ("{:.2f} {:.6f}", ""),
+        ("  {:.4e}\t{:.8e}", "% time, acceleration\n# of a table\n\n"),
+        ("{:.2f},{:.6f}", "time,acceleration\n"),
+        ("{:.2f} ; {:.6f}", '"time";"ground acceleration"\n'),
+        ("{:.2f}, {:.6f},", "time, acceleration,\n"),
+        ("{:.6g} {:.8g}", "Time [s]   Acc [m/s2]\n"),
+        ("{:.2f}\t{:.6f}", "time (s)\tground acceleration (m/s^2)\n"),
+    ],
+)
+@pytest.mark.parametrize("reader", ["from_columns", "read"])
+def test_two_columns_of_every_make_are_read(tmp_path, reader, form, before):
+    path = write(tmp_path, "quake.txt", before + columns(TIMES, VALUES, form))
+    motion = getattr(GroundMotion, reader)(path, units="m/s2")
+    assert motion.dt == 0.01
+    assert motion.samples == pytest.approx(VALUES, abs=1e-12)
+    assert (motion.name, motion.source) == ("quake", "quake.txt")
+
+
+def test_units_in_the_heading_need_not_be_repeated(tmp_path):
+    path = write(tmp_path, "r.csv", "time,acc (g)\n" + columns(TIMES, VALUES, "{:.2f},{:.6f}"))
+    assert GroundMotion.read(path).samples == pytest.approx(9.81 * VALUES)
+    with pytest.raises(MotionError, match=r"r\.csv, line 1: .*in 'g', the caller in 'gal'"):
+        GroundMotion.read(path, units="gal")
+
+
+def test_csv_columns_are_chosen_by_name_or_number(tmp_path):
+    rows = zip(range(120), TIMES, -VALUES, VALUES, strict=True)
+    text = "no,time (s),up,east\n" + "\n".join("{},{:.2f},{},{}".format(*row) for row in rows)
+    path = write(tmp_path, "r.csv", text)
+    by_name = GroundMotion.from_csv(
+        path, time_column="time (s)", acceleration_column="east", units="m/s2"
+    )
+    by_number = GroundMotion.from_csv(path, time_column=1, acceleration_column=3, units="m/s2")
+    assert by_name == by_number
+    assert by_name.samples == pytest.approx(VALUES, abs=1e-15)
+    up = GroundMotion.from_csv(path, time_column=1, acceleration_column="up", units="m/s2")
+    assert np.array_equal(up.samples, -by_name.samples)
+
+
+def test_time_that_does_not_start_at_zero_is_said_in_the_source(tmp_path):
+    path = write(tmp_path, "r.txt", columns(TIMES - 5.0, VALUES))
+    motion = GroundMotion.from_columns(path, units="m/s2")
+    assert motion.duration == pytest.approx(1.19)
+    assert motion.source == "r.txt, whose time -5 s is the start of the motion"
+
+
+@pytest.mark.parametrize(
+    ("dt", "form"),
+    [
+        (1 / 128, "{:.3f} {:.6f}"),
+        (1 / 256, "{:.3f} {:.6f}"),
+        (1 / 3, "{:.2f} {:.6f}"),
+        (1 / 256, "{:.6e} {:.6f}"),
+        (0.005, "{:.4e} {:.6f}"),
+        (1 / 256, "{} {:.6f}"),
+    ],
+)
+def test_rounded_times_of_a_uniform_record_are_accepted(tmp_path, dt, form):
+    a = np.random.default_rng(5).normal(size=3000)
+    path = write(tmp_path, "r.txt", columns(dt * np.arange(3000), a, form))
+    motion = GroundMotion.from_columns(path, units="m/s2")
+    assert motion.dt == pytest.approx(dt, rel=1e-3 / 3000 / dt)
+
+
+def test_times_of_single_precision_are_accepted(tmp_path):
+    t = (0.01 * np.arange(6000)).astype(np.float32).astype(float)
+    path = write(tmp_path, "r.txt", columns(t, np.sin(t), "{!r} {!r}").replace("np.float64", ""))
+    text = path.read_text().replace("(", "").replace(")", "")
+    motion = GroundMotion.from_columns(write(tmp_path, "r.txt", text), units="m/s2")
+    assert motion.dt == pytest.approx(0.01, rel=1e-6)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.integers(8, 200),
+    st.data(),
+    st.sampled_from([(1 / 256, 3), (0.01, 2), (0.02, 3), (1 / 128, 4), (1 / 3, 1)]),
+)
+def test_missing_sample_does_not_hide_behind_rounded_times(tmp_path_factory, n, data, step):
+    dt, decimals = step
+    gap = data.draw(st.integers(1, n - 2))
+    t = np.delete(dt * np.arange(n), gap)
+    text = columns(t, np.zeros(n - 1), f"{{:.{decimals}f}} {{:.1f}}")
+    path = write(tmp_path_factory.mktemp("gap"), "r.txt", text)
+    with pytest.raises(MotionError, match=rf"r\.txt, line {gap + 1}: the time column is not unif"):
+        GroundMotion.from_columns(path, units="m/s2")
+
+
+def with_line(number: int, line: str) -> str:
+    """The good file of two columns with one of its lines replaced (None deletes it)."""
+    lines = columns(TIMES, VALUES).split("\n")
+    lines[number - 1] = line
+    return "\n".join(lines)
+
+
+COLUMN_ERRORS = {
+    "non-uniform time": (
+        "\n".join(columns(TIMES, VALUES).split("\n")[:56] + ["0.57 0.1", "0.58 0.1"]),
+        r"r\.txt, line 57: the time column is not uniform: the step to 0\.57 s is 0\.02 s, "
+        r"the usual step is 0\.01 s. Remedy: resample",
+    ),
+    "two time steps": (
+        columns(np.concatenate([TIMES, 1.19 + 0.0101 * np.arange(1, 200)]), np.zeros(319), "{} {}"),
+        r"r\.txt, line 121: the time column is not uniform.*0\.0101 s.*0\.01.*resample",
+    ),
+    "time that stands still": (
+        with_line(31, "0.29 0.1"),
+        r"line 31: time 0\.29 s does not come after 0\.29 s of line 30. Remedy: .*enough digits",
+    ),
+    "time that falls": (
+        with_line(31, "0.03 0.1"),
+        r"line 31: time 0\.03 s does not come after 0\.29 s of line 30",
+    ),
+    "NaN": (
+        with_line(40, "0.39 nan"),
+        r"r\.txt, line 40: acceleration of sample 40 is nan, not a finite number. Remedy",
+    ),
+    "NaN time": (with_line(40, "NaN 0.1"), r"line 40: time of sample 40 is NaN, not a finite"),
+    "text": (
+        with_line(12, "0.11 strong"),
+        r"line 12: acceleration of sample 12 is 'strong', which is no number",
+    ),
+    "decimal comma": (
+        columns(TIMES, VALUES, "{:.2f};{:.6f}").replace(".", ","),
+        r"line 1: time of sample 1 is '0,00', .*decimal point",
+    ),
+    "decimal comma and blanks": (
+        columns(TIMES, VALUES).replace(".", ","),
+        r"line 1: 3 columns .*where two are needed.*decimal point",
+    ),
+    "one column": (
+        "\n".join(f"{a}" for a in VALUES),
+        r"line 1: one column, where two are needed. Remedy: .*from_array",
+    ),
+    "three columns": (
+        columns(TIMES, VALUES, "{0:.2f} {1:.6f} {1:.6f}"),
+        r"line 1: 3 columns .*Remedy: name the columns .*from_csv",
+    ),
+    "ragged": (with_line(9, "0.08"), r"line 9: 1 columns, where line 1 has 2. Remedy: complete"),
+    "empty": ("", r"r\.txt: the file is empty"),
+    "only comments": ("# time acceleration\n", r"r\.txt: the file holds nothing but comments"),
+    "only a heading": ("time acceleration\n", r"r\.txt, line 1: no numbers follow the heading"),
+    "two headings": (
+        "time acceleration\ns m/s2\n" + columns(TIMES, VALUES),
+        r"line 2: time of sample 1 is 's', which is no number",
+    ),
+    "one row": ("0.0 1.0\n", r"line 1: one sample, where a record needs two or more"),
+    "milliseconds": (
+        "t (ms),a\n0,1\n10,2\n",
+        r"r\.txt, line 1: time is in 'ms'. Remedy: convert the time column to seconds",
+    ),
+    "web page": ("<html>\n", r"r\.txt, line 1: this is a web page \(HTML\)"),
+}
+
+
+@pytest.mark.parametrize(("content", "message"), COLUMN_ERRORS.values(), ids=COLUMN_ERRORS)
+@pytest.mark.parametrize("reader", ["from_columns", "read"])
+def test_bad_columns_are_refused(tmp_path, reader, content, message):
+    path = write(tmp_path, "r.txt", content)
+    with pytest.raises(MotionError, match=message) as caught:
+        getattr(GroundMotion, reader)(path, units="m/s2")
+    assert "Remedy: " in str(caught.value)
+
+
+def test_columns_without_units_are_refused(tmp_path):
+    path = write(tmp_path, "r.txt", columns(TIMES, VALUES))
+    with pytest.raises(MotionError, match=r"r\.txt: .*does not say its units.*Remedy: say units="):
+        GroundMotion.from_columns(path)
+    with pytest.raises(MotionError, match=r"units 'mph' are unknown: choose one of m/s2"):
+        GroundMotion.from_columns(path, units="mph")
+
+
+def test_at2_file_read_as_columns_is_told_its_reader(tmp_path):
+    path = write(tmp_path, "r.txt", at2(VALUES))
+    with pytest.raises(MotionError, match=r"line 4: .*PEER record.*from_at2"):
+        GroundMotion.from_columns(path, units="g")
+    assert GroundMotion.read(path) == GroundMotion.from_at2(path)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "message"),
+    [
+        ("north", r"r\.csv, line 1: no single column is called 'north'.*'time', 'a', 'a'.*number"),
+        ("a", r"no single column is called 'a'"),
+        (3, r"line 2: column 3 does not exist: there are 3. Remedy: count from 0 to 2"),
+        (-1, r"column -1 does not exist"),
+    ],
+)
+def test_column_that_is_not_there_or_not_single_is_refused(tmp_path, wanted, message):
+    path = write(tmp_path, "r.csv", "time,a,a\n0,1,2\n0.1,3,4\n")
+    with pytest.raises(MotionError, match=message):
+        GroundMotion.from_csv(path, time_column="time", acceleration_column=wanted, units="g")
