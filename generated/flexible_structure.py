@@ -35,7 +35,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "8db6d34af0336ab9"
+SOURCE_HASH = "b94d9af0c790e4b7"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -86,6 +86,11 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
     (0, 2,),  # right
+)
+TARGETS = (  # contact state to which each guard leads
+    (2, -1,),  # left
+    (0, 2,),  # both
+    (0, -1,),  # right
 )
 CLOSED = (  # guard of the contact state that follows which is closed on entering it
     (0, -1,),  # left

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "b3ee668358a4d997"
+SOURCE_HASH = "9afb6b0ab9cb40ef"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -80,6 +80,11 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
     (0, 2,),  # right
+)
+TARGETS = (  # contact state to which each guard leads
+    (2, -1,),  # left
+    (0, 2,),  # both
+    (0, -1,),  # right
 )
 CLOSED = (  # guard of the contact state that follows which is closed on entering it
     (0, -1,),  # left

@@ -27,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "2d402f25278c5c97"
+SOURCE_HASH = "78128e32f5a22a27"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -59,6 +59,11 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
     (0, 2,),  # right
+)
+TARGETS = (  # contact state to which each guard leads
+    (2, -1,),  # left
+    (0, 2,),  # both
+    (0, -1,),  # right
 )
 CLOSED = (  # guard of the contact state that follows which is closed on entering it
     (0, -1,),  # left

@@ -30,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "0158f04d3fdac51f"
+SOURCE_HASH = "861ce00dcbb2ee85"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -65,6 +65,11 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
     (0, 2,),  # right
+)
+TARGETS = (  # contact state to which each guard leads
+    (2, -1,),  # left
+    (0, 2,),  # both
+    (0, -1,),  # right
 )
 CLOSED = (  # guard of the contact state that follows which is closed on entering it
     (0, -1,),  # left

@@ -17,14 +17,14 @@ Source: thesis 5-15, 5-25, 5-33.
 
 Operations before and after common subexpressions were shared:
     rates                     10    10
-    guards                    30    30
+    guards                     6     6
     energies                 217    94
     reactions                 14    14
     kinematics                 0     0
     statics                  270    70
     overturning                1     1
     velocity_ratio            28    18
-    prepare                  159    54
+    prepare                  165    54
 """
 
 import math
@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "26a99f348e9be07b"
+SOURCE_HASH = "6b17f1aedad096e8"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -84,6 +84,12 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # left
     (0, 2,),  # both_right
     (2, 2,),  # right
+)
+TARGETS = (  # contact state to which each guard leads
+    (2, 1,),  # both_left
+    (0, -1,),  # left
+    (0, 3,),  # both_right
+    (2, -1,),  # right
 )
 CLOSED = (  # guard of the contact state that follows which is closed on entering it
     (0, 0,),  # both_left
@@ -139,45 +145,23 @@ def guards(contact, y, p, ax, ay, g):
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
         if contact == BOTH_LEFT:
             u = y[0]
-            mass = p[0]
-            height = p[1]
-            base_mass = p[3]
-            half_width = p[6]
-            gravity = p[7]
-            foundation_stiffness = p[8]
+            c5 = p[14]
             g[0] = -u
-            g[1] = u + (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+            g[1] = c5 + u
         else:
             u = y[0]
-            mass = p[0]
-            height = p[1]
-            base_mass = p[3]
-            half_width = p[6]
-            gravity = p[7]
-            foundation_stiffness = p[8]
+            c5 = p[14]
             g[0] = u
-            g[1] = (
-                -u + (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
-            )
+            g[1] = c5 - u
     elif contact == LEFT or contact == RIGHT:
         if contact == LEFT:
             u = y[0]
-            mass = p[0]
-            height = p[1]
-            base_mass = p[3]
-            half_width = p[6]
-            gravity = p[7]
-            foundation_stiffness = p[8]
-            g[0] = -u - 1/2*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+            c5 = p[14]
+            g[0] = -c5 - u
         else:
             u = y[0]
-            mass = p[0]
-            height = p[1]
-            base_mass = p[3]
-            half_width = p[6]
-            gravity = p[7]
-            foundation_stiffness = p[8]
-            g[0] = u - 1/2*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+            c5 = p[14]
+            g[0] = -c5 + u
 
 
 @_compiled
@@ -371,8 +355,8 @@ def velocity_ratio(p):
 
 @_compiled
 def prepare(parameters):
-    """Parameters (9,) with the constants that follow from them: p (14,)."""
-    p = np.empty(14)
+    """Parameters (9,) with the constants that follow from them: p (15,)."""
+    p = np.empty(15)
     p[:9] = parameters
     mass = parameters[0]
     height = parameters[1]
@@ -402,4 +386,5 @@ def prepare(parameters):
         gravity*(base_mass*half_width*x10 + half_width*mass*x10 - x1*x9 - x2*x9)/(half_width*x9
         + height*x10)
     )
+    p[14] = x4
     return p

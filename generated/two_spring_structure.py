@@ -17,15 +17,15 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
     contacts    left, both, flight, right
 
 Operations before and after common subexpressions were shared:
-    rates                    149   118
-    guards                   164   112
-    energies                 329   241
-    reactions                162   123
-    kinematics                32    20
-    statics                  136   105
+    rates                    104    85
+    guards                   116    80
+    energies                 248   181
+    reactions                146    98
+    kinematics                24    15
+    statics                   92    74
     overturning                1     1
     velocity_ratio             0     0
-    prepare                   35    26
+    prepare                   39    29
 """
 
 import math
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "dce4d2cfc59ee9d3"
+SOURCE_HASH = "caf032f05e5157e7"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -82,13 +82,19 @@ N_STATES = 4
 N_GUARDS = 2
 ROTATION = 0
 ROTATION_RATE = 2
-SIDES = (0.0, 0.0, 0.0, 0.0,)
+SIDES = (-1.0, 0.0, 0.0, 1.0,)
 GUARDS = (2, 2, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # left
     (2, 2,),  # both
     (2, 2,),  # flight
     (2, 2,),  # right
+)
+TARGETS = (  # contact state to which each guard leads
+    (1, 2,),  # left
+    (3, 0,),  # both
+    (0, 3,),  # flight
+    (1, 2,),  # right
 )
 CLOSED = (  # guard of the contact state that follows which is closed on entering it
     (1, 0,),  # left
@@ -148,46 +154,8 @@ def rates(contact, y, p, ax, ay, dy):
         dy[2] = theta_ddot
         dy[1] = y[3]
         dy[3] = heave_ddot
-    elif contact == LEFT:
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        c0 = p[10]
-        c1 = p[11]  # base_height*base_mass
-        c2 = p[12]  # height*mass
-        c3 = p[13]  # base_mass + mass
-        c4 = p[14]  # base_height*base_mass + height*mass
-        c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
-        c11 = p[21]  # foundation_damping*half_width*half_width
-        c12 = p[22]  # foundation_stiffness*half_width*half_width
-        c13 = p[23]  # foundation_damping*half_width
-        c14 = p[24]  # foundation_stiffness*half_width
-        total_gravity = ay + gravity
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = -c10 + foundation_damping*heave_dot + foundation_stiffness*heave
-        m00 = c0
-        m10 = -c1*x0 - c2*x0
-        m11 = c3
-        f0 = (
-            -ax*c4*x1 - c11*theta_dot*x1*x1 - c12*x0*x1 + c4*total_gravity*x0 - half_width*x1*x2
-        )
-        f1 = -c14*x0 - c3*total_gravity + theta_dot*x1*(c1*theta_dot - c13 + c2*theta_dot) - x2
-        l10 = m10 / m00
-        m11 -= l10 * m10
-        f1 -= l10 * f0
-        heave_ddot = f1 / m11
-        theta_ddot = f0 / m00 - l10 * heave_ddot
-        dy[0] = y[2]
-        dy[2] = theta_ddot
-        dy[1] = y[3]
-        dy[3] = heave_ddot
-    elif contact == RIGHT:
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -216,11 +184,11 @@ def rates(contact, y, p, ax, ay, dy):
         m11 = c3
         f0 = (
             -ax*c4*x1 - c11*theta_dot*x1*x1 - c12*x0*x1 + c4*total_gravity*x0 +
-            half_width*x1*(-c10 + x2 + x3)
+            half_width*s*x1*(-c10 + x2 + x3)
         )
         f1 = (
-            c10 + c14*x0 - c3*total_gravity + theta_dot*x1*(c1*theta_dot + c13 + c2*theta_dot) -
-            x2 - x3
+            c10 + c14*s*x0 - c3*total_gravity + theta_dot*x1*(c1*theta_dot + c13*s +
+            c2*theta_dot) - x2 - x3
         )
         l10 = m10 / m00
         m11 -= l10 * m10
@@ -267,85 +235,62 @@ def guards(contact, y, p, ax, ay, g):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
-        mass = p[0]
-        base_mass = p[3]
         half_width = p[6]
-        gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
         x0 = half_width*theta_dot*math.cos(theta)
         x1 = half_width*math.sin(theta)
-        x2 = 1/foundation_stiffness
-        x3 = base_mass + mass
-        g[0] = (
-            foundation_damping*(-heave_dot - x0) + foundation_stiffness*((1/2)*gravity*x2*x3 -
-            heave - x1)
-        )
-        g[1] = (
-            foundation_damping*(-heave_dot + x0) + foundation_stiffness*((1/2)*gravity*x2*x3 -
-            heave + x1)
-        )
-    elif contact == LEFT:
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        mass = p[0]
-        base_mass = p[3]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        x0 = half_width*math.sin(theta)
-        x1 = 1/foundation_stiffness
-        x2 = base_mass + mass
-        x3 = (1/2)*gravity*x1*x2 - heave + x0
-        x4 = half_width*theta_dot*math.cos(theta)
-        g[0] = -min(x3, foundation_damping*(-heave_dot + x4) + foundation_stiffness*x3)
-        g[1] = (
-            foundation_damping*(-heave_dot - x4) + foundation_stiffness*((1/2)*gravity*x1*x2 -
-            heave - x0)
-        )
-    elif contact == RIGHT:
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        mass = p[0]
-        base_mass = p[3]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        x0 = half_width*math.sin(theta)
-        x1 = 1/foundation_stiffness
-        x2 = base_mass + mass
-        x3 = (1/2)*gravity*x1*x2 - heave - x0
-        x4 = half_width*theta_dot*math.cos(theta)
-        g[0] = -min(x3, foundation_damping*(-heave_dot - x4) + foundation_stiffness*x3)
-        g[1] = (
-            foundation_damping*(-heave_dot + x4) + foundation_stiffness*((1/2)*gravity*x1*x2 -
-            heave + x0)
-        )
+        g[0] = foundation_damping*(-heave_dot - x0) + foundation_stiffness*(c15 - heave - x1)
+        g[1] = foundation_damping*(-heave_dot + x0) + foundation_stiffness*(c15 - heave + x1)
+    elif contact == LEFT or contact == RIGHT:
+        if contact == LEFT:
+            theta = y[0]
+            heave = y[1]
+            theta_dot = y[2]
+            heave_dot = y[3]
+            half_width = p[6]
+            foundation_stiffness = p[8]
+            foundation_damping = p[9]
+            c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+            x0 = half_width*math.sin(theta)
+            x1 = c15 - heave + x0
+            x2 = half_width*theta_dot*math.cos(theta)
+            g[0] = -min(x1, foundation_damping*(-heave_dot + x2) + foundation_stiffness*x1)
+            g[1] = (
+                foundation_damping*(-heave_dot - x2) + foundation_stiffness*(c15 - heave - x0)
+            )
+        else:
+            theta = y[0]
+            heave = y[1]
+            theta_dot = y[2]
+            heave_dot = y[3]
+            half_width = p[6]
+            foundation_stiffness = p[8]
+            foundation_damping = p[9]
+            c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+            x0 = half_width*math.sin(theta)
+            x1 = c15 - heave - x0
+            x2 = half_width*theta_dot*math.cos(theta)
+            g[0] = -min(x1, foundation_damping*(-heave_dot - x2) + foundation_stiffness*x1)
+            g[1] = (
+                foundation_damping*(-heave_dot + x2) + foundation_stiffness*(c15 - heave + x0)
+            )
     elif contact == FLIGHT:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
-        mass = p[0]
-        base_mass = p[3]
         half_width = p[6]
-        gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
+        c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
         x0 = half_width*math.sin(theta)
-        x1 = 1/foundation_stiffness
-        x2 = base_mass + mass
-        x3 = (1/2)*gravity*x1*x2 - heave - x0
-        x4 = half_width*theta_dot*math.cos(theta)
-        x5 = (1/2)*gravity*x1*x2 - heave + x0
-        g[0] = -min(x3, foundation_damping*(-heave_dot - x4) + foundation_stiffness*x3)
-        g[1] = -min(x5, foundation_damping*(-heave_dot + x4) + foundation_stiffness*x5)
+        x1 = c15 - heave - x0
+        x2 = half_width*theta_dot*math.cos(theta)
+        x3 = c15 - heave + x0
+        g[0] = -min(x1, foundation_damping*(-heave_dot - x2) + foundation_stiffness*x1)
+        g[1] = -min(x3, foundation_damping*(-heave_dot + x2) + foundation_stiffness*x3)
 
 
 @_compiled
@@ -420,7 +365,8 @@ def energies(contact, y, p, out):
             x13*((1/2)*gravity*x12*x8 - heave - x11)**2 + x13*((1/2)*gravity*x12*x8 - heave +
             x11)**2
         )
-    elif contact == LEFT:
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -454,44 +400,7 @@ def energies(contact, y, p, out):
             mass*x6 + x2*x7 + x5*x7
         )
         out[2] = (
-            (1/2)*foundation_stiffness*((1/2)*gravity*x8*(base_mass + mass) - half_width*x3 -
-            heave)**2
-        )
-    elif contact == RIGHT:
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = (1/2)*theta_dot*theta_dot
-        x1 = (1/2)*heave_dot*heave_dot
-        x2 = base_height*base_mass
-        x3 = math.sin(theta)
-        x4 = heave_dot*theta_dot*x3
-        x5 = height*mass
-        x6 = gravity*heave
-        x7 = gravity*math.cos(theta)
-        x8 = 1/foundation_stiffness
-        x9 = gravity*gravity*x8
-        x10 = (1/2)*x9
-        out[0] = (
-            base_height*base_height*base_mass*x0 + base_inertia*x0 + base_mass*x1 +
-            height*height*mass*x0 + inertia*x0 + mass*x1 - x2*x4 - x4*x5
-        )
-        out[1] = (
-            -base_mass*base_mass*x10 - base_mass*mass*x9 + base_mass*x6 - mass*mass*x10 +
-            mass*x6 + x2*x7 + x5*x7
-        )
-        out[2] = (
-            (1/2)*foundation_stiffness*((1/2)*gravity*x8*(base_mass + mass) + half_width*x3 -
+            (1/2)*foundation_stiffness*((1/2)*gravity*x8*(base_mass + mass) + half_width*s*x3 -
             heave)**2
         )
     elif contact == FLIGHT:
@@ -565,7 +474,8 @@ def reactions(contact, y, p, ax, ay, out):
             foundation_damping*(-heave_dot + x6) + foundation_stiffness*((1/2)*gravity*x8*x9 -
             heave + x7)
         )
-    elif contact == LEFT:
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         dy = np.empty(N_STATES)
         rates(contact, y, p, ax, ay, dy)
         theta_ddot = dy[2]
@@ -587,42 +497,15 @@ def reactions(contact, y, p, ax, ay, out):
         x3 = height*mass
         x4 = math.sin(theta)
         x5 = theta_dot*theta_dot*x4
-        out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
-        out[1] = (
-            foundation_damping*(-half_width*theta_dot*x0 - heave_dot) +
-            foundation_stiffness*(-half_width*x4 - heave + (1/2)*gravity*(base_mass +
+        x6 = half_width*s
+        x7 = (
+            (1/2)*foundation_damping*(-heave_dot + theta_dot*x0*x6) +
+            (1/2)*foundation_stiffness*(-heave + x4*x6 + (1/2)*gravity*(base_mass +
             mass)/foundation_stiffness)
         )
-        out[2] = 0
-    elif contact == RIGHT:
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[2]
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        x0 = math.cos(theta)
-        x1 = theta_ddot*x0
-        x2 = base_height*base_mass
-        x3 = height*mass
-        x4 = math.sin(theta)
-        x5 = theta_dot*theta_dot*x4
         out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
-        out[1] = 0
-        out[2] = (
-            foundation_damping*(half_width*theta_dot*x0 - heave_dot) +
-            foundation_stiffness*(half_width*x4 - heave + (1/2)*gravity*(base_mass +
-            mass)/foundation_stiffness)
-        )
+        out[1] = x7*(1 - s)
+        out[2] = x7*(s + 1)
     elif contact == FLIGHT:
         dy = np.empty(N_STATES)
         rates(contact, y, p, ax, ay, dy)
@@ -655,17 +538,7 @@ def kinematics(contact, y, p, out):
         out[0] = height*x0
         out[1] = heave + x1
         out[2] = heave - x1
-    elif contact == LEFT:
-        theta = y[0]
-        heave = y[1]
-        height = p[1]
-        half_width = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*x0
-        out[0] = height*x0
-        out[1] = heave + x1
-        out[2] = heave - x1
-    elif contact == RIGHT:
+    elif contact == LEFT or contact == RIGHT:
         theta = y[0]
         heave = y[1]
         height = p[1]
@@ -708,30 +581,8 @@ def statics(contact, y, p, load, out):
             height*load*x0 - height*mass*x2
         )
         out[1] = 2*foundation_stiffness*heave
-    elif contact == LEFT:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = gravity*x1
-        x3 = (1/2)*gravity
-        x4 = base_mass*x3
-        x5 = half_width*x0
-        x6 = mass*x3
-        out[0] = (
-            -base_height*base_mass*x2 + foundation_stiffness*half_width*half_width*x0*x1 +
-            foundation_stiffness*half_width*heave*x0 - height*load*x0 - height*mass*x2 - x4*x5 -
-            x5*x6
-        )
-        out[1] = foundation_stiffness*half_width*x1 + foundation_stiffness*heave + x4 + x6
-    elif contact == RIGHT:
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         heave = y[1]
         mass = p[0]
@@ -745,13 +596,14 @@ def statics(contact, y, p, load, out):
         x1 = math.sin(theta)
         x2 = gravity*x1
         x3 = foundation_stiffness*heave
-        x4 = (1/2)*gravity
+        x4 = half_width*s
+        x5 = (1/2)*gravity
         out[0] = (
-            -base_height*base_mass*x2 + (1/2)*base_mass*gravity*half_width*x0 +
-            foundation_stiffness*half_width*half_width*x0*x1 + (1/2)*gravity*half_width*mass*x0
-            - half_width*x0*x3 - height*load*x0 - height*mass*x2
+            -base_height*base_mass*x2 + (1/2)*base_mass*gravity*half_width*s*x0 +
+            foundation_stiffness*half_width*half_width*x0*x1 +
+            (1/2)*gravity*half_width*mass*s*x0 - height*load*x0 - height*mass*x2 - x0*x3*x4
         )
-        out[1] = base_mass*x4 - foundation_stiffness*half_width*x1 + mass*x4 + x3
+        out[1] = base_mass*x5 - foundation_stiffness*x1*x4 + mass*x5 + x3
     elif contact == FLIGHT:
         theta = y[0]
         mass = p[0]
@@ -782,8 +634,8 @@ def velocity_ratio(p):
 
 @_compiled
 def prepare(parameters):
-    """Parameters (10,) with the constants that follow from them: p (25,)."""
-    p = np.empty(25)
+    """Parameters (10,) with the constants that follow from them: p (26,)."""
+    p = np.empty(26)
     p[:10] = parameters
     mass = parameters[0]
     height = parameters[1]
@@ -797,24 +649,26 @@ def prepare(parameters):
     foundation_damping = parameters[9]
     x0 = base_height*base_mass
     x1 = height*mass
-    x2 = half_width*half_width
-    x3 = 2*foundation_damping
-    x4 = 2*foundation_stiffness
-    x5 = base_mass*gravity
-    x6 = gravity*mass
+    x2 = base_mass + mass
+    x3 = half_width*half_width
+    x4 = 2*foundation_damping
+    x5 = 2*foundation_stiffness
+    x6 = base_mass*gravity
+    x7 = gravity*mass
     p[10] = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
     p[11] = x0
     p[12] = x1
-    p[13] = base_mass + mass
+    p[13] = x2
     p[14] = x0 + x1
-    p[15] = x2*x3
-    p[16] = x2*x4
-    p[17] = x3
-    p[18] = x4
-    p[19] = x5 + x6
-    p[20] = (1/2)*x5 + (1/2)*x6
-    p[21] = foundation_damping*x2
-    p[22] = foundation_stiffness*x2
+    p[15] = x3*x4
+    p[16] = x3*x5
+    p[17] = x4
+    p[18] = x5
+    p[19] = x6 + x7
+    p[20] = (1/2)*x6 + (1/2)*x7
+    p[21] = foundation_damping*x3
+    p[22] = foundation_stiffness*x3
     p[23] = foundation_damping*half_width
     p[24] = foundation_stiffness*half_width
+    p[25] = (1/2)*gravity*x2/foundation_stiffness
     return p

@@ -255,7 +255,7 @@ class _Module:
                 expressions = {
                     f"g[{i}]": t.guard for i, t in enumerate(transitions) if t.guard is not None
                 }
-                lines += self.evaluate("guards", expressions, inner)
+                lines += self.evaluate("guards", expressions, inner, hoist=True)
                 lines += [
                     f"{inner}g[{i}] = -opening_acceleration({t.target.upper()}, y, p, ax, ay)"
                     for i, t in enumerate(transitions)
@@ -515,6 +515,9 @@ class _Module:
             "KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch",
             *(f"    {_kinds(self.outgoing(c), longest)},  # {c}" for c in model.contacts),
             ")",
+            "TARGETS = (  # contact state to which each guard leads",
+            *(f"    {self.targets(c, longest)},  # {c}" for c in model.contacts),
+            ")",
             "CLOSED = (  # guard of the contact state that follows which is closed on entering it",
             *(f"    {self.closed(c, longest)},  # {c}" for c in model.contacts),
             ")",
@@ -525,6 +528,11 @@ class _Module:
             '_compiled = njit(cache=True, error_model="numpy")',
         ]
         return lines
+
+    def targets(self, contact: str, length: int) -> str:
+        numbers = [self.number(t.target) for t in self.outgoing(contact)]
+        numbers += [-1] * (length - len(numbers))
+        return "(" + "".join(f"{i}, " for i in numbers).strip() + ")"
 
     def closed(self, contact: str, length: int) -> str:
         """For each guard of a contact state: the one of its target that leads back, or -1.

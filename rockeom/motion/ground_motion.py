@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import warnings
 from dataclasses import dataclass, replace
 from typing import Any
@@ -374,7 +375,7 @@ class GroundMotion:
         a, s = _finite("acceleration", acceleration), _positive("time", time)
         return GroundMotion(
             _scaled(self.segments, a, s),
-            f"{self.name}-A{a:.4g}-T{s:.4g}",
+            _scaled_name(self.name, a, s),
             self.source,
             None if self.dt is None else self.dt * s,
             None if self.samples is None else self.samples * a,
@@ -425,6 +426,18 @@ class GroundMotion:
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.
         return GroundMotion, (self.segments, self.name, self.source, self.dt, self.samples)
+
+
+_PRINTED = r"(-?\d+\.?\d*(?:e[+-]\d+)?)"
+_SCALE_IN_NAME = re.compile(f"-A{_PRINTED}-T{_PRINTED}$")
+
+
+def _scaled_name(name: str, acceleration: float, time: float) -> str:
+    """The name with its factors at the end; those of an earlier scaling are multiplied."""
+    if found := _SCALE_IN_NAME.search(name):
+        name = name[: found.start()]
+        acceleration, time = acceleration * float(found[1]), time * float(found[2])
+    return f"{name}-A{acceleration:.4g}-T{time:.4g}"
 
 
 # -- construction --------------------------------------------------------------------------------

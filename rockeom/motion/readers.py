@@ -225,6 +225,8 @@ def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[int, float]:
 
 _SECONDS = ("s", "sec", "secs", "second", "seconds")
 _OTHER_TIMES = ("ms", "msec", "millisecond", "milliseconds", "min", "minutes", "h", "hours")
+# A letter before any digit, or one that is in no number: "E" and "0deg", not "0,5E-03" or "***".
+_NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
 _BRACKETED = re.compile(r"[\[(]\s*([^\])]+?)\s*[\])]")
 _NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?")
 
@@ -288,7 +290,7 @@ def _table(path: FilePath) -> _Table:
     names: list[str] = []
     header_line = None
     first = _fields(content[0][1], delimiter)
-    if any(first) and not any(_looks_numeric(field) for field in first):
+    if any(first) and all(_is_name(field) or not field for field in first):
         header_line, heading = content.pop(0)
         names = _names(heading, delimiter)
     if not content:
@@ -300,6 +302,10 @@ def _table(path: FilePath) -> _Table:
             remedy = "complete this line, or write comments behind #"
             raise MotionError.at(path, number, what, remedy)
     return _Table(path, header_line, names, [number for number, _ in content], rows)
+
+
+def _is_name(field: str) -> bool:
+    return bool(_NAME.match(field)) and not _looks_numeric(field)
 
 
 def _fields(line: str, delimiter: str | None) -> list[str]:
@@ -397,13 +403,16 @@ def _time_step(
     # The mean is spoilt by what is wrong, the median is not.
     usual = float(np.median(steps))
     beyond = np.abs(steps - usual) > np.maximum(of_step, 0.01 * usual)
-    n = int(np.argmax(beyond) if beyond.any() else np.argmax(np.abs(steps - usual)))
-    what = (
-        f"the time column is not uniform: the step to {texts[n + 1]} s is {steps[n]:.6g} s, "
-        f"the usual step is {usual:.6g} s"
-    )
+    if beyond.any():
+        n = int(np.argmax(beyond)) + 1
+        found = f"the step to {texts[n]} s is {steps[n - 1]:.6g} s, the usual step {usual:.6g} s"
+    else:  # no step stands out, but they drift
+        n = int(np.argmax(off_grid))
+        before, after = steps[:n].mean(), steps[n:].mean()
+        found = f"up to {texts[n]} s the mean step is {before:.6g} s, after it {after:.6g} s"
+    what = f"the time column is not uniform: {found}"
     remedy = "resample to a uniform step (numpy.interp) and use GroundMotion.from_array"
-    raise MotionError.at(path, lines[n + 1], what, remedy)
+    raise MotionError.at(path, lines[n], what, remedy)
 
 
 def _last_printed_digit(numbers: Sequence[Decimal]) -> np.ndarray:

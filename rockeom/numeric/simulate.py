@@ -44,7 +44,7 @@ def simulate(
     """
     options = options or SolverOptions()
     y0 = structure.state(initial or {})
-    contact = structure.contact(y0, phase)
+    contact = structure.contact(y0, phase, -_first_push(motion))
     fallen = structure.overturning_rotation
     rotation = structure.states[structure.module.ROTATION]
     if abs(y0[structure.module.ROTATION]) >= fallen:
@@ -175,6 +175,13 @@ def _is_at_rest(response: Response, contact: int) -> bool:
         return True
     kinetic = response["kinetic_energy"]
     return bool(kinetic[-1] <= 1e-6 * kinetic.max())
+
+
+def _first_push(motion: GroundMotion) -> float:
+    """Sign of the first ground acceleration that is not zero; 0 if there is none."""
+    middle = 0.5 * (motion.segments[:, 0] + motion.segments[:, 1])
+    pushes = motion.acceleration(middle)
+    return float(np.sign(pushes[pushes != 0.0][0])) if pushes.any() else 0.0
 
 
 def _table(motion: GroundMotion | None) -> np.ndarray:

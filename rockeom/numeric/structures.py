@@ -45,7 +45,7 @@ class Structure:
 
     @functools.cached_property
     def vector(self) -> np.ndarray:
-        """What the compiled functions take as p: the parameters and the constants prepared of them."""
+        """What compiled functions take as p: the parameters and constants prepared of them."""
         values = self.parameters()
         return self.module.prepare(np.array([float(values[n]) for n in self.module.PARAMETERS]))
 
@@ -77,8 +77,11 @@ class Structure:
                 raise ValueError(f"state {name} is {value}: give a finite number")
         return y
 
-    def contact(self, y: np.ndarray, phase: str | None = None) -> int:
-        """Number of the contact state of a state vector, or of the phase named."""
+    def contact(self, y: np.ndarray, phase: str | None = None, towards: float = 0.0) -> int:
+        """Number of the contact state of a state vector, or of the phase named.
+
+        towards : sign of the rotation to come, where the state itself is upright and at rest.
+        """
         m = self.module
         if phase is not None:
             if phase not in m.CONTACTS:
@@ -88,6 +91,7 @@ class Structure:
         direction = np.sign(rotation) or np.sign(rate)
         if 0 in m.KINDS[m.CONTACTS.index("left")]:  # rocks on rigid ground
             return m.CONTACTS.index({-1.0: "left", 0.0: "both", 1.0: "right"}[float(direction)])
+        direction = direction or np.sign(towards)
         best, reached = 0, -math.inf
         for number, (count, side) in enumerate(zip(m.GUARDS, m.SIDES, strict=True)):
             g = np.zeros(m.N_GUARDS)

@@ -50,7 +50,7 @@ class Notation(LatexPrinter):
         self.leaders = [*self.dotted, *field]
         self.heavy = {x: i for i, x in enumerate(heavy)}
         places = [b.position for b in phase.bodies] + [f.position for f in phase.feet.values()]
-        levers = [sp.diff(e, q) for place in places for e in place for q in self.moving]
+        levers = [sp.diff(e, q) for place in places for e in place for q in self.positions]
         radii = {body.polar[2] for body in phase.bodies if body.polar}
         groups = [
             (DOTTED, self.dotted),
@@ -74,11 +74,17 @@ class Notation(LatexPrinter):
             rank = self._rank(base)
         elif base.is_Function:
             rank = (ANGLE, 0)
-        elif base.has(sp.Function) or base.free_symbols & self.moving:
+        elif base.has(sp.Function) or not (self._weighed(base) or self._constant(base)):
             rank = (BRACKET, 0)
-        else:  # a constant sum stands where its first symbol would
+        else:  # such a sum stands where its first symbol would
             rank = min(self._rank(x) for x in base.free_symbols - {SIDE})
         return *rank, sp.default_sort_key(factor)
+
+    def _constant(self, expr: sp.Expr) -> bool:
+        return not expr.free_symbols & self.moving
+
+    def _weighed(self, expr: sp.Expr) -> bool:
+        return all(set(self.masses) & t.free_symbols for t in sp.Add.make_args(expr))
 
     def _rank(self, symbol: sp.Symbol) -> tuple[int, int]:
         return self.rank.get(symbol, (STRENGTH, 0))
@@ -124,7 +130,7 @@ class Notation(LatexPrinter):
         heavy = sum(parts.values(), sp.Integer(0))
         _, bracket = self._factored(heavy)
         few = len(sp.Add.make_args(bracket)) <= len(self.masses)
-        if few and not bracket.free_symbols & self.moving:
+        if few and self._constant(bracket):
             parts = {None: heavy}
         springs = [light]
         if self._factored(light)[0].is_Number and not self._turns(light):
@@ -149,7 +155,7 @@ class Notation(LatexPrinter):
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
         outer = number * sp.Mul(*(f for f in factors if f is not bracket))
         terms = self.sorted_terms(bracket)
-        if len(terms) > 2 and not bracket.free_symbols & self.moving:
+        if len(terms) > 2 and self._constant(bracket):
             sign, square = sp.factor(bracket).as_coeff_Mul()
             if square.is_Pow:
                 return outer * sign * square, sp.Integer(1)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.lumped_mass import (
     BASE_MASS,
     HALF_WIDTH,
@@ -58,25 +59,22 @@ def two_spring_structure() -> RockingModel:
         "left": (-b * sp.cos(theta), centre[1] + b * sp.sin(theta)),
         "right": (b * sp.cos(theta), centre[1] - b * sp.sin(theta)),
     }
-    compression = {foot: -y for foot, (_, y) in sole.items()}
-    speed = {
-        foot: sp.diff(d, theta) * ROTATION.velocity + sp.diff(d, v) * HEAVE.velocity
-        for foot, d in compression.items()
-    }
-    force = {foot: k * compression[foot] + c * speed[foot] for foot in sole}
+    edge = -centre[1] + SIDE * b * sp.sin(theta)  # compression under the edge of side s
+    press = k * edge + c * rate(edge, (ROTATION, HEAVE))
+    sides = {"left": -1, "right": 1}
+    compression = {foot: at_side(edge, side) for foot, side in sides.items()}
+    force = {foot: at_side(press, side) for foot, side in sides.items()}
 
-    def phase(name: str, *pressed: str) -> Phase:
+    def phase(contacts: dict[str, int], compressed: list[sp.Expr], **on: sp.Expr) -> Phase:
+        """The mechanism in which springs under the given edges are pressed."""
         return Phase(
-            {name: 0},
+            contacts,
             (ROTATION, HEAVE),
             bodies,
             GRAVITY.symbol,
-            sum((k * compression[f] ** 2 / 2 for f in pressed), sp.Integer(0)),
-            sum((c * speed[f] ** 2 / 2 for f in pressed), sp.Integer(0)),
-            {
-                f: Foot(sole[f], force[f] if f in pressed else sp.Integer(0))
-                for f in ("left", "right")
-            },
+            sum((k * d**2 / 2 for d in compressed), sp.S.Zero),
+            sum((c * rate(d, (ROTATION, HEAVE)) ** 2 / 2 for d in compressed), sp.S.Zero),
+            {foot: Foot(sole[foot], on.get(foot, sp.S.Zero)) for foot in sides},
             bodies[0].position,
         )
 
@@ -92,10 +90,9 @@ def two_spring_structure() -> RockingModel:
         parameters=(*PARAMETERS, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE),
         phases=(
-            phase("both", "left", "right"),
-            phase("left", "left"),
-            phase("right", "right"),
-            phase("flight"),
+            phase({"both": 0}, [*compression.values()], **force),
+            phase(sides, [edge], left=press * (1 - SIDE) / 2, right=press * (1 + SIDE) / 2),
+            phase({"flight": 0}, []),
         ),
         transitions=(
             lifts("both", "right", "left"),

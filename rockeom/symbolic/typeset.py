@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.algebra import SIDE, angles_in
 from rockeom.symbolic.contact import reactions, total_reaction
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.model import (
@@ -146,7 +146,7 @@ def _symbols(model: RockingModel, polar: bool) -> list[Block]:
 def _in_terms_of(known: dict[sp.Symbol, sp.Expr], expr: sp.Expr) -> sp.Expr:
     """`expr`, the angles in it written by the constants known before where that is shorter."""
     for symbol, value in known.items():
-        for angle in {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}:
+        for angle in angles_in(expr):
             ratio = sp.cancel(angle / value)
             if ratio.count_ops() + 1 < angle.count_ops():
                 expr = expr.subs(angle, ratio * symbol)
@@ -174,18 +174,19 @@ def _phase(model: RockingModel, phase: Phase) -> list[Block]:
         blocks.append(Display(tuple(lines)))
     else:
         blocks.append("No coordinate is free: the structure stands still on the ground.")
-    energies = (
+    energies = [
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",
         f"V_e = {notation.plain(equations.elastic_energy)}",
         f"D = {notation.plain(phase.dissipation)}",
-    )
+    ]
+    energies = [line for line in energies if not line.endswith(" = 0")]
     return [
         *blocks,
         Heading(3, "Energies"),
         "Kinetic energy $T$, potential energies of gravity $V_g$ and of springs $V_e$, half the "
         "power lost to damping $D$; what is not shown is zero.",
-        Display(tuple(line for line in energies if not line.endswith(" = 0"))),
+        *([Display(tuple(energies))] if energies else []),
         Heading(3, "Support reactions"),
         *_reactions(model, phase, notation),
     ]
@@ -284,7 +285,7 @@ def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | N
 
 def _guard_lines(notation: Notation, guard: sp.Expr) -> list[str]:
     """A short form of the guard, and equations for what it names."""
-    parts = [a for m in guard.atoms(sp.Min) for a in sorted(m.args, key=sp.default_sort_key)]
+    parts = [a for m in _sorted(guard.atoms(sp.Min)) for a in _sorted(m.args)]
     if not parts and width(notation.plain(guard)) < LINE / 3:
         return [notation.plain(guard)]
     names = {part: sp.Symbol(rf"\gamma_{i}") for i, part in enumerate(parts or [guard], 1)}
@@ -292,6 +293,10 @@ def _guard_lines(notation: Notation, guard: sp.Expr) -> list[str]:
         names = {guard: sp.Symbol(r"\gamma")}
     lines = [f"{notation.plain(name)} = {notation.plain(part)}" for part, name in names.items()]
     return [notation.plain(guard.subs(names)), *lines]
+
+
+def _sorted(expressions: Iterable[sp.Basic]) -> list[sp.Basic]:
+    return sorted(expressions, key=sp.default_sort_key)
 
 
 def _impulse(model: RockingModel, source: str, target: str) -> list[Block]:

@@ -70,7 +70,7 @@ def test_at2_step_line_of_every_age_is_read(tmp_path, step_line):
     assert motion.source == f"r.AT2, line 2: {TITLE}"
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     st.lists(st.floats(-2.0, 2.0).map(lambda x: float(f"{x:.6e}")), min_size=2, max_size=23),
     st.sampled_from("ED"),
@@ -286,6 +286,15 @@ def test_csv_columns_are_chosen_by_name_or_number(tmp_path):
     assert np.array_equal(up.samples, -by_name.samples)
 
 
+def test_csv_headings_may_be_components_of_the_motion(tmp_path):
+    path = write(tmp_path, "r.csv", "t,E,0deg\n0,1,2\n1,3,4\n")
+    for column, samples in (("E", [1, 3]), ("0deg", [2, 4])):
+        motion = GroundMotion.from_csv(
+            path, time_column="t", acceleration_column=column, units="m/s2"
+        )
+        assert np.array_equal(motion.samples, samples)
+
+
 def test_time_that_does_not_start_at_zero_is_said_in_the_source(tmp_path):
     path = write(tmp_path, "r.txt", columns(TIMES - 5.0, VALUES))
     motion = GroundMotion.from_columns(path, units="m/s2")
@@ -294,32 +303,31 @@ def test_time_that_does_not_start_at_zero_is_said_in_the_source(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("dt", "form"),
+    ("dt", "form", "last_digit"),
     [
-        (1 / 128, "{:.3f} {:.6f}"),
-        (1 / 256, "{:.3f} {:.6f}"),
-        (1 / 3, "{:.2f} {:.6f}"),
-        (1 / 256, "{:.6e} {:.6f}"),
-        (0.005, "{:.4e} {:.6f}"),
-        (1 / 256, "{} {:.6f}"),
+        (1 / 128, "{:.3f} {:.6f}", 1e-3),
+        (1 / 256, "{:.3f} {:.6f}", 1e-3),
+        (1 / 3, "{:.2f} {:.6f}", 1e-2),
+        (1 / 256, "{:.6e} {:.6f}", 1e-5),
+        (0.005, "{:.4e} {:.6f}", 1e-3),
+        (1 / 256, "{} {:.6f}", 1e-8),
     ],
 )
-def test_rounded_times_of_a_uniform_record_are_accepted(tmp_path, dt, form):
+def test_rounded_times_of_a_uniform_record_are_accepted(tmp_path, dt, form, last_digit):
     a = np.random.default_rng(5).normal(size=3000)
     path = write(tmp_path, "r.txt", columns(dt * np.arange(3000), a, form))
     motion = GroundMotion.from_columns(path, units="m/s2")
-    assert motion.dt == pytest.approx(dt, rel=1e-3 / 3000 / dt)
+    assert motion.dt == pytest.approx(dt, abs=last_digit / 2999)
 
 
 def test_times_of_single_precision_are_accepted(tmp_path):
     t = (0.01 * np.arange(6000)).astype(np.float32).astype(float)
-    path = write(tmp_path, "r.txt", columns(t, np.sin(t), "{!r} {!r}").replace("np.float64", ""))
-    text = path.read_text().replace("(", "").replace(")", "")
-    motion = GroundMotion.from_columns(write(tmp_path, "r.txt", text), units="m/s2")
+    path = write(tmp_path, "r.txt", columns(t, np.sin(t), "{:.17g} {:.17g}"))
+    motion = GroundMotion.from_columns(path, units="m/s2")
     assert motion.dt == pytest.approx(0.01, rel=1e-6)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(
     st.integers(8, 200),
     st.data(),
@@ -344,13 +352,13 @@ def with_line(number: int, line: str) -> str:
 
 COLUMN_ERRORS = {
     "non-uniform time": (
-        "\n".join(columns(TIMES, VALUES).split("\n")[:56] + ["0.57 0.1", "0.58 0.1"]),
+        "\n".join([*columns(TIMES, VALUES).split("\n")[:56], "0.57 0.1", "0.58 0.1"]),
         r"r\.txt, line 57: the time column is not uniform: the step to 0\.57 s is 0\.02 s, "
-        r"the usual step is 0\.01 s. Remedy: resample",
+        r"the usual step 0\.01 s. Remedy: resample",
     ),
     "two time steps": (
         columns(np.concatenate([TIMES, 1.19 + 0.0101 * np.arange(1, 200)]), np.zeros(319), "{} {}"),
-        r"r\.txt, line 121: the time column is not uniform.*0\.0101 s.*0\.01.*resample",
+        r"line 120: .*up to 1\.19 s the mean step is 0\.01 s, after it 0\.0101 s.*resample",
     ),
     "time that stands still": (
         with_line(31, "0.29 0.1"),
@@ -389,6 +397,12 @@ COLUMN_ERRORS = {
     "empty": ("", r"r\.txt: the file is empty"),
     "only comments": ("# time acceleration\n", r"r\.txt: the file holds nothing but comments"),
     "only a heading": ("time acceleration\n", r"r\.txt, line 1: no numbers follow the heading"),
+    "first line spoilt": (with_line(1, "*** ***"), r"line 1: time of sample 1 is '\*\*\*', which"),
+    "first line without a number": (with_line(1, "nan nan"), r"line 1: time of sample 1 is nan"),
+    "first line with decimal commas": (
+        with_line(1, "0,0E+00;0,5E-03").replace(" ", ";"),
+        r"line 1: time of sample 1 is '0,0E\+00', which",
+    ),
     "two headings": (
         "time acceleration\ns m/s2\n" + columns(TIMES, VALUES),
         r"line 2: time of sample 1 is 's', which is no number",

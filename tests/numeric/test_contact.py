@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
+from scipy.optimize import brentq
 
 import rockeom as rk
 
@@ -62,13 +63,40 @@ def test_acceleration_just_above_the_threshold_lifts_and_overturns(structure, th
     assert np.all(np.diff(run[rotation]) <= 0)
 
 
-def test_touching_the_threshold_is_not_an_uplift():
-    """A sine whose peak is the threshold itself, and one just above it."""
+SMOOTH = {
+    "half sine": lambda peak: rk.GroundMotion.half_sine(peak, period=2.0),
+    "fast sine": lambda peak: rk.GroundMotion.harmonic(peak, period=0.05, duration=2.0),
+    "Ricker": lambda peak: rk.GroundMotion.ricker(peak, period=0.5),
+    "antisymmetric Ricker": lambda peak: rk.GroundMotion.ricker(
+        peak, period=0.5, antisymmetric=True
+    ),
+}
+MOTIONS = pytest.mark.parametrize("motion_of", SMOOTH.values(), ids=SMOOTH)
+
+
+@MOTIONS
+@pytest.mark.parametrize("excess", [1e-3, 0.05, 1.0])
+def test_uplift_under_a_smooth_pulse_is_where_it_crosses_the_threshold(motion_of, excess):
+    """A block at rest has no motion whose error would keep steps short: none must be too long."""
     threshold = GRAVITY * math.tan(ALPHA)
-    for factor, events in ((1 - 1e-12, 0), (1 + 1e-4, 1)):
-        motion = rk.GroundMotion.half_sine(factor * threshold, period=2.0)
-        run = rk.simulate(BLOCK, motion, impact=rk.VelocityRatio(0))
-        assert len([e for e in run.events if e.kind == "uplift"]) == events
+    motion = motion_of((1 + excess) * threshold)
+    run = rk.simulate(BLOCK, motion)
+
+    def lacking(t):
+        return threshold - abs(float(motion.acceleration(t)))
+
+    t = np.linspace(0, motion.shaking_ends, 200_001)
+    after = int(np.argmax(np.abs(motion.acceleration(t)) > threshold))
+    crossing = brentq(lacking, t[after - 1], t[after], xtol=1e-15)
+    assert run.events[0].kind == "uplift"
+    assert run.events[0].time == pytest.approx(crossing, rel=1e-9)
+    assert run.outcome is not rk.Outcome.CHATTER
+
+
+@MOTIONS
+def test_a_smooth_pulse_that_stays_just_below_the_threshold_never_lifts(motion_of):
+    run = rk.simulate(BLOCK, motion_of((1 - 1e-6) * GRAVITY * math.tan(ALPHA)))
+    assert run.events == ()
 
 
 def test_rest_then_uplift_again():

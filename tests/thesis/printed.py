@@ -264,6 +264,11 @@ CHAPTER_3 = (
 # --- 5.3.1: Model A, two rigid lumped masses on rigid ground
 
 
+VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + I_eg) + (m_b * (H_b**2 - B**2) + I_bg)) / (
+    (m_e * (H_e**2 + B**2) + I_eg) + (m_b * (H_b**2 + B**2) + I_bg)
+)
+"""theta_d2 / theta_d1, printed above 5-14."""
+
 MODEL_A = (
     Equation(
         "5-8",
@@ -356,11 +361,7 @@ MODEL_A = (
         "ratio of kinetic energies at an impact",
         says(
             r,
-            (
-                ((m_e * (H_e**2 - B**2) + I_eg) + (m_b * (H_b**2 - B**2) + I_bg))
-                / ((m_e * (H_e**2 + B**2) + I_eg) + (m_b * (H_b**2 + B**2) + I_bg))
-            )
-            ** 2,
+            VELOCITY_RATIO**2,
         ),
     ),
 )

@@ -94,3 +94,32 @@ def test_printed_form_is_wrong_by_the_stated_term(number):
 
 def test_every_erratum_is_proved():
     assert set(EXCESS) == {n for n, equation in EQUATIONS.items() if equation.is_erratum}
+
+
+ELSEWHERE = {
+    "2-10": "test_block",
+    "2-11": "test_block",
+    "2-12": "test_block",
+    "3-13": "test_block",
+    "5-19": "test_approximations",
+    "5-20": "test_approximations",
+    "5-21": "test_approximations",
+    "D-5": "test_appendix_d",
+    "D-9": "test_appendix_d",
+    "D-10": "test_appendix_d",
+}
+"""Equations that are compared, but not by the rule of this module, and where."""
+
+
+def test_every_equation_is_compared():
+    assert set(EQUATIONS) == set(DERIVED) | set(ELSEWHERE)
+    assert not set(DERIVED) & set(ELSEWHERE)
+
+
+@pytest.mark.parametrize("number", EQUATIONS)
+def test_entry_is_complete(number):
+    equation = EQUATIONS[number]
+    assert equation.meaning
+    assert equation.printed or equation.corrected
+    assert bool(equation.reason) == (equation.corrected is not None)
+    assert equation.corrected != equation.printed

@@ -146,12 +146,10 @@ def test_moments_about_the_base_centre_balance():
 
 
 def test_straight_line_5_33_stays_close_to_the_curve_5_31():
-    """At both its ends exact, in between within 1.25 % of the force at lift-off."""
-    (curve,) = EQUATIONS["5-31"].right
-    force = sp.lambdify(THETA, numbers(in_engine_notation(curve.rhs, 1)))
-    lift_off = np.arcsin(float(numbers(lift_off_sine(shipped("two_spring_structure")))))
-    centroid = numbers(sp.atan(W * B / (G * S)))
-    theta = np.linspace(lift_off, float(centroid), 2001)
+    """At both its ends exact, in between within 1.3 % of the force at lift-off."""
+    force = sp.lambdify(THETA, numbers(FOOT_GUIDED["right"]))  # 5-31, see above
+    lift_off = np.arcsin(float(numbers(W / (2 * K_F * B))))
+    theta = np.linspace(lift_off, float(numbers(sp.atan(W * B / (G * S)))), 2001)
     h, b = S1["height"], S1["half_width"]
     displacement = b + h * np.sin(theta) - b * np.cos(theta)
     top = b + h * np.sin(theta[-1]) - b * np.cos(theta[-1])
@@ -161,5 +159,5 @@ def test_straight_line_5_33_stays_close_to_the_curve_5_31():
     assert force(theta[-1]) == pytest.approx(0, abs=1e-9)
     assert error[-1] == pytest.approx(0, abs=1e-12)
     assert error[0] < 2e-5  # u = H_e sin(theta) leaves out B (1 - cos(theta))
-    assert 0.0120 < error.max() < 0.0125
+    assert 0.0120 < error.max() < 0.0130
     assert 0.135 < displacement[error.argmax()] < 0.145

@@ -1,0 +1,604 @@
+/* The integration loop by hand: the same method as rockeom's, step for step.
+ *
+ * A structure's file defines N, ROTATION, RATE (places in the state), `constants`, and
+ *
+ *   rates(s, y, c, a, dy)          rocking about the foot of side s = -1, +1, under acceleration a
+ *   rates_upright(y, c, a, dy)     both feet on the ground
+ *   opening(s, y, c, a)            acceleration with which side s would open from rest
+ *   rebound(s, y, ratio, out)      state after the impact that closes side s
+ *
+ * and then includes this file. Eighth order of Dormand and Prince, the errors of order 5 and 3,
+ * dense output of degree 7; its sums come from a header written out of the tableau.
+ */
+
+#include <math.h>
+#include <string.h>
+
+#include "dop853.h"
+
+enum { COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE, FULL };
+enum { IMPACT, UPLIFT, SWITCH, REST };
+
+#define EPS 2.220446049250313e-16
+#define NEVER 2.0
+#define UPRIGHT 1 /* contact states are 0 left, 1 both, 2 right: the side is contact - 1 */
+#define STAGES 12
+#define ALL_STAGES 16
+
+/* -- ground ----------------------------------------------------------------------------------- */
+
+typedef struct {
+    double start, end, kind, c0, c1, c2, c3;
+} law;
+
+static const law quiet = {0.0, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
+
+static inline double ground(const law *g, double t)
+{
+    double tau = t - g->start;
+    if (g->kind == 0.0)
+        return g->c0 + g->c1 * tau;
+    return g->c0 * sin(g->c1 * tau + g->c2);
+}
+
+static inline const law *law_at(const law *motion, long n, long *i, double t)
+{
+    while (*i < n && t >= motion[*i].end)
+        ++*i;
+    return *i < n ? &motion[*i] : &quiet;
+}
+
+/* -- one step --------------------------------------------------------------------------------- */
+
+static inline void rate(int contact, const double *y, const constants *c, const law *g, double t,
+                        double *dy)
+{
+    double a = ground(g, t);
+    if (contact == UPRIGHT)
+        rates_upright(y, c, a, dy);
+    else
+        rates(contact - 1.0, y, c, a, dy);
+}
+
+#define STAGE(j)                                                                                   \
+    for (int i = 0; i < N; ++i)                                                                    \
+        w[i] = y[i] + h * SUM_##j(i);                                                              \
+    rate(contact, w, c, g, t + C_##j * h, k[j])
+
+/* k[0] is the rate at y and k[STAGES] that at the new state; returns the error, 1 at tolerance. */
+static inline double take_step(int contact, double t, double h, const double *restrict y,
+                               const constants *restrict c, const law *restrict g, double rtol,
+                               double atol, double (*restrict k)[N], double *restrict y_new)
+{
+    double w[N];
+    STAGE(1);
+    STAGE(2);
+    STAGE(3);
+    STAGE(4);
+    STAGE(5);
+    STAGE(6);
+    STAGE(7);
+    STAGE(8);
+    STAGE(9);
+    STAGE(10);
+    STAGE(11);
+    for (int i = 0; i < N; ++i)
+        y_new[i] = y[i] + h * SUM_12(i);
+    rate(contact, y_new, c, g, t + h, k[STAGES]);
+    double s5 = 0.0, s3 = 0.0;
+    for (int i = 0; i < N; ++i) {
+        double scale = 1.0 / (atol + rtol * fmax(fabs(y[i]), fabs(y_new[i])));
+        double e5 = ERROR_5(i) * scale, e3 = ERROR_3(i) * scale;
+        s5 += e5 * e5;
+        s3 += e3 * e3;
+    }
+    if (s5 == 0.0 && s3 == 0.0)
+        return 0.0;
+    return fabs(h) * s5 / sqrt((s5 + 0.01 * s3) * N);
+}
+
+static void dense_output(int contact, double t, double h, const double *restrict y,
+                         const constants *restrict c, const law *restrict g,
+                         double (*restrict k)[N], double (*restrict poly)[N])
+{
+    double w[N];
+    STAGE(13);
+    STAGE(14);
+    STAGE(15);
+    for (int i = 0; i < N; ++i) {
+        poly[0][i] = y[i];
+        poly[1][i] = h * DENSE_1(i);
+        poly[2][i] = h * DENSE_2(i);
+        poly[3][i] = h * DENSE_3(i);
+        poly[4][i] = h * DENSE_4(i);
+        poly[5][i] = h * DENSE_5(i);
+        poly[6][i] = h * DENSE_6(i);
+        poly[7][i] = h * DENSE_7(i);
+    }
+}
+
+static inline double dense_at(double (*poly)[N], double x, int i)
+{
+    double value = poly[7][i];
+    for (int j = 6; j >= 0; --j)
+        value = value * x + poly[j][i];
+    return value;
+}
+
+/* -- first fall of a guard through zero -------------------------------------------------------- */
+
+static inline double bernstein_at(const double *b, double x)
+{
+    double w[8];
+    memcpy(w, b, sizeof w);
+    for (int n = 7; n > 0; --n)
+        for (int i = 0; i < n; ++i)
+            w[i] += x * (w[i + 1] - w[i]);
+    return w[0];
+}
+
+static inline double size(const double *b)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 8; ++i)
+        largest = fmax(largest, fabs(b[i]));
+    return largest;
+}
+
+static double fall(const double *b)
+{
+    double low = 0.0, high = 1.0, at_low = b[0], at_high = b[7];
+    for (int n = 0; n < 200 && high - low > 2.0 * EPS; ++n) {
+        double x = 0.5 * (low + high);
+        if (n % 2 == 0 && at_low > 0.0 && 0.0 > at_high) {
+            double margin = 0.01 * (high - low);
+            x = low + (high - low) * at_low / (at_low - at_high);
+            x = fmin(fmax(x, low + margin), high - margin);
+        }
+        double value = bernstein_at(b, x);
+        if (value > 0.0) {
+            low = x;
+            at_low = value;
+        } else {
+            high = x;
+            at_high = value;
+        }
+        if (value == 0.0)
+            return x;
+    }
+    return high;
+}
+
+/* Smallest x in (0, 1] at which the polynomial falls through zero, or NEVER: parts are halved until
+ * the changes of sign of their coefficients leave no doubt. */
+static double first_fall(const double *b, int touching, double noise)
+{
+    struct {
+        double b[8], start, width;
+    } stack[64];
+    double scale = size(b);
+    if (scale == 0.0)
+        return NEVER;
+    noise = fmax(8.0 * EPS * scale, noise);
+    memcpy(stack[0].b, b, sizeof stack[0].b);
+    if (touching)
+        stack[0].b[0] = 0.0;
+    stack[0].start = 0.0;
+    stack[0].width = 1.0;
+    int depth = 0;
+    while (depth >= 0) {
+        double *part = stack[depth].b, *lower = stack[depth + 1].b;
+        double start = stack[depth].start, width = stack[depth].width;
+        int changes = 0, first = 0, sign = 0;
+        for (int i = 0; i < 8; ++i)
+            if (fabs(part[i]) > noise) {
+                int now = part[i] > 0.0 ? 1 : -1;
+                if (sign == 0)
+                    first = now;
+                else if (now != sign)
+                    ++changes;
+                sign = now;
+            }
+        if (changes == 0) {
+            if (first < 0 && (start > 0.0 || touching || depth == 0))
+                return start;
+            --depth;
+        } else if (changes == 1 || width < 1e-13) {
+            if (first > 0)
+                return start + width * fall(part);
+            if (touching && start == 0.0)
+                return 0.0;
+            --depth;
+        } else {
+            for (int n = 7; n >= 0; --n) {
+                lower[7 - n] = part[0];
+                for (int i = 0; i < n; ++i)
+                    part[i] = 0.5 * (part[i] + part[i + 1]);
+            }
+            stack[depth + 1].start = start;
+            stack[depth + 1].width = stack[depth].width = 0.5 * width;
+            stack[depth].start = start + 0.5 * width;
+            ++depth;
+        }
+    }
+    return NEVER;
+}
+
+/* Whether the gap clearly stays open: the quintic through both ends, in Bernstein form. */
+static inline int stays_open(double s, double h, const double *y, const double *y_new,
+                             double (*k)[N], int touching)
+{
+    double q0 = s * y[ROTATION], q1 = s * y_new[ROTATION];
+    double v0 = s * h * y[RATE] / 5.0, v1 = s * h * y_new[RATE] / 5.0;
+    double a0 = s * h * h * k[0][RATE] / 20.0, a1 = s * h * h * k[STAGES][RATE] / 20.0;
+    double least = 1e-3 * fmax(q0, q1);
+    return (q0 > least || touching) && q0 + v0 > least && q0 + 2.0 * v0 + a0 > least &&
+           q1 - 2.0 * v1 + a1 > least && q1 - v1 > least && q1 > least;
+}
+
+/* Bernstein coefficients of the guards of a contact state over a step; returns their number. */
+static int guard_polynomials(int contact, double t, double h, const constants *c, const law *g,
+                             double (*poly)[N], double (*b)[8])
+{
+    if (contact != UPRIGHT) {
+        double s = contact - 1.0;
+        for (int i = 0; i < 8; ++i) {
+            b[0][i] = 0.0;
+            for (int j = 0; j <= i; ++j)
+                b[0][i] += POWERS_TO_BERNSTEIN[i][j] * (s * poly[j][ROTATION]);
+        }
+        return 1;
+    }
+    memset(b, 0, 2 * sizeof *b);
+    for (int m = 0; m < 8; ++m) {
+        double w[N];
+        for (int i = 0; i < N; ++i)
+            w[i] = dense_at(poly, NODES[m], i);
+        double a = ground(g, t + NODES[m] * h);
+        double left = -opening(-1.0, w, c, a), right = -opening(1.0, w, c, a);
+        for (int i = 0; i < 8; ++i) {
+            b[0][i] += SAMPLES_TO_BERNSTEIN[i][m] * left;
+            b[1][i] += SAMPLES_TO_BERNSTEIN[i][m] * right;
+        }
+    }
+    return 2;
+}
+
+static double rounding(int contact, double h, const double *y, const constants *c, const law *g,
+                       double t, const double *b)
+{
+    if (contact == UPRIGHT)
+        return 1e-8 * size(b);
+    double a = ground(g, t);
+    double acceleration = fabs(opening(-1.0, y, c, a)) + fabs(opening(1.0, y, c, a));
+    return fmax(1e-11 * size(b), 1e-10 * acceleration * h * h);
+}
+
+/* Largest |rotation| in a step in which the rate changes its sign: by the quintic, at the root of
+ * its derivative. */
+static double crest(double h, const double *y, const double *y_new, double (*k)[N])
+{
+    double q0 = y[ROTATION], v0 = h * y[RATE], a0 = h * h * k[0][RATE];
+    double d = y_new[ROTATION] - q0, v1 = h * y_new[RATE], a1 = h * h * k[STAGES][RATE];
+    double c3 = 10.0 * d - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1;
+    double c4 = -15.0 * d + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1;
+    double c5 = 6.0 * d - 3.0 * v0 - 3.0 * v1 - 0.5 * a0 + 0.5 * a1;
+    double x = v0 / (v0 - v1), low = 0.0, high = 1.0;
+    for (int n = 0; n < 20; ++n) {
+        double slope = v0 + x * (a0 + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)));
+        double bend = a0 + x * (6.0 * c3 + x * (12.0 * c4 + x * 20.0 * c5));
+        if ((slope > 0.0) == (v0 > 0.0))
+            low = x;
+        else
+            high = x;
+        double next = x - slope / bend;
+        if (!(next > low && next < high))
+            next = 0.5 * (low + high);
+        if (fabs(next - x) < 1e-9)
+            break;
+        x = next;
+    }
+    return fabs(q0 + x * (v0 + x * (0.5 * a0 + x * (c3 + x * (c4 + x * c5)))));
+}
+
+/* -- infinitely many impacts ------------------------------------------------------------------- */
+
+static double time_to_rest(int contact, const double *y, const constants *c, double ratio,
+                           const law *g, double t, double tolerance, double *out, int *follows)
+{
+    double w[N], total = 0.0, start = fabs(y[RATE]), a = ground(g, t);
+    memcpy(w, y, sizeof w);
+    for (;;) {
+        double closing = -opening(contact - 1.0, w, c, a);
+        if (!(closing > 0.0))
+            return INFINITY;
+        double v = fabs(w[RATE]);
+        total += 2.0 * v / closing;
+        if (total * total * closing > tolerance * tolerance)
+            return INFINITY;
+        w[RATE] = v > EPS * start ? -w[RATE] : 0.0;
+        contact = rebound(contact, w, ratio, out);
+        if (contact == UPRIGHT) {
+            *follows = contact;
+            return total;
+        }
+        if (!(fabs(out[RATE]) < v))
+            return INFINITY;
+        memcpy(w, out, sizeof w);
+    }
+}
+
+/* -- the loop ---------------------------------------------------------------------------------- */
+
+typedef struct {
+    double rtol, atol, fallen, rest_tolerance, ratio;
+    long max_impacts, max_steps;
+} options;
+
+typedef struct {
+    double time;
+    long kind, before, after;
+    double from[N], to[N];
+} event;
+
+typedef struct {
+    double t, h_next, peak, y[N];
+    long contact, touching, impacts, taken, n_events;
+} state;
+
+static inline void record(event *e, double t, long kind, long before, long after, const double *y,
+                          const double *to)
+{
+    e->time = t;
+    e->kind = kind;
+    e->before = before;
+    e->after = after;
+    memcpy(e->from, y, sizeof e->from);
+    memcpy(e->to, to, sizeof e->to);
+}
+
+static double first_step(const double *y, const double *dy, double rtol, double atol)
+{
+    double size = 0.0, speed = 0.0;
+    for (int i = 0; i < N; ++i) {
+        double scale = atol + rtol * fabs(y[i]);
+        size = fmax(size, fabs(y[i]) / scale);
+        speed = fmax(speed, fabs(dy[i]) / scale);
+    }
+    return size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed;
+}
+
+/* Integrate to t_end or to an outcome; with_peak follows the largest |rotation| as well. */
+static inline int integrate(state *st, double t_end, const law *motion, long n_laws,
+                            const constants *c, const options *o, event *events, long max_events,
+                            const int with_peak)
+{
+    double k[ALL_STAGES][N], y[N], y_new[N], after[N], poly[8][N], b[2][8];
+    int contact = st->contact, touching = st->touching, fresh = 1, idle = 0, outcome = COMPLETED;
+    long taken = st->taken, impacts = st->impacts, n_events = st->n_events, i_law = 0;
+    double t = st->t, h_next = st->h_next, peak = st->peak;
+    const double rtol = o->rtol, atol = o->atol;
+    memcpy(y, st->y, sizeof y);
+    memset(k, 0, sizeof k);
+    const law *g = law_at(motion, n_laws, &i_law, t);
+
+    while (t < t_end) {
+        if (n_events + 2 > max_events) {
+            outcome = FULL;
+            break;
+        }
+        if (t >= g->end) {
+            g = law_at(motion, n_laws, &i_law, t);
+            fresh = 1;
+        }
+        double last = fmin(g->end, t_end);
+        int landed = -1;
+        if (fresh) {
+            if (contact == UPRIGHT) {
+                double a = ground(g, t);
+                double left = -opening(-1.0, y, c, a), right = -opening(1.0, y, c, a);
+                if (touching != 0 && left < 0.0)
+                    landed = 0;
+                if (touching != 1 && right < 0.0 && (landed < 0 || right < left))
+                    landed = 1;
+            }
+            if (landed < 0) {
+                rate(contact, y, c, g, t, k[0]);
+                fresh = 0;
+                if (h_next == 0.0)
+                    h_next = first_step(y, k[0], rtol, atol);
+            }
+        }
+
+        if (landed < 0) {
+            double h = h_next, slope = 0.0;
+            int cut = t + 1.1 * h >= last, target = -1, corrections = 0;
+            if (cut)
+                h = last - t;
+            for (;;) {
+                ++taken;
+                double error = take_step(contact, t, h, y, c, g, rtol, atol, k, y_new);
+                if (target < 0 && !(error <= 1.0)) {
+                    cut = 0;
+                    h *= fmax(0.1, isfinite(error) ? 0.9 * pow(error, -0.125) : 0.1);
+                    h_next = h;
+                    if (h <= 4.0 * EPS * t || h < 1e-290 || taken >= o->max_steps) {
+                        outcome = isfinite(error) ? STALLED : NOT_FINITE;
+                        break;
+                    }
+                    continue;
+                }
+                if (target >= 0) {
+                    double left;
+                    if (contact == UPRIGHT)
+                        left = -opening(target ? 1.0 : -1.0, y_new, c, ground(g, t + h));
+                    else
+                        left = (contact - 1.0) * y_new[ROTATION];
+                    double move = slope < 0.0 ? -left / slope : 0.0;
+                    if (corrections < 3 && 2.0 * EPS * (t + h) < fabs(move) &&
+                        fabs(move) < 0.01 * h) {
+                        ++corrections;
+                        h += move;
+                        continue;
+                    }
+                    landed = target;
+                } else {
+                    double growth = h * fmin(5.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
+                    h_next = cut ? fmax(h_next, growth) : growth;
+                }
+                int open = landed < 0 && contact != UPRIGHT &&
+                           stays_open(contact - 1.0, h, y, y_new, k, touching == 0);
+                if (!open || fabs(y_new[ROTATION]) >= o->fallen)
+                    dense_output(contact, t, h, y, c, g, k, poly);
+                if (landed >= 0 || open)
+                    break;
+                double place = NEVER;
+                int guards = guard_polynomials(contact, t, h, c, g, poly, b);
+                for (int i = 0; i < guards; ++i) {
+                    double noise =
+                        touching == i ? rounding(contact, h, y, c, g, t, b[i]) : 0.0;
+                    double x = first_fall(b[i], touching == i, noise);
+                    if (x < place) {
+                        double low = fmax(x - 1e-4, 0.0), high = fmin(x + 1e-4, 1.0);
+                        place = x;
+                        target = i;
+                        slope = bernstein_at(b[i], high) - bernstein_at(b[i], low);
+                        slope /= (high - low) * h;
+                    }
+                }
+                if (target < 0)
+                    break;
+                if (place * h <= 4.0 * EPS * fmax(t, h))
+                    h = 0.0;
+                if (place >= 1.0 || h == 0.0) {
+                    landed = target;
+                    break;
+                }
+                h *= place;
+                cut = 0;
+            }
+            if (outcome != COMPLETED)
+                break;
+
+            if (h > 0.0 && fabs(y_new[ROTATION]) >= o->fallen) {
+                double low = 0.0, high = 1.0;
+                for (int n = 0; n < 60; ++n) {
+                    double x = 0.5 * (low + high);
+                    if (fabs(dense_at(poly, x, ROTATION)) < o->fallen)
+                        low = x;
+                    else
+                        high = x;
+                }
+                for (int i = 0; i < N; ++i)
+                    y_new[i] = dense_at(poly, high, i);
+                h *= high;
+                cut = 0;
+                outcome = OVERTURNED;
+            }
+            if (h > 0.0) {
+                if (with_peak) {
+                    peak = fmax(peak, fabs(y_new[ROTATION]));
+                    if (y[RATE] * y_new[RATE] < 0.0)
+                        peak = fmax(peak, crest(h, y, y_new, k));
+                }
+                t = cut || t + h > last ? last : t + h;
+                memcpy(y, y_new, sizeof y);
+                memcpy(k[0], k[STAGES], sizeof y);
+                touching = -1;
+                idle = 0;
+            }
+            if (outcome != COMPLETED)
+                break;
+            if (taken >= o->max_steps) {
+                outcome = STALLED;
+                break;
+            }
+        }
+        if (landed < 0)
+            continue;
+
+        if (++idle > 100) {
+            outcome = CHATTER;
+            break;
+        }
+        int before = contact;
+        fresh = 1;
+        if (before == UPRIGHT) {
+            contact = landed ? 2 : 0;
+            record(&events[n_events++], t, UPLIFT, before, contact, y, y);
+            touching = 0;
+            continue;
+        }
+        contact = rebound(before, y, o->ratio, after);
+        record(&events[n_events++], t, IMPACT, before, contact, y, after);
+        memcpy(y, after, sizeof y);
+        touching = contact == UPRIGHT ? -1 : 0;
+        if (++impacts > o->max_impacts) {
+            outcome = TOO_MANY_IMPACTS;
+            break;
+        }
+        if (contact == UPRIGHT)
+            continue;
+        int follows;
+        double rests = time_to_rest(contact, y, c, o->ratio, g, t, o->rest_tolerance, after,
+                                    &follows);
+        if (t + rests < last || rests < 16.0 * EPS * t) {
+            t += rests;
+            record(&events[n_events++], t, REST, contact, follows, y, after);
+            memcpy(y, after, sizeof y);
+            contact = follows;
+            touching = -1;
+            h_next = 0.0;
+        }
+    }
+    st->t = t;
+    st->h_next = h_next;
+    st->peak = peak;
+    memcpy(st->y, y, sizeof y);
+    st->contact = contact;
+    st->touching = touching;
+    st->impacts = impacts;
+    st->taken = taken;
+    st->n_events = n_events;
+    return outcome;
+}
+
+/* -- what is called from outside --------------------------------------------------------------- */
+
+/* One motion; the events go into the caller's array. */
+int run(state *st, double t_end, const law *motion, long n_laws, const double *parameters,
+        const options *o, event *events, long max_events)
+{
+    constants c = prepare(parameters);
+    return integrate(st, t_end, motion, n_laws, &c, o, events, max_events, 0);
+}
+
+/* Many motions of n_laws rows each, from rest: outcome and largest |rotation| of each. What is
+ * still rocking at the end is followed until the next impact, to tell a fall from a return. */
+void map(long n, double t_end, const law *motions, long n_laws, const double *parameters,
+         const options *o, long *outcomes, double *peaks)
+{
+    constants c = prepare(parameters);
+    options until_impact = *o;
+    until_impact.max_impacts = 0;
+    event events[64];
+    for (long m = 0; m < n; ++m) {
+        state st = {.contact = UPRIGHT, .touching = -1};
+        const law *motion = motions + m * n_laws;
+        int outcome;
+        do {
+            st.n_events = 0;
+            outcome = integrate(&st, t_end, motion, n_laws, &c, o, events, 64, 1);
+        } while (outcome == FULL);
+        peaks[m] = st.peak;
+        if (outcome == COMPLETED && st.contact != UPRIGHT) {
+            st.t = st.h_next = 0.0;
+            st.touching = -1;
+            st.impacts = st.n_events = 0;
+            if (integrate(&st, 1e3 * t_end, NULL, 0, &c, &until_impact, events, 64, 0) ==
+                OVERTURNED)
+                outcome = OVERTURNED;
+        }
+        outcomes[m] = outcome;
+    }
+}

@@ -1,0 +1,12 @@
+"""Figures of responses and structures, for papers and notebooks.
+
+Every function returns a matplotlib figure and never opens a window: save it with
+``figure.savefig("name.png")``, or leave it as the last line of a notebook's cell.
+"""
+
+from rockeom.plots.comparison import plot_comparison
+from rockeom.plots.portrait import plot_phase_portrait
+from rockeom.plots.response import plot_response
+from rockeom.plots.sketch import draw_structure
+
+__all__ = ["draw_structure", "plot_comparison", "plot_phase_portrait", "plot_response"]

@@ -1,0 +1,117 @@
+"""Several responses on one time axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
+from matplotlib.lines import Line2D
+
+from rockeom.plots import style
+
+if TYPE_CHECKING:
+    from rockeom.numeric.response import Response
+
+
+@style.styled
+def plot_comparison(
+    runs: Sequence[Response],
+    labels: Sequence[str] | None = None,
+    *,
+    figure: Figure | SubFigure | None = None,
+    start: float | None = None,
+    end: float | None = None,
+    title: str | None = None,
+) -> Figure | SubFigure:
+    """Ground motion, displacement, uplift of each foot and impacts of several responses.
+
+    labels : a name for each run; the structures' names if not given.
+    figure, start, end : as in `plot_response`. title : what stands above.
+
+    Raises ValueError for no runs, for another number of labels than of runs, and for structures
+    with and without units in one figure.
+    """
+    runs = list(runs)
+    labels = [run.program.NAME.replace("_", " ") for run in runs] if labels is None else labels
+    if not runs or len(labels) != len(runs):
+        raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")
+    if len({style.is_dimensionless(run) for run in runs}) > 1:
+        raise ValueError("runs with and without units have no common axes: compare them apart")
+    feet = ("left", "right") if any("left_uplift" in run.names for run in runs) else ()
+    heights = [0.8, 1.6, *(0.9 for _ in feet), 0.1 + 0.28 * len(runs)]
+    if figure is None:
+        figure = style.new_figure(7.2, 1.0 + 1.25 * sum(heights))
+    axes = figure.subplots(len(heights), 1, sharex=True, gridspec_kw={"height_ratios": heights})
+    _ground(axes[0], runs)
+    _lengths(axes[1], runs, "displacement", "displacement of\nload point")
+    for ax, foot in zip(axes[2:], feet, strict=False):
+        _lengths(ax, runs, f"{foot}_uplift", f"uplift of\n{foot} foot")
+    _impact_lanes(axes[-1], runs)
+    axes[-1].set_xlabel(style.time_label(runs[0]))
+    axes[-1].set_xlim(
+        0.0 if start is None else start,
+        max(run.t[-1] for run in runs) if end is None else end,
+    )
+    figure.align_ylabels(axes)
+    figure.suptitle(style.wrapped(title or _title(runs)), fontsize=9.5)
+    figure.legend(
+        handles=[Line2D([], [], color=color, lw=2) for color in _colors(runs)],
+        labels=list(labels),
+        loc="outside lower center",
+        ncols=len(runs) if sum(map(len, labels)) < 90 else 1,
+    )
+    return figure
+
+
+def _title(runs: Sequence[Response]) -> str:
+    motions = dict.fromkeys(run.motion.name or "a ground motion" for run in runs)
+    return f"Response to {'; '.join(motions)}"
+
+
+def _colors(runs: Sequence[Response]) -> list[str]:
+    return [style.LINES[i % len(style.LINES)] for i in range(len(runs))]
+
+
+def _ground(ax: Axes, runs: Sequence[Response]) -> None:
+    shared = all(run.motion == runs[0].motion for run in runs)
+    for run, color in zip(runs, _colors(runs), strict=True):
+        a = run["ground_acceleration"] / style.ground_scale(run)
+        ax.plot(run.t, a, color=style.INK if shared else color, lw=0.7)
+    ax.set_ylabel("ground\nacceleration [g]")
+
+
+def _lengths(ax: Axes, runs: Sequence[Response], name: str, label: str) -> None:
+    factor, unit = style.length_scale(runs[0])
+    for run, color in zip(runs, _colors(runs), strict=True):
+        if name in run.names:
+            x = run[name] * factor
+            ax.plot(run.t, x, color=color, label=style.largest(x, unit))
+    ax.set_ylabel(f"{label} [{unit}]")
+    style.legend_above(ax)
+
+
+def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
+    """A lane a run: impacts as high as their speed, and full contact as a grey band."""
+    fastest = max(style.impact_speeds(run)[1].max(initial=0.0) for run in runs)
+    for lane, (run, color) in enumerate(zip(runs, _colors(runs), strict=True)):
+        floor = -float(lane)
+        spans, names = style.contact_spans(run)
+        both = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == "both"]
+        ax.broken_barh(both, (floor, 0.8), facecolor="0.9", lw=0)
+        times, speeds = style.impact_speeds(run)
+        ax.vlines(times, floor, floor + 0.8 * speeds / (fastest or 1.0), color=color, lw=0.9)
+    ax.set_ylim(-len(runs) + 0.95, 0.9)
+    ax.set_yticks([])
+    ax.grid(visible=False, axis="y")
+    ax.set_ylabel("impacts")
+    counts = ", ".join(str(len(run.impacts)) for run in runs)
+    unit = "" if style.is_dimensionless(runs[0]) else " rad/s"
+    ax.set_title(
+        f"{counts} impacts, as high as the rate of rotation before them "
+        f"(largest {fastest:.3g}{unit}); grey: full contact",
+        fontsize=8,
+        loc="right",
+        pad=3,
+    )

@@ -1,0 +1,42 @@
+"""The response in the plane of rotation and rate."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rockeom.plots import style
+
+if TYPE_CHECKING:
+    from rockeom.numeric.response import Response
+
+
+@style.styled
+def plot_phase_portrait(run: Response, *, ax: Axes | None = None) -> Figure:
+    """Rate of rotation against rotation; impacts are the dotted jumps.
+
+    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    """
+    if ax is None:
+        ax = style.new_figure(4.6, 3.8).add_subplot()
+        ax.set_title(style.wrapped(style.title_of(run), 70), fontsize=9)
+    p = run.program
+    y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
+    jumps = np.flatnonzero(np.diff(run.t) == 0) + 1
+    for piece in np.split(np.column_stack([y, dy]), jumps):
+        ax.plot(*piece.T, color=style.LINES[0])
+    _, kinds, states = run.passages
+    for before, after in states[kinds[:, 0] == 0]:
+        ends = np.array([before, after])
+        ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.LINES[1], lw=0.9)
+    ax.plot(y[0], dy[0], "o", color=style.LINES[0], ms=4)
+    ax.annotate("start", (y[0], dy[0]), xytext=(4, 4), textcoords="offset points", fontsize=8)
+    name = style.symbol(run.states[p.ROTATION])
+    units = p.STATE_UNITS
+    ax.set_xlabel(f"{name} [{units[p.ROTATION]}]")
+    rate_unit = "1/p" if units[p.ROTATION] == "-" else units[p.ROTATION_RATE]
+    ax.set_ylabel(f"$\\dot{{{name.strip('$')}}}$ [{rate_unit}]")
+    return style.parent_figure(ax)

@@ -1,0 +1,164 @@
+"""One response against time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from rockeom.plots import style
+
+if TYPE_CHECKING:
+    from rockeom.numeric.response import Response
+
+Draw = Callable[[Axes, "Response"], None]
+
+
+@style.styled
+def plot_response(
+    run: Response,
+    *,
+    figure: Figure | SubFigure | None = None,
+    start: float | None = None,
+    end: float | None = None,
+) -> Figure | SubFigure:
+    """Ground motion, rotation, displacement, uplift, impacts and contact on one time axis.
+
+    figure : an empty figure or subfigure to draw in; a new one if not given.
+    start, end : the part of the time axis shown; all of it if not given.
+
+    The time in full contact is shaded. Impacts are drawn as high as the rate of rotation just
+    before them, so that the endless small ones before rest do not hide the large ones.
+    """
+    rows = _rows(run)
+    heights = [height for _, height in rows]
+    if figure is None:
+        figure = style.new_figure(7.2, 0.9 + 1.25 * sum(heights))
+    axes = figure.subplots(len(rows), 1, sharex=True, gridspec_kw={"height_ratios": heights})
+    for ax, (draw, _) in zip(axes, rows, strict=True):
+        draw(ax, run)
+    style.shade_full_contact(axes[:-1], run)
+    axes[-1].set_xlabel(style.time_label(run))
+    axes[-1].set_xlim(
+        run.t[0] if start is None else start,
+        run.t[-1] if end is None else end,
+    )
+    figure.align_ylabels(axes)
+    figure.suptitle(
+        f"{style.wrapped(style.title_of(run))}\nOutcome: {run.outcome}. {run.outcome.sentence}",
+        fontsize=9.5,
+    )
+    return figure
+
+
+def _rows(run: Response) -> list[tuple[Draw, float]]:
+    """The rows that this structure fills, with their relative heights."""
+    shaken = any(m is not None and m.peak > 0.0 for m in (run.motion, run.vertical))
+    rows: list[tuple[Draw, float]] = [(_ground, 0.8)] if shaken else []
+    rows += [(_rotation, 1.0)]
+    # the cart's coordinate is its displacement
+    turns = run.program.STATE_UNITS[run.program.ROTATION] != "m"
+    rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
+    rows += [(_uplift, 1.0)] if "left_uplift" in run.names else []
+    rows += [(_impacts, 0.7)] if run.impacts else []
+    return [*rows, (_contact, 0.22)]
+
+
+def _ground(ax: Axes, run: Response) -> None:
+    scale = style.ground_scale(run)
+    ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label="horizontal")
+    ax.set_ylabel("ground\nacceleration [g]")
+    if run.vertical is not None:
+        vertical = run["vertical_ground_acceleration"] / scale
+        ax.plot(run.t, vertical, color=style.LINES[2], lw=0.7, label="vertical")
+        style.legend_above(ax)
+
+
+def _rotation(ax: Axes, run: Response) -> None:
+    name = run.states[run.program.ROTATION]
+    unit = run.program.STATE_UNITS[run.program.ROTATION]
+    scale, unit = (1e3, "mm") if unit == "m" else (1.0, unit)
+    theta = run[name] * scale
+    ax.plot(
+        run.t,
+        theta,
+        color=style.LINES[0],
+        label=f"{style.symbol(name)}, {style.largest(theta, unit)}",
+    )
+    ax.set_ylabel(
+        f"{'rotation' if unit != 'mm' else 'displacement'} {style.symbol(name)}\n[{unit}]"
+    )
+    style.legend_above(ax)
+    alpha = getattr(run.structure, "alpha", None)
+    if alpha is not None and unit == "rad":
+        right = ax.secondary_yaxis("right", functions=(lambda y: y / alpha, lambda y: y * alpha))
+        right.set_ylabel(r"$\theta/\alpha$ [-]")
+        ax.spines["right"].set_visible(False)
+
+
+def _displacement(ax: Axes, run: Response) -> None:
+    """The load point, and every coordinate that is a length."""
+    factor, unit = style.length_scale(run)
+    x = run["displacement"] * factor
+    ax.plot(run.t, x, color=style.LINES[0], label=f"load point, {style.largest(x, unit)}")
+    n = len(run.states) // 2
+    lengths = [
+        name
+        for i, (name, of) in enumerate(zip(run.states[:n], run.program.STATE_UNITS, strict=False))
+        if of == "m" and i != run.program.ROTATION
+    ]
+    for name, color in zip(lengths, style.LINES[1:] * len(lengths), strict=False):
+        q = run[name] * factor
+        shown = style.symbol(name) if len(name) < 4 else name
+        ax.plot(run.t, q, color=color, lw=0.8, label=f"{shown}, {style.largest(q, unit)}")
+    ax.set_ylabel(f"displacement\n[{unit}]")
+    style.legend_above(ax)
+
+
+def _uplift(ax: Axes, run: Response) -> None:
+    factor, unit = style.length_scale(run)
+    for foot, color in (("left", style.LINES[1]), ("right", style.LINES[0])):
+        gap = run[f"{foot}_uplift"] * factor
+        ax.plot(run.t, gap, color=color, label=f"{foot} foot, {style.largest(gap, unit)}")
+    ax.set_ylabel(f"uplift of feet\n[{unit}]")
+    style.legend_above(ax)
+
+
+def _impacts(ax: Axes, run: Response) -> None:
+    times, speeds = style.impact_speeds(run)
+    rate = run.states[run.program.ROTATION_RATE]
+    unit = run.program.STATE_UNITS[run.program.ROTATION_RATE]
+    unit = "1/p" if unit == "-" else unit
+    ax.vlines(times, 0.0, speeds, color=style.INK, lw=0.9)
+    ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=f"{len(times)} impacts")
+    ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
+    name = style.symbol(rate.removesuffix("_dot")).strip("$")
+    ax.set_ylabel(f"impact speed\n$|\\dot{{{name}}}|$ [{unit}]")
+    style.legend_above(ax)
+
+
+def _contact(ax: Axes, run: Response) -> None:
+    """The feet on the ground as a coloured band, with the instants of uplift and rest."""
+    spans, names = style.contact_spans(run)
+    present = [name for name in style.PHASES if name in names]
+    for name in present:
+        of = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == name]
+        ax.broken_barh(of, (0.0, 1.0), facecolor=style.PHASES[name], lw=0)
+    handles: list = [
+        Patch(facecolor=style.PHASES[name], label=style.PHASE_MEANINGS[name]) for name in present
+    ]
+    for kind, mark, label in (("uplift", "^", "uplift begins"), ("rest", "o", "impacts end")):
+        times = style.times_of(run, kind)
+        if len(times):
+            ax.plot(times, np.full(len(times), 0.5), mark, color="k", ms=3.0, mew=0)
+            handles.append(Line2D([], [], color="k", marker=mark, ms=4, mew=0, lw=0, label=label))
+    ax.set_ylim(0.0, 1.0)
+    ax.set_yticks([])
+    ax.grid(visible=False)
+    ax.set_ylabel("contact", rotation=0, ha="right", va="center")
+    style.legend_above(ax, handles=handles, labels=[h.get_label() for h in handles])

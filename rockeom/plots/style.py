@@ -1,0 +1,199 @@
+"""What all figures share: the figure itself, colours, units and contact phases."""
+
+from __future__ import annotations
+
+import functools
+import io
+import textwrap
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
+
+from rockeom.motion import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from rockeom.numeric.response import Response
+
+INK = "0.25"
+LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito (2008)
+PHASES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
+"""Colour of each contact phase, named by the feet on the ground."""
+PHASE_MEANINGS = {
+    "left": "on the left foot",
+    "right": "on the right foot",
+    "both": "full contact",
+    "flight": "in flight",
+}
+
+_RC = {
+    "font.size": 9.0,
+    "axes.labelsize": 9.0,
+    "axes.linewidth": 0.7,
+    "axes.edgecolor": INK,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.prop_cycle": mpl.cycler(color=LINES),
+    "grid.color": "0.9",
+    "grid.linewidth": 0.6,
+    "legend.frameon": False,
+    "legend.fontsize": 8.0,
+    "lines.linewidth": 1.1,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "savefig.dpi": 200,
+}
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def styled(draw: Callable[P, R]) -> Callable[P, R]:
+    """Draw in the style of these figures and leave matplotlib's settings as they were."""
+
+    @functools.wraps(draw)
+    def inner(*args: P.args, **kwargs: P.kwargs) -> R:
+        with mpl.rc_context(_RC):
+            return draw(*args, **kwargs)
+
+    return inner
+
+
+class NotebookFigure(Figure):
+    """A figure that a notebook shows without pyplot, and so without a list of open figures."""
+
+    def _repr_png_(self) -> bytes:
+        buffer = io.BytesIO()
+        self.savefig(buffer, format="png", dpi=120)
+        return buffer.getvalue()
+
+
+def new_figure(width: float, height: float) -> NotebookFigure:
+    """An empty figure of that size [in] whose parts make room for each other."""
+    return NotebookFigure(figsize=(width, height), layout="constrained")
+
+
+def parent_figure(ax: Axes) -> Figure:
+    """The figure in which `ax` stands."""
+    found: Any = ax.figure
+    while isinstance(found, SubFigure):
+        found = found.figure
+    return found
+
+
+# --- units
+
+
+def is_dimensionless(run: Response) -> bool:
+    """Whether the structure's states, time and accelerations are pure numbers."""
+    return run.program.STATE_UNITS[run.program.ROTATION] == "-"
+
+
+def ground_scale(run: Response) -> float:
+    """What one g is in the run's accelerations."""
+    return 1.0 if is_dimensionless(run) else STANDARD_GRAVITY
+
+
+def length_scale(run: Response) -> tuple[float, str]:
+    """(factor, unit) in which lengths are shown."""
+    return (1.0, "-") if is_dimensionless(run) else (1e3, "mm")
+
+
+def time_label(run: Response) -> str:
+    return "time $p\\,t$ [-]" if is_dimensionless(run) else "time [s]"
+
+
+# --- names
+
+
+def title_of(run: Response) -> str:
+    """Structure and motion."""
+    structure = run.program.NAME.replace("_", " ")
+    return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
+
+
+SYMBOLS = {"theta": r"$\theta$", "x": r"$\theta/\alpha$"}
+
+
+def symbol(name: str) -> str:
+    """How a coordinate is written in a figure."""
+    head = name.rstrip("0123456789")
+    return SYMBOLS.get(name, f"${head}_{{{name[len(head) :]}}}$" if head != name else f"${name}$")
+
+
+def largest(values: np.ndarray, unit: str) -> str:
+    """The largest size of (n,) values, in words."""
+    return f"largest {np.abs(values).max():.3g}{'' if unit == '-' else f' {unit}'}"
+
+
+def wrapped(text: str, width: int = 105) -> str:
+    return "\n".join(textwrap.wrap(text, width))
+
+
+# --- contact phases
+
+
+def feet_of(contact: str) -> str:
+    """Key of PHASES: the cart's "both_left" is full contact."""
+    return contact.split("_")[0]
+
+
+def contact_spans(run: Response) -> tuple[np.ndarray, list[str]]:
+    """Starts and ends (n, 2) of the contact phases, and the feet on the ground in each."""
+    contacts = run.program.CONTACTS
+    times, kinds, _ = run.passages
+    edges = np.concatenate([[run.t[0]], times, [run.t[-1]]])
+    feet = [feet_of(run.phase[0]), *(feet_of(contacts[after]) for after in kinds[:, 2])]
+    spans: list[list[float]] = []
+    names: list[str] = []
+    for start, end, name in zip(edges[:-1], edges[1:], feet, strict=True):
+        if names and names[-1] == name:
+            spans[-1][1] = end
+        elif end > start:
+            spans.append([start, end])
+            names.append(name)
+    return np.array(spans).reshape(-1, 2), names
+
+
+def times_of(run: Response, kind: str) -> np.ndarray:
+    """(n,) times of the events of a kind [s]."""
+    return np.array([e.time for e in run.events if e.kind == kind])
+
+
+def impact_speeds(run: Response) -> tuple[np.ndarray, np.ndarray]:
+    """(n,) times of the impacts [s], and the rates of rotation just before them."""
+    times, kinds, states = run.passages
+    hit = kinds[:, 0] == 0
+    return times[hit], np.abs(states[hit, 0, run.program.ROTATION_RATE])
+
+
+def shade_full_contact(axes: Sequence[Axes], run: Response) -> None:
+    """Grey behind the time in which both feet stand on the ground."""
+    spans, names = contact_spans(run)
+    for ax in axes:
+        for (start, end), name in zip(spans, names, strict=True):
+            if name == "both":
+                ax.axvspan(start, end, color="0.95", lw=0, zorder=0)
+
+
+def legend_above(ax: Axes, **kwargs: Any) -> None:
+    """A legend in one line above the axes, where it can hide no curve."""
+    handles, labels = ax.get_legend_handles_labels()
+    handles, labels = kwargs.pop("handles", handles), kwargs.pop("labels", labels)
+    ax.legend(
+        handles,
+        labels,
+        loc="lower right",
+        bbox_to_anchor=(1.0, 0.99),
+        ncols=max(len(labels), 1),
+        borderaxespad=0.0,
+        borderpad=0.2,
+        handlelength=1.6,
+        columnspacing=1.4,
+        **kwargs,
+    )

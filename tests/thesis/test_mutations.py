@@ -1,0 +1,208 @@
+"""The comparison with the thesis notices a structure, or an engine, that is slightly wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import pytest
+import sympy as sp
+
+from rockeom.symbolic import SHIPPED, RockingModel, impulse, lagrange
+from rockeom.symbolic.model import GROUND_X, Body, Phase
+
+from . import printed as th
+from .compare import PIER, in_engine_notation, normal_form
+from .derived import THETA, B, disagreement
+from .printed import EQUATIONS
+
+U, H_E, H_B = PIER["u"], PIER["height"], PIER["base_height"]
+
+
+def notices(number: str, model: RockingModel) -> bool:
+    """Whether the corrected equation differs from what `model` gives, on any of its sides."""
+    equation = EQUATIONS[number]
+    return any(
+        term != 0
+        for side in equation.sides
+        for term in disagreement(number, equation.right, side, model)
+    )
+
+
+def bodies(model: RockingModel, change: Callable[[Body], Body], name: str = "") -> RockingModel:
+    """The model with `change` made to its bodies, or to the one called `name`."""
+
+    def altered(phase: Phase) -> Phase:
+        new = tuple(change(b) if name in ("", b.name) else b for b in phase.bodies)
+        at = [b.position for b in phase.bodies].index(phase.load_point)
+        return replace(phase, bodies=new, load_point=new[at].position)
+
+    return replace(model, phases=tuple(altered(phase) for phase in model.phases))
+
+
+def phases(model: RockingModel, change: Callable[[Phase], Phase]) -> RockingModel:
+    return replace(model, phases=tuple(change(phase) for phase in model.phases))
+
+
+def placed(body: Body, put: dict) -> Body:
+    x, y = (sp.sympify(e).subs(put, simultaneous=True) for e in body.position)
+    return replace(body, position=(x, y))
+
+
+def spinless(body: Body) -> Body:
+    return replace(body, inertia=sp.Integer(0))
+
+
+def pushed_along_the_ground(body: Body) -> Body:
+    x, y = placed(body, {U: 0}).position
+    return replace(body, position=(x + U, y))
+
+
+@dataclass(frozen=True)
+class Mutation:
+    structure: str
+    change: Callable[[RockingModel], RockingModel]
+    noticed_by: tuple[str, ...]
+
+
+FLEXIBLE, RIGID, BLOCK = "flexible_structure", "lumped_mass_structure", "rigid_block"
+SPRINGS, CART = "two_spring_structure", "two_spring_cart"
+
+MUTATIONS = {
+    "superstructure on the wrong side of the pivot": Mutation(
+        FLEXIBLE,
+        lambda m: bodies(m, lambda b: placed(b, {B: -B}), "superstructure"),
+        ("5-34", "5-35", "D-1", "D-11", "D-13", "D-17", "D-21"),
+    ),
+    "superstructure without rotary inertia": Mutation(
+        FLEXIBLE, lambda m: bodies(m, spinless, "superstructure"), ("5-34", "D-8", "D-11")
+    ),
+    "base without rotary inertia": Mutation(
+        FLEXIBLE, lambda m: bodies(m, spinless, "base"), ("5-34", "D-12", "D-14")
+    ),
+    "gravity upwards": Mutation(
+        FLEXIBLE,
+        lambda m: phases(m, lambda p: replace(p, gravity=-p.gravity)),
+        ("5-34", "5-35", "D-13", "D-23", "D-24"),
+    ),
+    "elastic energy k u**2": Mutation(
+        FLEXIBLE,
+        lambda m: phases(m, lambda p: replace(p, elastic_energy=2 * p.elastic_energy)),
+        ("5-35", "D-13", "D-20", "D-24", "D-26"),
+    ),
+    "dissipation c u'**2": Mutation(
+        FLEXIBLE,
+        lambda m: phases(m, lambda p: replace(p, dissipation=2 * p.dissipation)),
+        ("5-35", "D-15", "D-20"),
+    ),
+    "deformation along the ground instead of across the column": Mutation(
+        FLEXIBLE,
+        lambda m: bodies(m, pushed_along_the_ground, "superstructure"),
+        ("5-34", "5-35", "5-37", "D-3", "D-18"),
+    ),
+    "base turning anticlockwise": Mutation(
+        FLEXIBLE, lambda m: bodies(m, lambda b: placed(b, {THETA: -THETA}), "base"), ("5-34", "D-2")
+    ),
+    "heights exchanged": Mutation(
+        FLEXIBLE,
+        lambda m: bodies(m, lambda b: placed(b, {H_E: H_B, H_B: H_E})),
+        ("5-34", "5-35", "D-1", "D-2"),
+    ),
+    "rigid structure without rotary inertia": Mutation(
+        RIGID, lambda m: bodies(m, spinless), ("5-8", "5-9", "5-10", "5-12", "5-13", "5-14")
+    ),
+    "base of the rigid structure on the wrong side": Mutation(
+        RIGID,
+        lambda m: bodies(m, lambda b: placed(b, {B: -B}), "base"),
+        ("5-9", "5-10", "5-11", "5-31"),  # its impact is even in B
+    ),
+    "block without rotary inertia": Mutation(
+        BLOCK, lambda m: bodies(m, spinless), ("2-2", "2-6", "2-9")
+    ),
+    "block on the wrong side of its edge": Mutation(
+        BLOCK, lambda m: bodies(m, lambda b: placed(b, {B: -B})), ("2-2", "2-9", "3-6", "3-9")
+    ),
+    "springs twice as stiff": Mutation(
+        SPRINGS,
+        lambda m: phases(m, lambda p: replace(p, elastic_energy=2 * p.elastic_energy)),
+        ("5-16", "5-24"),
+    ),
+    "springs with gravity upwards": Mutation(
+        SPRINGS,
+        lambda m: phases(m, lambda p: replace(p, gravity=-p.gravity)),
+        ("5-17", "5-24"),
+    ),
+    "cart without the base's mass": Mutation(
+        CART,
+        lambda m: bodies(m, lambda b: replace(b, mass=PIER["mass"])),
+        ("5-15",),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MUTATIONS)
+def test_wrong_structure_is_noticed(name):
+    mutation = MUTATIONS[name]
+    model = mutation.change(SHIPPED[mutation.structure]())
+    assert [n for n in mutation.noticed_by if not notices(n, model)] == []
+
+
+def test_unchanged_copy_raises_no_alarm():
+    copy = phases(bodies(SHIPPED[FLEXIBLE](), lambda body: placed(body, {})), replace)
+    assert [n for n in ("5-34", "5-35", "5-37", "D-1", "D-13", "D-18") if notices(n, copy)] == []
+
+
+# --- the engine itself
+
+
+def test_ground_acceleration_of_the_wrong_sign_is_noticed(monkeypatch):
+    monkeypatch.setattr(lagrange, "GROUND_X", -GROUND_X)
+    model = SHIPPED[FLEXIBLE]()
+    assert all(notices(n, model) for n in ("5-34", "5-35", "D-17", "D-18"))
+
+
+def test_kinetic_energy_without_spin_is_noticed(monkeypatch):
+    exact = lagrange.body_velocity
+
+    def still(body, coordinates):
+        return (*exact(body, coordinates)[:2], sp.Integer(0))
+
+    monkeypatch.setattr(lagrange, "body_velocity", still)
+    assert all(notices(n, SHIPPED[FLEXIBLE]()) for n in ("5-34", "D-11", "D-12"))
+
+
+def test_impulse_without_spin_is_noticed(monkeypatch):
+    exact = impulse.body_velocity
+
+    def still(body, coordinates):
+        return (*exact(body, coordinates)[:2], sp.Integer(0))
+
+    monkeypatch.setattr(impulse, "body_velocity", still)
+    assert all(notices(n, SHIPPED[RIGID]()) for n in ("5-12", "5-14"))
+
+
+def test_impact_about_the_old_pivot_is_noticed(monkeypatch):
+    monkeypatch.setattr(impulse, "SIDE", sp.Dummy("no side"))  # the new edge is not put in
+    assert all(notices(n, SHIPPED[RIGID]()) for n in ("5-12", "5-14"))
+
+
+# --- the comparison itself
+
+
+def test_comparison_tells_cosines_of_sum_and_difference_apart():
+    plus, minus = (sp.cos(th.alpha_e + sign * th.theta) * th.R_e for sign in (1, -1))
+    in_symbols = [in_engine_notation(e, 1) for e in (plus, minus)]
+    assert normal_form(in_symbols[0] - in_symbols[1]) != 0
+    by_hand = H_E * sp.cos(THETA) + B * sp.sin(THETA)
+    assert normal_form(in_symbols[1] - by_hand) == 0
+
+
+def test_comparison_knows_the_radius_and_not_only_its_square():
+    squared = in_engine_notation(th.R_b**2, 1) - B**2 - H_B**2
+    assert normal_form(squared) == 0
+    assert normal_form(in_engine_notation(th.R_b, 1) - B**2 - H_B**2) != 0
+
+
+def test_symbol_without_counterpart_is_refused():
+    with pytest.raises(ValueError, match="not translated"):
+        in_engine_notation(th.m_e * sp.Symbol("M_e"), 1)
