@@ -5,7 +5,7 @@ Source: Hogan (1989); thesis 2-13.
 
     states      x, x_dot
     parameters  alpha [rad]: angle of the line from edge to centroid
-                radius_ratio [-]: m R**2/I_o, 3/4 for a rectangular block
+                radius_ratio [-]: $m R^2/I_o$, 3/4 for a rectangular block
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
@@ -27,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "78128e32f5a22a27"
+SOURCE_HASH = "f04bd536bb755c4e"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -36,7 +36,7 @@ PARAMETERS = ("alpha", "radius_ratio",)
 PARAMETER_UNITS = ("rad", "-",)
 PARAMETER_MEANINGS = (
     "angle of the line from edge to centroid",
-    "m R**2/I_o, 3/4 for a rectangular block",
+    "$m R^2/I_o$, 3/4 for a rectangular block",
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (

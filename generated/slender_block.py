@@ -17,9 +17,9 @@ Operations before and after common subexpressions were shared:
     guards                     1     1
     impulse                    5     5
     energies                  37    32
-    reactions                130    55
-    kinematics                33    18
-    statics                   20    20
+    reactions                 61    35
+    kinematics                13     5
+    statics                   10    10
     overturning                1     1
     velocity_ratio            14    10
     prepare                   14     9
@@ -30,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "861ce00dcbb2ee85"
+SOURCE_HASH = "d8400c6203001d0d"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -241,22 +241,15 @@ def reactions(contact, y, p, ax, ay, out):
         radius = p[1]
         alpha = p[2]
         gravity = p[4]
-        x0 = math.cos(theta)
-        x1 = mass*radius
-        x2 = x1*math.cos(alpha)
-        x3 = theta_ddot*x2
-        x4 = math.sin(theta)
-        x5 = s*x1*math.sin(alpha)
-        x6 = theta_ddot*x5
-        x7 = theta_dot*theta_dot
-        x8 = x2*x7
-        x9 = x5*x7
-        x10 = (
-            (1/2)*ay*mass + (1/2)*gravity*mass + (1/2)*x0*x6 - 1/2*x0*x8 - 1/2*x3*x4 - 1/2*x4*x9
+        x0 = mass*radius
+        x1 = theta_ddot*x0
+        x2 = (
+            (1/2)*alpha*s*x1 + (1/2)*ay*mass + (1/2)*gravity*mass - 1/2*theta*x1 -
+            1/2*theta_dot*theta_dot*x0
         )
-        out[0] = ax*mass + x0*x3 + x0*x9 + x4*x6 - x4*x8
-        out[1] = x10*(1 - s)
-        out[2] = x10*(s + 1)
+        out[0] = ax*mass + x1
+        out[1] = x2*(1 - s)
+        out[2] = x2*(s + 1)
     elif contact == BOTH:
         mass = p[0]
         alpha = p[2]
@@ -264,7 +257,7 @@ def reactions(contact, y, p, ax, ay, out):
         x0 = ax*mass
         x1 = alpha*mass
         x2 = ay*x1 + gravity*x1
-        x3 = (1/2)/math.sin(alpha)
+        x3 = (1/2)/alpha
         out[0] = x0
         out[1] = x3*(x0 + x2)
         out[2] = x3*(-x0 + x2)
@@ -278,12 +271,12 @@ def kinematics(contact, y, p, out):
         theta = y[0]
         radius = p[1]
         alpha = p[2]
-        x0 = radius*math.sin(alpha)
-        x1 = s*x0
-        x2 = math.sin(theta)
-        out[0] = radius*x2*math.cos(alpha) - x1*math.cos(theta) + x1
-        out[1] = -x2*(-x0 - x1)
-        out[2] = -x2*(x0 - x1)
+        x0 = radius*theta
+        x1 = alpha*x0
+        x2 = s*x1
+        out[0] = x0
+        out[1] = x1 + x2
+        out[2] = -x1 + x2
     elif contact == BOTH:
         out[0] = 0
         out[1] = 0
@@ -300,11 +293,7 @@ def statics(contact, y, p, load, out):
         radius = p[1]
         alpha = p[2]
         gravity = p[4]
-        out[0] = (
-            alpha*gravity*mass*radius*s - gravity*mass*radius*theta -
-            load*(radius*s*math.sin(alpha)*math.sin(theta) +
-            radius*math.cos(alpha)*math.cos(theta))
-        )
+        out[0] = alpha*gravity*mass*radius*s - gravity*mass*radius*theta - load*radius
     elif contact == BOTH:
         out[0] = 0
 

@@ -384,7 +384,8 @@ class _Module:
         rest = {c.position: 0 for c in self.model.coordinates}
 
         def moved(expr) -> sp.Expr:
-            return sp.sympify(expr) - sp.sympify(expr).subs(rest)
+            expr = phase.approximated(expr)
+            return expr - expr.subs(rest)
 
         values: dict[str, sp.Expr] = {}
         if phase.load_point is not None:

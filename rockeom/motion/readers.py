@@ -423,8 +423,5 @@ def _last_printed_digit(numbers: Sequence[Decimal]) -> np.ndarray:
     """
     decimals = max(-int(number.as_tuple().exponent) for number in numbers)
     digits = max(len(number.as_tuple().digits) for number in numbers)
-    exponents = [
-        -decimals if number == 0 else max(-decimals, number.adjusted() - digits + 1)
-        for number in numbers
-    ]
+    exponents = [max(-decimals, number.adjusted() - digits + 1) for number in numbers]
     return 10.0 ** np.array(exponents, dtype=float)

@@ -107,10 +107,10 @@ def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
     ax.grid(visible=False, axis="y")
     ax.set_ylabel("impacts")
     counts = ", ".join(str(len(run.impacts)) for run in runs)
-    unit = "" if style.is_dimensionless(runs[0]) else " rad/s"
+    unit = style.rate_of(runs[0])[1]
     ax.set_title(
         f"{counts} impacts, as high as the rate of rotation before them "
-        f"(largest {fastest:.3g}{unit}); grey: full contact",
+        f"(up to {fastest:.3g} {unit}); grey: full contact",
         fontsize=8,
         loc="right",
         pad=3,

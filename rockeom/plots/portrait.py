@@ -34,9 +34,8 @@ def plot_phase_portrait(run: Response, *, ax: Axes | None = None) -> Figure:
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.LINES[1], lw=0.9)
     ax.plot(y[0], dy[0], "o", color=style.LINES[0], ms=4)
     ax.annotate("start", (y[0], dy[0]), xytext=(4, 4), textcoords="offset points", fontsize=8)
-    name = style.symbol(run.states[p.ROTATION])
-    units = p.STATE_UNITS
-    ax.set_xlabel(f"{name} [{units[p.ROTATION]}]")
-    rate_unit = "1/p" if units[p.ROTATION] == "-" else units[p.ROTATION_RATE]
-    ax.set_ylabel(f"$\\dot{{{name.strip('$')}}}$ [{rate_unit}]")
+    name = run.states[p.ROTATION]
+    ax.set_xlabel(f"{style.symbol(name)} [{p.STATE_UNITS[p.ROTATION]}]")
+    rate, unit = style.rate_of(run)
+    ax.set_ylabel(f"${rate}$ [{unit}]")
     return style.parent_figure(ax)

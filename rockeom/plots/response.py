@@ -82,17 +82,11 @@ def _ground(ax: Axes, run: Response) -> None:
 def _rotation(ax: Axes, run: Response) -> None:
     name = run.states[run.program.ROTATION]
     unit = run.program.STATE_UNITS[run.program.ROTATION]
-    scale, unit = (1e3, "mm") if unit == "m" else (1.0, unit)
-    theta = run[name] * scale
-    ax.plot(
-        run.t,
-        theta,
-        color=style.LINES[0],
-        label=f"{style.symbol(name)}, {style.largest(theta, unit)}",
-    )
-    ax.set_ylabel(
-        f"{'rotation' if unit != 'mm' else 'displacement'} {style.symbol(name)}\n[{unit}]"
-    )
+    what, factor, unit = ("displacement", 1e3, "mm") if unit == "m" else ("rotation", 1.0, unit)
+    theta = run[name] * factor
+    shown = style.symbol(name)
+    ax.plot(run.t, theta, color=style.LINES[0], label=f"{shown}, {style.largest(theta, unit)}")
+    ax.set_ylabel(f"{what} {shown}\n[{unit}]")
     style.legend_above(ax)
     alpha = getattr(run.structure, "alpha", None)
     if alpha is not None and unit == "rad":
@@ -131,14 +125,11 @@ def _uplift(ax: Axes, run: Response) -> None:
 
 def _impacts(ax: Axes, run: Response) -> None:
     times, speeds = style.impact_speeds(run)
-    rate = run.states[run.program.ROTATION_RATE]
-    unit = run.program.STATE_UNITS[run.program.ROTATION_RATE]
-    unit = "1/p" if unit == "-" else unit
     ax.vlines(times, 0.0, speeds, color=style.INK, lw=0.9)
     ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=f"{len(times)} impacts")
     ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
-    name = style.symbol(rate.removesuffix("_dot")).strip("$")
-    ax.set_ylabel(f"impact speed\n$|\\dot{{{name}}}|$ [{unit}]")
+    rate, unit = style.rate_of(run)
+    ax.set_ylabel(f"impact speed\n$|{rate}|$ [{unit}]")
     style.legend_above(ax)
 
 

@@ -29,7 +29,7 @@ PHASE_MEANINGS = {
     "flight": "in flight",
 }
 
-_RC = {
+_RC: dict[Any, Any] = {
     "font.size": 9.0,
     "axes.labelsize": 9.0,
     "axes.linewidth": 0.7,
@@ -38,7 +38,6 @@ _RC = {
     "axes.spines.right": False,
     "axes.grid": True,
     "axes.axisbelow": True,
-    "axes.prop_cycle": mpl.cycler(color=LINES),
     "grid.color": "0.9",
     "grid.linewidth": 0.6,
     "legend.frameon": False,
@@ -117,13 +116,19 @@ def title_of(run: Response) -> str:
     return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
 
 
-SYMBOLS = {"theta": r"$\theta$", "x": r"$\theta/\alpha$"}
-
-
 def symbol(name: str) -> str:
     """How a coordinate is written in a figure."""
     head = name.rstrip("0123456789")
-    return SYMBOLS.get(name, f"${head}_{{{name[len(head) :]}}}$" if head != name else f"${name}$")
+    if name == "theta":
+        return r"$\theta$"
+    return f"${head}_{{{name[len(head) :]}}}$" if head != name else f"${name}$"
+
+
+def rate_of(run: Response) -> tuple[str, str]:
+    """Mathematics and unit of the rate of rotation."""
+    p = run.program
+    name = symbol(run.states[p.ROTATION]).strip("$")
+    return rf"\dot{{{name}}}", "-" if is_dimensionless(run) else p.STATE_UNITS[p.ROTATION_RATE]
 
 
 def largest(values: np.ndarray, unit: str) -> str:

@@ -13,7 +13,8 @@ def total_reaction(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
     """(horizontal, vertical) force of the ground on the structure, by Newton's second law."""
     horizontal = vertical = sp.Integer(0)
     for body in phase.bodies:
-        x, y = (rate(rate(e, phase.coordinates), phase.coordinates) for e in body.position)
+        place = [phase.approximated(e) for e in body.position]
+        x, y = (rate(rate(e, phase.coordinates), phase.coordinates) for e in place)
         horizontal += body.mass * (x + GROUND_X)
         vertical += body.mass * (y + GROUND_Y + phase.gravity)
     return tidy(horizontal), tidy(vertical)
@@ -55,5 +56,5 @@ def _force_of_held_foot(model: RockingModel, foot: str, pivot: str) -> sp.Expr:
     held = {theta.position: 0, theta.velocity: 0, theta.acceleration: 0}
     row = [c.name for c in turning.coordinates].index(theta.name)
     lacking = turning.equations.residual(turning.coordinates)[row]
-    lift = sp.diff(turning.feet[foot].position[1], theta.position)
+    lift = sp.diff(turning.approximated(turning.feet[foot].position[1]), theta.position)
     return sp.cancel((lacking / lift).subs(SIDE, side).subs(held))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import at_side, tidy, truncated
+from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 if TYPE_CHECKING:
@@ -58,7 +58,8 @@ class Equations:
 
     def residual(self, coordinates: tuple[Coordinate, ...]) -> sp.Matrix:
         """Left minus right-hand side, (n, 1); zero along a motion."""
-        accelerations = sp.Matrix([c.acceleration for c in coordinates])
+        n = len(coordinates)
+        accelerations = sp.Matrix(n, 1, [c.acceleration for c in coordinates])
         return self.mass_matrix * accelerations - self.forcing
 
 
@@ -94,15 +95,12 @@ def derive_equations(phase: Phase) -> Equations:
     q = [c.position for c in phase.coordinates]
     qd = [c.velocity for c in phase.coordinates]
 
-    def order_two(expr: sp.Expr) -> sp.Expr:
-        return truncated(expr, phase.small, 2) if phase.small else expr
-
-    kinetic = tidy(order_two(kinetic_energy(phase)))
-    weight = order_two(sum(b.mass * phase.gravity * b.position[1] for b in phase.bodies))
-    shaking = order_two(
+    kinetic = tidy(phase.approximated(kinetic_energy(phase)))
+    weight = phase.approximated(sum(b.mass * phase.gravity * b.position[1] for b in phase.bodies))
+    shaking = phase.approximated(
         sum(b.mass * (GROUND_X * b.position[0] + GROUND_Y * b.position[1]) for b in phase.bodies)
     )
-    elastic = order_two(phase.elastic_energy)
+    elastic = phase.approximated(phase.elastic_energy)
 
     def gradient(expr: sp.Expr, by) -> sp.Matrix:
         return sp.Matrix([tidy(sp.diff(expr, x)) for x in by]).reshape(len(by), 1)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
 if TYPE_CHECKING:
     from rockeom.symbolic.impulse import ImpulseMap
@@ -114,6 +114,10 @@ class Phase:
         from rockeom.symbolic.lagrange import derive_equations
 
         return derive_equations(self)
+
+    def approximated(self, expr: sp.Expr) -> sp.Expr:
+        """The expression to second order in what this phase takes as small; else as it is."""
+        return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
 
     @property
     def has_side(self) -> bool:

@@ -83,7 +83,7 @@ def nondimensional_block() -> RockingModel:
     """
     x = coordinate("x", "x", "-", "rotation over alpha")
     alpha = parameter("alpha", "alpha", "rad", "angle of the line from edge to centroid")
-    ratio = parameter("rho", "radius_ratio", "-", "m R**2/I_o, 3/4 for a rectangular block")
+    ratio = parameter("rho", "radius_ratio", "-", "$m R^2/I_o$, 3/4 for a rectangular block")
     a, rho = alpha.symbol, ratio.symbol
     angle = a * x.position
 

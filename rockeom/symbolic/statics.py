@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sympy as sp
+from sympy.solvers.solveset import NonlinearError
 
 from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.model import Phase, RockingModel
@@ -16,7 +17,8 @@ def equilibrium(phase: Phase) -> sp.Matrix:
     eq = phase.equations
     if phase.load_point is None:
         raise ValueError("this phase declares no load point")
-    lever = [sp.diff(phase.load_point[0], c.position) for c in phase.coordinates]
+    x = phase.approximated(phase.load_point[0])
+    lever = [sp.diff(x, c.position) for c in phase.coordinates]
     return eq.gravity + eq.stiffness - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
 
 
@@ -24,9 +26,12 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, the other coordinates condensed.
 
     Raises NotImplementedError where the condensation has no closed form that is unique (the
-    other coordinates enter non-linearly); the numeric pushover solves these.
+    other coordinates enter non-linearly); the numeric pushover solves these. Raises ValueError
+    for a contact state that does not rotate.
     """
     phase = model.phase(contact)
+    if model.rotation not in phase.coordinates:
+        raise ValueError(f"{model.name} does not rotate in the contact state {contact!r}")
     rows = [at_side(e, phase.side_of(contact)) for e in equilibrium(phase)]
     names = [c.name for c in phase.coordinates]
     turning = rows.pop(names.index(model.rotation.name))
@@ -34,7 +39,7 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
     if others:
         try:
             (others_at,) = sp.linsolve(rows, others)
-        except (ValueError, sp.solvers.solveset.NonlinearError) as e:
+        except (ValueError, NonlinearError) as e:
             raise NotImplementedError(f"{model.name}: no unique closed form") from e
         turning = turning.subs(dict(zip(others, others_at, strict=True)))
     if sp.diff(turning, LOAD, 2) != 0:

@@ -212,6 +212,7 @@ def test_velocity_of_a_record_is_the_trapezoid_sum_of_its_samples():
 def test_zeros_at_the_end_of_a_record_are_not_shaking():
     motion = GroundMotion.from_array([0.0, 1.0, 0.0, 0.0, 0.0], 0.1)
     assert motion.shaking_ends == 0.2
+    assert GroundMotion.from_array([0.0, 0.0, 1.0], 0.1).shaking_ends == 0.2
 
 
 @pytest.mark.parametrize(
@@ -265,6 +266,7 @@ def test_sampling_a_record_at_its_own_step_returns_its_samples():
     assert t[-1] == pytest.approx(20.0, rel=1e-15)
     assert len(t) == 2001
     assert found == pytest.approx(a, rel=1e-10, abs=1e-10)
+    assert len(GroundMotion.none(0.3).sampled(0.1)[0]) == 4  # though 0.3/0.1 < 3 in floats
 
 
 @few
@@ -376,6 +378,12 @@ def test_motion_does_not_follow_the_array_it_was_made_from():
     motion = GroundMotion.from_array(a, 0.1)
     a[1] = 99.0
     assert motion.peak == 1.0
+
+    segments = np.array([[0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 0.0]])
+    motion = GroundMotion(segments)
+    segments[0, 3] = 0.0  # still writable, and minus zero is zero
+    assert motion == GroundMotion(segments)
+    assert hash(motion) == hash(GroundMotion(segments))
     with pytest.raises(dataclasses.FrozenInstanceError):
         motion.name = "other"
 

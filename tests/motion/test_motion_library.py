@@ -14,7 +14,7 @@ needs_records = pytest.mark.skipif(
 
 @needs_records
 def test_every_record_has_the_peak_and_step_of_its_file():
-    assert GroundMotion.library()
+    assert "san_fernando_1971_pacoima_dam_upper_left_abut_164" in GroundMotion.library()
     for name in GroundMotion.library():
         motion = GroundMotion.from_library(name)
         # An independent reading: fixed columns of fifteen characters after four lines.
@@ -60,6 +60,12 @@ def test_pacoima_dam_is_told_from_its_other_components():
 def test_words_that_fit_several_or_no_record_are_refused_with_the_names(words, message):
     with pytest.raises(MotionError, match=message):
         GroundMotion.from_library(words)
+
+
+def test_whole_name_is_found_though_another_name_has_all_its_words(monkeypatch):
+    monkeypatch.setattr(library, "records", lambda: {"coast_0": "flat", "coast_0_up": "up"})
+    assert library.find("coast_0") == "flat"
+    assert library.find("Coast, up") == "up"
 
 
 def test_missing_extra_is_refused_with_the_command_that_installs_it(monkeypatch):

@@ -287,7 +287,7 @@ def test_csv_columns_are_chosen_by_name_or_number(tmp_path):
 
 
 def test_csv_headings_may_be_components_of_the_motion(tmp_path):
-    path = write(tmp_path, "r.csv", "t,E,0deg\n0,1,2\n1,3,4\n")
+    path = write(tmp_path, "r.csv", "\ufefft,E,0deg\n0,1,2\n1,3,4\n")  # as a spreadsheet saves it
     for column, samples in (("E", [1, 3]), ("0deg", [2, 4])):
         motion = GroundMotion.from_csv(
             path, time_column="t", acceleration_column=column, units="m/s2"
@@ -309,7 +309,7 @@ def test_time_that_does_not_start_at_zero_is_said_in_the_source(tmp_path):
         (1 / 256, "{:.3f} {:.6f}", 1e-3),
         (1 / 3, "{:.2f} {:.6f}", 1e-2),
         (1 / 256, "{:.6e} {:.6f}", 1e-5),
-        (0.005, "{:.4e} {:.6f}", 1e-3),
+        (1 / 256, "{:.4e} {:.6f}", 1e-3),
         (1 / 256, "{} {:.6f}", 1e-8),
     ],
 )
@@ -438,6 +438,11 @@ def test_at2_file_read_as_columns_is_told_its_reader(tmp_path):
     with pytest.raises(MotionError, match=r"line 4: .*PEER record.*from_at2"):
         GroundMotion.from_columns(path, units="g")
     assert GroundMotion.read(path) == GroundMotion.from_at2(path)
+
+
+def test_comment_that_mentions_npts_does_not_make_a_peer_record(tmp_path):
+    path = write(tmp_path, "r.txt", "# made from NPTS= 120, DT= .01\n" + columns(TIMES, VALUES))
+    assert len(GroundMotion.read(path, units="g").samples) == 120
 
 
 @pytest.mark.parametrize(

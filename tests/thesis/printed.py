@@ -107,6 +107,7 @@ CHAPTER_2 = (
             ),
         ),
     ),
+    # 2-3 has I_o as 2-2 and 2-5 do; the scanned text reads I_alpha there.
     Equation(
         "2-3",
         "the same for a slender block and theta > 0",
@@ -287,6 +288,7 @@ MODEL_A = (
         "Not legible; the moments about O, in the form of 5-10.",
         POSITIVE,
     ),
+    # 5-10 and 5-11 write M_e and M_b for m_e and m_b.
     Equation(
         "5-10",
         "Model A for theta < 0",

@@ -9,18 +9,19 @@ import pytest
 import sympy as sp
 
 from rockeom.symbolic import RockingModel
-from rockeom.symbolic.model import Body, Foot
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Foot
 from rockeom.symbolic.statics import pushover
 
-from .compare import PIER, in_engine_notation, normal_form
+from .compare import CART, PIER, in_engine_notation, normal_form
 from .derived import THETA, B, lift_off_sine, shipped
 from .printed import EQUATIONS
 
 H_E, G = PIER["height"], PIER["gravity"]
-K_F = next(p.symbol for p in shipped("two_spring_structure").parameters if p.symbol.name == "k_f")
+K_F = CART["foundation_stiffness"]
 S = PIER["mass"] * H_E + PIER["base_mass"] * PIER["base_height"]
 W = (PIER["mass"] + PIER["base_mass"]) * G
 C, SINE = sp.cos(THETA), sp.sin(THETA)
+(HEAVE,) = (c.position for c in shipped("two_spring_structure").coordinates if c.name == "heave")
 
 CENTRE_GUIDED = {
     "both": (2 * K_F * B**2 * SINE - G * S * SINE / C) / H_E,
@@ -30,8 +31,7 @@ FOOT_GUIDED = {
     "both": (2 * K_F * B**2 * C - G * S) * SINE / (H_E * C + B * SINE),
     "right": (W * B * C - G * S * SINE) / (H_E * C + B * SINE),
 }
-"""P by the moments about the pressed foot, resp. the base's centre, by hand."""
-
+"""P by hand, from the moments of weight and springs; `right` after lift-off on the right foot."""
 
 S1 = {
     "mass": 122.6,
@@ -125,13 +125,12 @@ def test_moments_about_the_base_centre_balance():
     model = shipped("two_spring_structure")
     phase = model.phase("both")
     rng = np.random.default_rng(524)
-    (heave,) = (c for c in model.coordinates if c is not model.rotation)
     forces = {name: foot.force for name, foot in phase.feet.items()}
     curve = pushover(model, "both")
     for _ in range(10):
         n = {p.symbol: rng.uniform(0.5, 2.0) for p in model.parameters}
         n[K_F] = rng.uniform(500, 1000)
-        n |= {THETA: rng.uniform(0.001, 0.3), heave.position: 0.0}
+        n |= {THETA: rng.uniform(0.001, 0.3), HEAVE: 0.0}
         n |= {c.velocity: 0.0 for c in model.coordinates}
         left, right = (float(forces[name].subs(n)) for name in ("left", "right"))
         load, turn = float(curve.subs(n)), np.exp(-1j * n[THETA])
@@ -161,3 +160,33 @@ def test_straight_line_5_33_stays_close_to_the_curve_5_31():
     assert error[0] < 2e-5  # u = H_e sin(theta) leaves out B (1 - cos(theta))
     assert 0.0120 < error.max() < 0.0130
     assert 0.135 < displacement[error.argmax()] < 0.145
+
+
+def test_cart_5_15_is_driven_and_inert_unlike_the_structure():
+    """Small rotations with both springs pressed, u = H_e theta, the moments divided by H_e.
+
+    The inertia is I_C / H_e**2 and the load (m_e + m_b H_b / H_e) a_g; the cart has the total
+    mass in both, and the stiffness alone agrees.
+    """
+    model = shipped("two_spring_structure")
+    exact = model.phase("both").equations.map(lambda e: sp.diff(e, THETA).subs(THETA, 0))
+    upright = model.phase("both").equations.map(
+        lambda e: sp.sympify(e).subs({THETA: 0, GROUND_Y: 0})
+    )
+    about_centre = (
+        PIER["inertia"]
+        + PIER["mass"] * H_E**2
+        + PIER["base_inertia"]
+        + PIER["base_mass"] * PIER["base_height"] ** 2
+    )
+    assert normal_form(upright.mass_matrix[0, 0] - about_centre) == 0
+    assert normal_form(upright.excitation[0] + S * GROUND_X) == 0
+    static = (exact.gravity + exact.stiffness)[0].subs(HEAVE, 0)
+    cart = shipped("two_spring_cart")
+    (relation,) = EQUATIONS["5-25"].right
+    per_displacement = in_engine_notation(relation.rhs, 1) / PIER["u"]
+    assert normal_form(static / H_E**2 - per_displacement) == 0
+    total = cart.equations("both_right").mass_matrix[0, 0]
+    assert normal_form(total - W / G) == 0
+    assert normal_form(total - about_centre / H_E**2) != 0
+    assert float(numbers(total * H_E / S)) == pytest.approx(1.325, abs=5e-4)

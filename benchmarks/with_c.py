@@ -1,0 +1,183 @@
+"""The same method written by hand in C, built with the system's compiler into a temporary folder.
+
+Raises RuntimeError where there is no compiler.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.structures import Structure
+from rockeom.numeric.tableau import (
+    NODES,
+    Tableau,
+    powers_to_bernstein,
+    samples_to_bernstein,
+    tableau,
+)
+
+FOLDER = Path(__file__).parent / "c"
+
+FLAGS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+"""What made the program fastest with its arithmetic intact; contraction to a*b + c is gcc's
+default."""
+
+VARIANTS = {"C": (), "C, inlined sine": ("-DINLINE_SINE",)}
+
+
+def _sum(weights: np.ndarray) -> str:
+    return " + ".join(f"{w!r} * k[{j}][i]" for j, w in enumerate(weights.tolist()) if w)
+
+
+def _matrix(name: str, values: np.ndarray) -> str:
+    rows = ", ".join("{" + ", ".join(map(repr, row)) + "}" for row in values.tolist())
+    return f"static const double {name}[{len(values)}][{len(values.T)}] = {{{rows}}};\n"
+
+
+def header(method: Tableau) -> str:
+    """The sums of a method as macros of the place i in the state."""
+    lines = [f"#define SUM_{j}(i) ({_sum(row)})" for j, row in enumerate(method.a) if row.any()]
+    lines += [f"#define C_{j} {c!r}" for j, c in enumerate(method.c.tolist())]
+    lines += [
+        f"#define ERROR_{n}(i) ({_sum(e)})" for n, e in zip((5, 3), method.errors, strict=True)
+    ]
+    lines += [f"#define DENSE_{j + 1}(i) ({_sum(row)})" for j, row in enumerate(method.dense.T)]
+    nodes = ", ".join(map(repr, NODES.tolist()))
+    return (
+        "\n".join(lines)
+        + f"\nstatic const double NODES[8] = {{{nodes}}};\n"
+        + _matrix("SAMPLES_TO_BERNSTEIN", samples_to_bernstein())
+        + _matrix("POWERS_TO_BERNSTEIN", powers_to_bernstein())
+    )
+
+
+def compiler() -> str:
+    """The C compiler: $CC, gcc or cc; raises RuntimeError where there is none."""
+    for name in (os.environ.get("CC"), "gcc", "cc"):
+        if name and shutil.which(name):
+            return name
+    raise RuntimeError("no C compiler: install gcc, or name one in $CC")
+
+
+@functools.cache
+def library(model: str, variant: str, flags: tuple[str, ...] = FLAGS) -> ctypes.CDLL:
+    """The shared library of a model, built where its text or flags are new."""
+    coefficients = header(tableau("DOP853"))
+    texts = [path.read_text(encoding="utf-8") for path in sorted(FOLDER.iterdir())]
+    command = [compiler(), *flags, *VARIANTS[variant], "-shared", "-fPIC"]
+    digest = hashlib.sha256("\0".join([coefficients, *texts, *command]).encode()).hexdigest()[:16]
+    folder = Path(tempfile.gettempdir()) / f"rockeom-benchmarks-{os.getuid()}" / digest
+    built = folder / f"{model}.so"
+    if not built.exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "dop853.h").write_text(coefficients, encoding="utf-8")
+        temporary = folder / f"{model}.{os.getpid()}.tmp"
+        source = FOLDER / f"{model}.c"
+        subprocess.run(
+            [*command, f"-I{folder}", f"-I{FOLDER}", str(source), "-o", str(temporary), "-lm"],
+            check=True,
+        )
+        temporary.replace(built)
+    return ctypes.CDLL(str(built))
+
+
+class _Options(ctypes.Structure):
+    _fields_ = [
+        *((n, ctypes.c_double) for n in ("rtol", "atol", "fallen", "rest_tolerance", "ratio")),
+        *((n, ctypes.c_long) for n in ("max_impacts", "max_steps")),
+    ]
+
+
+@functools.cache
+def _state_type(n: int) -> type[ctypes.Structure]:
+    class State(ctypes.Structure):
+        _fields_ = [
+            *((name, ctypes.c_double) for name in ("t", "h_next", "peak")),
+            ("y", ctypes.c_double * n),
+            *(
+                (name, ctypes.c_long)
+                for name in ("contact", "touching", "impacts", "taken", "n_events")
+            ),
+        ]
+
+    return State
+
+
+@dataclass
+class Problem:
+    """A structure, its law and the options, ready to run in C."""
+
+    structure: Structure
+    ratio: float
+    options: SolverOptions
+    variant: str = "C"
+    flags: tuple[str, ...] = FLAGS
+
+    def __post_init__(self) -> None:
+        module = self.structure.module
+        self.n = module.N_STATES
+        self.library = library(self.structure.model, self.variant, self.flags)
+        values = self.structure.parameters()
+        self.parameters = np.array([float(values[name]) for name in module.PARAMETERS])
+        self.event = np.dtype(
+            [
+                ("time", float),
+                *((name, np.int64) for name in ("kind", "before", "after")),
+                ("from", float, (self.n,)),
+                ("to", float, (self.n,)),
+            ]
+        )
+        self.events = np.empty(4096, self.event)
+
+    def _options(self, max_impacts: int | None = None) -> _Options:
+        o = self.options
+        return _Options(
+            o.rtol, o.atol, self.structure.overturning_rotation, o.rest_tolerance, self.ratio,
+            o.max_impacts if max_impacts is None else max_impacts, o.max_steps,
+        )  # fmt: skip
+
+    def run(
+        self, contact: int, y0: np.ndarray, segments: np.ndarray, t_end: float, max_impacts: int
+    ) -> tuple[int, np.ndarray, np.ndarray, int]:
+        """(outcome, state at the end (N,), events, steps taken)."""
+        state = _state_type(self.n)(contact=contact, touching=-1)
+        state.y[:] = list(y0)
+        segments = np.ascontiguousarray(segments)
+        options = self._options(max_impacts)
+        chunks = []
+        outcome = 7
+        while outcome == 7:  # the array of events is full
+            state.n_events = 0
+            outcome = self.library.run(
+                ctypes.byref(state), ctypes.c_double(t_end), _at(segments),
+                ctypes.c_long(len(segments)), _at(self.parameters), ctypes.byref(options),
+                _at(self.events), ctypes.c_long(len(self.events)),
+            )  # fmt: skip
+            chunks.append(self.events[: state.n_events].copy())
+        events = np.concatenate(chunks) if len(chunks) > 1 else chunks[0]
+        return outcome, np.array(state.y[:]), events, state.taken
+
+    def map(self, motions: np.ndarray, t_end: float) -> tuple[np.ndarray, np.ndarray]:
+        """(outcomes (n,), peaks (n,)) under motions (n, m, 7), from rest."""
+        n, m, _ = motions.shape
+        outcomes, peaks = np.empty(n, np.int64), np.empty(n)
+        self.library.map(
+            ctypes.c_long(n), ctypes.c_double(t_end), _at(motions), ctypes.c_long(m),
+            _at(self.parameters), ctypes.byref(self._options()), _at(outcomes), _at(peaks),
+        )  # fmt: skip
+        return outcomes, peaks
+
+
+def _at(array: np.ndarray) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)

@@ -1,0 +1,98 @@
+"""The command line: ``rockeom models | derive | generate | simulate``."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import warnings
+from collections.abc import Sequence
+
+from rockeom import __version__
+from rockeom.cli import derive, generate, models, simulate
+from rockeom.cli.errors import UsageError
+
+_DESCRIPTION = """\
+Rocking structures: equations of motion derived symbolically, compiled, and integrated
+through every impact.
+
+  rockeom models                    which structures there are, and their parameters
+  rockeom derive rigid_block        the equations of motion of one of them
+  rockeom simulate rigid_block ...  its response to a ground motion
+  rockeom generate                  rewrite generated/ from the symbolic models (developers)
+
+Each command explains itself: rockeom simulate --help
+"""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command and return its exit code: 0 done, 1 a check failed, 2 bad input.
+
+    Bad input ends with one message on the standard error that says what, where and the remedy.
+    """
+    parser = _parser()
+    args = parser.parse_args(argv)
+    if args.command is None:
+        parser.print_help()
+        return 2
+    _write_any_letter()
+    try:
+        with warnings.catch_warnings():
+            warnings.showwarning = _show_warning
+            return args.run(args)
+    except BrokenPipeError:  # `rockeom derive rigid_block | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (ValueError, UsageError, OSError) as error:
+        print(f"rockeom {args.command}: {_message(error)}", file=sys.stderr)
+        return 2
+    except TypeError as error:
+        from rockeom.numeric.structures import ParameterError
+
+        if not isinstance(error, ParameterError):
+            raise
+        print(f"rockeom {args.command}: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="rockeom",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND")
+    for module in (models, derive, generate, simulate):
+        name = module.__name__.rpartition(".")[2]
+        command = commands.add_parser(
+            name,
+            help=module.HELP,
+            description=module.DESCRIPTION,
+            epilog=module.EPILOG,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )
+        module.add_arguments(command)
+        command.set_defaults(run=module.run)
+    return parser
+
+
+def _write_any_letter() -> None:
+    """Greek letters must not end a command whose output goes to a pipe of few letters."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+
+
+def _message(error: Exception) -> str:
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{error.filename}: {error.strerror}. Check the path and the permissions."
+    return str(error)
+
+
+def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:
+    print(f"warning: {message}", file=sys.stderr)
