@@ -18,6 +18,8 @@ __version__ = "0.1.0"
 
 _NAMES_OF = {
     "rockeom.motion": ("GroundMotion", "MotionError"),
+    "rockeom.numeric.case": ("Case",),
+    "rockeom.numeric.ensemble": ("simulate_many",),
     "rockeom.numeric.impact": ("AngularMomentum", "EnergyRatio", "Impulsive", "VelocityRatio"),
     "rockeom.numeric.options": ("SolverOptions",),
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
@@ -42,6 +44,8 @@ __all__ = sorted(_HOME_OF)
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
+    from rockeom.numeric.case import Case as Case
+    from rockeom.numeric.ensemble import simulate_many as simulate_many
     from rockeom.numeric.impact import (
         AngularMomentum as AngularMomentum,
         EnergyRatio as EnergyRatio,

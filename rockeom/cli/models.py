@@ -5,6 +5,9 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import difflib
+import importlib
+from collections.abc import Sequence
+from types import ModuleType
 
 from rockeom.cli.errors import UsageError
 from rockeom.numeric.structures import SHIPPED, Structure
@@ -45,11 +48,60 @@ def shipped(name: str) -> type[Structure]:
     return SHIPPED[name]
 
 
-def title(structure: type[Structure]) -> str:
-    return (structure.module_of_class().__doc__ or "").partition("\n")[0].rstrip(".")
+def _list() -> str:
+    rows = [("NAME", "STATES", "TITLE")]
+    for name, structure in SHIPPED.items():
+        module = _module(structure)
+        rows.append((name, ", ".join(module.STATES), _title(module)))
+    return "\n".join([*_aligned(rows), "", "rockeom models NAME explains one of them."])
 
 
-def aligned(rows: list[tuple[str, ...]]) -> list[str]:
+def _explain(structure: type[Structure]) -> str:
+    module = _module(structure)
+    half = len(module.STATES) // 2
+    units = zip(module.STATES[:half], module.STATE_UNITS, strict=False)
+    laws = "angular-momentum (if not given), energy-ratio=R, velocity-ratio=E"
+    if module.HAS_IMPULSIVE:
+        laws += ", impulsive"
+    facts = [
+        ("in Python", f"rockeom.{structure.__name__}(...)"),
+        ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
+        ("states", ", ".join(module.STATES)),
+        ("contact phases", ", ".join(module.CONTACTS)),
+        ("impact laws", laws if _has_impacts(module) else "none: the contacts are springs"),
+    ]
+    return "\n".join(
+        [_title(module), "", *_aligned(facts), "", *_aligned(_parameters(structure, module))]
+    )
+
+
+def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[str, str, str, str]]:
+    """A table of the names that --set takes."""
+    words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
+    known = dict(zip(module.PARAMETERS, words, strict=True))
+    rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
+    for field in dataclasses.fields(structure):  # type: ignore[arg-type]
+        unit, meaning = known[_NAME_IN_MODEL.get(field.name, field.name)]
+        default = "required" if field.default is dataclasses.MISSING else str(field.default)
+        if field.default is None:
+            default = "as a homogeneous block"
+        rows.append((field.name, unit, default, meaning))
+    return rows
+
+
+def _has_impacts(module: ModuleType) -> bool:
+    return any(kind == "impact" for _, _, kind in module.TRANSITIONS)
+
+
+def _module(structure: type[Structure]) -> ModuleType:
+    return importlib.import_module(f"rockeom.generated.{structure.model}")
+
+
+def _title(module: ModuleType) -> str:
+    return (module.__doc__ or "").partition("\n")[0].rstrip(".")
+
+
+def _aligned(rows: Sequence[tuple[str, ...]]) -> list[str]:
     """Rows as lines of aligned columns."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return [

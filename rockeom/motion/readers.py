@@ -380,10 +380,10 @@ def _time_step(
     """The even step [s] of a time column.
 
     Printed times are rounded: steps of 1/256 s read 0.004, 0.004, 0.003 with three decimals. So a
-    time may lie off the even grid, and a step off the mean, by one unit of the last printed digit.
-    That excuse ends where the digits are as coarse as a third of the step, because a missing
-    sample could hide behind it. Times that went through single precision carry noise of their
-    own: a hundredth of a step is allowed in any case.
+    time may lie off the even grid, and a step off the mean, by one unit of the last printed digit,
+    and by what such a unit at the end does to the mean. That excuse ends where the digits are as
+    coarse as a third of the step, because a missing sample could hide behind it. Times that went
+    through single precision carry noise of their own: a hundredth of a step is always allowed.
     """
     steps = np.diff(times)
     for n in np.flatnonzero(steps <= 0)[:1]:
@@ -395,9 +395,11 @@ def _time_step(
     dt = float((exact[-1] - exact[0]) / (len(exact) - 1))  # 0.02, not 0.019999999999999997
     digit = _last_printed_digit(exact)
     allowed = np.where(digit < dt / 3, np.maximum(digit, 0.01 * dt), 0.01 * dt)
-    of_step = np.maximum(allowed[1:], allowed[:-1]) * (1 + 1 / len(steps))  # dt is rounded too
-    off_grid = np.abs(times - times[0] - dt * np.arange(len(times)))
-    if (np.abs(steps - dt) <= of_step).all() and (off_grid <= allowed).all():
+    of_mean = max(allowed[0], allowed[-1]) / len(steps)
+    of_step = np.maximum(allowed[1:], allowed[:-1]) + of_mean
+    index = np.arange(len(times))
+    off_grid = np.abs(times - times[0] - dt * index) / (allowed + of_mean * index)
+    if (np.abs(steps - dt) <= of_step).all() and (off_grid <= 1.0).all():
         return dt
 
     # The mean is spoilt by what is wrong, the median is not.

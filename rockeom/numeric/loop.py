@@ -341,6 +341,7 @@ def integrate(
     events,
     event_kinds,
     event_states,
+    peaks,
 ):
     """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
 
@@ -429,7 +430,7 @@ def integrate(
                     growth = h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT)
                     h_next = max(h_next, growth) if cut else growth
                 open_ = landed < 0 and stays_open(contact, h, y, y_new, k, touching)
-                if keep or not open_ or abs(y_new[ROTATION]) >= fallen:
+                if keep or not open_ or turns(k) or abs(y_new[ROTATION]) >= fallen:
                     dense_output(contact, t, h, y, p, gx, gy, k, w, coefficients)
                 if landed >= 0 or open_:
                     break
@@ -478,6 +479,9 @@ def integrate(
                     )
                     n_steps += 1
                 t = last if cut or t + h > last else t + h
+                if turns(k):
+                    widen_within(peaks, coefficients)
+                widen(peaks, y_new)
                 for i in range(N_STATES):
                     y[i] = y_new[i]
                     k[0, i] = k[N_STAGES, i]
@@ -551,6 +555,52 @@ def integrate(
 
 
 @_compiled
+def widen(peaks, y):
+    """Let the smallest and largest values (2, N) take in a state."""
+    for i in range(N_STATES):
+        peaks[0, i] = min(peaks[0, i], y[i])
+        peaks[1, i] = max(peaks[1, i], y[i])
+
+
+@_compiled
+def turns(k):
+    """Whether a coordinate may turn back within a step: its rate changes sign."""
+    back = False
+    for i in range(N_STATES // 2):
+        back = back or k[0, i] * k[N_STAGES, i] < 0.0
+    return back
+
+
+@_compiled
+def widen_within(peaks, coefficients):
+    """Take in the turning points of the coordinates inside a step, from its dense output."""
+    for i in range(N_STATES // 2):
+        low, high = 0.0, 1.0
+        start = slope_at(coefficients, 0.0, i)
+        if start * slope_at(coefficients, 1.0, i) >= 0.0:
+            continue
+        for _ in range(40):
+            x = 0.5 * (low + high)
+            if slope_at(coefficients, x, i) * start > 0.0:
+                low = x
+            else:
+                high = x
+        value = coefficients[7, i]
+        for j in range(6, -1, -1):
+            value = value * high + coefficients[j, i]
+        peaks[0, i] = min(peaks[0, i], value)
+        peaks[1, i] = max(peaks[1, i], value)
+
+
+@_compiled
+def slope_at(coefficients, x, i):
+    value = 7.0 * coefficients[7, i]
+    for j in range(6, 0, -1):
+        value = value * x + j * coefficients[j, i]
+    return value
+
+
+@_compiled
 def bound_passed(coefficients, bound):
     """Place in a step at which the rotation's size reaches `bound`, by bisection."""
     low, high = 0.0, 1.0
@@ -574,6 +624,101 @@ def shorten(coefficients, x):
         for i in range(N_STATES):
             coefficients[j, i] *= factor
         factor *= x
+
+
+@_entry
+def at_rest(contact, y, p):
+    """Full contact, and a kinetic energy below a billionth of the weight's potential energy."""
+    if SIDES[contact] != 0.0 or KINDS[contact][0] != UPLIFT:
+        return False
+    energy = np.empty(3)
+    energies(contact, y, p, energy)
+    return energy[0] <= 1e-9 * abs(energy[1])
+
+
+@_entry
+def falls(contact, y, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps, reach):
+    """Whether free motion from here leads to the ground, and not back upright.
+
+    It is followed until the next impact, or, on springs, while the structure leans further;
+    `reach` is a time [s] in which it would move far.
+    """
+    if SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT:
+        return False
+    rocks = SIDES[contact] != 0.0 and KINDS[contact][0] == IMPACT
+    still = np.empty((0, 7))
+    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
+    events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
+    event_states = np.empty((64, 2, N_STATES))
+    peaks = np.zeros((2, N_STATES))
+    status = np.array([contact, -1, 0, 0, 0, 0])
+    clock = np.zeros(2)
+    state = y.copy()
+    for n in range(1000):
+        lean = abs(state[ROTATION])
+        status[4] = status[5] = 0
+        code = integrate(
+            status, clock, state, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
+            np.inf, fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
+            steps, step_contact, step_states, events, event_kinds, event_states, peaks,
+        )  # fmt: skip
+        if code == OVERTURNED:
+            return True
+        if code not in (COMPLETED, FULL) or (not rocks and abs(state[ROTATION]) <= lean):
+            return False
+    return False
+
+
+@_entry
+def integrate_many(
+    contacts, states, t_end, quiet_from, horizontal, h_rows, vertical, v_rows, p, law, ratio,
+    rtol, atol, h_max, fallen, rest_tolerance, max_impacts, max_steps,
+    outcome, t_final, contact_final, impacts, peaks, impact_times,
+):  # fmt: skip
+    """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
+
+    contacts (n,), states (n, N) at the start, and on return at the end. horizontal, vertical : the
+    rows of all motions, those of motion i from h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from,
+    law, ratio, fallen (n,), p (n, m). impact_times (n, k) gets the first k impacts of each.
+    """
+    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
+    events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
+    event_states = np.empty((64, 2, N_STATES))
+    status = np.empty(6, np.int64)
+    clock = np.empty(2)
+    for n in range(len(contacts)):
+        y = states[n]
+        status[:] = 0
+        status[0], status[1] = contacts[n], -1
+        clock[:] = 0.0
+        widen(peaks[n], y)
+        noted = 0
+        code = FULL
+        while code == FULL:
+            status[5] = 0
+            code = integrate(
+                status, clock, y, t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
+                vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
+                fallen[n], rest_tolerance, max_impacts, max_steps,
+                steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
+            )  # fmt: skip
+            for e in range(status[5]):
+                if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
+                    impact_times[n, noted] = events[e]
+                    noted += 1
+        if code == COMPLETED and quiet_from[n] <= t_end[n]:
+            reach = 0.1 * t_end[n]
+            if falls(
+                status[0], y, p[n], law[n], ratio[n], rtol, atol, fallen[n], max_impacts,
+                max_steps, reach,
+            ):  # fmt: skip
+                code = OVERTURNED
+            elif at_rest(status[0], y, p[n]):
+                code = CAME_TO_REST
+        outcome[n] = code
+        t_final[n] = clock[0]
+        contact_final[n] = status[0]
+        impacts[n] = status[2]
 
 
 @_entry

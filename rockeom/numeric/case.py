@@ -1,0 +1,94 @@
+"""One motion of one structure: what `simulate` is asked, and the same as numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.numeric.impact import ImpactLaw
+
+if TYPE_CHECKING:
+    from rockeom.motion import GroundMotion
+    from rockeom.numeric.structures import Structure
+
+
+_STILL = np.empty((0, 7))
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A case as the compiled loop takes it.
+
+    contact : number of the contact state at the start; y0 (N,) the state there.
+    vector : the parameters p; law, ratio : of the impacts; fallen : bound of the rotation.
+    horizontal, vertical : tables (m, 7) of the ground's motion; end [s];
+    quiet_from : when the ground has come to stand still [s].
+    """
+
+    contact: int
+    y0: np.ndarray
+    vector: np.ndarray
+    law: int
+    ratio: float
+    fallen: float
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    end: float
+    quiet_from: float
+
+
+@dataclass(frozen=True)
+class Case:
+    """A structure, its ground motion and start; the arguments are those of `simulate`."""
+
+    structure: Structure
+    motion: GroundMotion
+    impact: ImpactLaw | None = None
+    initial: Mapping[str, float] | None = None
+    duration: float | None = None
+    vertical: GroundMotion | None = None
+    phase: str | None = None
+
+    def problem(self) -> Problem:
+        """The case in numbers; raises ValueError for a state or a duration that cannot be."""
+        structure, motion = self.structure, self.motion
+        y0 = structure.state(self.initial or {})
+        rotation = y0[structure.module.ROTATION]
+        fallen = structure.overturning_rotation
+        if abs(rotation) >= fallen:
+            raise ValueError(
+                f"initial {structure.states[structure.module.ROTATION]} is {rotation}: the "
+                f"structure lies on the ground from {fallen:.6g} on; start below"
+            )
+        end = motion.duration if self.duration is None else float(self.duration)
+        if not (math.isfinite(end) and end > 0):
+            raise ValueError(f"duration is {end} s: it must be finite and positive")
+        law, ratio = structure.law(self.impact)
+        return Problem(
+            contact=structure.contact(y0, self.phase, -_first_push(motion)),
+            y0=y0,
+            vector=structure.vector,
+            law=law,
+            ratio=ratio,
+            fallen=fallen,
+            horizontal=_table(motion),
+            vertical=_table(self.vertical),
+            end=end,
+            quiet_from=max(m.shaking_ends for m in (motion, self.vertical) if m is not None),
+        )
+
+
+def _first_push(motion: GroundMotion) -> float:
+    """Sign of the first ground acceleration that is not zero; 0 if there is none."""
+    middle = 0.5 * (motion.segments[:, 0] + motion.segments[:, 1])
+    pushes = motion.acceleration(middle)
+    return float(np.sign(pushes[pushes != 0.0][0])) if pushes.any() else 0.0
+
+
+def _table(motion: GroundMotion | None) -> np.ndarray:
+    """(m, 7) rows of a motion for the compiled loop; none for ground that stands still."""
+    return _STILL if motion is None else motion.segments

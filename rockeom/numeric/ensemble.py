@@ -1,0 +1,256 @@
+"""Many motions at once, on all cores, keeping only what is asked for."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from rockeom.numeric.case import Case, Problem
+from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.response import Outcome
+from rockeom.numeric.specialise import program
+
+_OUTCOMES = tuple(Outcome)
+NOT_RUN = -1
+
+
+def simulate_many(
+    case: Callable[..., Case],
+    over: Mapping[str, Sequence[Any] | np.ndarray],
+    *,
+    impact_times: int = 0,
+    options: SolverOptions | None = None,
+    threads: int | None = None,
+    chunk: int = 256,
+    progress: bool | None = None,
+) -> xr.Dataset:
+    """Simulate every combination of the values in `over`, labelled by them.
+
+        rk.simulate_many(
+            lambda frequency, amplitude: rk.Case(
+                block, rk.GroundMotion.single_sine(amplitude, 1 / frequency, duration=8.0)
+            ),
+            over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
+        )
+
+    case : makes one case from one value of each name in `over`. All cases are of one model.
+    impact_times : how many impact times of each case to keep.
+    threads : all cores if not given. The result is the same to the last bit for any number of
+        threads and any `chunk`, the number of cases that a thread takes at a time.
+    progress : a line on stderr; if not given, where stderr is a terminal.
+
+    Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
+    final_time [s], final_phase, impacts, smallest, largest and final value of each state, and
+    impact_time (nan where there was none). Memory is bounded by the dataset. A keyboard
+    interrupt ends the work early: what is done is returned, `attrs["interrupted"]` is 1.
+    """
+    options = options or SolverOptions()
+    values = {name: list(v) for name, v in over.items()}
+    if not values or not all(values.values()):
+        raise ValueError("`over` is empty: give at least one name with at least one value")
+    shape = tuple(len(v) for v in values.values())
+    total = int(np.prod(shape))
+
+    def made(first: int, last: int) -> list[Case]:
+        points = itertools.islice(itertools.product(*values.values()), first, last)
+        return [case(**dict(zip(values, point, strict=True))) for point in points]
+
+    module = made(0, 1)[0].structure.module
+    compiled = program(module, options.method)
+    results = _Results.empty(total, module.N_STATES, impact_times)
+    interrupted = False
+    with _Progress(total, sys.stderr.isatty() if progress is None else progress) as shown:
+        try:
+            _in_threads(
+                threads or os.cpu_count() or 1,
+                _Source(case, values, chunk, module),
+                lambda first, batch: results.run(first, batch, compiled, options),
+                shown.add,
+            )
+        except KeyboardInterrupt:
+            interrupted = True
+    dataset = results.dataset(values, module)
+    dataset.attrs.update(model=module.NAME, method=options.method, interrupted=int(interrupted))
+    return dataset
+
+
+@dataclass(frozen=True)
+class _Source:
+    """Makes the cases chunk by chunk, when they are needed, so that none wait in memory."""
+
+    case: Callable[..., Case]
+    values: Mapping[str, list[Any]]
+    chunk: int
+    module: ModuleType
+
+    def __iter__(self) -> Iterator[tuple[int, list[Problem]]]:
+        points = itertools.product(*self.values.values())
+        first = 0
+        while batch := list(itertools.islice(points, self.chunk)):
+            yield first, [self.problem(point) for point in batch]
+            first += len(batch)
+
+    def problem(self, point: tuple[Any, ...]) -> Problem:
+        named = dict(zip(self.values, point, strict=True))
+        case = self.case(**named)
+        if case.structure.module is not self.module:
+            raise ValueError(
+                f"case {named} is a {case.structure.module.NAME}, the first one a "
+                f"{self.module.NAME}: simulate each model by itself"
+            )
+        return case.problem()
+
+
+def _in_threads(
+    threads: int,
+    source: _Source,
+    work: Callable[[int, list[Problem]], int],
+    done: Callable[[int], None],
+) -> None:
+    """Hand chunks to threads as these become free; an interrupt waits for those under way."""
+    with ThreadPoolExecutor(threads) as pool:
+        pending: set[Future[int]] = set()
+        for first, batch in source:
+            if len(pending) > threads:
+                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+                for f in finished:
+                    done(f.result())
+            pending.add(pool.submit(work, first, batch))
+        for f in pending:
+            done(f.result())
+
+
+@dataclass(frozen=True)
+class _Results:
+    """One row a case; threads write to rows of their own."""
+
+    outcome: np.ndarray
+    final_time: np.ndarray
+    contact: np.ndarray
+    impacts: np.ndarray
+    peaks: np.ndarray
+    final: np.ndarray
+    times: np.ndarray
+
+    @classmethod
+    def empty(cls, n: int, states: int, times: int) -> _Results:
+        return cls(
+            np.full(n, NOT_RUN, np.int64),
+            np.full(n, np.nan),
+            np.zeros(n, np.int64),
+            np.zeros(n, np.int64),
+            np.full((n, 2, states), np.nan),
+            np.full((n, states), np.nan),
+            np.full((n, times), np.nan),
+        )
+
+    def run(
+        self, first: int, batch: list[Problem], compiled: ModuleType, options: SolverOptions
+    ) -> int:
+        """Run a chunk and write its rows; returns the number of cases."""
+        rows = slice(first, first + len(batch))
+        start = np.array([q.y0 for q in batch])
+        self.final[rows] = start
+        self.peaks[rows] = start[:, None, :]
+        self.contact[rows] = [q.contact for q in batch]
+        horizontal, h_rows = _stacked([q.horizontal for q in batch])
+        vertical, v_rows = _stacked([q.vertical for q in batch])
+        outcome = np.empty(len(batch), np.int64)
+        compiled.integrate_many(
+            self.contact[rows], self.final[rows], np.array([q.end for q in batch]),
+            np.array([q.quiet_from for q in batch]), horizontal, h_rows, vertical, v_rows,
+            np.array([q.vector for q in batch]), np.array([q.law for q in batch]),
+            np.array([q.ratio for q in batch]), options.rtol,
+            np.full(start.shape[1], options.atol), options.max_step,
+            np.array([q.fallen for q in batch]), options.rest_tolerance, options.max_impacts,
+            options.max_steps, outcome, self.final_time[rows], self.contact[rows],
+            self.impacts[rows], self.peaks[rows], self.times[rows],
+        )  # fmt: skip
+        self.outcome[rows] = outcome
+        return len(batch)
+
+    def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> xr.Dataset:
+        dims = tuple(values)
+        shape = tuple(len(v) for v in values.values())
+        ran = self.outcome != NOT_RUN
+
+        def shaped(a: np.ndarray) -> np.ndarray:
+            return a.reshape(shape + a.shape[1:])
+
+        labels = np.array([*(o.label for o in _OUTCOMES), "not run"])
+        phases = np.array([*module.CONTACTS, ""])
+        over = xr.Dataset(
+            {
+                "outcome": (dims, shaped(labels[self.outcome])),
+                "final_time": (dims, shaped(self.final_time), {"units": "s"}),
+                "final_phase": (dims, shaped(phases[np.where(ran, self.contact, -1)])),
+                "impacts": (dims, shaped(self.impacts)),
+                "smallest": (
+                    (*dims, "state"),
+                    shaped(np.where(ran[:, None], self.peaks[:, 0], np.nan)),
+                ),
+                "largest": (
+                    (*dims, "state"),
+                    shaped(np.where(ran[:, None], self.peaks[:, 1], np.nan)),
+                ),
+                "final": ((*dims, "state"), shaped(np.where(ran[:, None], self.final, np.nan))),
+            },
+            coords={"state": list(module.STATES)} | {d: _labels(v) for d, v in values.items()},
+        )
+        if self.times.shape[1]:
+            over["impact_time"] = ((*dims, "impact"), shaped(self.times), {"units": "s"})
+        return over
+
+
+def _labels(values: list[Any]) -> list[Any]:
+    """Numbers and words label themselves; other objects are numbered."""
+    plain = all(isinstance(v, (str, int, float, np.number)) for v in values)
+    return values if plain else list(range(len(values)))
+
+
+def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """(rows, first and last of each table); a table that several cases share is stacked once."""
+    places: dict[int, tuple[int, int]] = {}
+    parts: list[np.ndarray] = []
+    n = 0
+    for table in tables:
+        if id(table) not in places:
+            places[id(table)] = n, n + len(table)
+            parts.append(table)
+            n += len(table)
+    return np.concatenate(parts), np.array([places[id(table)] for table in tables])
+
+
+class _Progress:
+    """A line on stderr: how many are done, and how long the rest will take."""
+
+    def __init__(self, total: int, shown: bool) -> None:
+        self.total, self.shown, self.done = total, shown, 0
+        self.started = self.last = time.monotonic()
+
+    def __enter__(self) -> _Progress:
+        return self
+
+    def add(self, n: int) -> None:
+        self.done += n
+        now = time.monotonic()
+        if self.shown and now - self.last > 0.2:
+            self.last = now
+            left = (now - self.started) * (self.total - self.done) / self.done
+            sys.stderr.write(f"\r{self.done:,} of {self.total:,} motions, {left:.0f} s left ")
+            sys.stderr.flush()
+
+    def __exit__(self, *_: object) -> None:
+        if self.shown:
+            took = time.monotonic() - self.started
+            sys.stderr.write(f"\r{self.done:,} of {self.total:,} motions in {took:.1f} s.\n")
