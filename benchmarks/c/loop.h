@@ -506,7 +506,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             if (h > 0.0) {
                 if (with_peak) {
                     peak = fmax(peak, fabs(y_new[ROTATION]));
-                    if (y[RATE] * y_new[RATE] < 0.0)
+                    if (outcome == COMPLETED && y[RATE] * y_new[RATE] < 0.0)
                         peak = fmax(peak, crest(h, y, y_new, k));
                 }
                 t = cut || t + h > last ? last : t + h;

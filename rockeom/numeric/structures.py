@@ -17,6 +17,7 @@ import numpy as np
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, ImpactLaw
 
+
 class Structure:
     """A rocking structure with its parameters.
 
@@ -354,88 +355,73 @@ class NondimensionalBlock(Structure):
     radius_ratio: float = 0.75
 
 
-class _Lumped:
-    """What the two-mass structures share."""
+@_structure_class
+class _TwoMasses(Structure):
+    """What the structures of a superstructure and a base share.
+
+    mass, base_mass [kg] at height, base_height [m]; inertia, base_inertia about their own
+    centroids [kg m2]; half_width [m] half of the distance between the feet; gravity [m/s2].
+    """
 
     may_vanish = frozenset(
         {"inertia", "base_mass", "base_height", "base_inertia", "damping", "foundation_damping"}
     )
+    mass: float
+    height: float
+    inertia: float
+    base_mass: float
+    base_height: float
+    base_inertia: float
+    half_width: float
+    gravity: float = STANDARD_GRAVITY
 
 
 @_structure_class
-class LumpedMassStructure(_Lumped, Structure):
+class LumpedMassStructure(_TwoMasses):
     """Rigid structure of two lumped masses on rigid ground (thesis Model A).
 
     mass, base_mass [kg] at height, base_height [m]; inertia, base_inertia about their own
-    centroids [kg m2]; half_width [m] half of the distance between the feet.
+    centroids [kg m2]; half_width [m] half of the distance between the feet; gravity [m/s2].
     """
 
     model: ClassVar[str] = "lumped_mass_structure"
-    mass: float
-    height: float
-    inertia: float
-    base_mass: float
-    base_height: float
-    base_inertia: float
-    half_width: float
-    gravity: float = STANDARD_GRAVITY
 
 
 @_structure_class
-class TwoSpringStructure(_Lumped, Structure):
+class TwoSpringStructure(_TwoMasses):
     """Model B exactly: the rigid structure on two compression-only springs and dampers.
 
     foundation_stiffness [N/m] and foundation_damping [N s/m] of each foot; else as
-    LumpedMassStructure. `heave` counts from the settled position.
+    LumpedMassStructure. The base's centre is guided vertically; `heave` counts from the settled
+    position.
     """
 
     model: ClassVar[str] = "two_spring_structure"
-    mass: float
-    height: float
-    inertia: float
-    base_mass: float
-    base_height: float
-    base_inertia: float
-    half_width: float
     foundation_stiffness: float
     foundation_damping: float
-    gravity: float = STANDARD_GRAVITY
 
 
 @_structure_class
-class TwoSpringCart(_Lumped, Structure):
-    """Model B as the thesis has it: a cart on the closed-form k(u), 5-15, 5-25 and 5-33."""
+class TwoSpringCart(_TwoMasses):
+    """Model B as the thesis has it: a cart on the closed-form k(u), 5-15, 5-25 and 5-33.
+
+    foundation_stiffness [N/m] of each foot; else as LumpedMassStructure.
+    """
 
     model: ClassVar[str] = "two_spring_cart"
-    mass: float
-    height: float
-    inertia: float
-    base_mass: float
-    base_height: float
-    base_inertia: float
-    half_width: float
     foundation_stiffness: float
-    gravity: float = STANDARD_GRAVITY
 
 
 @_structure_class
-class FlexibleStructure(_Lumped, Structure):
+class FlexibleStructure(_TwoMasses):
     """Flexible structure of two masses on rigid ground (thesis Model C).
 
     As LumpedMassStructure, with the column's stiffness [N/m] and damping [N s/m].
     """
 
     model: ClassVar[str] = "flexible_structure"
-    mass: float
-    height: float
-    inertia: float
-    base_mass: float
-    base_height: float
-    base_inertia: float
-    half_width: float
     stiffness: float
     damping: float
-    gravity: float = STANDARD_GRAVITY
 
 
 SHIPPED: dict[str, type[Structure]] = {
