@@ -89,6 +89,11 @@ class Block:
     order: int = 24
     rate_at: int = 1
 
+    @property
+    def longest(self) -> mpf:
+        """Longest step: short enough for one turning point at most."""
+        return 1 / (5 * mpmath.sqrt(self.p2))
+
     def rocking(self, s: int, y: list, a: Series) -> list[Series]:
         n = self.order
         theta = [y[0], y[1]]
@@ -119,7 +124,7 @@ class Block:
 class Column:
     """The two masses in axes that turn with the base; see benchmarks/c/flexible_structure.c."""
 
-    order, rate_at = 30, 2
+    order, rate_at, longest = 30, 2, mpf(1) / 20
 
     def __init__(self, values: dict[str, float]) -> None:
         v = {name: mpf(value) for name, value in values.items()}
@@ -278,7 +283,7 @@ def _advance(structure, row: np.ndarray, t: mpf, end: mpf, motion: Motion) -> mp
     n, s, y, v = structure.order, motion.side, motion.y, structure.rate_at
     a = ground(row, t, n)
     states = structure.rocking(s, y, a) if s else structure.upright(y, a)
-    h = min(end - t, mpf("0.05"))
+    h = min(end - t, structure.longest)
     last = max(abs(c) for series in [*states, a] for c in series[n - 1 : n + 1])
     if last:
         h = min(h, (STEP_ERROR / last) ** (mpf(1) / n))

@@ -12,13 +12,15 @@ import os
 import shutil
 import subprocess
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks import workloads as w
+from benchmarks.with_rockeom import options
+from rockeom import GroundMotion, VelocityRatio
+from rockeom.numeric.case import Case
 from rockeom.numeric.options import SolverOptions
-from rockeom.numeric.structures import Structure
 from rockeom.numeric.tableau import (
     NODES,
     Tableau,
@@ -32,6 +34,8 @@ FOLDER = Path(__file__).parent / "c"
 FLAGS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 """What made the program fastest with its arithmetic intact; contraction to a*b + c is gcc's
 default."""
+
+IMPACT, OVERTURNED, FULL = 0, 2, 7  # as in loop.h
 
 VARIANTS = {"C": (), "C, inlined sine": ("-DINLINE_SINE",)}
 
@@ -114,70 +118,99 @@ def _state_type(n: int) -> type[ctypes.Structure]:
     return State
 
 
-@dataclass
 class Problem:
-    """A structure, its law and the options, ready to run in C."""
+    """A case of rockeom's, prepared for C: the same numbers go to both."""
 
-    structure: Structure
-    ratio: float
-    options: SolverOptions
-    variant: str = "C"
-    flags: tuple[str, ...] = FLAGS
-
-    def __post_init__(self) -> None:
-        module = self.structure.module
-        self.n = module.N_STATES
-        self.library = library(self.structure.model, self.variant, self.flags)
-        values = self.structure.parameters()
+    def __init__(
+        self,
+        case: Case,
+        options: SolverOptions,
+        variant: str = "C",
+        flags: tuple[str, ...] = FLAGS,
+    ) -> None:
+        module, q = case.structure.module, case.problem()
+        self.rate_at = module.ROTATION_RATE
+        self.y0, self.contact, self.end = q.y0, q.contact, q.end
+        self.segments = np.ascontiguousarray(q.horizontal)
+        values = case.structure.parameters()
         self.parameters = np.array([float(values[name]) for name in module.PARAMETERS])
+        self.library = library(case.structure.model, variant, flags)
+        self.options = _Options(
+            options.rtol, options.atol, q.fallen, options.rest_tolerance, q.ratio,
+            options.max_impacts, options.max_steps,
+        )  # fmt: skip
+        n = module.N_STATES
+        self.state_type = _state_type(n)
         self.event = np.dtype(
             [
                 ("time", float),
                 *((name, np.int64) for name in ("kind", "before", "after")),
-                ("from", float, (self.n,)),
-                ("to", float, (self.n,)),
+                ("from", float, (n,)),
+                ("to", float, (n,)),
             ]
         )
-        self.events = np.empty(4096, self.event)
 
-    def _options(self, max_impacts: int | None = None) -> _Options:
-        o = self.options
-        return _Options(
-            o.rtol, o.atol, self.structure.overturning_rotation, o.rest_tolerance, self.ratio,
-            o.max_impacts if max_impacts is None else max_impacts, o.max_steps,
-        )  # fmt: skip
-
-    def run(
-        self, contact: int, y0: np.ndarray, segments: np.ndarray, t_end: float, max_impacts: int
-    ) -> tuple[int, np.ndarray, np.ndarray, int]:
+    def run(self) -> tuple[int, np.ndarray, np.ndarray, int]:
         """(outcome, state at the end (N,), events, steps taken)."""
-        state = _state_type(self.n)(contact=contact, touching=-1)
-        state.y[:] = list(y0)
-        segments = np.ascontiguousarray(segments)
-        options = self._options(max_impacts)
+        state = self.state_type(contact=self.contact, touching=-1)
+        state.y[:] = self.y0.tolist()
         chunks = []
-        outcome = 7
-        while outcome == 7:  # the array of events is full
+        outcome = FULL
+        while outcome == FULL:
+            events = np.empty(256, self.event)
             state.n_events = 0
             outcome = self.library.run(
-                ctypes.byref(state), ctypes.c_double(t_end), _at(segments),
-                ctypes.c_long(len(segments)), _at(self.parameters), ctypes.byref(options),
-                _at(self.events), ctypes.c_long(len(self.events)),
+                ctypes.byref(state), ctypes.c_double(self.end), _at(self.segments),
+                ctypes.c_long(len(self.segments)), _at(self.parameters),
+                ctypes.byref(self.options), _at(events), ctypes.c_long(len(events)),
             )  # fmt: skip
-            chunks.append(self.events[: state.n_events].copy())
+            chunks.append(events[: state.n_events])
         events = np.concatenate(chunks) if len(chunks) > 1 else chunks[0]
         return outcome, np.array(state.y[:]), events, state.taken
 
-    def map(self, motions: np.ndarray, t_end: float) -> tuple[np.ndarray, np.ndarray]:
-        """(outcomes (n,), peaks (n,)) under motions (n, m, 7), from rest."""
+    def impacts(self) -> w.Impacts:
+        events = self.run()[2]
+        events = events[events["kind"] == IMPACT]
+        return w.Impacts(events["time"], events["from"][:, self.rate_at])
+
+    def map(self, motions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(whether it fell (n,), peaks (n,)) under motions (n, m, 7), from rest."""
         n, m, _ = motions.shape
         outcomes, peaks = np.empty(n, np.int64), np.empty(n)
         self.library.map(
-            ctypes.c_long(n), ctypes.c_double(t_end), _at(motions), ctypes.c_long(m),
-            _at(self.parameters), ctypes.byref(self._options()), _at(outcomes), _at(peaks),
+            ctypes.c_long(n), ctypes.c_double(self.end), _at(motions), ctypes.c_long(m),
+            _at(self.parameters), ctypes.byref(self.options), _at(outcomes), _at(peaks),
         )  # fmt: skip
-        return outcomes, peaks
+        return outcomes == OVERTURNED, peaks
 
 
 def _at(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
+
+
+# -- the workloads -------------------------------------------------------------------------------
+
+
+def free_decay(rtol: float, variant: str = "C"):
+    case = Case(w.BLOCK, GroundMotion.none(100.0), initial={"theta": w.RELEASE})
+    return Problem(case, options(rtol, max_impacts=w.N_IMPACTS - 1), variant).impacts
+
+
+def under_record(structure, rtol: float, variant: str = "C", **changes: float):
+    return Problem(Case(structure, w.record()), options(rtol, **changes), variant).impacts
+
+
+def pulses(rtol: float, variant: str = "C"):
+    motions = w.pulses()
+    problem = Problem(Case(w.BLOCK, motions[0]), options(rtol), variant)
+    table = np.array([motion.segments for motion in motions])
+    return lambda: problem.map(table)
+
+
+def bifurcation(rtol: float, variant: str = "C"):
+    law = VelocityRatio(w.DRIVEN_RATIO)
+    runs = {
+        float(a): Problem(Case(w.DRIVEN, w.shaking(a), impact=law), options(rtol), variant)
+        for a in w.AMPLITUDES
+    }
+    return lambda: {a: w.kept(problem.impacts()) for a, problem in runs.items()}

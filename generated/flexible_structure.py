@@ -35,7 +35,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "b94d9af0c790e4b7"
+SOURCE_HASH = "86dcb28f3d812fa8"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -122,7 +122,7 @@ def opening_acceleration(contact, y, p, ax, ay):
     c3 = p[13]  # half_width*(base_mass + mass)
     c4 = p[14]  # base_height*base_mass + height*mass
     total_gravity = ay + gravity
-    m00 = -c0*s*u + c1 + mass*u*u
+    m00 = -c0*s*u + c1 + mass*u**2
     m10 = c2
     m11 = mass
     f0 = -ax*c4 + total_gravity*(-c3*s + mass*u)
@@ -160,8 +160,8 @@ def rates(contact, y, p, ax, ay, dy):
         x0 = math.sin(theta)
         x1 = math.cos(theta)
         x2 = -c3*s + mass*u
-        x3 = theta_dot*theta_dot
-        m00 = -c0*s*u + c1 + mass*u*u
+        x3 = theta_dot**2
+        m00 = -c0*s*u + c1 + mass*u**2
         m10 = c2
         m11 = mass
         f0 = (
@@ -223,11 +223,11 @@ def impulse_to_opposite(s, y, p, out):
     c0 = p[10]  # 2*half_width*mass
     c1 = p[11]
     c2 = p[12]  # height*mass
-    c7 = p[17]  # base_height*base_height*base_mass
-    c8 = p[18]  # height*height*mass
-    c9 = p[19]  # base_mass*half_width*half_width
-    c10 = p[20]  # half_width*half_width*mass
-    x0 = mass*u*u
+    c7 = p[17]  # base_height**2*base_mass
+    c8 = p[18]  # height**2*mass
+    c9 = p[19]  # base_mass*half_width**2
+    c10 = p[20]  # half_width**2*mass
+    x0 = mass*u**2
     m00 = c0*s*u + c1 + x0
     m10 = c2
     m11 = mass
@@ -318,20 +318,20 @@ def energies(contact, y, p, out):
         gravity = p[7]
         stiffness = p[8]
         x0 = height*mass
-        x1 = theta_dot*theta_dot
+        x1 = theta_dot**2
         x2 = (1/2)*x1
         x3 = base_mass*x2
-        x4 = half_width*half_width
+        x4 = half_width**2
         x5 = mass*x2
-        x6 = u*u
+        x6 = u**2
         x7 = mass*u
         x8 = half_width*s
         x9 = gravity*math.cos(theta)
         x10 = gravity*math.sin(theta)
         x11 = x10*x8
         out[0] = (
-            base_height*base_height*x3 + base_inertia*x2 + height*height*x5 + inertia*x2 +
-            (1/2)*mass*u_dot*u_dot + theta_dot*u_dot*x0 - x1*x7*x8 + x3*x4 + x4*x5 + x5*x6
+            base_height**2*x3 + base_inertia*x2 + height**2*x5 + inertia*x2 +
+            (1/2)*mass*u_dot**2 + theta_dot*u_dot*x0 - x1*x7*x8 + x3*x4 + x4*x5 + x5*x6
         )
         out[1] = base_height*base_mass*x9 + base_mass*x11 + mass*x11 + x0*x9 - x10*x7
         out[2] = (1/2)*stiffness*x6
@@ -344,9 +344,9 @@ def energies(contact, y, p, out):
         base_height = p[4]
         gravity = p[7]
         stiffness = p[8]
-        out[0] = (1/2)*mass*u_dot*u_dot
+        out[0] = (1/2)*mass*u_dot**2
         out[1] = base_height*base_mass*gravity + gravity*height*mass
-        out[2] = (1/2)*stiffness*u*u
+        out[2] = (1/2)*stiffness*u**2
 
 
 @_compiled
@@ -380,7 +380,7 @@ def reactions(contact, y, p, ax, ay, out):
         x9 = half_width*s
         x10 = base_mass*x9
         x11 = mass*x9
-        x12 = theta_dot*theta_dot
+        x12 = theta_dot**2
         x13 = x12*x6
         x14 = x0*x12
         x15 = (
@@ -494,8 +494,8 @@ def velocity_ratio(p):
     base_height = p[4]
     base_inertia = p[5]
     half_width = p[6]
-    x0 = half_width*half_width
-    x1 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
+    x0 = half_width**2
+    x1 = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
 
@@ -513,11 +513,11 @@ def prepare(parameters):
     base_inertia = parameters[5]
     half_width = parameters[6]
     x0 = 2*mass
-    x1 = base_height*base_height*base_mass
-    x2 = half_width*half_width
+    x1 = base_height**2*base_mass
+    x2 = half_width**2
     x3 = base_mass*x2
     x4 = mass*x2
-    x5 = height*height*mass
+    x5 = height**2*mass
     x6 = height*mass
     p[10] = half_width*x0
     p[11] = base_inertia + inertia + x1 + x3 + x4 + x5

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "9afb6b0ab9cb40ef"
+SOURCE_HASH = "bb4038aa6ab9d7f1"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -161,10 +161,10 @@ def impulse_to_opposite(s, y, p, out):
     inertia = p[2]
     base_inertia = p[5]
     c0 = p[8]
-    c3 = p[11]  # base_height*base_height*base_mass
-    c4 = p[12]  # height*height*mass
-    c5 = p[13]  # base_mass*half_width*half_width
-    c6 = p[14]  # half_width*half_width*mass
+    c3 = p[11]  # base_height**2*base_mass
+    c4 = p[12]  # height**2*mass
+    c5 = p[13]  # base_mass*half_width**2
+    c6 = p[14]  # half_width**2*mass
     m00 = c0
     f0 = (
         base_inertia*theta_dot + c3*theta_dot + c4*theta_dot - c5*theta_dot - c6*theta_dot +
@@ -236,16 +236,13 @@ def energies(contact, y, p, out):
         base_inertia = p[5]
         half_width = p[6]
         gravity = p[7]
-        x0 = (1/2)*theta_dot*theta_dot
+        x0 = (1/2)*theta_dot**2
         x1 = base_mass*x0
-        x2 = half_width*half_width
+        x2 = half_width**2
         x3 = mass*x0
         x4 = gravity*math.cos(theta)
         x5 = gravity*half_width*s*math.sin(theta)
-        out[0] = (
-            base_height*base_height*x1 + base_inertia*x0 + height*height*x3 + inertia*x0 + x1*x2
-            + x2*x3
-        )
+        out[0] = base_height**2*x1 + base_inertia*x0 + height**2*x3 + inertia*x0 + x1*x2 + x2*x3
         out[1] = base_height*base_mass*x4 + base_mass*x5 + height*mass*x4 + mass*x5
         out[2] = 0
     elif contact == BOTH:
@@ -284,7 +281,7 @@ def reactions(contact, y, p, ax, ay, out):
         x6 = half_width*s
         x7 = base_mass*x6
         x8 = mass*x6
-        x9 = theta_dot*theta_dot
+        x9 = theta_dot**2
         x10 = x4*x9
         x11 = x0*x9
         x12 = (
@@ -377,8 +374,8 @@ def velocity_ratio(p):
     base_height = p[4]
     base_inertia = p[5]
     half_width = p[6]
-    x0 = half_width*half_width
-    x1 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
+    x0 = half_width**2
+    x1 = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
 
@@ -395,11 +392,11 @@ def prepare(parameters):
     base_height = parameters[4]
     base_inertia = parameters[5]
     half_width = parameters[6]
-    x0 = base_height*base_height*base_mass
-    x1 = half_width*half_width
+    x0 = base_height**2*base_mass
+    x1 = half_width**2
     x2 = base_mass*x1
     x3 = mass*x1
-    x4 = height*height*mass
+    x4 = height**2*mass
     p[8] = base_inertia + inertia + x0 + x2 + x3 + x4
     p[9] = base_height*base_mass + height*mass
     p[10] = half_width*(base_mass + mass)

@@ -27,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "f04bd536bb755c4e"
+SOURCE_HASH = "eb289ae3271d44be"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -83,7 +83,7 @@ _compiled = njit(cache=True, error_model="numpy")
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
-    c0 = p[2]  # alpha*alpha*radius_ratio
+    c0 = p[2]  # alpha**2*radius_ratio
     c1 = p[3]  # alpha*radius_ratio*math.cos(alpha)
     c2 = p[4]  # alpha*radius_ratio*math.sin(alpha)
     total_gravity = ay + 1
@@ -100,7 +100,7 @@ def rates(contact, y, p, ax, ay, dy):
         s = 1.0 if contact == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
-        c0 = p[2]  # alpha*alpha*radius_ratio
+        c0 = p[2]  # alpha**2*radius_ratio
         c1 = p[3]  # alpha*radius_ratio*math.cos(alpha)
         c2 = p[4]  # alpha*radius_ratio*math.sin(alpha)
         total_gravity = ay + 1
@@ -137,8 +137,8 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     x_dot = y[1]
-    c0 = p[2]  # alpha*alpha*radius_ratio
-    c3 = p[5]  # 2*alpha*alpha*radius_ratio*radius_ratio*math.sin(alpha)**2
+    c0 = p[2]  # alpha**2*radius_ratio
+    c3 = p[5]  # 2*alpha**2*radius_ratio**2*math.sin(alpha)**2
     m00 = c0
     f0 = c0*x_dot - c3*x_dot
     x_dot_after = f0 / m00
@@ -202,7 +202,7 @@ def energies(contact, y, p, out):
         alpha = p[0]
         radius_ratio = p[1]
         x0 = alpha*x
-        out[0] = (1/2)*alpha*alpha*radius_ratio*x_dot*x_dot
+        out[0] = (1/2)*alpha**2*radius_ratio*x_dot**2
         out[1] = (
             radius_ratio*s*math.sin(alpha)*math.sin(x0) +
             radius_ratio*math.cos(alpha)*math.cos(x0)
@@ -237,7 +237,7 @@ def reactions(contact, y, p, ax, ay, out):
         x6 = math.sin(alpha)
         x7 = radius_ratio*s*x6
         x8 = x2*x5
-        x9 = alpha*alpha*x_dot*x_dot
+        x9 = alpha**2*x_dot**2
         x10 = x7*x9
         x11 = (
             (1/2)*alpha*radius_ratio*s*x1*x6*x_ddot + (1/2)*ay - 1/2*x10*x5 - 1/2*x3*x9 -
@@ -321,11 +321,11 @@ def prepare(parameters):
     p[:2] = parameters
     alpha = parameters[0]
     radius_ratio = parameters[1]
-    x0 = alpha*alpha
+    x0 = alpha**2
     x1 = alpha*radius_ratio
     x2 = math.sin(alpha)
     p[2] = radius_ratio*x0
     p[3] = x1*math.cos(alpha)
     p[4] = x1*x2
-    p[5] = 2*radius_ratio*radius_ratio*x0*x2*x2
+    p[5] = 2*radius_ratio**2*x0*x2**2
     return p

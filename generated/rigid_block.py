@@ -30,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "cd46017842db58ab"
+SOURCE_HASH = "6138ad087a293eae"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -90,7 +90,7 @@ def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
     gravity = p[4]
-    c0 = p[5]  # half_width*half_width*mass + height*height*mass + inertia
+    c0 = p[5]  # half_width**2*mass + height**2*mass + inertia
     c1 = p[6]  # height*mass
     c2 = p[7]  # half_width*mass
     total_gravity = ay + gravity
@@ -107,7 +107,7 @@ def rates(contact, y, p, ax, ay, dy):
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         gravity = p[4]
-        c0 = p[5]  # half_width*half_width*mass + height*height*mass + inertia
+        c0 = p[5]  # half_width**2*mass + height**2*mass + inertia
         c1 = p[6]  # height*mass
         c2 = p[7]  # half_width*mass
         total_gravity = ay + gravity
@@ -144,9 +144,9 @@ def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
     inertia = p[3]
-    c0 = p[5]  # half_width*half_width*mass + height*height*mass + inertia
-    c3 = p[8]  # height*height*mass
-    c4 = p[9]  # half_width*half_width*mass
+    c0 = p[5]  # half_width**2*mass + height**2*mass + inertia
+    c3 = p[8]  # height**2*mass
+    c4 = p[9]  # half_width**2*mass
     m00 = c0
     f0 = c3*theta_dot - c4*theta_dot + inertia*theta_dot
     theta_dot_after = f0 / m00
@@ -212,10 +212,10 @@ def energies(contact, y, p, out):
         height = p[2]
         inertia = p[3]
         gravity = p[4]
-        x0 = (1/2)*theta_dot*theta_dot
+        x0 = (1/2)*theta_dot**2
         x1 = mass*x0
         x2 = gravity*mass
-        out[0] = half_width*half_width*x1 + height*height*x1 + inertia*x0
+        out[0] = half_width**2*x1 + height**2*x1 + inertia*x0
         out[1] = half_width*s*x2*math.sin(theta) + height*x2*math.cos(theta)
         out[2] = 0
     elif contact == BOTH:
@@ -247,7 +247,7 @@ def reactions(contact, y, p, ax, ay, out):
         x3 = math.sin(theta)
         x4 = half_width*mass*s
         x5 = theta_ddot*x4
-        x6 = theta_dot*theta_dot
+        x6 = theta_dot**2
         x7 = x1*x6
         x8 = x4*x6
         x9 = (
@@ -324,8 +324,8 @@ def velocity_ratio(p):
     half_width = p[1]
     height = p[2]
     inertia = p[3]
-    x0 = half_width*half_width
-    x1 = height*height*mass + inertia
+    x0 = half_width**2
+    x1 = height**2*mass + inertia
     value = -(mass*x0 - x1)/(mass*x0 + x1)
     return value
 
@@ -339,8 +339,8 @@ def prepare(parameters):
     half_width = parameters[1]
     height = parameters[2]
     inertia = parameters[3]
-    x0 = half_width*half_width*mass
-    x1 = height*height*mass
+    x0 = half_width**2*mass
+    x1 = height**2*mass
     p[5] = inertia + x0 + x1
     p[6] = height*mass
     p[7] = half_width*mass

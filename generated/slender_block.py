@@ -30,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "d8400c6203001d0d"
+SOURCE_HASH = "65f5f0c1e31a5dc5"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -90,7 +90,7 @@ def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     s = 1.0 if contact == RIGHT else -1.0
     gravity = p[4]
-    c0 = p[5]  # inertia + mass*radius*radius
+    c0 = p[5]  # inertia + mass*radius**2
     c1 = p[6]  # mass*radius
     c2 = p[7]  # alpha*mass*radius
     total_gravity = ay + gravity
@@ -108,7 +108,7 @@ def rates(contact, y, p, ax, ay, dy):
         theta = y[0]
         alpha = p[2]
         gravity = p[4]
-        c0 = p[5]  # inertia + mass*radius*radius
+        c0 = p[5]  # inertia + mass*radius**2
         c1 = p[6]  # mass*radius
         total_gravity = ay + gravity
         m00 = c0
@@ -141,9 +141,9 @@ def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
     inertia = p[3]
-    c0 = p[5]  # inertia + mass*radius*radius
-    c3 = p[8]  # mass*radius*radius
-    c4 = p[9]  # 2*mass*radius*radius*math.cos(alpha)**2
+    c0 = p[5]  # inertia + mass*radius**2
+    c3 = p[8]  # mass*radius**2
+    c4 = p[9]  # 2*mass*radius**2*math.cos(alpha)**2
     m00 = c0
     f0 = -c3*theta_dot + c4*theta_dot + inertia*theta_dot
     theta_dot_after = f0 / m00
@@ -209,12 +209,11 @@ def energies(contact, y, p, out):
         alpha = p[2]
         inertia = p[3]
         gravity = p[4]
-        x0 = (1/2)*theta_dot*theta_dot
+        x0 = (1/2)*theta_dot**2
         x1 = (1/2)*gravity*mass*radius
-        out[0] = inertia*x0 + mass*radius*radius*x0
+        out[0] = inertia*x0 + mass*radius**2*x0
         out[1] = (
-            -alpha*alpha*x1 + alpha*gravity*mass*radius*s*theta + gravity*mass*radius -
-            theta*theta*x1
+            -alpha**2*x1 + alpha*gravity*mass*radius*s*theta + gravity*mass*radius - theta**2*x1
         )
         out[2] = 0
     elif contact == BOTH:
@@ -223,7 +222,7 @@ def energies(contact, y, p, out):
         alpha = p[2]
         gravity = p[4]
         out[0] = 0
-        out[1] = -1/2*alpha*alpha*gravity*mass*radius + gravity*mass*radius
+        out[1] = -1/2*alpha**2*gravity*mass*radius + gravity*mass*radius
         out[2] = 0
 
 
@@ -245,7 +244,7 @@ def reactions(contact, y, p, ax, ay, out):
         x1 = theta_ddot*x0
         x2 = (
             (1/2)*alpha*s*x1 + (1/2)*ay*mass + (1/2)*gravity*mass - 1/2*theta*x1 -
-            1/2*theta_dot*theta_dot*x0
+            1/2*theta_dot**2*x0
         )
         out[0] = ax*mass + x1
         out[1] = x2*(1 - s)
@@ -312,7 +311,7 @@ def velocity_ratio(p):
     radius = p[1]
     alpha = p[2]
     inertia = p[3]
-    x0 = mass*radius*radius
+    x0 = mass*radius**2
     value = (inertia + 2*x0*math.cos(alpha)**2 - x0)/(inertia + x0)
     return value
 
@@ -326,7 +325,7 @@ def prepare(parameters):
     radius = parameters[1]
     alpha = parameters[2]
     inertia = parameters[3]
-    x0 = mass*radius*radius
+    x0 = mass*radius**2
     x1 = mass*radius
     p[5] = inertia + x0
     p[6] = x1

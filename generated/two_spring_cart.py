@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "6b17f1aedad096e8"
+SOURCE_HASH = "5541119983c57a4e"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -212,12 +212,12 @@ def energies(contact, y, p, out):
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
-        x0 = (1/2)*u_dot*u_dot
+        x0 = (1/2)*u_dot**2
         out[0] = base_mass*x0 + mass*x0
         out[1] = 0
         out[2] = (
-            (1/2)*u*u*(-base_height*base_mass*gravity +
-            2*foundation_stiffness*half_width*half_width - gravity*height*mass)/height*height
+            (1/2)*u**2*(-base_height*base_mass*gravity + 2*foundation_stiffness*half_width**2 -
+            gravity*height*mass)/height**2
         )
     elif contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
@@ -230,8 +230,8 @@ def energies(contact, y, p, out):
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
-        x0 = (1/2)*u_dot*u_dot
-        x1 = half_width*half_width
+        x0 = (1/2)*u_dot**2
+        x1 = half_width**2
         x2 = base_mass + mass
         x3 = base_height*base_mass
         x4 = height*mass
@@ -246,13 +246,13 @@ def energies(contact, y, p, out):
         )
         x11 = x3 + x4
         x12 = base_mass*half_width + half_width*mass
-        x13 = 1/math.sqrt(1 + x12*x12/x11*x11)
+        x13 = 1/math.sqrt(1 + x12**2/x11**2)
         out[0] = base_mass*x0 + mass*x0
         out[1] = 0
         out[2] = (
-            -1/2*x10*x7*x7/(-half_width*x13 + half_width + height*x12*x13/x11 + x6) + x10*x7 +
-            (1/8)*gravity*gravity*x2*x2*(2*foundation_stiffness*x1 - gravity*x3 -
-            gravity*x4)/(foundation_stiffness*foundation_stiffness*x1)
+            -1/2*x10*x7**2/(-half_width*x13 + half_width + height*x12*x13/x11 + x6) + x10*x7 +
+            (1/8)*gravity**2*x2**2*(2*foundation_stiffness*x1 - gravity*x3 -
+            gravity*x4)/(foundation_stiffness**2*x1)
         )
 
 
@@ -299,8 +299,8 @@ def statics(contact, y, p, load, out):
         gravity = p[7]
         foundation_stiffness = p[8]
         out[0] = (
-            -load + u*(-base_height*base_mass*gravity +
-            2*foundation_stiffness*half_width*half_width - gravity*height*mass)/height*height
+            -load + u*(-base_height*base_mass*gravity + 2*foundation_stiffness*half_width**2 -
+            gravity*height*mass)/height**2
         )
     elif contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
@@ -323,9 +323,9 @@ def statics(contact, y, p, load, out):
         x8 = gravity*x4*x7
         x9 = x5 + x6
         x10 = base_mass*half_width + half_width*mass
-        x11 = 1/math.sqrt(x10*x10/x9*x9 + 1)
+        x11 = 1/math.sqrt(x10**2/x9**2 + 1)
         x12 = 1/(-half_width*x11 + half_width - height*x1 + height*x10*x11/x9)
-        out[0] = gravity*gravity*height*s*x0*x12*x4*x7 - load + s*x8 - u*x12*x8
+        out[0] = gravity**2*height*s*x0*x12*x4*x7 - load + s*x8 - u*x12*x8
 
 
 @_compiled
@@ -347,8 +347,8 @@ def velocity_ratio(p):
     base_height = p[4]
     base_inertia = p[5]
     half_width = p[6]
-    x0 = half_width*half_width
-    x1 = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
+    x0 = half_width**2
+    x1 = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
 
@@ -372,14 +372,12 @@ def prepare(parameters):
     x4 = height*x3
     x5 = x1 + x2
     x6 = base_mass*half_width + half_width*mass
-    x7 = 1/math.sqrt(1 + x6*x6/x5*x5)
+    x7 = 1/math.sqrt(1 + x6**2/x5**2)
     x8 = 1/(-half_width*x7 + half_width + height*x6*x7/x5 - x4)
     x9 = math.sin(x3)
     x10 = math.cos(x3)
     p[9] = x0
-    p[10] = (
-        (2*foundation_stiffness*half_width*half_width - gravity*x1 - gravity*x2)/height*height
-    )
+    p[10] = (2*foundation_stiffness*half_width**2 - gravity*x1 - gravity*x2)/height**2
     p[11] = x8
     p[12] = x4*x8 + 1
     p[13] = (

@@ -18,7 +18,7 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
 
 Operations before and after common subexpressions were shared:
     rates                    104    85
-    guards                   116    80
+    guards                   100    80
     energies                 248   181
     reactions                146    98
     kinematics                24    15
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "caf032f05e5157e7"
+SOURCE_HASH = "da097717a72f3925"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -127,13 +127,13 @@ def rates(contact, y, p, ax, ay, dy):
         theta_dot = y[2]
         heave_dot = y[3]
         gravity = p[7]
-        c0 = p[10]
+        c0 = p[10]  # base_height**2*base_mass + base_inertia + height**2*mass + inertia
         c1 = p[11]  # base_height*base_mass
         c2 = p[12]  # height*mass
         c3 = p[13]  # base_mass + mass
         c4 = p[14]  # base_height*base_mass + height*mass
-        c5 = p[15]  # 2*foundation_damping*half_width*half_width
-        c6 = p[16]  # 2*foundation_stiffness*half_width*half_width
+        c5 = p[15]  # 2*foundation_damping*half_width**2
+        c6 = p[16]  # 2*foundation_stiffness*half_width**2
         c7 = p[17]  # 2*foundation_damping
         c8 = p[18]  # 2*foundation_stiffness
         c9 = p[19]  # base_mass*gravity + gravity*mass
@@ -143,8 +143,8 @@ def rates(contact, y, p, ax, ay, dy):
         m00 = c0
         m10 = -c1*x0 - c2*x0
         m11 = c3
-        f0 = -ax*c4*x1 + c4*total_gravity*x0 - c5*theta_dot*x1*x1 - c6*x0*x1
-        f1 = -c3*total_gravity + c4*theta_dot*theta_dot*x1 - c7*heave_dot - c8*heave + c9
+        f0 = -ax*c4*x1 + c4*total_gravity*x0 - c5*theta_dot*x1**2 - c6*x0*x1
+        f1 = -c3*total_gravity + c4*theta_dot**2*x1 - c7*heave_dot - c8*heave + c9
         l10 = m10 / m00
         m11 -= l10 * m10
         f1 -= l10 * f0
@@ -164,14 +164,14 @@ def rates(contact, y, p, ax, ay, dy):
         gravity = p[7]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
-        c0 = p[10]
+        c0 = p[10]  # base_height**2*base_mass + base_inertia + height**2*mass + inertia
         c1 = p[11]  # base_height*base_mass
         c2 = p[12]  # height*mass
         c3 = p[13]  # base_mass + mass
         c4 = p[14]  # base_height*base_mass + height*mass
         c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
-        c11 = p[21]  # foundation_damping*half_width*half_width
-        c12 = p[22]  # foundation_stiffness*half_width*half_width
+        c11 = p[21]  # foundation_damping*half_width**2
+        c12 = p[22]  # foundation_stiffness*half_width**2
         c13 = p[23]  # foundation_damping*half_width
         c14 = p[24]  # foundation_stiffness*half_width
         total_gravity = ay + gravity
@@ -183,7 +183,7 @@ def rates(contact, y, p, ax, ay, dy):
         m10 = -c1*x0 - c2*x0
         m11 = c3
         f0 = (
-            -ax*c4*x1 - c11*theta_dot*x1*x1 - c12*x0*x1 + c4*total_gravity*x0 +
+            -ax*c4*x1 - c11*theta_dot*x1**2 - c12*x0*x1 + c4*total_gravity*x0 +
             half_width*s*x1*(-c10 + x2 + x3)
         )
         f1 = (
@@ -203,7 +203,7 @@ def rates(contact, y, p, ax, ay, dy):
         theta = y[0]
         theta_dot = y[2]
         gravity = p[7]
-        c0 = p[10]
+        c0 = p[10]  # base_height**2*base_mass + base_inertia + height**2*mass + inertia
         c1 = p[11]  # base_height*base_mass
         c2 = p[12]  # height*mass
         c3 = p[13]  # base_mass + mass
@@ -215,7 +215,7 @@ def rates(contact, y, p, ax, ay, dy):
         m10 = -c1*x0 - c2*x0
         m11 = c3
         f0 = -ax*c4*x1 + c4*total_gravity*x0
-        f1 = -c3*total_gravity + c4*theta_dot*theta_dot*x1
+        f1 = -c3*total_gravity + c4*theta_dot**2*x1
         l10 = m10 / m00
         m11 -= l10 * m10
         f1 -= l10 * f0
@@ -254,11 +254,13 @@ def guards(contact, y, p, ax, ay, g):
             foundation_damping = p[9]
             c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
             x0 = half_width*math.sin(theta)
-            x1 = c15 - heave + x0
-            x2 = half_width*theta_dot*math.cos(theta)
-            g[0] = -min(x1, foundation_damping*(-heave_dot + x2) + foundation_stiffness*x1)
+            x1 = half_width*theta_dot*math.cos(theta)
+            g[0] = (
+                -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave
+                + x0)
+            )
             g[1] = (
-                foundation_damping*(-heave_dot - x2) + foundation_stiffness*(c15 - heave - x0)
+                foundation_damping*(-heave_dot - x1) + foundation_stiffness*(c15 - heave - x0)
             )
         else:
             theta = y[0]
@@ -270,11 +272,13 @@ def guards(contact, y, p, ax, ay, g):
             foundation_damping = p[9]
             c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
             x0 = half_width*math.sin(theta)
-            x1 = c15 - heave - x0
-            x2 = half_width*theta_dot*math.cos(theta)
-            g[0] = -min(x1, foundation_damping*(-heave_dot - x2) + foundation_stiffness*x1)
+            x1 = half_width*theta_dot*math.cos(theta)
+            g[0] = (
+                -foundation_damping*min(0, -heave_dot - x1) - foundation_stiffness*(c15 - heave
+                - x0)
+            )
             g[1] = (
-                foundation_damping*(-heave_dot + x2) + foundation_stiffness*(c15 - heave + x0)
+                foundation_damping*(-heave_dot + x1) + foundation_stiffness*(c15 - heave + x0)
             )
     elif contact == FLIGHT:
         theta = y[0]
@@ -286,11 +290,15 @@ def guards(contact, y, p, ax, ay, g):
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
         x0 = half_width*math.sin(theta)
-        x1 = c15 - heave - x0
-        x2 = half_width*theta_dot*math.cos(theta)
-        x3 = c15 - heave + x0
-        g[0] = -min(x1, foundation_damping*(-heave_dot - x2) + foundation_stiffness*x1)
-        g[1] = -min(x3, foundation_damping*(-heave_dot + x2) + foundation_stiffness*x3)
+        x1 = half_width*theta_dot*math.cos(theta)
+        g[0] = (
+            -foundation_damping*min(0, -heave_dot - x1) - foundation_stiffness*(c15 - heave -
+            x0)
+        )
+        g[1] = (
+            -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave +
+            x0)
+        )
 
 
 @_compiled
@@ -339,8 +347,8 @@ def energies(contact, y, p, out):
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
-        x0 = (1/2)*theta_dot*theta_dot
-        x1 = (1/2)*heave_dot*heave_dot
+        x0 = (1/2)*theta_dot**2
+        x1 = (1/2)*heave_dot**2
         x2 = base_height*base_mass
         x3 = math.sin(theta)
         x4 = heave_dot*theta_dot*x3
@@ -348,18 +356,18 @@ def energies(contact, y, p, out):
         x6 = gravity*heave
         x7 = gravity*math.cos(theta)
         x8 = 1/foundation_stiffness
-        x9 = gravity*gravity*x8
+        x9 = gravity**2*x8
         x10 = (1/2)*x9
         x11 = half_width*x3
         x12 = base_mass + mass
         x13 = (1/2)*foundation_stiffness
         out[0] = (
-            base_height*base_height*base_mass*x0 + base_inertia*x0 + base_mass*x1 +
-            height*height*mass*x0 + inertia*x0 + mass*x1 - x2*x4 - x4*x5
+            base_height**2*base_mass*x0 + base_inertia*x0 + base_mass*x1 + height**2*mass*x0 +
+            inertia*x0 + mass*x1 - x2*x4 - x4*x5
         )
         out[1] = (
-            -base_mass*base_mass*x10 - base_mass*mass*x9 + base_mass*x6 - mass*mass*x10 +
-            mass*x6 + x2*x7 + x5*x7
+            -base_mass**2*x10 - base_mass*mass*x9 + base_mass*x6 - mass**2*x10 + mass*x6 + x2*x7
+            + x5*x7
         )
         out[2] = (
             x13*((1/2)*gravity*x12*x8 - heave - x11)**2 + x13*((1/2)*gravity*x12*x8 - heave +
@@ -380,8 +388,8 @@ def energies(contact, y, p, out):
         half_width = p[6]
         gravity = p[7]
         foundation_stiffness = p[8]
-        x0 = (1/2)*theta_dot*theta_dot
-        x1 = (1/2)*heave_dot*heave_dot
+        x0 = (1/2)*theta_dot**2
+        x1 = (1/2)*heave_dot**2
         x2 = base_height*base_mass
         x3 = math.sin(theta)
         x4 = heave_dot*theta_dot*x3
@@ -389,15 +397,15 @@ def energies(contact, y, p, out):
         x6 = gravity*heave
         x7 = gravity*math.cos(theta)
         x8 = 1/foundation_stiffness
-        x9 = gravity*gravity*x8
+        x9 = gravity**2*x8
         x10 = (1/2)*x9
         out[0] = (
-            base_height*base_height*base_mass*x0 + base_inertia*x0 + base_mass*x1 +
-            height*height*mass*x0 + inertia*x0 + mass*x1 - x2*x4 - x4*x5
+            base_height**2*base_mass*x0 + base_inertia*x0 + base_mass*x1 + height**2*mass*x0 +
+            inertia*x0 + mass*x1 - x2*x4 - x4*x5
         )
         out[1] = (
-            -base_mass*base_mass*x10 - base_mass*mass*x9 + base_mass*x6 - mass*mass*x10 +
-            mass*x6 + x2*x7 + x5*x7
+            -base_mass**2*x10 - base_mass*mass*x9 + base_mass*x6 - mass**2*x10 + mass*x6 + x2*x7
+            + x5*x7
         )
         out[2] = (
             (1/2)*foundation_stiffness*((1/2)*gravity*x8*(base_mass + mass) + half_width*s*x3 -
@@ -416,22 +424,22 @@ def energies(contact, y, p, out):
         base_inertia = p[5]
         gravity = p[7]
         foundation_stiffness = p[8]
-        x0 = (1/2)*theta_dot*theta_dot
-        x1 = (1/2)*heave_dot*heave_dot
+        x0 = (1/2)*theta_dot**2
+        x1 = (1/2)*heave_dot**2
         x2 = base_height*base_mass
         x3 = heave_dot*theta_dot*math.sin(theta)
         x4 = height*mass
         x5 = gravity*heave
         x6 = gravity*math.cos(theta)
-        x7 = gravity*gravity/foundation_stiffness
+        x7 = gravity**2/foundation_stiffness
         x8 = (1/2)*x7
         out[0] = (
-            base_height*base_height*base_mass*x0 + base_inertia*x0 + base_mass*x1 +
-            height*height*mass*x0 + inertia*x0 + mass*x1 - x2*x3 - x3*x4
+            base_height**2*base_mass*x0 + base_inertia*x0 + base_mass*x1 + height**2*mass*x0 +
+            inertia*x0 + mass*x1 - x2*x3 - x3*x4
         )
         out[1] = (
-            -base_mass*base_mass*x8 - base_mass*mass*x7 + base_mass*x5 - mass*mass*x8 + mass*x5
-            + x2*x6 + x4*x6
+            -base_mass**2*x8 - base_mass*mass*x7 + base_mass*x5 - mass**2*x8 + mass*x5 + x2*x6 +
+            x4*x6
         )
         out[2] = 0
 
@@ -460,7 +468,7 @@ def reactions(contact, y, p, ax, ay, out):
         x2 = base_height*base_mass
         x3 = height*mass
         x4 = math.sin(theta)
-        x5 = theta_dot*theta_dot*x4
+        x5 = theta_dot**2*x4
         x6 = half_width*theta_dot*x0
         x7 = half_width*x4
         x8 = 1/foundation_stiffness
@@ -496,7 +504,7 @@ def reactions(contact, y, p, ax, ay, out):
         x2 = base_height*base_mass
         x3 = height*mass
         x4 = math.sin(theta)
-        x5 = theta_dot*theta_dot*x4
+        x5 = theta_dot**2*x4
         x6 = half_width*s
         x7 = (
             (1/2)*foundation_damping*(-heave_dot + theta_dot*x0*x6) +
@@ -519,7 +527,7 @@ def reactions(contact, y, p, ax, ay, out):
         x0 = theta_ddot*math.cos(theta)
         x1 = base_height*base_mass
         x2 = height*mass
-        x3 = theta_dot*theta_dot*math.sin(theta)
+        x3 = theta_dot**2*math.sin(theta)
         out[0] = ax*base_mass + ax*mass + x0*x1 + x0*x2 - x1*x3 - x2*x3
         out[1] = 0
         out[2] = 0
@@ -577,7 +585,7 @@ def statics(contact, y, p, load, out):
         x1 = math.sin(theta)
         x2 = gravity*x1
         out[0] = (
-            -base_height*base_mass*x2 + 2*foundation_stiffness*half_width*half_width*x0*x1 -
+            -base_height*base_mass*x2 + 2*foundation_stiffness*half_width**2*x0*x1 -
             height*load*x0 - height*mass*x2
         )
         out[1] = 2*foundation_stiffness*heave
@@ -600,8 +608,8 @@ def statics(contact, y, p, load, out):
         x5 = (1/2)*gravity
         out[0] = (
             -base_height*base_mass*x2 + (1/2)*base_mass*gravity*half_width*s*x0 +
-            foundation_stiffness*half_width*half_width*x0*x1 +
-            (1/2)*gravity*half_width*mass*s*x0 - height*load*x0 - height*mass*x2 - x0*x3*x4
+            foundation_stiffness*half_width**2*x0*x1 + (1/2)*gravity*half_width*mass*s*x0 -
+            height*load*x0 - height*mass*x2 - x0*x3*x4
         )
         out[1] = base_mass*x5 - foundation_stiffness*x1*x4 + mass*x5 + x3
     elif contact == FLIGHT:
@@ -650,12 +658,12 @@ def prepare(parameters):
     x0 = base_height*base_mass
     x1 = height*mass
     x2 = base_mass + mass
-    x3 = half_width*half_width
+    x3 = half_width**2
     x4 = 2*foundation_damping
     x5 = 2*foundation_stiffness
     x6 = base_mass*gravity
     x7 = gravity*mass
-    p[10] = base_height*base_height*base_mass + base_inertia + height*height*mass + inertia
+    p[10] = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     p[11] = x0
     p[12] = x1
     p[13] = x2

@@ -12,13 +12,7 @@ WIDTH = 96
 
 
 class _Printer(PythonCodePrinter):
-    """Prints small whole powers as products of names, which are exact and quick."""
-
-    def _print_Pow(self, expr, rational=False):
-        if expr.exp == 2 and expr.base.is_Symbol:
-            base = self._print(expr.base)
-            return f"{base}*{base}"
-        return super()._print_Pow(expr, rational=rational)
+    """Python of the standard library alone."""
 
     def _print_Min(self, expr):
         return f"min({', '.join(self._print(a) for a in expr.args)})"

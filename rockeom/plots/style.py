@@ -45,7 +45,6 @@ _RC: dict[Any, Any] = {
     "lines.linewidth": 1.1,
     "xtick.labelsize": 8.5,
     "ytick.labelsize": 8.5,
-    "savefig.dpi": 200,
 }
 
 P = ParamSpec("P")
@@ -74,7 +73,7 @@ class NotebookFigure(Figure):
 
 def new_figure(width: float, height: float) -> NotebookFigure:
     """An empty figure of that size [in] whose parts make room for each other."""
-    return NotebookFigure(figsize=(width, height), layout="constrained")
+    return NotebookFigure(figsize=(width, height), dpi=150, layout="constrained")
 
 
 def parent_figure(ax: Axes) -> Figure:

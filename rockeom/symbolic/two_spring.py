@@ -82,7 +82,10 @@ def two_spring_structure() -> RockingModel:
         return Transition(source, target, "switch", force[foot])
 
     def lands(source: str, target: str, foot: str) -> Transition:
-        return Transition(source, target, "switch", -sp.Min(compression[foot], force[foot]))
+        # both the compression and the force must be positive: k d > 0 and k d + c d' > 0
+        closing = rate(compression[foot], (ROTATION, HEAVE))
+        pressed = k * compression[foot] + c * sp.Min(closing, 0)
+        return Transition(source, target, "switch", -pressed)
 
     return RockingModel(
         name="two_spring_structure",

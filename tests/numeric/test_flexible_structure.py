@@ -37,8 +37,8 @@ def test_column_vibrates_in_full_contact_as_a_damped_oscillator():
 
 
 def slowly_to(peak):
-    """Ground acceleration that takes ten seconds to reach `peak`, then holds it."""
-    return rk.GroundMotion.from_array([0.0, peak, peak], dt=10.0)
+    """Ground acceleration that takes ten seconds, a hundred periods of the column, to its peak."""
+    return rk.GroundMotion.from_array([0.0, peak], dt=10.0)
 
 
 def test_uplift_under_a_slow_acceleration_is_at_the_static_threshold():
@@ -46,9 +46,9 @@ def test_uplift_under_a_slow_acceleration_is_at_the_static_threshold():
     u = -S1["mass"] * THRESHOLD / STIFFNESS
     shifted = THRESHOLD + GRAVITY * S1["mass"] * u / FIRST_MOMENT
     assert shifted == pytest.approx(THRESHOLD, rel=2e-3)
-    below = rk.simulate(column(), slowly_to(shifted * (1 - 1e-4)))
+    below = rk.simulate(column(), slowly_to(shifted * (1 - 5e-4)))
     assert below.events == ()
-    above = rk.simulate(column(), slowly_to(shifted * (1 + 1e-4)))
+    above = rk.simulate(column(), slowly_to(shifted * (1 + 5e-4)))
     assert above.events[0].kind == "uplift"
 
 
@@ -156,8 +156,8 @@ def test_rocking_phase_against_another_integrator(vertical):
 
 
 def test_both_methods_agree():
-    """Order 5 and order 8 through a hundred impacts of a shaken column."""
-    motion = rk.GroundMotion.single_sine(8.0, period=0.4, duration=1.5)
+    """Order 5 and order 8 through the impacts of a shaken column."""
+    motion = rk.GroundMotion.harmonic(4.5, period=0.5, duration=2.0)
     runs = [
         rk.simulate(
             column(),
@@ -167,9 +167,9 @@ def test_both_methods_agree():
         )
         for method in ("DOP853", "RK45")
     ]
-    assert len(runs[0].impacts) > 3
-    times = [[impact.time for impact in run.impacts[:4]] for run in runs]
-    np.testing.assert_allclose(*times, rtol=1e-8)
+    times = [[impact.time for impact in run.impacts] for run in runs]
+    assert len(times[0]) > 8
+    np.testing.assert_allclose(*times, rtol=1e-10)
 
 
 def test_flexible_column_ceases_to_rock_earlier_than_the_rigid_one():

@@ -1,0 +1,44 @@
+"""Draw the pictures of README.md into docs/images: ``python docs/pictures.py``."""
+
+from pathlib import Path
+
+import rockeom as rk
+from rockeom import demo
+from rockeom.plots import draw_structure
+from rockeom.plots.style import new_figure
+
+FOLDER = Path(__file__).parent / "images"
+
+
+def structures():
+    """The four kinds of structure, tilted so far that their feet can be told apart."""
+    shown = {
+        "RigidBlock": (rk.RigidBlock(half_width=0.095, half_height=0.45), 0.1, 0.0),
+        "LumpedMassStructure": (rk.LumpedMassStructure(**demo.COLUMN), 0.1, 0.0),
+        "TwoSpringStructure": (
+            rk.TwoSpringStructure(
+                **demo.COLUMN, foundation_stiffness=550e3, foundation_damping=3e3
+            ),
+            0.07,
+            0.0,
+        ),
+        "FlexibleStructure": (
+            rk.FlexibleStructure(**demo.COLUMN, stiffness=demo.STIFFNESS, damping=demo.DAMPING),
+            0.1,
+            0.1,
+        ),
+    }
+    figure = new_figure(8.0, 2.5)
+    for ax, (name, (structure, rotation, deformation)) in zip(
+        figure.subplots(1, len(shown)), shown.items(), strict=True
+    ):
+        draw_structure(structure, rotation=rotation, deformation=deformation, ax=ax)
+        ax.set_title(name, fontsize=8)
+    return figure
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(exist_ok=True)
+    structures().savefig(FOLDER / "structures.png", dpi=110)
+    runs = demo.simulate_all(demo.el_centro())
+    demo.picture(runs).savefig(FOLDER / "el_centro.png", dpi=110)
