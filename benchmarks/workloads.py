@@ -47,7 +47,7 @@ N_IMPACTS = 20
 
 # -- W2 and W3 -----------------------------------------------------------------------------------
 
-SAMPLES, TIME_STEP, PEAK, SEED = 4000, 0.005, 0.4 * GRAVITY, 34
+SAMPLES, TIME_STEP, PEAK, SEED = 4000, 0.005, 0.4 * GRAVITY, 35
 
 
 @functools.cache

@@ -274,31 +274,29 @@ static double rounding(int contact, double h, const double *y, const constants *
     return fmax(1e-11 * size(b), 1e-10 * acceleration * h * h);
 }
 
-/* Largest |rotation| in a step in which the rate changes its sign: by the quintic, at the root of
- * its derivative. */
-static double crest(double h, const double *y, const double *y_new, double (*k)[N])
+/* Largest |rotation| inside a step in which the rate changes its sign, by Newton's method on the
+ * slope of the dense output, kept in its bracket. */
+static double crest(double (*poly)[N])
 {
-    double q0 = y[ROTATION], v0 = h * y[RATE], a0 = h * h * k[0][RATE];
-    double d = y_new[ROTATION] - q0, v1 = h * y_new[RATE], a1 = h * h * k[STAGES][RATE];
-    double c3 = 10.0 * d - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1;
-    double c4 = -15.0 * d + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1;
-    double c5 = 6.0 * d - 3.0 * v0 - 3.0 * v1 - 0.5 * a0 + 0.5 * a1;
-    double x = v0 / (v0 - v1), low = 0.0, high = 1.0;
-    for (int n = 0; n < 20; ++n) {
-        double slope = v0 + x * (a0 + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)));
-        double bend = a0 + x * (6.0 * c3 + x * (12.0 * c4 + x * 20.0 * c5));
-        if ((slope > 0.0) == (v0 > 0.0))
+    double low = 0.0, high = 1.0, x = 0.5, rising = poly[1][ROTATION];
+    for (int n = 0; n < 60; ++n) {
+        double slope = 7.0 * poly[7][ROTATION], bend = 42.0 * poly[7][ROTATION];
+        for (int j = 6; j > 0; --j)
+            slope = slope * x + j * poly[j][ROTATION];
+        for (int j = 6; j > 1; --j)
+            bend = bend * x + j * (j - 1) * poly[j][ROTATION];
+        if ((slope > 0.0) == (rising > 0.0))
             low = x;
         else
             high = x;
         double next = x - slope / bend;
         if (!(next > low && next < high))
             next = 0.5 * (low + high);
-        if (fabs(next - x) < 1e-9)
+        if (fabs(next - x) < 1e-9) /* the value is flat there */
             break;
         x = next;
     }
-    return fabs(q0 + x * (v0 + x * (0.5 * a0 + x * (c3 + x * (c4 + x * c5)))));
+    return fabs(dense_at(poly, x, ROTATION));
 }
 
 /* -- infinitely many impacts ------------------------------------------------------------------- */
@@ -309,14 +307,19 @@ static double time_to_rest(int contact, const double *y, const constants *c, dou
     double w[N], total = 0.0, start = fabs(y[RATE]), a = ground(g, t);
     memcpy(w, y, sizeof w);
     for (;;) {
-        double closing = -opening(contact - 1.0, w, c, a);
+        rates(contact - 1.0, w, c, a, out);
+        double closing = (1.0 - contact) * out[RATE];
         if (!(closing > 0.0))
             return INFINITY;
-        double v = fabs(w[RATE]);
-        total += 2.0 * v / closing;
+        double v = fabs(w[RATE]), flight = 2.0 * v / closing;
+        total += flight;
         if (total * total * closing > tolerance * tolerance)
             return INFINITY;
-        w[RATE] = v > EPS * start ? -w[RATE] : 0.0;
+        for (int i = 0; i < N; ++i)
+            w[i] += flight * out[i];
+        w[ROTATION] = 0.0;
+        if (v <= EPS * start)
+            w[RATE] = 0.0;
         contact = rebound(contact, w, ratio, out);
         if (contact == UPRIGHT) {
             *follows = contact;
@@ -368,6 +371,26 @@ static double first_step(const double *y, const double *dy, double rtol, double 
     return size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed;
 }
 
+/* The foot that lifts at once and stays lifted, 0 or 1, from both feet on the ground; or -1. */
+static int settle(double t, double h, const double *y, const constants *c, const law *g,
+                  int touching)
+{
+    double a = ground(g, t);
+    int left = touching != 0 && opening(-1.0, y, c, a) > 0.0;
+    int right = touching != 1 && opening(1.0, y, c, a) > 0.0;
+    if (!left && !right)
+        return -1;
+    double dy[N], w[N], tau = 64.0 * EPS * fmax(t, h);
+    rates_upright(y, c, a, dy);
+    for (int i = 0; i < N; ++i)
+        w[i] = y[i] + tau * dy[i];
+    a = ground(g, t + tau);
+    double up_left = opening(-1.0, w, c, a), up_right = opening(1.0, w, c, a);
+    left = left && up_left > 0.0;
+    right = right && up_right > 0.0;
+    return right && (!left || up_right > up_left) ? 1 : left ? 0 : -1;
+}
+
 /* Integrate to t_end or to an outcome; with_peak follows the largest |rotation| as well. */
 static inline int integrate(state *st, double t_end, const law *motion, long n_laws,
                             const constants *c, const options *o, event *events, long max_events,
@@ -376,7 +399,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
     double k[ALL_STAGES][N], y[N], y_new[N], after[N], poly[8][N], b[2][8];
     int contact = st->contact, touching = st->touching, fresh = 1, idle = 0, outcome = COMPLETED;
     long taken = st->taken, impacts = st->impacts, n_events = st->n_events, i_law = 0;
-    double t = st->t, h_next = st->h_next, peak = st->peak;
+    double t = st->t, h_next = st->h_next, peak = st->peak, last_error = 1.0;
     const double rtol = o->rtol, atol = o->atol;
     memcpy(y, st->y, sizeof y);
     memset(k, 0, sizeof k);
@@ -394,14 +417,8 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
         double last = fmin(g->end, t_end);
         int landed = -1;
         if (fresh) {
-            if (contact == UPRIGHT) {
-                double a = ground(g, t);
-                double left = -opening(-1.0, y, c, a), right = -opening(1.0, y, c, a);
-                if (touching != 0 && left < 0.0)
-                    landed = 0;
-                if (touching != 1 && right < 0.0 && (landed < 0 || right < left))
-                    landed = 1;
-            }
+            if (contact == UPRIGHT)
+                landed = settle(t, h_next, y, c, g, touching);
             if (landed < 0) {
                 rate(contact, y, c, g, t, k[0]);
                 fresh = 0;
@@ -412,6 +429,8 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
 
         if (landed < 0) {
             double h = h_next, slope = 0.0;
+            if (contact == UPRIGHT && g->kind != 0.0)
+                h = fmin(h, 1.0 / fabs(g->c1)); /* eight samples of a guard follow the sine */
             int cut = t + 1.1 * h >= last, target = -1, corrections = 0;
             if (cut)
                 h = last - t;
@@ -443,12 +462,17 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                     }
                     landed = target;
                 } else {
-                    double growth = h * fmin(5.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
+                    /* proportional-integral control */
+                    double damped = pow(fmax(error, 1e-10), 0.05);
+                    double factor = 0.9 * last_error * pow(fmax(error, 1e-10), -0.0875);
+                    double growth = h * fmin(5.0, fmax(0.2, factor));
+                    last_error = damped;
                     h_next = cut ? fmax(h_next, growth) : growth;
                 }
                 int open = landed < 0 && contact != UPRIGHT &&
                            stays_open(contact - 1.0, h, y, y_new, k, touching == 0);
-                if (!open || fabs(y_new[ROTATION]) >= o->fallen)
+                int crested = with_peak && y[RATE] * y_new[RATE] < 0.0;
+                if (!open || crested || fabs(y_new[ROTATION]) >= o->fallen)
                     dense_output(contact, t, h, y, c, g, k, poly);
                 if (landed >= 0 || open)
                     break;
@@ -507,7 +531,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                 if (with_peak) {
                     peak = fmax(peak, fabs(y_new[ROTATION]));
                     if (outcome == COMPLETED && y[RATE] * y_new[RATE] < 0.0)
-                        peak = fmax(peak, crest(h, y, y_new, k));
+                        peak = fmax(peak, crest(poly));
                 }
                 t = cut || t + h > last ? last : t + h;
                 memcpy(y, y_new, sizeof y);
@@ -535,6 +559,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             contact = landed ? 2 : 0;
             record(&events[n_events++], t, UPLIFT, before, contact, y, y);
             touching = 0;
+            h_next = 0.0; /* the gap opens slowly: its first moments want a short step */
             continue;
         }
         contact = rebound(before, y, o->ratio, after);

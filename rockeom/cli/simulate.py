@@ -240,10 +240,15 @@ def _horizontal(args: argparse.Namespace) -> GroundMotion:
         if args.duration is None:
             raise UsageError("--free needs --duration, the time to follow [s]")
         return GroundMotion.none(args.duration)
-    return _pulse(*args.pulse)
+    return pulse(*args.pulse)
 
 
-def _pulse(kind: str, *pairs: str) -> GroundMotion:
+def pulse(kind: str, *pairs: str) -> GroundMotion:
+    """The pulse that "single-sine", "amplitude=4", "period=0.5" name.
+
+    Raises UsageError for an unknown kind and for what is no number, ParameterError for missing
+    and unknown names.
+    """
     if kind not in PULSES:
         raise UsageError(f"--pulse {kind}: there are {', '.join(PULSES)}")
     make, required, optional = PULSES[kind]

@@ -171,7 +171,7 @@ class _Results:
             np.array([q.quiet_from for q in batch]), horizontal, h_rows, vertical, v_rows,
             np.array([q.vector for q in batch]), np.array([q.law for q in batch]),
             np.array([q.ratio for q in batch]), options.rtol,
-            np.full(start.shape[1], options.atol), options.max_step,
+            np.full(start.shape[1], options.atol), options.max_step, options.steps_per_law,
             np.array([q.fallen for q in batch]), options.rest_tolerance, options.max_impacts,
             options.max_steps, outcome, self.final_time[rows], self.contact[rows],
             self.impacts[rows], self.peaks[rows], self.times[rows],

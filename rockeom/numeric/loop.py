@@ -360,6 +360,7 @@ def integrate(
     rtol,
     atol,
     h_max,
+    fixed,
     fallen,
     rest_tolerance,
     max_impacts,
@@ -379,6 +380,7 @@ def integrate(
         changed in place, so that a call goes on where the last one ended.
     horizontal, vertical (m, 7) : the ground's motion, each row start, end, kind and constants of
         a law; no step straddles an end, and behind the last one the ground stands still.
+    fixed : 0 to control the error, or the number of equal steps in each law of the ground.
     steps (n, 2) start and length, step_contact (n,), step_states (n, 8, N) the dense output of
     each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
     and after, event_states (m, 2, N) state before and after.
@@ -403,6 +405,7 @@ def integrate(
     outcome = COMPLETED
     fresh = True  # the rate at t, and whether a guard is due there, are not known
     idle = 0  # passages since time last moved
+    last_error = 1.0
 
     while t < t_end:
         if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
@@ -425,6 +428,8 @@ def integrate(
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
+            if fixed > 0:
+                h_next = min(gx[1] - gx[0], gy[1] - gy[0]) / fixed
             h = min(h_next, h_max, sampling_step(contact, gx), sampling_step(contact, gy))
             cut = t + 1.1 * h >= last
             if cut:
@@ -435,7 +440,7 @@ def integrate(
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, w, y_new)
-                if target < 0 and not error <= 1.0:
+                if target < 0 and not error <= 1.0 and (fixed == 0 or not math.isfinite(error)):
                     # refused: too inaccurate, or not finite
                     cut = False
                     shrink = 0.9 * error**ERROR_EXPONENT if math.isfinite(error) else 0.1
@@ -456,7 +461,11 @@ def integrate(
                         continue
                     landed = target
                 else:
-                    growth = h * min(5.0, 0.9 * max(error, 1e-10) ** ERROR_EXPONENT)
+                    # proportional-integral control: the last error damps the answer to this one
+                    error = max(error, 1e-10)
+                    factor = 0.9 * (error**0.7 / last_error**0.4) ** ERROR_EXPONENT
+                    last_error = error
+                    growth = h * min(5.0, max(0.2, factor))
                     h_next = max(h_next, growth) if cut else growth
                 open_ = landed < 0 and stays_open(contact, h, y, y_new, k, touching)
                 if keep or not open_ or turns(k) or abs(y_new[ROTATION]) >= fallen:
@@ -690,7 +699,7 @@ def falls(contact, y, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps,
         status[4] = status[5] = 0
         code = integrate(
             status, clock, state, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
-            np.inf, fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
+            np.inf, 0, fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
             steps, step_contact, step_states, events, event_kinds, event_states, peaks,
         )  # fmt: skip
         if code == OVERTURNED:
@@ -703,7 +712,7 @@ def falls(contact, y, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps,
 @_entry
 def integrate_many(
     contacts, states, t_end, quiet_from, horizontal, h_rows, vertical, v_rows, p, law, ratio,
-    rtol, atol, h_max, fallen, rest_tolerance, max_impacts, max_steps,
+    rtol, atol, h_max, fixed, fallen, rest_tolerance, max_impacts, max_steps,
     outcome, t_final, contact_final, impacts, peaks, impact_times,
 ):  # fmt: skip
     """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
@@ -730,7 +739,7 @@ def integrate_many(
             code = integrate(
                 status, clock, y, t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
                 vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
-                fallen[n], rest_tolerance, max_impacts, max_steps,
+                fixed, fallen[n], rest_tolerance, max_impacts, max_steps,
                 steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
             )  # fmt: skip
             for e in range(status[5]):

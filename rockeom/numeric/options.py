@@ -14,6 +14,9 @@ class SolverOptions:
     rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
         own unit.
     max_step : largest step [s].
+    steps_per_law : 0 for steps controlled by the tolerances; n > 0 for n equal steps, and no
+        control, in each law of the ground's motion: between two samples of a record, or over a
+        whole pulse or quiet time. Impacts are landed on all the same.
     rest_tolerance : impacts that will all happen within this time, in units of the rocking
         motion's own time 1/sqrt(acceleration), are completed at once by their closed-form sum.
     max_impacts, max_steps : where a motion is given up, with an outcome that says so.
@@ -25,6 +28,7 @@ class SolverOptions:
     rtol: float = 1e-10
     atol: float = 1e-12
     max_step: float = math.inf
+    steps_per_law: int = 0
     rest_tolerance: float = 1e-6
     max_impacts: int = 100_000
     max_steps: int = 20_000_000
@@ -37,6 +41,8 @@ class SolverOptions:
             value = getattr(self, name)
             if not value > 0:
                 raise ValueError(f"{name} is {value}: it must be positive")
+        if self.steps_per_law < 0 or self.steps_per_law != int(self.steps_per_law):
+            raise ValueError(f"steps_per_law is {self.steps_per_law}: give 0 or a whole number")
         if self.rtol < 1e-15:
             raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
         if self.output_step is not None and not self.output_step > 0:

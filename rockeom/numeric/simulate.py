@@ -95,8 +95,9 @@ def run(
         status[4:] = 0
         code = compiled.integrate(
             status, clock, y, q.end, q.horizontal, q.vertical, q.vector, q.law, q.ratio,
-            options.rtol, atol, options.max_step, q.fallen, options.rest_tolerance,
-            options.max_impacts, options.max_steps, *steps, *marks, peaks,
+            options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
+            options.rest_tolerance, options.max_impacts, options.max_steps,
+            *steps, *marks, peaks,
         )  # fmt: skip
         chunks.append((*(a[: status[4]] for a in steps), *(a[: status[5]] for a in marks)))
     span, contacts, powers, times, kinds, states = (

@@ -56,7 +56,7 @@ def draw_structure(
             _spring(ax, foot, -depth)
         ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
     _ground(ax, 1.9 * b, -depth, 0.09 * values["height"])
-    ax.set_aspect("equal")
+    ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)
 

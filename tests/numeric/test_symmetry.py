@@ -70,7 +70,7 @@ def test_similar_blocks_respond_alike_in_scaled_time(factor, alpha, amplitude):
 
 def test_nondimensional_block_is_the_block_in_other_units():
     p, alpha = 2.14, 0.25
-    motion = rk.GroundMotion.single_sine(0.45 * 9.81, period=1.0, duration=4.0)
+    motion = rk.GroundMotion.harmonic(0.35 * 9.81, period=0.5, duration=4.0)
     block = rk.simulate(rk.RigidBlock.from_frequency(p=p, alpha=alpha), motion)
     scaled = rk.simulate(
         rk.NondimensionalBlock(alpha=alpha), motion.scaled(acceleration=1 / 9.81, time=p)

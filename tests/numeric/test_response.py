@@ -1,0 +1,194 @@
+"""The response: samples, dense output, events, outcomes, words."""
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+
+from .exact import FreeBlock
+from .structures import column
+
+P, ALPHA = 2.14, 0.25
+BLOCK = rk.RigidBlock.from_frequency(p=P, alpha=ALPHA)
+
+
+@pytest.fixture(scope="module")
+def decay():
+    return rk.simulate(
+        BLOCK, rk.GroundMotion.none(6.0), impact=rk.VelocityRatio(0.9), initial={"theta": 0.2}
+    )
+
+
+def test_both_sides_of_an_impact(decay):
+    impact = decay.impacts[2]
+    before = decay.at(impact.time, side="left")
+    after = decay.at(impact.time, side="right")
+    assert before["theta_dot"] == pytest.approx(impact.before["theta_dot"], rel=1e-10)
+    assert after["theta_dot"] == pytest.approx(impact.after["theta_dot"], rel=1e-10)
+    assert after["theta_dot"] == pytest.approx(0.9 * before["theta_dot"], rel=1e-10)
+    assert abs(before["theta"]) < 1e-14
+    assert abs(after["theta"]) < 1e-14
+
+
+def test_samples_hold_an_impact_twice(decay):
+    assert np.all(np.diff(decay.t) >= 0)
+    twice = decay.t[1:][np.diff(decay.t) == 0]
+    assert set(twice) == {impact.time for impact in decay.impacts}
+    for impact in decay.impacts:
+        before, after = np.flatnonzero(decay.t == impact.time)
+        assert decay.phase[before] == impact.phase_before
+        assert decay.phase[after] == impact.phase_after
+        assert decay["theta_dot"][before] == pytest.approx(impact.before["theta_dot"], rel=1e-12)
+        assert decay["theta_dot"][after] == pytest.approx(impact.after["theta_dot"], rel=1e-12)
+
+
+def test_dense_output_is_as_good_as_the_steps(decay):
+    """Between samples: against the exact time at which the first fall passes an angle."""
+    block = FreeBlock(P, ALPHA)
+    first = decay.impacts[0].time
+    t = np.linspace(0.01, 0.99, 40) * first
+    found = decay.at(t)
+    energy = found["theta_dot"] ** 2 / 2 + P**2 * np.cos(ALPHA - found["theta"])
+    np.testing.assert_allclose(energy, P**2 * np.cos(ALPHA - 0.2), rtol=1e-10)
+    assert first == pytest.approx(block.quarter(0.2), rel=1e-10)
+    # and where the samples are, dense output gives them back
+    inside = np.diff(decay.t, append=np.inf) > 0
+    np.testing.assert_allclose(
+        decay.at(decay.t[inside])["theta"], decay["theta"][inside], atol=1e-13
+    )
+
+
+def test_shape_of_dense_output(decay):
+    assert decay.at(1.0)["theta"].shape == ()
+    assert decay.at(np.full((3, 2), 1.0))["theta"].shape == (3, 2)
+    assert set(decay.at(1.0)) == set(decay.states)
+
+
+def test_samples_reach_from_start_to_end_at_the_spacing_asked_for():
+    run = rk.simulate(
+        BLOCK,
+        rk.GroundMotion.none(2.0),
+        initial={"theta": 0.1},
+        options=rk.SolverOptions(output_step=0.01),
+    )
+    assert run.t[0] == 0.0
+    assert run.t[-1] == 2.0
+    assert np.diff(run.t).max() <= 0.01 * (1 + 1e-9)
+
+
+def test_every_named_quantity_has_a_value_a_sample(decay):
+    for name in decay.names:
+        assert decay[name].shape == decay.t.shape
+        assert np.isfinite(decay[name]).all()
+    np.testing.assert_allclose(
+        decay["total_energy"], decay["kinetic_energy"] + decay["gravitational_energy"]
+    )
+    assert decay.final["theta"] == pytest.approx(decay["theta"][-1], rel=1e-12)
+    leaning = decay["theta"] > 0
+    np.testing.assert_allclose(
+        decay["left_uplift"][leaning], 2 * BLOCK.half_width * np.sin(decay["theta"][leaning])
+    )
+    assert not decay["right_uplift"][leaning].any()
+
+
+def test_ground_acceleration_of_the_samples():
+    motion = rk.GroundMotion.harmonic(1.0, period=0.5, duration=1.0)
+    lifting = rk.GroundMotion.harmonic(0.5, period=0.3, duration=1.0)
+    run = rk.simulate(BLOCK, motion, vertical=lifting, initial={"theta": 0.05})
+    np.testing.assert_allclose(
+        run["ground_acceleration"], np.sin(2 * np.pi * run.t / 0.5), atol=1e-12
+    )
+    np.testing.assert_allclose(
+        run["vertical_ground_acceleration"], 0.5 * np.sin(2 * np.pi * run.t / 0.3), atol=1e-12
+    )
+
+
+def test_duration_cuts_a_motion_short_and_adds_quiet_to_it():
+    pulse = rk.GroundMotion.single_sine(4.0, period=0.5, duration=0.5)
+    long = rk.simulate(BLOCK, pulse, duration=2.0)
+    short = rk.simulate(BLOCK, pulse, duration=0.3)
+    assert (long.t[-1], short.t[-1]) == (2.0, 0.3)
+    t = np.linspace(0, 0.3, 20)
+    np.testing.assert_allclose(short.at(t)["theta"], long.at(t)["theta"], atol=1e-10)
+    assert not long["ground_acceleration"][long.t > 0.5].any()
+
+
+# -- outcomes
+
+
+def test_too_many_impacts():
+    run = rk.simulate(
+        BLOCK,
+        rk.GroundMotion.none(100.0),
+        impact=rk.VelocityRatio(1.0),
+        initial={"theta": 0.1},
+        options=rk.SolverOptions(max_impacts=5),
+    )
+    assert run.outcome is rk.Outcome.TOO_MANY_IMPACTS
+    assert run.t[-1] < 100.0
+    assert run.t[-1] == pytest.approx(run.impacts[-1].time)
+    assert "max_impacts" in run.outcome.sentence
+
+
+def test_too_many_steps():
+    run = rk.simulate(
+        BLOCK,
+        rk.GroundMotion.none(100.0),
+        initial={"theta": 0.1},
+        options=rk.SolverOptions(max_steps=20, max_step=0.01),
+    )
+    assert run.outcome is rk.Outcome.STALLED
+    assert run.t[-1] < 100.0
+
+
+def test_overturned_is_falling_not_passing_the_balance():
+    """Released just beyond alpha it falls; pushed just below the top it comes back."""
+    falls = rk.simulate(BLOCK, rk.GroundMotion.none(60.0), initial={"theta": ALPHA * 1.0001})
+    assert falls.outcome is rk.Outcome.OVERTURNED
+    assert falls["theta"][-1] == pytest.approx(np.pi / 2, rel=1e-9)
+    comes_back = rk.simulate(BLOCK, rk.GroundMotion.none(60.0), initial={"theta": ALPHA * 0.9999})
+    assert comes_back.outcome is rk.Outcome.CAME_TO_REST
+    # from 1.3 alpha with the speed that just carries it over the top, or not
+    enough = P * np.sqrt(2 * (1 - np.cos(0.3 * ALPHA)))
+    for share, outcome in ((1.01, rk.Outcome.CAME_TO_REST), (0.99, rk.Outcome.OVERTURNED)):
+        initial = {"theta": ALPHA * 1.3, "theta_dot": -share * enough}
+        pushed = rk.simulate(BLOCK, rk.GroundMotion.none(60.0), initial=initial)
+        assert pushed.outcome is outcome
+
+
+@pytest.mark.parametrize(("release", "fallen"), [(1.01, True), (0.99, False)])
+def test_run_that_ends_while_the_structure_is_high_says_whether_it_will_fall(release, fallen):
+    """The energy at the end decides once the shaking is over, even before it lies down."""
+    run = rk.simulate(BLOCK, rk.GroundMotion.none(0.1), initial={"theta": ALPHA * release})
+    assert run.t[-1] == 0.1
+    assert run.outcome is (rk.Outcome.OVERTURNED if fallen else rk.Outcome.COMPLETED)
+
+
+def test_outcome_of_a_flexible_structure_that_stands_is_rest():
+    run = rk.simulate(column(), rk.GroundMotion.none(12.0), initial={"theta": 0.01})
+    assert run.phase[-1] == "both"
+    assert run.outcome is rk.Outcome.CAME_TO_REST
+
+
+def test_summary_says_what_happened(decay):
+    text = decay.summary()
+    assert "RigidBlock" in text
+    assert str(decay.outcome) in text
+    assert f"{len(decay.impacts)} impacts" in text
+    assert "0.2 rad" in text
+    assert decay.assumptions() in text
+    assert "completed" in repr(decay)
+
+    rested = rk.simulate(
+        BLOCK, rk.GroundMotion.none(20.0), impact=rk.VelocityRatio(0.9), initial={"theta": 0.2}
+    )
+    assert "10.64868" in rested.summary()
+    assert "came to rest" in rested.summary()
+
+
+def test_events_of_a_flexible_structure_hold_all_states():
+    run = rk.simulate(column(), rk.GroundMotion.none(1.0), initial={"theta": 0.03})
+    impact = run.impacts[0]
+    assert set(impact.before) == set(impact.after) == set(run.states)
+    assert impact.before["u"] == impact.after["u"]
+    assert (impact.phase_before, impact.phase_after) == ("right", "left")

