@@ -68,8 +68,9 @@ class Case:
         if not (math.isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
+        towards = 0.0 if structure.rocks_on_rigid_ground else -_first_push(motion)
         return Problem(
-            contact=structure.contact(y0, self.phase, -_first_push(motion)),
+            contact=structure.contact(y0, self.phase, towards),
             y0=y0,
             vector=structure.vector,
             law=law,

@@ -24,7 +24,7 @@ def _force(structure: Structure, rotation: float) -> float:
     """Equilibrium in the contact state that is consistent with it."""
     m = structure.module
     side = -1.0 if rotation < 0 else 1.0
-    if 0 in m.KINDS[m.CONTACTS.index("left")]:
+    if structure.rocks_on_rigid_ground:
         return _solve(structure, m.CONTACTS.index("right" if side > 0 else "left"), rotation)[0]
     for contact, count in enumerate(m.GUARDS):
         if m.SIDES[contact] * side < 0:

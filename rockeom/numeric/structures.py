@@ -52,11 +52,17 @@ class Structure:
         return self.module.STATES
 
     @property
+    def rocks_on_rigid_ground(self) -> bool:
+        """Whether the edges of the base are pivots, and full contact is a phase of its own."""
+        m = self.module
+        return 0 in m.KINDS[m.CONTACTS.index("left")]
+
+    @functools.cached_property
     def overturning_rotation(self) -> float:
         """Rotation at which the structure has fallen over, in the rotation's unit."""
         return float(self.module.overturning(self.vector))
 
-    @property
+    @functools.cached_property
     def velocity_ratio(self) -> float:
         """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
         return float(self.module.velocity_ratio(self.vector))
@@ -87,7 +93,7 @@ class Structure:
             return m.CONTACTS.index(phase)
         rotation, rate = y[m.ROTATION], y[m.ROTATION_RATE]
         direction = np.sign(rotation) or np.sign(rate)
-        if 0 in m.KINDS[m.CONTACTS.index("left")]:  # rocks on rigid ground
+        if self.rocks_on_rigid_ground:
             return m.CONTACTS.index({-1.0: "left", 0.0: "both", 1.0: "right"}[float(direction)])
         direction = direction or np.sign(towards)
         best, reached = 0, -math.inf

@@ -102,12 +102,12 @@ def lumped() -> rk.LumpedMassStructure:
 
 def test_stiff_frame_rocks_like_the_rigid_one():
     def rotation(structure: rk.Structure) -> np.ndarray:
-        run = rk.simulate(structure, rk.GroundMotion.none(1.0), initial={"theta": 0.05})
+        run = rk.simulate(structure, rk.GroundMotion.none(0.45), initial={"theta": 0.05})
         assert not run.impacts
-        return run.at(np.linspace(0.0, 1.0, 50))["theta"]
+        return run.at(np.linspace(0.0, 0.45, 50))["theta"]
 
     rigid = rotation(lumped())
-    assert rigid[-1] < 0.04  # it has moved
+    assert rigid[-1] < 0.02  # it has moved
     errors = [
         np.abs(rotation(frame(stiffness_1=k, stiffness_2=k)) - rigid).max() for k in (1e9, 1e11)
     ]
