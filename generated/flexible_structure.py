@@ -35,7 +35,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "86dcb28f3d812fa8"
+SOURCE_HASH = "a760254e4c0d512d"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -199,16 +199,15 @@ def rates(contact, y, p, ax, ay, dy):
 @_compiled
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
-    if contact == LEFT or contact == RIGHT:
-        if contact == LEFT:
-            theta = y[0]
-            g[0] = -theta
-        else:
-            theta = y[0]
-            g[0] = theta
+    if contact == LEFT:
+        theta = y[0]
+        g[0] = -theta
     elif contact == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
+    elif contact == RIGHT:
+        theta = y[0]
+        g[0] = theta
 
 
 @_compiled

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "bb4038aa6ab9d7f1"
+SOURCE_HASH = "26b3b0d0d8179168"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -142,16 +142,15 @@ def rates(contact, y, p, ax, ay, dy):
 @_compiled
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
-    if contact == LEFT or contact == RIGHT:
-        if contact == LEFT:
-            theta = y[0]
-            g[0] = -theta
-        else:
-            theta = y[0]
-            g[0] = theta
+    if contact == LEFT:
+        theta = y[0]
+        g[0] = -theta
     elif contact == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
+    elif contact == RIGHT:
+        theta = y[0]
+        g[0] = theta
 
 
 @_compiled

@@ -27,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "eb289ae3271d44be"
+SOURCE_HASH = "0f20ac1621d9a8b0"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -121,16 +121,15 @@ def rates(contact, y, p, ax, ay, dy):
 @_compiled
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
-    if contact == LEFT or contact == RIGHT:
-        if contact == LEFT:
-            x = y[0]
-            g[0] = -x
-        else:
-            x = y[0]
-            g[0] = x
+    if contact == LEFT:
+        x = y[0]
+        g[0] = -x
     elif contact == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
+    elif contact == RIGHT:
+        x = y[0]
+        g[0] = x
 
 
 @_compiled

@@ -30,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "6138ad087a293eae"
+SOURCE_HASH = "e156ef44b6ca543f"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -127,16 +127,15 @@ def rates(contact, y, p, ax, ay, dy):
 @_compiled
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
-    if contact == LEFT or contact == RIGHT:
-        if contact == LEFT:
-            theta = y[0]
-            g[0] = -theta
-        else:
-            theta = y[0]
-            g[0] = theta
+    if contact == LEFT:
+        theta = y[0]
+        g[0] = -theta
     elif contact == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
+    elif contact == RIGHT:
+        theta = y[0]
+        g[0] = theta
 
 
 @_compiled

@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "5541119983c57a4e"
+SOURCE_HASH = "4bb773b5123228d8"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -142,26 +142,24 @@ def rates(contact, y, p, ax, ay, dy):
 @_compiled
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        if contact == BOTH_LEFT:
-            u = y[0]
-            c5 = p[14]
-            g[0] = -u
-            g[1] = c5 + u
-        else:
-            u = y[0]
-            c5 = p[14]
-            g[0] = u
-            g[1] = c5 - u
-    elif contact == LEFT or contact == RIGHT:
-        if contact == LEFT:
-            u = y[0]
-            c5 = p[14]
-            g[0] = -c5 - u
-        else:
-            u = y[0]
-            c5 = p[14]
-            g[0] = -c5 + u
+    if contact == BOTH_LEFT:
+        u = y[0]
+        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        g[0] = -u
+        g[1] = c5 + u
+    elif contact == LEFT:
+        u = y[0]
+        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        g[0] = -c5 - u
+    elif contact == BOTH_RIGHT:
+        u = y[0]
+        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        g[0] = u
+        g[1] = c5 - u
+    elif contact == RIGHT:
+        u = y[0]
+        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        g[0] = -c5 + u
 
 
 @_compiled

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "da097717a72f3925"
+SOURCE_HASH = "117e7bd00d417215"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -230,7 +230,23 @@ def rates(contact, y, p, ax, ay, dy):
 @_compiled
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
-    if contact == BOTH:
+    if contact == LEFT:
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        half_width = p[6]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+        x0 = half_width*math.sin(theta)
+        x1 = half_width*theta_dot*math.cos(theta)
+        g[0] = (
+            -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave +
+            x0)
+        )
+        g[1] = foundation_damping*(-heave_dot - x1) + foundation_stiffness*(c15 - heave - x0)
+    elif contact == BOTH:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -243,43 +259,6 @@ def guards(contact, y, p, ax, ay, g):
         x1 = half_width*math.sin(theta)
         g[0] = foundation_damping*(-heave_dot - x0) + foundation_stiffness*(c15 - heave - x1)
         g[1] = foundation_damping*(-heave_dot + x0) + foundation_stiffness*(c15 - heave + x1)
-    elif contact == LEFT or contact == RIGHT:
-        if contact == LEFT:
-            theta = y[0]
-            heave = y[1]
-            theta_dot = y[2]
-            heave_dot = y[3]
-            half_width = p[6]
-            foundation_stiffness = p[8]
-            foundation_damping = p[9]
-            c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-            x0 = half_width*math.sin(theta)
-            x1 = half_width*theta_dot*math.cos(theta)
-            g[0] = (
-                -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave
-                + x0)
-            )
-            g[1] = (
-                foundation_damping*(-heave_dot - x1) + foundation_stiffness*(c15 - heave - x0)
-            )
-        else:
-            theta = y[0]
-            heave = y[1]
-            theta_dot = y[2]
-            heave_dot = y[3]
-            half_width = p[6]
-            foundation_stiffness = p[8]
-            foundation_damping = p[9]
-            c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-            x0 = half_width*math.sin(theta)
-            x1 = half_width*theta_dot*math.cos(theta)
-            g[0] = (
-                -foundation_damping*min(0, -heave_dot - x1) - foundation_stiffness*(c15 - heave
-                - x0)
-            )
-            g[1] = (
-                foundation_damping*(-heave_dot + x1) + foundation_stiffness*(c15 - heave + x0)
-            )
     elif contact == FLIGHT:
         theta = y[0]
         heave = y[1]
@@ -299,6 +278,22 @@ def guards(contact, y, p, ax, ay, g):
             -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave +
             x0)
         )
+    elif contact == RIGHT:
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        half_width = p[6]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+        x0 = half_width*math.sin(theta)
+        x1 = half_width*theta_dot*math.cos(theta)
+        g[0] = (
+            -foundation_damping*min(0, -heave_dot - x1) - foundation_stiffness*(c15 - heave -
+            x0)
+        )
+        g[1] = foundation_damping*(-heave_dot + x1) + foundation_stiffness*(c15 - heave + x0)
 
 
 @_compiled

@@ -241,32 +241,25 @@ class _Module:
         )
 
     def guards(self) -> None:
-        def branch(phase: Phase, indent: str) -> list[str]:
-            lines: list[str] = []
-            contacts = list(phase.contacts)
-            for contact in contacts:
-                inner = indent
-                if len(contacts) > 1:
-                    word = "if" if contact == contacts[0] else "else"
-                    condition = f" contact == {contact.upper()}" if word == "if" else ""
-                    lines.append(f"{indent}{word}{condition}:")
-                    inner = indent + "    "
-                transitions = self.outgoing(contact)
-                expressions = {
-                    f"g[{i}]": t.guard for i, t in enumerate(transitions) if t.guard is not None
-                }
-                lines += self.evaluate("guards", expressions, inner, hoist=True)
-                lines += [
-                    f"{inner}g[{i}] = -opening_acceleration({t.target.upper()}, y, p, ax, ay)"
-                    for i, t in enumerate(transitions)
-                    if t.kind == "uplift"
-                ]
-            return lines
-
-        self.by_phase(
+        body: list[str] = []
+        for contact in self.model.contacts:
+            transitions = self.outgoing(contact)
+            if not transitions:
+                continue
+            body.append(f"    {'elif' if body else 'if'} contact == {contact.upper()}:")
+            expressions = {
+                f"g[{i}]": t.guard for i, t in enumerate(transitions) if t.guard is not None
+            }
+            body += self.evaluate("guards", expressions, " " * 8, hoist=True)
+            body += [
+                f"        g[{i}] = -opening_acceleration({t.target.upper()}, y, p, ax, ay)"
+                for i, t in enumerate(transitions)
+                if t.kind == "uplift"
+            ]
+        self.function(
             "guards(contact, y, p, ax, ay, g)",
             "Guards of a contact state into g: all positive inside it; the first to fall ends it.",
-            branch,
+            body or ["    pass"],
         )
 
     def outgoing(self, contact: str) -> list[Transition]:

@@ -16,7 +16,10 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
-_STILL = np.empty((0, 7))
+STILL = np.empty((0, 7))
+"""The table of ground that stands still. Read-only like a motion's: the compiled loop takes an
+array that may be written to for another type, and would be compiled once more."""
+STILL.flags.writeable = False
 
 
 @dataclass(frozen=True)
@@ -92,4 +95,4 @@ def _first_push(motion: GroundMotion) -> float:
 
 def _table(motion: GroundMotion | None) -> np.ndarray:
     """(m, 7) rows of a motion for the compiled loop; none for ground that stands still."""
-    return _STILL if motion is None else motion.segments
+    return STILL if motion is None else motion.segments

@@ -677,16 +677,17 @@ def at_rest(contact, y, p):
 
 
 @_entry
-def falls(contact, y, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps, reach):
+def falls(
+    contact, y, still, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps, reach
+):  # fmt: skip
     """Whether free motion from here leads to the ground, and not back upright.
 
     It is followed until the next impact, or, on springs, while the structure leans further;
-    `reach` is a time [s] in which it would move far.
+    `reach` is a time [s] in which it would move far; `still` the table of ground that is.
     """
     if SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT:
         return False
     rocks = SIDES[contact] != 0.0 and KINDS[contact][0] == IMPACT
-    still = np.empty((0, 7))
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
@@ -699,7 +700,7 @@ def falls(contact, y, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps,
         status[4] = status[5] = 0
         code = integrate(
             status, clock, state, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
-            np.inf, 0, fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
+            np.inf, np.int64(0), fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
             steps, step_contact, step_states, events, event_kinds, event_states, peaks,
         )  # fmt: skip
         if code == OVERTURNED:
@@ -749,8 +750,8 @@ def integrate_many(
         if code == COMPLETED and quiet_from[n] <= t_end[n]:
             reach = 0.1 * t_end[n]
             if falls(
-                status[0], y, p[n], law[n], ratio[n], rtol, atol, fallen[n], max_impacts,
-                max_steps, reach,
+                status[0], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol, fallen[n],
+                max_impacts, max_steps, reach,
             ):  # fmt: skip
                 code = OVERTURNED
             elif at_rest(status[0], y, p[n]):

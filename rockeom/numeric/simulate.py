@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rockeom.numeric.case import Case, Problem
+from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome, Response, Steps
@@ -109,13 +109,12 @@ def run(
         powers[0, 0] = q.y0
     outcome = _OUTCOMES[code]
     if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
-        end = int(status[0]), y, q.vector
-        reach = 0.1 * q.end
+        contact, reach = int(status[0]), 0.1 * q.end
         if compiled.falls(
-            *end, q.law, q.ratio, options.rtol, atol, q.fallen, options.max_impacts,
-            options.max_steps, reach,
+            contact, y, STILL, q.vector, q.law, q.ratio, options.rtol, atol, q.fallen,
+            options.max_impacts, options.max_steps, reach,
         ):  # fmt: skip
             outcome = Outcome.OVERTURNED
-        elif compiled.at_rest(*end):
+        elif compiled.at_rest(contact, y, q.vector):
             outcome = Outcome.CAME_TO_REST
     return Record(outcome, Steps(span, contacts, powers), (times, kinds, states))

@@ -55,7 +55,7 @@ class Structure:
     def rocks_on_rigid_ground(self) -> bool:
         """Whether the edges of the base are pivots, and full contact is a phase of its own."""
         m = self.module
-        return 0 in m.KINDS[m.CONTACTS.index("left")]
+        return "both" in m.CONTACTS and 1 in m.KINDS[m.CONTACTS.index("both")]
 
     @functools.cached_property
     def overturning_rotation(self) -> float:
@@ -87,11 +87,21 @@ class Structure:
         towards : sign of the rotation to come, where the state itself is upright and at rest.
         """
         m = self.module
+        rotation, rate = y[m.ROTATION], y[m.ROTATION_RATE]
         if phase is not None:
             if phase not in m.CONTACTS:
                 raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.CONTACTS)}")
-            return m.CONTACTS.index(phase)
-        rotation, rate = y[m.ROTATION], y[m.ROTATION_RATE]
+            number = m.CONTACTS.index(phase)
+            side = m.SIDES[number]
+            if self.rocks_on_rigid_ground and (
+                side * rotation < 0 or (side == 0 and (rotation != 0 or rate != 0))
+            ):
+                name = m.STATES[m.ROTATION]
+                raise ValueError(
+                    f"the phase {phase!r} of {self.model} contradicts {name} = {rotation}, "
+                    f"{name}_dot = {rate}: leave `phase` out, it follows from them"
+                )
+            return number
         direction = np.sign(rotation) or np.sign(rate)
         if self.rocks_on_rigid_ground:
             return m.CONTACTS.index({-1.0: "left", 0.0: "both", 1.0: "right"}[float(direction)])

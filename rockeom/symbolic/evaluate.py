@@ -64,7 +64,11 @@ class NumpyPhase:
         places = {body.name: body.position for body in phase.bodies}
         places |= {f"{name}_foot": foot.position for name, foot in phase.feet.items()}
         self._positions = table(
-            {f"{k}.{i}": place[i] for k, place in places.items() for i in (0, 1)}
+            {
+                f"{name}.{i}": phase.approximated(place[i])
+                for name, place in places.items()
+                for i in (0, 1)
+            }
         )
         leaving = [t for t in model.transitions if t.source == contact]
         self._switches = table({t.target: t.guard for t in leaving if t.guard is not None})

@@ -13,10 +13,13 @@ LOAD = sp.Symbol("P", real=True)
 
 
 def equilibrium(phase: Phase) -> sp.Matrix:
-    """dV/dq - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point."""
+    """dV/dq - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point.
+
+    Without a load point, dV/dq.
+    """
     eq = phase.equations
     if phase.load_point is None:
-        raise ValueError("this phase declares no load point")
+        return eq.gravity + eq.stiffness
     x = phase.approximated(phase.load_point[0])
     lever = [sp.diff(x, c.position) for c in phase.coordinates]
     return eq.gravity + eq.stiffness - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
@@ -42,6 +45,8 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
         except (ValueError, NonlinearError) as e:
             raise NotImplementedError(f"{model.name}: no unique closed form") from e
         turning = turning.subs(dict(zip(others, others_at, strict=True)))
+    if not turning.has(LOAD):
+        raise ValueError(f"{model.name} declares no load point in {contact!r}")
     if sp.diff(turning, LOAD, 2) != 0:
         raise NotImplementedError(f"{model.name}: the force enters non-linearly")
     slope = sp.diff(turning, LOAD)

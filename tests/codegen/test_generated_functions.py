@@ -16,6 +16,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.numeric.impact import IMPULSIVE, RATIO
+from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium
@@ -93,7 +94,7 @@ class Sample:
         self.ax, self.ay, self.load = rng.uniform(-10, 10, (3, N))
 
     def values(self, *expressions, accelerations=()):
-        """(k, N): plain expressions of the model at the sample."""
+        """(k, N): expressions of the model at the sample."""
         m = self.model
         symbols = [p.symbol for p in m.parameters]
         symbols += [e for c in m.coordinates for e in (c.position, c.velocity)]
@@ -102,18 +103,21 @@ class Sample:
             numbers += [self.y[i], self.y[len(m.coordinates) + i]]
         symbols += [GROUND_X, GROUND_Y, LOAD, *(c.acceleration for c in self.phase.coordinates)]
         numbers += [self.ax, self.ay, self.load, *accelerations]
-        plain = [
-            sp.sympify(e).xreplace(m.constants).subs(sp.Symbol("s", real=True), self.side)
-            for e in expressions
-        ]
-        found = sp.lambdify(symbols[: len(numbers)], plain, modules="numpy", dummify=True)(*numbers)
+        symbols = [*symbols[: len(numbers)], *m.constants]
+        numbers += self.constants()
+        plain = [at_side(e, self.side) for e in expressions]
+        found = sp.lambdify(symbols, plain, modules="numpy", dummify=True)(*numbers)
         return np.array([np.broadcast_to(f, (N,)) for f in found])
+
+    def constants(self):
+        given = [p.symbol for p in self.model.parameters]
+        numbers = [self.parameters[p.name] for p in self.model.parameters]
+        values = list(self.model.constants.values())
+        return sp.lambdify(given, values, modules="numpy", dummify=True)(*numbers)
 
     def sizes(self, *expressions, accelerations=()):
         """(k, N): the sums of the absolute values of the expressions' terms."""
-        return self.values(
-            *(magnitude(self.model, e) for e in expressions), accelerations=accelerations
-        )
+        return self.values(*(magnitude(e) for e in expressions), accelerations=accelerations)
 
     def solution_size(self):
         """(d, N): the scale of rounding errors of q'' = M^-1 f."""
@@ -129,20 +133,24 @@ class Sample:
         lacking = np.einsum("ijn,jn->in", mass_size, np.abs(found)) + right_size
         return np.einsum("nij,jn->in", inverse, lacking)
 
+    def prepared(self):
+        """(N, m): parameters with their constants, as generated functions take them."""
+        p = np.array([self.parameters[k] for k in module(self.name).PARAMETERS])
+        return [module(self.name).prepare(np.ascontiguousarray(row)) for row in p.T]
+
     def generated(self, function, length, *arguments):
         """(length, N): a function of the generated module at each state."""
-        p = np.array([self.parameters[k] for k in module(self.name).PARAMETERS])
         number = module(self.name).CONTACTS.index(self.contact)
         out = np.empty((N, length))
         compiled = getattr(module(self.name), function)
-        states, structures = np.ascontiguousarray(self.y.T), np.ascontiguousarray(p.T)
+        states, structures = np.ascontiguousarray(self.y.T), self.prepared()
         for i in range(N):
             compiled(number, states[i], structures[i], *(a[i] for a in arguments), out[i])
         return out.T
 
 
-def magnitude(of, expr):
-    plain = sp.sympify(expr).xreplace(of.constants).replace(sp.Min, sp.Add)
+def magnitude(expr):
+    plain = sp.sympify(expr).replace(sp.Min, sp.Add)
     return sp.Add(*(sp.Abs(term) for term in sp.Add.make_args(sp.expand(plain))))
 
 
@@ -264,13 +272,12 @@ def test_statics(name):
 @STRUCTURES
 def test_velocity_ratio_and_overturning(name):
     sample = samples(name)[0]
-    p = np.array([sample.parameters[k] for k in module(name).PARAMETERS])
     ratio = sample.model.velocity_ratio
     for function, expr in (
         ("velocity_ratio", sp.Integer(1) if ratio is None else ratio),
         ("overturning", sample.model.overturning),
     ):
-        found = [getattr(module(name), function)(np.ascontiguousarray(x)) for x in p.T]
+        found = [getattr(module(name), function)(p) for p in sample.prepared()]
         numerator, denominator = sp.fraction(sp.together(expr))
         size = sample.sizes(numerator)[0] / np.abs(sample.values(denominator)[0])
         assert_agree(function, np.array(found), sample.values(expr)[0], size)
@@ -312,13 +319,12 @@ def test_jump(name, law):
             expected = sample.y.copy()
             expected[rate] *= 0.7
             targets = np.full(N, t.target)
-        p = np.array([sample.parameters[k] for k in m.PARAMETERS])
-        out = np.empty_like(sample.y)
+        structures, out = sample.prepared(), np.empty_like(sample.y)
         for i in range(N):
             row = np.empty(len(out))
             source = m.CONTACTS.index(t.source)
-            y, structure = np.ascontiguousarray(sample.y[:, i]), np.ascontiguousarray(p[:, i])
-            follows = m.jump(source, 0, law, 0.7, y, structure, row)
+            y = np.ascontiguousarray(sample.y[:, i])
+            follows = m.jump(source, 0, law, 0.7, y, structures[i], row)
             assert m.CONTACTS[follows] == targets[i]
             out[:, i] = row
         met |= set(targets)

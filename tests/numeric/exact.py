@@ -104,7 +104,7 @@ class ShakenSlenderBlock:
         return at, (i + 1) * self.dt
 
     def follow(self, end):
-        """(uplift time, impact times (n,), state at `end`); the first motion is from full contact."""
+        """From full contact: uplift time, impact times (n,), state at `end`."""
         sample = next(i for i, a in enumerate(np.abs(self.a)) if a > self.alpha)
         before, after = self.a[sample - 1 : sample + 1]
         side = -int(np.sign(after))

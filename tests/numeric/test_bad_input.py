@@ -20,19 +20,23 @@ def raises(error, *words):
 # -- parameters
 
 
+def block(**changes):
+    return rk.RigidBlock(**({"half_width": 0.1, "half_height": 0.4} | changes))
+
+
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: rk.RigidBlock(half_width=-0.1, half_height=0.4), ("half_width", "-0.1", "positive")),
-        (lambda: rk.RigidBlock(half_width=0.0, half_height=0.4), ("half_width", "positive")),
-        (lambda: rk.RigidBlock(half_width=math.nan, half_height=0.4), ("half_width", "nan", "finite")),
-        (lambda: rk.RigidBlock(half_width=math.inf, half_height=0.4), ("half_width", "inf", "finite")),
-        (lambda: rk.RigidBlock(half_width="wide", half_height=0.4), ("half_width", "wide", "number")),
+        (lambda: block(half_width=-0.1), ("half_width", "-0.1", "positive")),
+        (lambda: block(half_width=0.0), ("half_width", "positive")),
+        (lambda: block(half_width=math.nan), ("half_width", "nan", "finite")),
+        (lambda: block(half_height=math.inf), ("half_height", "inf", "finite")),
+        (lambda: block(half_width="wide"), ("half_width", "wide", "number")),
         (lambda: column(damping=-1.0), ("damping", "-1", "zero or positive")),
         (lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=1.6), ("alpha", "1.6", "below pi/2")),
         (lambda: rk.RigidBlock.from_frequency(p=-2.0, alpha=0.3), ("p is -2", "positive")),
     ],
-)  # fmt: skip
+)
 def test_value_of_a_parameter(make, words):
     with raises(ValueError, *words):
         make()
@@ -165,4 +169,6 @@ def test_wrong_states_and_parameters_of_lambdified_functions():
     with raises(ValueError, "3 rows", "theta, theta_dot"):
         phase.energies([0.1, 0.0, 0.0], values)
     with raises(ValueError, "missing: height", "unknown: hight"):
-        phase.energies([0.1, 0.0], {("hight" if k == "height" else k): v for k, v in values.items()})
+        phase.energies(
+            [0.1, 0.0], {("hight" if k == "height" else k): v for k, v in values.items()}
+        )

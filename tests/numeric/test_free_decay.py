@@ -94,9 +94,7 @@ def test_infinitely_many_impacts_end_in_rest_that_lasts():
 @pytest.mark.parametrize("ratio", [0.3, 0.7, 0.97])
 def test_rest_time_of_other_restitutions(ratio):
     block = rk.RigidBlock.from_frequency(p=P, alpha=ALPHA)
-    run = rk.simulate(
-        block, QUIET, impact=rk.VelocityRatio(ratio), initial={"theta": RELEASE}
-    )
+    run = rk.simulate(block, QUIET, impact=rk.VelocityRatio(ratio), initial={"theta": RELEASE})
     expected = rest_time(FreeBlock(P, ALPHA), RELEASE, ratio**2)
     assert run.rest_time == pytest.approx(expected, rel=1e-8)
 

@@ -1,5 +1,6 @@
 """Figures and tables of the thesis, in the conventions under which they can be reproduced."""
 
+import itertools
 import math
 
 import numpy as np
@@ -72,7 +73,7 @@ def test_figure_2_16():
     assert times[0] == pytest.approx(math.log(3), rel=1e-10)  # acosh(1/0.6)
     peaks = [
         np.abs(run["theta"][(run.t > a) & (run.t < b)]).max() / alpha
-        for a, b in zip(times[:3], times[1:], strict=True)
+        for a, b in itertools.pairwise(times)
     ]
     np.testing.assert_allclose(peaks, [0.267, 0.184, 0.129], atol=5e-4)
 
@@ -140,7 +141,7 @@ def rms_of_peaks(r):
     )
     edges = [0.0, *(impact.time for impact in run.impacts[:8])]
     peaks = []
-    for start, end in zip(edges[:8], edges[1:], strict=True):
+    for start, end in itertools.pairwise(edges):
         theta = run["theta"][(run.t >= start) & (run.t < end)]
         peaks.append(displacement(theta[np.abs(theta).argmax()]))
     assert np.array_equal(np.sign(peaks), np.sign(MEASURED))
@@ -161,9 +162,7 @@ def test_run_1_of_mcmanus_with_the_theoretical_restitution():
 
 def test_table_3_1_baseline_forces():
     block = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
-    run = rk.simulate(
-        block, rk.GroundMotion.none(5.0), initial={"theta": math.radians(7.876)}
-    )
+    run = rk.simulate(block, rk.GroundMotion.none(5.0), initial={"theta": math.radians(7.876)})
     impact = run.impacts[0]
     speed = impact.before["theta_dot"]
     assert speed == pytest.approx(-0.771, abs=5e-4)

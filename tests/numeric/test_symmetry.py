@@ -10,7 +10,12 @@ from .structures import S1, by_model, column, every_structure, on_springs
 
 EVEN = {"heave", "heave_dot"}
 """States that a mirror leaves as they are."""
-OTHER_SIDE = {"left": "right", "right": "left", "both_left": "both_right", "both_right": "both_left"}
+OTHER_SIDE = {
+    "left": "right",
+    "right": "left",
+    "both_left": "both_right",
+    "both_right": "both_left",
+}
 
 
 def shaking(seed):
@@ -54,9 +59,7 @@ def test_mirrored_shaking_gives_the_mirrored_response_to_the_last_bit(structure)
 def test_similar_blocks_respond_alike_in_scaled_time(factor, alpha, amplitude):
     """The same shape and shaking, all times in units of 1/p (Housner's scale effect)."""
     p = 2.0
-    motion = rk.GroundMotion.single_sine(
-        amplitude * 9.81 * np.tan(alpha), period=2.0, duration=6.0
-    )
+    motion = rk.GroundMotion.single_sine(amplitude * 9.81 * np.tan(alpha), period=2.0, duration=6.0)
     small = rk.simulate(rk.RigidBlock.from_frequency(p=p, alpha=alpha), motion)
     large = rk.simulate(
         rk.RigidBlock.from_frequency(p=p / factor, alpha=alpha), motion.scaled(time=factor)
@@ -77,9 +80,7 @@ def test_nondimensional_block_is_the_block_in_other_units():
     )
     assert len(block.impacts) > 2
     t = np.linspace(0, 3.9, 200)
-    np.testing.assert_allclose(
-        scaled.at(p * t)["x"] * alpha, block.at(t)["theta"], atol=1e-8
-    )
+    np.testing.assert_allclose(scaled.at(p * t)["x"] * alpha, block.at(t)["theta"], atol=1e-8)
 
 
 @pytest.mark.parametrize("structure", [DAMPED[0], column()], ids=by_model)

@@ -9,7 +9,14 @@ from scipy.linalg import expm
 
 import rockeom as rk
 
-from .structures import FIRST_MOMENT, FOUNDATION_STIFFNESS, PIVOT_INERTIA, S1, TOTAL_MASS, on_springs
+from .structures import (
+    FIRST_MOMENT,
+    FOUNDATION_STIFFNESS,
+    PIVOT_INERTIA,
+    S1,
+    TOTAL_MASS,
+    on_springs,
+)
 
 GRAVITY = 9.81
 WEIGHT = TOTAL_MASS * GRAVITY
@@ -86,8 +93,12 @@ def test_cart_follows_the_printed_pushover():
     assert restoring(0.5 * u_crit) == pytest.approx(0.5 * stiffness * u_crit, rel=1e-12)
     theta = u_crit / HEIGHT
     centroid = FIRST_MOMENT / TOTAL_MASS
-    lifted = WEIGHT * (HALF_WIDTH * math.cos(theta) - centroid * math.sin(theta)) / (  # 5-32
-        HEIGHT * math.cos(theta) + HALF_WIDTH * math.sin(theta)
+    lifted = (
+        WEIGHT
+        * (HALF_WIDTH * math.cos(theta) - centroid * math.sin(theta))
+        / (  # 5-32
+            HEIGHT * math.cos(theta) + HALF_WIDTH * math.sin(theta)
+        )
     )
     assert restoring(u_crit * (1 + 1e-12)) == pytest.approx(lifted, rel=1e-9)
     # no force where the centroid stands above the pivot

@@ -191,8 +191,8 @@ def test_record_brings_rocking_impacts_and_full_contact(shaken):
     assert {event.kind for event in shaken.events} >= {"impact", "uplift"}
     theta = shaken["theta"]
     assert np.all(theta[shaken.phase == "both"] == 0.0)
-    assert np.all(theta[shaken.phase == "right"] >= 0.0)
-    assert np.all(theta[shaken.phase == "left"] <= 0.0)
+    assert np.all(theta[shaken.phase == "right"] >= -1e-15)
+    assert np.all(theta[shaken.phase == "left"] <= 1e-15)
 
 
 def test_impacts_under_a_record_never_make_energy(shaken):
@@ -214,9 +214,10 @@ def test_same_declaration_is_the_same_module():
 
 def test_second_process_compiles_nothing(shaken):
     (declaration,) = (block for block in blocks("python") if "two_storey = " in block)
+    parameters = {name: float(value) for name, value in shaken.structure.parameters().items()}
     code = f"""{declaration}
 import rockeom as rk
-frame = rk.structure(two_storey, **{shaken.structure.parameters()!r})
+frame = rk.structure(two_storey, **{parameters!r})
 run = rk.simulate(frame, rk.GroundMotion.none(0.5), initial={{"theta": 0.01}})
 stats = run.program.integrate.stats
 print(sum(stats.cache_hits.values()), sum(stats.cache_misses.values()))

@@ -1,0 +1,263 @@
+"""`rockeom models`, `derive` and `generate`, and the command itself."""
+
+import dataclasses
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+import rockeom as rk
+from rockeom import __version__
+from rockeom.cli import main
+from rockeom.cli.plain import mathematics, to_text
+from rockeom.codegen.write import write_generated
+from rockeom.numeric.structures import SHIPPED
+from rockeom.symbolic.typeset import content
+
+
+def command(*arguments: str) -> subprocess.CompletedProcess[str]:
+    """The command in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "rockeom.cli", *arguments],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        env={**os.environ, "PYTHONIOENCODING": "utf-8"},
+    )
+
+
+# --- the command
+
+
+def test_alone_it_explains_itself(capsys):
+    assert main([]) == 2
+    text = capsys.readouterr().out
+    assert text.startswith("usage: rockeom")
+    for name in ("models", "derive", "generate", "simulate"):
+        assert f"rockeom {name}" in text
+
+
+@pytest.mark.parametrize("name", ["models", "derive", "generate", "simulate"])
+def test_help_of_each_command_says_what_it_does_and_gives_examples(name, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main([name, "--help"])
+    assert stopped.value.code == 0
+    text = capsys.readouterr().out
+    assert "examples:" in text
+    assert text.count(f"rockeom {name}") >= 3  # usage and examples
+    assert max(map(len, text.splitlines())) <= 100
+
+
+def test_version(capsys):
+    with pytest.raises(SystemExit):
+        main(["--version"])
+    assert capsys.readouterr().out.strip() == f"rockeom {__version__}"
+
+
+def test_unknown_command_names_the_known_ones(capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["simulte"])
+    assert stopped.value.code == 2
+    assert "simulate" in capsys.readouterr().err
+
+
+def test_bad_input_in_a_process_of_its_own():
+    done = command("simulate", "rigid_block", "--free", "--duration", "1", "--set", "half_width=-1")
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert "Traceback" not in done.stderr
+    assert "half_height" in done.stderr
+
+
+def test_simulating_never_imports_sympy():
+    code = """
+import sys
+from rockeom.cli import main
+assert main("simulate rigid_block --set half_width=0.095 half_height=0.45 --free --duration 1".split()) == 0
+print("sympy" in sys.modules)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "False"
+
+
+def test_reader_that_leaves_early_is_no_error():
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "w") as pipe:
+        done = subprocess.run(
+            [sys.executable, "-m", "rockeom.cli", "models"],
+            stdout=pipe,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+    assert done.stderr == ""
+
+
+def test_pipe_of_few_letters_gets_the_equations_all_the_same():
+    done = subprocess.run(
+        [sys.executable, "-m", "rockeom.cli", "derive", "rigid_block"],
+        capture_output=True,
+        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+    )
+    assert done.returncode == 0
+    assert b"Equations of motion" in done.stdout
+
+
+# --- models
+
+
+def test_models_lists_all_with_their_states(capsys):
+    assert main(["models"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    for name in rk.models():
+        (line,) = (line for line in lines if line.startswith(f"{name} "))
+        assert ", ".join(rk.derive(name).states) in line
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_model_explains_every_parameter_that_set_takes(name, capsys):
+    assert main(["models", name]) == 0
+    text = capsys.readouterr().out
+    declared = {p.name: p for p in rk.derive(name).parameters}
+    for field in dataclasses.fields(SHIPPED[name]):
+        (line,) = (line for line in text.splitlines() if line.startswith(f"{field.name} "))
+        parameter = declared.get(field.name) or declared["height"]
+        assert parameter.meaning in line
+        assert f" {parameter.unit} " in line
+        assert ("required" in line) == (field.default is dataclasses.MISSING)
+
+
+def test_unknown_model(capsys):
+    assert main(["models", "flexible"]) == 2
+    said = capsys.readouterr()
+    assert "'flexible'" in said.err
+    assert "flexible_structure" in said.err
+    assert said.out == ""
+
+
+# --- derive
+
+
+def test_derived_block_is_housner_s(capsys):
+    """Thesis 2-2, as one would write it on a blackboard."""
+    assert main(["derive", "rigid_block", "--form", "polar"]) == 0
+    text = capsys.readouterr().out
+    assert "(m R² + I_g) θ̈ + s m g R sin(α - s θ) = -m ẍ_g R cos(α - s θ)" in text
+    assert "m  " in text
+    assert "half_width" in text
+
+
+@pytest.mark.parametrize("name", rk.models())
+@pytest.mark.parametrize("form", ["width", "polar"])
+def test_no_latex_is_left_in_plain_text(name, form):
+    text = to_text(content(rk.derive(name), form), 100)
+    assert not re.search(r"[\\{}$`]", text)
+    assert max(len(line) for line in text.splitlines() if "/(" not in line) <= 106
+
+
+@pytest.mark.parametrize(
+    ("tex", "plain"),
+    [
+        (r"\tfrac{1}{2} k u^2", "½ k u²"),
+        (r"\frac{a + b}{2 B}", "(a + b)/(2 B)"),
+        (r"\frac{m g \sin(\alpha - \theta)}{\cos(\alpha - \theta)}", "m g sin(α - θ)/cos(α - θ)"),
+        (r"\frac{a}{b}", "a/b"),
+        (r"\cos^2\theta \thinspace \dot{\theta}", "cos² θ θ̇"),
+        (r"\ddot x_g", "ẍ_g"),
+        (r"N_{\mathrm{left}}", "N_left"),
+        (r"\dot{u}^{+}", "u̇⁺"),
+        (r"\dot{u_{1}}", "u̇_1"),
+        (r"k \left[\frac{a}{b} - v\right]^2", "k [a/b - v]²"),
+        (r"\arctan\left(\frac{B}{H}\right)", "arctan(B/H)"),
+        (r"\sqrt{B^2 + H^2}", "√(B² + H²)"),
+        (r"x^{n}", "x^(n)"),
+        (r"\operatorname{sgn} \theta", "sgn θ"),
+    ],
+)
+def test_plain_mathematics(tex, plain):
+    assert mathematics(tex) == plain
+
+
+def test_latex_markdown_and_code_are_those_of_the_model(capsys):
+    model = rk.derive("rigid_block")
+    for option, expected in {
+        "--latex": model.latex(),
+        "--markdown": model.markdown(),
+    }.items():
+        assert main(["derive", "rigid_block", option]) == 0
+        assert capsys.readouterr().out == expected
+    assert main(["derive", "rigid_block", "--code"]) == 0
+    code = capsys.readouterr().out
+    compile(code, "rigid_block.py", "exec")
+    assert 'NAME = "rigid_block"' in code
+
+
+def test_derive_into_a_file(tmp_path, capsys):
+    path = tmp_path / "block.tex"
+    assert main(["derive", "rigid_block", "--latex", "--form", "polar", "--out", str(path)]) == 0
+    assert capsys.readouterr().out == ""
+    assert path.read_text(encoding="utf-8") == rk.derive("rigid_block").latex("polar")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["rigid_blok"], ["rigid_blok", "did you mean rigid_block?"]),
+        (["rigid_block", "--code", "--form", "polar"], ["--form polar", "--code", "leave"]),
+        (["rigid_block", "--out", "no/such/folder/x"], ["no/such/folder/x", "path"]),
+    ],
+)
+def test_derive_of_what_cannot_be_derived(arguments, words, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["derive", *arguments]) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    for word in words:
+        assert word in said.err
+
+
+# --- generate
+
+
+@pytest.fixture
+def generated(tmp_path, monkeypatch):
+    """A folder generated/ of two structures, up to date."""
+    from rockeom.codegen import write
+
+    some = {name: write.SHIPPED[name] for name in ("rigid_block", "slender_block")}
+    monkeypatch.setattr(write, "SHIPPED", some)
+    folder = tmp_path / "generated"
+    monkeypatch.setattr(write, "GENERATED", folder)
+    write_generated(folder)
+    return folder
+
+
+def test_hand_edit_fails_the_check_with_the_difference_and_generate_mends_it(generated, capsys):
+    assert main(["generate", "--check"]) == 0
+    edited = generated / "rigid_block.py"
+    text = edited.read_text(encoding="utf-8")
+    edited.write_text(text.replace("N_STATES = 2\n", "N_STATES = 3\n"), encoding="utf-8")
+    capsys.readouterr()
+
+    assert main(["generate", "--check"]) == 1
+    said = capsys.readouterr()
+    assert "-N_STATES = 3\n+N_STATES = 2\n" in said.out
+    assert "generated/rigid_block.py" in said.out
+    assert "make generated" in said.err
+    assert "N_STATES = 3" in edited.read_text(encoding="utf-8")  # a check changes nothing
+
+    assert main(["generate"]) == 0
+    assert capsys.readouterr().out == "wrote generated/rigid_block.py\n"
+    assert edited.read_text(encoding="utf-8") == text
+    assert main(["generate"]) == 0
+    assert "up to date" in capsys.readouterr().out
+
+
+def test_generate_outside_a_checkout_writes_nothing(tmp_path, monkeypatch, capsys):
+    folder = tmp_path / "site-packages" / "generated"
+    monkeypatch.setattr("rockeom.codegen.write.GENERATED", folder)
+    assert main(["generate"]) == 2
+    assert "clone" in capsys.readouterr().err
+    assert not folder.exists()

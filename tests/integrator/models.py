@@ -1,0 +1,107 @@
+"""Small models whose events are known in closed form, declared as a user would."""
+
+import functools
+
+import sympy as sp
+
+import rockeom as rk
+from rockeom.symbolic.model import (
+    Body,
+    Phase,
+    RockingModel,
+    Transition,
+    coordinate,
+    parameter,
+)
+
+HEIGHT = coordinate("x", "x", "m", "height of the point")
+FLAGS = ("neither", "first", "second", "both_flags")
+CHAIN = ("one", "two", "three", "four", "five", "six")
+
+
+@functools.cache
+def clock() -> RockingModel:
+    """A point thrown upwards, x = x_0 + v t - g t^2/2: every event is a root of a polynomial.
+
+    Contact states only mark what has happened; the motion goes on through all of them.
+
+    - "outside"/"inside": the wave (x - a)(x - b)(x - c) has fallen through zero, and rises again;
+    - "neither", "first", "second", "both_flags": x has passed a, b, or both, in any order, the
+      passage of a declared first; "later neither" ...: that of b declared first;
+    - "one" to "six": five marks in a row, `spacing` apart from a on;
+    - "ping", "pong": each leads to the other at once, for ever.
+
+    `edge` makes the potential -m sqrt(1 - edge x): no motion exists beyond x = 1/edge.
+    """
+    x = HEIGHT.position
+    m, g, a, b, c, spacing, edge = parameters = [
+        parameter(symbol, name, unit, meaning)
+        for symbol, name, unit, meaning in (
+            ("m", "mass", "kg", "mass"),
+            ("g", "gravity", "m/s2", "acceleration of gravity"),
+            ("a", "a", "m", "first mark"),
+            ("b", "b", "m", "second mark"),
+            ("c", "c", "m", "third mark"),
+            ("d", "spacing", "m", "distance of the marks of the chain"),
+            ("w", "edge", "1/m", "inverse of the height at which the potential ends"),
+        )
+    ]
+    wave = (x - a.symbol) * (x - b.symbol) * (x - c.symbol)
+    passes = {"first": a.symbol - x, "second": b.symbol - x}
+
+    def flags(prefix: str, order: tuple[str, str]) -> list[Transition]:
+        other = {"first": "second", "second": "first"}
+        return [
+            *(Transition(f"{prefix}neither", prefix + f, "switch", passes[f]) for f in order),
+            *(
+                Transition(prefix + f, f"{prefix}both_flags", "switch", passes[other[f]])
+                for f in order
+            ),
+        ]
+
+    transitions = [
+        Transition("outside", "inside", "switch", wave),
+        Transition("inside", "outside", "switch", -wave),
+        *flags("", ("first", "second")),
+        *flags("later_", ("second", "first")),
+        *(
+            Transition(before, after, "switch", a.symbol + n * spacing.symbol - x)
+            for n, (before, after) in enumerate(zip(CHAIN, CHAIN[1:], strict=False))
+        ),
+        Transition("ping", "pong", "switch", -1 - x**2),
+        Transition("pong", "ping", "switch", -1 - x**2),
+    ]
+    contacts = ["left", "right", *dict.fromkeys(n for t in transitions for n in (t.source, t.target))]
+    phases = (
+        Phase(
+            {contact: 0},
+            (HEIGHT,),
+            (Body("point", m.symbol, (sp.Integer(0), x)),),
+            g.symbol,
+            load_point=(sp.Integer(0), x),
+            elastic_energy=-m.symbol * sp.sqrt(1 - edge.symbol * x),
+        )
+        for contact in contacts
+    )
+    return RockingModel(
+        name="clock",
+        title="A thrown point that passes marks",
+        parameters=tuple(parameters),
+        coordinates=(HEIGHT,),
+        phases=tuple(phases),
+        transitions=tuple(transitions),
+        rotation=HEIGHT,
+        overturning=sp.Integer(10) ** 9,
+    )
+
+
+def thrown(phase, *, speed=1.0, start=0.0, duration=1000.0, options=None, **parameters):
+    """Response of the clock; with gravity zero x = start + speed t."""
+    defaults = {"mass": 1.0, "gravity": 0.0, "a": 0.0, "b": 0.0, "c": 0.0, "spacing": 0.0, "edge": 0.0}
+    return rk.simulate(
+        rk.structure(clock(), **(defaults | parameters)),
+        rk.GroundMotion.none(duration),
+        initial={"x": start, "x_dot": speed},
+        phase=phase,
+        options=options,
+    )

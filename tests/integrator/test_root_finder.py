@@ -1,0 +1,207 @@
+"""The first fall of a polynomial of degree 7 through zero, against exact rational arithmetic."""
+
+import itertools
+from fractions import Fraction
+from math import comb
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import assume, example, given, settings, strategies as st
+
+import rockeom as rk
+from rockeom.numeric.specialise import program
+from rockeom.numeric.tableau import NODES, powers_to_bernstein, samples_to_bernstein
+
+LOOP = program(rk.RigidBlock(half_width=0.25, half_height=1.0).module, "DOP853")
+NEVER = 2.0
+X = sp.Symbol("x")
+
+
+def first_fall(b, touching=False, noise=0.0):
+    return LOOP.first_fall(np.array(b, dtype=float), touching, noise, np.empty((64, 10)))
+
+
+def value(b, x):
+    """The polynomial at x, without rounding."""
+    x = Fraction(x)
+    return sum(comb(7, i) * Fraction(c) * x**i * (1 - x) ** (7 - i) for i, c in enumerate(b))
+
+
+def bernstein(powers):
+    """Bernstein coefficients (8,) of the polynomial with the given coefficients of 1, x, x^2 ..."""
+    powers = [*powers, *[0] * (8 - len(powers))]
+    return [
+        float(sum(Fraction(comb(i, j), comb(7, j)) * powers[j] for j in range(i + 1)))
+        for i in range(8)
+    ]
+
+
+def product(factors):
+    """Coefficients of 1, x, x^2 ... of a product of polynomials."""
+    powers = [Fraction(1)]
+    for factor in factors:
+        longer = [Fraction(0)] * (len(powers) + len(factor) - 1)
+        for (i, a), (j, c) in itertools.product(enumerate(powers), enumerate(factor)):
+            longer[i + j] += a * c
+        powers = longer
+    return powers
+
+
+def turns(b):
+    """[0, every sign change in (0, 1), 1], isolated exactly by SymPy and narrowed to 1e-15."""
+    power = sp.expand(
+        sum(
+            sp.binomial(7, i) * sp.Rational(*Fraction(c).as_integer_ratio()) * X**i * (1 - X) ** (7 - i)
+            for i, c in enumerate(b)
+        )
+    )
+    poly = sp.Poly(power, X)
+    if poly.is_zero or poly.degree() == 0:
+        return [0.0, 1.0]
+    found = poly.intervals(inf=0, sup=1, eps=sp.Rational(1, 10**15))
+    return [0.0, *(float((low + high) / 2) for (low, high), many in found if many % 2), 1.0]
+
+
+def check_first_fall(b, touching=False):
+    """The root found is the first fall; excursions lost in rounding may count or not."""
+    size = max(abs(c) for c in b)
+    least = 1e-11 * size
+    ends = turns(b)
+    pieces = [
+        max((value(b, low + (high - low) * k / 8) for k in range(1, 8)), key=abs)
+        for low, high in itertools.pairwise(ends)
+    ]
+    assume(all(abs(v) > least for v in pieces))
+    expected = next(
+        (ends[n] for n in range(1, len(pieces)) if pieces[n - 1] > 0 > pieces[n]), NEVER
+    )
+    found = first_fall(b, touching)
+    if expected == NEVER:
+        # what ends at zero may fall there or not
+        assert found == NEVER or (found == 1.0 and abs(b[7]) <= least)
+    else:
+        assert 0.0 < found <= 1.0
+        assert found == pytest.approx(expected, abs=1e-6)
+        # what is left of the guard there is rounding
+        assert abs(value(b, found)) <= 64 * np.finfo(float).eps * size
+
+
+coefficients = st.one_of(st.integers(-5, 5), st.floats(-1, 1, allow_subnormal=False).filter(
+    lambda v: v == 0 or abs(v) > 1e-6
+))
+
+
+@settings(max_examples=300, deadline=None)
+@given(start=st.floats(1e-3, 1), rest=st.lists(coefficients, min_size=7, max_size=7))
+@example(start=1, rest=[0] * 6 + [-1])
+@example(start=1, rest=[-1, 1, -1, 1, -1, 1, -1])
+def test_any_polynomial_that_begins_positive(start, rest):
+    check_first_fall([start, *rest])
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    first=st.fractions(Fraction(1, 50), Fraction(24, 25), max_denominator=10**6),
+    log_width=st.floats(-4, -1.5),
+    third=st.fractions(-3, 3, max_denominator=1000),
+    height=st.fractions(0, 2, max_denominator=1000),
+)
+def test_close_pair_is_not_stepped_over(first, log_width, third, height):
+    """It falls at `first` and is positive again 1e-4 to 0.03 later; and then two more factors."""
+    second = first + Fraction(10**log_width)
+    factors = [
+        [-first, 1], [-second, 1], [Fraction(1, 100) + height, -1, 1], [Fraction(1, 2) - third, 1]
+    ]  # fmt: skip
+    powers = product(factors)
+    sign = 1 if powers[0] > 0 else -1
+    check_first_fall(bernstein([sign * c for c in powers]))
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.lists(st.fractions(Fraction(1, 20), Fraction(19, 20), max_denominator=200),
+                min_size=7, max_size=7, unique=True))
+def test_seven_roots_in_a_step(roots):
+    check_first_fall(bernstein(product([[r, -1] for r in roots])))
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    residual=st.floats(-1e-16, 1e-16),
+    rest=st.lists(coefficients, min_size=6, max_size=6),
+)
+def test_guard_that_is_closed_at_the_start_opens_and_falls_later(residual, rest):
+    """What is left at the last event is no event; b[1] > 0: it opens."""
+    check_first_fall([0.0, 1.0, *rest], touching=True)
+    clean = first_fall([0.0, 1.0, *rest], touching=True)
+    assert first_fall([residual, 1.0, *rest], touching=True) == clean
+
+
+def test_guard_that_is_closed_and_does_not_open_falls_at_once():
+    assert first_fall([0, -1, -1, -1, -1, -1, -1, -1], touching=True) == 0.0
+    assert first_fall([0, -1, 3, 3, 3, 3, 3, 3], touching=True) == 0.0
+    assert first_fall([0, 0, 0, 0, 0, 0, 0, -1], touching=True) == 0.0
+
+
+def test_guard_that_begins_below_zero_has_fallen_or_rises_first():
+    assert first_fall([-1.0] * 8) == 0.0
+    # rises at 0.6 and falls at 0.8: below zero up to 0.6 is no fall
+    b = bernstein(product([[Fraction(-3, 5), 1], [Fraction(4, 5), -1]]))
+    assert b[0] < 0
+    assert first_fall(b) == pytest.approx(0.8, abs=1e-14)
+    assert first_fall(bernstein([-1, 2])) == NEVER
+
+
+@pytest.mark.parametrize("place", [Fraction(1, 2), Fraction(1, 4), Fraction(1, 3), Fraction(7, 10)])
+@pytest.mark.parametrize("power", [2, 4, 6])
+def test_tangent_from_above_is_no_fall(place, power):
+    assert first_fall(bernstein(product([[place, -1]] * power))) == NEVER
+
+
+@pytest.mark.parametrize("power", [3, 5, 7])
+def test_flat_fall(power):
+    """A root of odd multiplicity: found where rounding allows, the more loosely the flatter."""
+    b = bernstein(product([[Fraction(3, 10), -1]] * power))
+    assert first_fall(b) == pytest.approx(0.3, abs=(64 * np.finfo(float).eps) ** (1 / power))
+
+
+def test_fall_at_the_very_end_and_at_a_cut_of_the_interval():
+    assert first_fall(bernstein([1, -1])) in (1.0, NEVER)  # nothing is below zero yet
+    assert first_fall(bernstein(product([[Fraction(1), -1], [2, -1]]))) in (1.0, NEVER)
+    for place in (Fraction(1, 2), Fraction(1, 4), Fraction(3, 8)):
+        assert first_fall(bernstein([place, -1])) == float(place)
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-30, 1e30, 1e300])
+def test_size_of_a_guard_does_not_matter(scale):
+    b = np.array(bernstein(product([[Fraction(1, 3), -1], [Fraction(2, 3), -1], [2, 1]])))
+    assert first_fall(scale * b) == pytest.approx(1 / 3, abs=1e-14)
+
+
+def test_polynomial_of_zeros_never_falls():
+    assert first_fall([0.0] * 8) == NEVER
+    assert first_fall([0.0] * 8, touching=True) == NEVER
+
+
+def test_single_fall_is_found_to_the_last_bits():
+    """`fall` alone: steep at one end and flat at the other, where false position is slow."""
+    for b in ([1, 1, 1, 1, 1, 1, 1, -1e-9], [1e-9, -1, -1, -1, -1, -1, -1, -1], [1] + [-1] * 7):
+        x = LOOP.fall(np.array(b, dtype=float), np.empty(10))
+        step = 4 * np.finfo(float).eps
+        assert value(b, x + step) <= 0 <= value(b, max(x - step, 0.0))
+
+
+@settings(max_examples=100, deadline=None)
+@given(b=st.lists(st.floats(-1, 1), min_size=8, max_size=8), x=st.floats(0, 1))
+def test_value_by_de_casteljau(b, x):
+    found = LOOP.bernstein_at(np.array(b), x, np.empty(8))
+    assert found == pytest.approx(float(value(b, x)), abs=1e-15 * max(1e-300, *map(abs, b)) * 8)
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.lists(st.integers(-9, 9), min_size=8, max_size=8))
+def test_samples_and_powers_give_the_same_bernstein_form(powers):
+    expected = bernstein(powers)
+    np.testing.assert_allclose(powers_to_bernstein() @ powers, expected, atol=1e-13)
+    sampled = samples_to_bernstein() @ np.polynomial.Polynomial(powers)(NODES)
+    np.testing.assert_allclose(sampled, expected, atol=1e-11)

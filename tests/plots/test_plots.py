@@ -1,0 +1,287 @@
+"""Figures: what they show is what the response says, and nothing hides anything."""
+
+import subprocess
+import sys
+import warnings
+from itertools import pairwise
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import rockeom as rk
+from rockeom.plots import draw_structure, plot_comparison, plot_phase_portrait, plot_response
+from rockeom.plots.style import contact_spans
+
+COLUMN = {
+    "mass": 122.6,
+    "height": 1.05,
+    "inertia": 44.8,
+    "base_mass": 45.6,
+    "base_height": 0.10,
+    "base_inertia": 1.37,
+    "half_width": 0.285,
+}
+BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
+FLEXIBLE = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
+SPRINGS = rk.TwoSpringStructure(**COLUMN, foundation_stiffness=550e3, foundation_damping=1e3)
+PULSE = rk.GroundMotion.single_sine(2.8, 0.5, 3.0)
+STRONG = rk.GroundMotion.single_sine(6.0, 0.3, 1.5)
+
+RUNS = {
+    "rigid block": lambda: rk.simulate(BLOCK, PULSE),
+    "rigid block, both directions": lambda: rk.simulate(
+        BLOCK, PULSE, vertical=PULSE.scaled(acceleration=0.5)
+    ),
+    "free rocking": lambda: rk.simulate(BLOCK, rk.GroundMotion.none(12.0), initial={"theta": 0.1}),
+    "at rest": lambda: rk.simulate(BLOCK, PULSE.scaled(acceleration=0.1)),
+    "overturned": lambda: rk.simulate(BLOCK, PULSE.scaled(acceleration=2.0)),
+    "flexible": lambda: rk.simulate(FLEXIBLE, STRONG),
+    "on springs": lambda: rk.simulate(SPRINGS, STRONG),
+    "cart": lambda: rk.simulate(rk.TwoSpringCart(**COLUMN, foundation_stiffness=550e3), STRONG),
+    "without dimensions": lambda: rk.simulate(
+        rk.NondimensionalBlock(alpha=0.2), rk.GroundMotion.single_sine(0.4, 3.0)
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def run_of():
+    """The runs by name, each simulated at its first use."""
+    done: dict[str, rk.Response] = {}
+
+    def run(name: str) -> rk.Response:
+        if name not in done:
+            done[name] = RUNS[name]()
+        return done[name]
+
+    return run
+
+
+def drawn(figure: Figure) -> Figure:
+    """Drawn once, as for a file; a layout that does not fit is an error."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        figure.draw_without_rendering()
+    return figure
+
+
+def row(figure: Figure, label: str):
+    (ax,) = (ax for ax in figure.axes if ax.get_ylabel().startswith(label))
+    return ax
+
+
+def values(line) -> np.ndarray:
+    return np.asarray(line.get_ydata())
+
+
+# --- what is shown
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_figure_draws_and_names_structure_motion_and_outcome(name, run_of):
+    run = run_of(name)
+    figure = drawn(plot_response(run))
+    title = " ".join(figure.get_suptitle().split())
+    assert run.motion.name in title
+    assert run.outcome.sentence in title
+    assert run.program.NAME.split("_")[0] in title.lower()
+    for ax in figure.axes:
+        label = ax.get_ylabel()
+        assert ("[" in label and "]" in label) or label == "contact"
+
+
+def test_rows_hold_the_response_in_the_units_of_their_labels(run_of):
+    run = run_of("flexible")
+    figure = plot_response(run)
+    ground = row(figure, "ground")
+    assert "[g]" in ground.get_ylabel()
+    np.testing.assert_allclose(values(ground.lines[0]), run["ground_acceleration"] / 9.81)
+    rotation = row(figure, "rotation")
+    assert "[rad]" in rotation.get_ylabel()
+    np.testing.assert_array_equal(values(rotation.lines[0]), run["theta"])
+    lengths = row(figure, "displacement")
+    assert "[mm]" in lengths.get_ylabel()
+    np.testing.assert_allclose(values(lengths.lines[0]), 1e3 * run["displacement"])
+    np.testing.assert_allclose(values(lengths.lines[1]), 1e3 * run["u"])
+    feet = row(figure, "uplift")
+    assert "[mm]" in feet.get_ylabel()
+    for line, foot in zip(feet.lines, ("left", "right"), strict=True):
+        assert foot in line.get_label()
+        np.testing.assert_allclose(values(line), 1e3 * run[f"{foot}_uplift"])
+
+
+def test_legend_tells_the_largest_value(run_of):
+    run = run_of("flexible")
+    label = row(plot_response(run), "displacement").lines[0].get_label()
+    assert f"{1e3 * np.abs(run['displacement']).max():.3g} mm" in label
+
+
+def test_every_impact_stands_at_its_instant_as_high_as_its_speed(run_of):
+    run = run_of("free rocking")
+    (bars,) = row(plot_response(run), "impact").collections
+    ends = np.array([segment[1] for segment in bars.get_segments()])
+    assert len(ends) == len(run.impacts)
+    np.testing.assert_array_equal(ends[:, 0], [impact.time for impact in run.impacts])
+    speeds = [abs(impact.before["theta_dot"]) for impact in run.impacts]
+    np.testing.assert_allclose(ends[:, 1], speeds)
+
+
+def test_rotation_over_alpha_has_an_axis_of_its_own(run_of):
+    figure = drawn(plot_response(run_of("rigid block")))
+    (right,) = row(figure, "rotation").child_axes
+    left_limits = np.array(row(figure, "rotation").get_ylim())
+    np.testing.assert_allclose(right.get_ylim(), left_limits / BLOCK.alpha)
+    assert r"\alpha" in right.get_ylabel()
+
+
+def test_vertical_acceleration_is_drawn_and_told_apart(run_of):
+    ground = row(plot_response(run_of("rigid block, both directions")), "ground")
+    assert [line.get_label() for line in ground.lines] == ["horizontal", "vertical"]
+    np.testing.assert_allclose(np.abs(values(ground.lines[1])).max(), 1.4 / 9.81, rtol=1e-4)
+
+
+def test_free_rocking_wastes_no_row_on_a_ground_that_stands_still(run_of):
+    labels = [ax.get_ylabel() for ax in plot_response(run_of("free rocking")).axes]
+    assert not any(label.startswith("ground") for label in labels)
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_contact_phases_follow_one_another_without_gap(name, run_of):
+    run = run_of(name)
+    spans, names = contact_spans(run)
+    assert spans[0, 0] == run.t[0]
+    assert spans[-1, 1] == run.t[-1]
+    np.testing.assert_array_equal(spans[1:, 0], spans[:-1, 1])
+    assert all(a != b for a, b in pairwise(names))
+    # each sample well inside a span has the phase of that span
+    for (start, end), name_of_span in zip(spans, names, strict=True):
+        inside = (run.t > start) & (run.t < end)
+        assert {phase.split("_")[0] for phase in run.phase[inside]} <= {name_of_span}
+
+
+def test_part_of_the_time_axis_on_request(run_of):
+    figure = drawn(plot_response(run_of("flexible"), start=0.1, end=0.4))
+    assert figure.axes[-1].get_xlim() == (0.1, 0.4)
+
+
+# --- nothing hides anything
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_no_legend_covers_a_curve(name, run_of):
+    figure = drawn(plot_response(run_of(name)))
+    for ax in figure.axes:
+        legend = ax.get_legend()
+        if legend is not None:
+            assert legend.get_window_extent().y0 >= ax.get_window_extent().y1 - 2.0
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_everything_stands_inside_the_figure(name, run_of):
+    figure = drawn(plot_response(run_of(name)))
+    page = figure.bbox
+    for ax in figure.axes:
+        box = ax.get_tightbbox()
+        assert box.x0 >= page.x0 - 1
+        assert box.x1 <= page.x1 + 1
+        assert box.y0 >= page.y0 - 1
+        assert box.y1 <= page.y1 + 1
+
+
+# --- how it fits into a program
+
+
+def test_no_window_no_list_of_figures_and_no_change_of_settings(run_of):
+    before = dict(mpl.rcParams)
+    plot_response(run_of("rigid block"))
+    plot_phase_portrait(run_of("rigid block"))
+    draw_structure(BLOCK)
+    assert dict(mpl.rcParams) == before
+    code = "import rockeom.plots, sys; print('matplotlib.pyplot' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "False"
+
+
+def test_response_plots_itself_and_a_notebook_shows_it(run_of):
+    figure = run_of("rigid block").plot()
+    assert figure._repr_png_().startswith(b"\x89PNG")
+
+
+def test_figure_of_the_caller_is_drawn_in(run_of):
+    mine = Figure(figsize=(12, 6), layout="constrained")
+    left, right = mine.subfigures(1, 2)
+    assert plot_response(run_of("rigid block"), figure=left) is left
+    ax = right.add_subplot()
+    assert plot_phase_portrait(run_of("rigid block"), ax=ax) is mine
+    drawn(mine)
+    assert len(left.axes) > 3
+    assert ax.lines
+
+
+# --- comparison
+
+
+def test_comparison_shows_each_run_and_its_label(run_of):
+    runs = [run_of("flexible"), rk.simulate(FLEXIBLE, STRONG, impact=rk.Impulsive())]
+    figure = drawn(plot_comparison(runs, ["one", "two"]))
+    shown = row(figure, "displacement")
+    for line, run in zip(shown.lines, runs, strict=True):
+        np.testing.assert_allclose(values(line), 1e3 * run["displacement"])
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["one", "two"]
+    assert len(row(figure, "ground").lines) == 2  # one above the other
+    lanes = [c for c in row(figure, "impacts").collections if hasattr(c, "get_segments")]
+    counts = [len(c.get_segments()) for c in lanes if len(c.get_linewidths())]
+    assert set(counts) >= {len(run.impacts) for run in runs}
+
+
+def test_comparison_of_structures_with_and_without_feet(run_of):
+    drawn(plot_comparison([run_of("on springs"), run_of("cart")]))
+
+
+@pytest.mark.parametrize(
+    ("names", "labels", "message"),
+    [
+        ([], None, "0 runs"),
+        (["flexible"], ["one", "two"], "1 runs and 2 labels"),
+        (["flexible", "without dimensions"], None, "no common axes"),
+    ],
+)
+def test_comparison_of_what_cannot_be_compared(names, labels, message, run_of):
+    with pytest.raises(ValueError, match=message):
+        plot_comparison([run_of(name) for name in names], labels)
+
+
+# --- portrait and sketch
+
+
+def test_portrait_has_a_gap_at_each_impact(run_of):
+    run = run_of("rigid block")
+    (ax,) = plot_phase_portrait(run).axes
+    curves = [
+        line for line in ax.lines if line.get_linestyle() == "-" and len(line.get_xdata()) > 1
+    ]
+    jumps = [line for line in ax.lines if line.get_linestyle() == ":"]
+    assert len(jumps) == len(run.impacts)
+    assert sum(len(line.get_xdata()) for line in curves) <= len(run.t)
+    for line, impact in zip(jumps, run.impacts, strict=True):
+        rates = [impact.before["theta_dot"], impact.after["theta_dot"]]
+        np.testing.assert_array_equal(values(line), rates)
+
+
+@pytest.mark.parametrize("structure", [BLOCK, FLEXIBLE, rk.SlenderBlock(radius=1.0, alpha=0.2)])
+@pytest.mark.parametrize("rotation", [0.2, -0.2])
+def test_sketch_stands_on_one_foot_and_lifts_the_other(structure, rotation):
+    (ax,) = draw_structure(structure, rotation=rotation).axes
+    feet = [line for line in ax.lines if line.get_color() == "0.25" and len(line.get_xdata()) == 1]
+    heights = sorted(float(line.get_ydata()[0]) for line in feet)
+    values = structure.parameters()
+    half_width = values.get("half_width") or values["radius"] * np.sin(values["alpha"])
+    assert heights[0] == pytest.approx(0.0, abs=1e-12)
+    assert heights[1] == pytest.approx(2 * half_width * np.sin(0.2))
+
+
+def test_sketch_of_an_unknown_shape():
+    with pytest.raises(ValueError, match="no half_width and height to draw"):
+        draw_structure(rk.NondimensionalBlock(alpha=0.2))
