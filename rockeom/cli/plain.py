@@ -34,7 +34,8 @@ def to_text(blocks: list[Block], width: int) -> str:
 
 def mathematics(tex: str) -> str:
     """The mathematics of a page, LaTeX of few commands, in one line of plain text."""
-    return " ".join(_Reader(tex).until_end().split())
+    text = " ".join(_Reader(tex).until_end().split())
+    return unicodedata.normalize("NFC", text)  # ü in one letter where there is one
 
 
 def _prose(text: str, quote: str = "'") -> str:

@@ -29,6 +29,11 @@ Simulate a shipped structure under a ground motion and say in words what happene
 write the response, a picture and a summary for other programs. All numbers are in SI units
 (kg, m, s, N, rad, m/s2); `rockeom models NAME` explains the parameters of a structure.
 """
+_USAGE = """\
+rockeom simulate NAME --set PARAMETER=VALUE ... [--initial STATE=VALUE ...] [--impact LAW]
+         (--motion FILE | --pulse KIND NUMBER=VALUE ... | --record WORD ... | --free)
+         [--duration S] [--out DIR] [more options, see --help]
+"""
 EPILOG = """\
 pulses (accelerations in m/s2, times in s; what stands in brackets may be left out):
   constant             acceleration= duration= [total_duration=]
@@ -49,7 +54,7 @@ impact laws:
 examples:
   rockeom simulate rigid_block --free --duration 10 --set half_width=0.095 half_height=0.45 \\
       --initial theta=0.1 --impact energy-ratio=0.88
-  rockeom simulate rigid_block --pulse single-sine amplitude=4 period=0.5 \\
+  rockeom simulate rigid_block --pulse single-sine amplitude=2.8 period=0.5 \\
       --set half_width=0.095 half_height=0.45 --out block
   rockeom simulate lumped_mass_structure --motion record.AT2 --peak 7.85 --time-scale 0.2 \\
       --set mass=122.6 height=1.05 inertia=44.8 base_mass=45.6 base_height=0.1 \\
@@ -77,6 +82,7 @@ PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.usage = _USAGE
     parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
     parser.add_argument(
         "--set",

@@ -94,8 +94,9 @@ def first_fall(b, touching, noise, stack):
                     changes += 1
                 sign = new
         if changes == 0:
-            if first < 0 and (start > 0.0 or touching or depth == 0):
-                return start  # below zero from here on: it fell where this part begins
+            fell = -noise <= part[0] if start > 0.0 else touching or depth == 0
+            if first < 0 and fell:
+                return start  # below zero from here on, and not before
             depth -= 1
         elif changes == 1 or width < 1e-13:
             if first > 0:
@@ -244,7 +245,8 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
         w[i] = y[i]
     total = 0.0
     start = abs(y[ROTATION_RATE])
-    while True:
+    loss = 1.0
+    for turn in range(1000):
         rates(contact, w, p, ax, ay, out)
         a = -SIDES[contact] * out[ROTATION_RATE]
         if not a > 0.0:
@@ -257,15 +259,18 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
         for i in range(N_STATES):
             w[i] += flight * out[i]
         w[ROTATION] = 0.0
-        if v <= EPS * start:
+        if v <= EPS * start or turn == 999:
+            total += flight * (1.0 - loss) / loss  # what a constant loss leaves of the series
             w[ROTATION_RATE] = 0.0
         contact = jump(contact, 0, law, ratio, w, p, out)
         if SIDES[contact] == 0.0:
             return total, contact
-        if not abs(out[ROTATION_RATE]) < v:
-            return np.inf, contact  # nothing is lost: there is no end
+        loss = 1.0 - abs(out[ROTATION_RATE]) / v
+        if not loss > 0.0 or flight > loss * tolerance / math.sqrt(a):
+            return np.inf, contact  # so little is lost that the end is far, or never comes
         for i in range(N_STATES):
             w[i] = out[i]
+    return np.inf, contact
 
 
 # -- the loop ------------------------------------------------------------------------------------
@@ -375,9 +380,10 @@ def integrate(
 ):
     """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
 
-    status : contact, guard closed at t (or -1), impacts, steps taken, steps recorded, events
-        recorded. clock : t, next step (0: unknown). y (N,): the state. All three are
-        changed in place, so that a call goes on where the last one ended.
+    status : contact, guard closed at t (or -1), impacts, steps taken, passages since time last
+        moved, whether a guard may be due at t (1, or 0), steps recorded, events recorded.
+    clock : t, next step (0: unknown), error of the last step. y (N,): the state. All three are
+        changed in place, so that a call goes on where the last one ended, to the last bit.
     horizontal, vertical (m, 7) : the ground's motion, each row start, end, kind and constants of
         a law; no step straddles an end, and behind the last one the ground stands still.
     fixed : 0 to control the error, or the number of equal steps in each law of the ground.
@@ -385,8 +391,8 @@ def integrate(
     each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
     and after, event_states (m, 2, N) state before and after.
     """
-    contact, touching, impacts, taken, n_steps, n_events = status
-    t, h_next = clock
+    contact, touching, impacts, taken, idle, news, n_steps, n_events = status
+    t, h_next, last_error = clock
     k = np.zeros((N_ALL_STAGES, N_STATES))
     w = np.empty(N_STATES)
     y_new = np.empty(N_STATES)
@@ -403,9 +409,7 @@ def integrate(
     ny, gy = row_at(vertical, 0, t, quiet)
     keep = steps.shape[0] > 0
     outcome = COMPLETED
-    fresh = True  # the rate at t, and whether a guard is due there, are not known
-    idle = 0  # passages since time last moved
-    last_error = 1.0
+    fresh = True  # the rate at t is not known
 
     while t < t_end:
         if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
@@ -415,14 +419,17 @@ def integrate(
             nx, gx = row_at(horizontal, nx, t, quiet)
             ny, gy = row_at(vertical, ny, t, quiet)
             fresh = True
+            news = 1
         last = min(gx[1], gy[1], t_end)
 
         landed = -1  # the guard that ends this contact state now
         if fresh:
-            landed = settle(contact, t, h_next, y, p, gx, gy, touching, g, w, k[0])
+            if news == 1:
+                landed = settle(contact, t, h_next, y, p, gx, gy, touching, g, w, k[0])
             if landed < 0:
                 rates(contact, y, p, ground(gx, t), ground(gy, t), k[0])
                 fresh = False
+                news = 0
                 if h_next == 0.0:
                     h_next = first_step(y, k[0], rtol, atol)
 
@@ -549,6 +556,7 @@ def integrate(
         for i in range(N_STATES):
             y[i] = after[i]
         fresh = True
+        news = 1
         touching = CLOSED[before][landed] if kind != IMPACT or SIDES[contact] != 0.0 else -1
         if kind == UPLIFT:
             h_next = 0.0  # the gap opens slowly: its first moments want a short step
@@ -589,8 +597,8 @@ def integrate(
             touching = -1
             h_next = 0.0
 
-    status[:] = np.array([contact, touching, impacts, taken, n_steps, n_events])
-    clock[:] = np.array([t, h_next])
+    status[:] = np.array([contact, touching, impacts, taken, idle, news, n_steps, n_events])
+    clock[:] = np.array([t, h_next, last_error])
     return outcome
 
 
@@ -692,12 +700,12 @@ def falls(
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     peaks = np.zeros((2, N_STATES))
-    status = np.array([contact, -1, 0, 0, 0, 0])
-    clock = np.zeros(2)
+    status = np.array([contact, -1, 0, 0, 0, 1, 0, 0])
+    clock = np.array([0.0, 0.0, 1.0])
     state = y.copy()
     for n in range(1000):
         lean = abs(state[ROTATION])
-        status[4] = status[5] = 0
+        status[6] = status[7] = 0
         code = integrate(
             status, clock, state, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
             np.inf, np.int64(0), fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
@@ -725,25 +733,26 @@ def integrate_many(
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
-    status = np.empty(6, np.int64)
-    clock = np.empty(2)
+    status = np.empty(8, np.int64)
+    clock = np.empty(3)
     for n in range(len(contacts)):
         y = states[n]
         status[:] = 0
-        status[0], status[1] = contacts[n], -1
+        status[0], status[1], status[5] = contacts[n], -1, 1
         clock[:] = 0.0
+        clock[2] = 1.0
         widen(peaks[n], y)
         noted = 0
         code = FULL
         while code == FULL:
-            status[5] = 0
+            status[7] = 0
             code = integrate(
                 status, clock, y, t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
                 vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
                 fixed, fallen[n], rest_tolerance, max_impacts, max_steps,
                 steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
             )  # fmt: skip
-            for e in range(status[5]):
+            for e in range(status[7]):
                 if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                     impact_times[n, noted] = events[e]
                     noted += 1

@@ -82,8 +82,8 @@ def run(
     """Run the compiled loop to its end, emptying its records whenever they are full."""
     n, q = len(problem.y0), problem
     atol = np.full(n, options.atol)
-    status = np.array([q.contact, -1, 0, 0, 0, 0])
-    clock = np.zeros(2)
+    status = np.array([q.contact, -1, 0, 0, 0, 1, 0, 0])
+    clock = np.array([0.0, 0.0, 1.0])
     y = q.y0.copy()
     peaks = np.array([y, y])
     size, events = (256 + len(q.horizontal) + len(q.vertical) if keep else 0), 256
@@ -92,14 +92,14 @@ def run(
     while code == _FULL:
         steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
         marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
-        status[4:] = 0
+        status[6:] = 0
         code = compiled.integrate(
             status, clock, y, q.end, q.horizontal, q.vertical, q.vector, q.law, q.ratio,
             options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
             options.rest_tolerance, options.max_impacts, options.max_steps,
             *steps, *marks, peaks,
         )  # fmt: skip
-        chunks.append((*(a[: status[4]] for a in steps), *(a[: status[5]] for a in marks)))
+        chunks.append((*(a[: status[6]] for a in steps), *(a[: status[7]] for a in marks)))
     span, contacts, powers, times, kinds, states = (
         np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks, strict=True)
     )

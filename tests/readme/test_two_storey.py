@@ -40,6 +40,9 @@ def frame(**changes) -> rk.Structure:
     return rk.structure(MODEL, **(values | changes))
 
 
+UNDAMPED = frame()
+
+
 def fixed_base_modes() -> tuple[np.ndarray, np.ndarray]:
     """Circular frequencies [rad/s] and shapes of the frame on a fixed base, from its matrices."""
     k = STIFFNESS * np.array([[2.0, -1.0], [-1.0, 1.0]])
@@ -140,7 +143,7 @@ def test_energy_is_constant_between_impacts_without_damping(law):
 )
 def test_impulsive_impact_conserves_the_momenta_and_makes_no_energy(side, u, rates, theta_dot):
     """Angular momentum about the new pivot, and the momentum of each floor along itself."""
-    structure = frame()
+    structure = UNDAMPED
     state = {
         "u1": u[0],
         "u2": u[1],
@@ -198,7 +201,7 @@ def test_record_brings_rocking_impacts_and_full_contact(shaken):
 def test_impacts_under_a_record_never_make_energy(shaken):
     for impact in shaken.impacts:
         before, after = (
-            shaken.structure.energies(state, phase=phase)["kinetic_energy"]
+            shaken.structure.energies(state | {"theta": 0.0}, phase=phase)["kinetic_energy"]
             for state, phase in (
                 (impact.before, impact.phase_before),
                 (impact.after, impact.phase_after),
