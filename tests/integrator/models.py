@@ -5,6 +5,7 @@ import functools
 import sympy as sp
 
 import rockeom as rk
+from rockeom.numeric.structures import DeclaredStructure
 from rockeom.symbolic.model import (
     Body,
     Phase,
@@ -95,11 +96,25 @@ def clock() -> RockingModel:
     )
 
 
+MARKS = ("a", "b", "c", "spacing", "edge")
+
+
+@functools.cache
+def _module():
+    """The generated module, derived once."""
+    return rk.structure(clock(), mass=1.0, gravity=0.0, **dict.fromkeys(MARKS, 0.0)).module
+
+
+def point(**parameters):
+    """A structure of the clock's kind; mass 1, and all else zero if not given."""
+    defaults = {"mass": 1.0, "gravity": 0.0} | dict.fromkeys(MARKS, 0.0)
+    return DeclaredStructure(_module(), defaults | parameters)
+
+
 def thrown(phase, *, speed=1.0, start=0.0, duration=1000.0, options=None, **parameters):
     """Response of the clock; with gravity zero x = start + speed t."""
-    defaults = {"mass": 1.0, "gravity": 0.0, "a": 0.0, "b": 0.0, "c": 0.0, "spacing": 0.0, "edge": 0.0}
     return rk.simulate(
-        rk.structure(clock(), **(defaults | parameters)),
+        point(**parameters),
         rk.GroundMotion.none(duration),
         initial={"x": start, "x_dot": speed},
         phase=phase,

@@ -2,7 +2,6 @@
 
 import itertools
 import math
-from collections import Counter
 from functools import cache
 
 import numpy as np
@@ -124,42 +123,54 @@ def test_dense_output_meets_both_ends_with_their_rates(name):
 
 # -- order in motion, through impacts
 
-BLOCK = rk.RigidBlock.from_frequency(p=2.0, alpha=0.3)
-MOTION = rk.GroundMotion.harmonic(0.8, period=0.9, phase=0.4, duration=4.0)
 PLACES = np.linspace(0.11, 3.97, 37)
 
 
 def shaken(name, **options):
     return rk.simulate(
-        BLOCK,
-        MOTION,
+        rk.RigidBlock.from_frequency(p=2.0, alpha=0.3),
+        rk.GroundMotion.harmonic(0.5, period=2.0, phase=0.4, duration=4.0),
         impact=rk.VelocityRatio(0.9),
         initial={"theta": 0.12},
         options=rk.SolverOptions(method=name, **options),
     )
 
 
+def observed(run):
+    """Times of the impacts, rates after them, and states at places anywhere in steps."""
+    return (
+        np.array([impact.time for impact in run.impacts]),
+        np.array([impact.after["theta_dot"] for impact in run.impacts]),
+        np.array([*run.at(PLACES).values()]),
+    )
+
+
 @METHODS
 def test_order_observed_through_impacts(name):
-    """Equal steps, without error control, of a shaken block: impact times, states between, end."""
-    best = shaken("DOP853", rtol=1e-14, atol=1e-16)
-    times = [impact.time for impact in best.impacts]
-    assert len(times) >= 4
-    assert best.outcome is rk.Outcome.COMPLETED
-    exact = best.at(PLACES)["theta"]
+    """Equal steps without error control, of which each impact cuts one."""
+    exact = observed(shaken("DOP853", rtol=1e-14, atol=1e-16))
+    assert len(exact[0]) == 4
+    counts = {"RK45": range(40, 160, 10), "DOP853": range(16, 40, 2)}[name]
+    errors = [
+        [
+            np.sqrt(np.mean((found - expected) ** 2))
+            for found, expected in zip(
+                observed(shaken(name, steps_per_law=n)), exact, strict=True
+            )
+        ]
+        for n in counts
+    ]
+    slopes = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
+    np.testing.assert_allclose(slopes, ORDER[name], atol=0.3)
 
-    counts = {"RK45": [60, 80, 110, 150, 200], "DOP853": [8, 11, 15, 20, 27]}[name]
+
+@METHODS
+def test_error_follows_the_tolerance(name):
+    """Not of an order, but in proportion: no tolerance is a dead letter."""
+    exact = observed(shaken("DOP853", rtol=1e-14, atol=1e-16))
     errors = []
-    for n in counts:
-        run = shaken(name, steps_per_law=n)
-        assert len(run.impacts) == len(times)
-        errors.append(
-            [
-                np.abs(np.subtract([impact.time for impact in run.impacts], times)).max(),
-                np.abs(run.at(PLACES)["theta"] - exact).max(),
-                abs(run.final["theta_dot"] - best.final["theta_dot"]),
-            ]
-        )
-    print(errors)
-    slopes = [-np.polyfit(np.log(counts), np.log(e), 1)[0] for e in np.transpose(errors)]
-    assert slopes == pytest.approx([ORDER[name]] * 3, abs=0.3)
+    for rtol in (1e-5, 1e-7, 1e-9, 1e-11):
+        run = observed(shaken(name, rtol=rtol, atol=rtol * 1e-2))
+        errors.append(np.abs(run[2] - exact[2]).max())
+    assert errors[-1] < 1e-9
+    assert all(later < earlier / 10 for earlier, later in itertools.pairwise(errors))
