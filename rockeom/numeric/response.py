@@ -237,31 +237,48 @@ class Response:
         return dict(zip(self.states, self.steps.powers[-1].sum(axis=0).tolist(), strict=True))
 
     @cached_property
+    def _support(self) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+        """Horizontal force and both vertical ones while they matter, or None without feet.
+
+        The last fall of a structure that overturned is left out, from its highest point on:
+        nothing could stop it then.
+        """
+        if "left_reaction" not in self._outputs:
+            return None
+        end = len(self.t)
+        if self.outcome is Outcome.OVERTURNED:
+            rising = np.diff(self["gravitational_energy"]) > 0
+            end = int(np.flatnonzero(rising)[-1]) + 2 if rising.any() else 1
+        names = ("horizontal_reaction", "left_reaction", "right_reaction")
+        horizontal, left, right = (self[name][:end] for name in names)
+        return horizontal, left, right
+
+    @cached_property
     def friction_demand(self) -> float:
         """Largest |horizontal|/vertical force that not sliding needed; nan without feet.
 
-        Impulses at impacts are not in it.
+        Impulses at impacts are not in it, nor is the last fall of a structure that overturned.
         """
-        if "left_reaction" not in self._outputs:
+        if self._support is None:
             return float("nan")
-        vertical = self["left_reaction"] + self["right_reaction"]
-        pressed = vertical > 0
+        horizontal, left, right = self._support
+        pressed = left + right > 0
         if not pressed.any():
             return float("nan")
-        return float(np.max(np.abs(self["horizontal_reaction"][pressed]) / vertical[pressed]))
+        return float(np.max(np.abs(horizontal[pressed]) / (left + right)[pressed]))
 
     @cached_property
     def lost_contact(self) -> bool:
         """Whether the ground would have had to pull a foot: the model's assumption failed then."""
-        if "left_reaction" not in self._outputs:
+        if self._support is None:
             return False
-        left, right = self["left_reaction"], self["right_reaction"]
+        _, left, right = self._support
         weight = max(float(np.max(np.abs(left + right))), 1e-300)
         return bool(min(left.min(), right.min()) < -1e-9 * weight)
 
     def assumptions(self) -> str:
         """How far the assumptions of no sliding and no lost contact held, in words."""
-        if "left_reaction" not in self._outputs:
+        if self._support is None:
             return "The model has no feet: it says nothing of sliding or contact."
         text = f"Not sliding needed a friction coefficient of at least {self.friction_demand:.3g}."
         if self.lost_contact:

@@ -93,8 +93,9 @@ class Structure:
                 raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.CONTACTS)}")
             number = m.CONTACTS.index(phase)
             side = m.SIDES[number]
+            turned = abs(rotation) > 1e-9  # an impact's state may be a rounding error off
             if self.rocks_on_rigid_ground and (
-                side * rotation < 0 or (side == 0 and (rotation != 0 or rate != 0))
+                (turned and side * rotation <= 0) or (side == 0 and rate != 0)
             ):
                 name = m.STATES[m.ROTATION]
                 raise ValueError(
@@ -466,6 +467,19 @@ class DeclaredStructure(Structure):
         return dict(self.values)
 
 
+_MODULES: dict[int, tuple[Any, ModuleType]] = {}
+
+
+def _module_of(model: Any) -> ModuleType:
+    """The generated module of a declared model, derived once a process."""
+    if id(model) not in _MODULES:
+        from rockeom.numeric.specialise import load_text
+
+        text = importlib.import_module("rockeom.codegen").module_text(model)
+        _MODULES[id(model)] = model, load_text(model.name, text)  # the model kept: its id is used
+    return _MODULES[id(model)][1]
+
+
 def structure(model, **parameters: float) -> Structure:
     """A structure of a model: the name of a shipped one, or a RockingModel that you declared.
 
@@ -481,10 +495,7 @@ def structure(model, **parameters: float) -> Structure:
                 f"no structure named {model!r}{hint}; shipped are {', '.join(SHIPPED)}"
             )
         return SHIPPED[model](**parameters)
-    from rockeom.numeric.specialise import load_text
-
-    text = importlib.import_module("rockeom.codegen").module_text(model)
-    module = load_text(model.name, text)
+    module = _module_of(model)
     names = set(module.PARAMETERS)
     if "gravity" in names:
         parameters.setdefault("gravity", STANDARD_GRAVITY)

@@ -79,7 +79,7 @@ def test_infinitely_many_impacts_end_in_rest_that_lasts():
     assert run.rest_time == pytest.approx(10.648687, abs=1e-6)
 
     expected = rest_time(FreeBlock(P, ALPHA), RELEASE, 0.81)
-    assert run.rest_time == pytest.approx(expected, rel=1e-8)
+    assert run.rest_time == pytest.approx(expected, rel=1e-10)
     assert run.outcome is rk.Outcome.CAME_TO_REST
 
     after = run.t > run.rest_time
@@ -96,7 +96,7 @@ def test_rest_time_of_other_restitutions(ratio):
     block = rk.RigidBlock.from_frequency(p=P, alpha=ALPHA)
     run = rk.simulate(block, QUIET, impact=rk.VelocityRatio(ratio), initial={"theta": RELEASE})
     expected = rest_time(FreeBlock(P, ALPHA), RELEASE, ratio**2)
-    assert run.rest_time == pytest.approx(expected, rel=1e-8)
+    assert run.rest_time == pytest.approx(expected, rel=1e-10)
 
 
 def test_rest_time_converges_with_its_tolerance():
