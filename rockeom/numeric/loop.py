@@ -67,13 +67,14 @@ def first_fall(b, touching, noise, stack):
     with one has one, other parts are halved. So no pair of roots is stepped over.
 
     touching : the guard was closed at x = 0 (an event was just there); that root is no other event.
-    noise : coefficients below it are rounding errors.
+    noise : beside x = 0 coefficients below it are rounding errors.
     stack (64, 10) : scratch, a row holds the coefficients of a part, its start and its width.
     """
     scale = size(b)
     if scale == 0.0:
         return NEVER
-    noise = max(8.0 * EPS * scale, noise)
+    opening = max(8.0 * EPS * scale, noise)
+    noise = 8.0 * EPS * scale
     for i in range(8):
         stack[0, i] = b[i]
     if touching:
@@ -85,8 +86,9 @@ def first_fall(b, touching, noise, stack):
         start, width = part[8], part[9]
         changes = 0
         first = sign = 0
+        negligible = opening if start == 0.0 else noise
         for i in range(8):
-            if abs(part[i]) > noise:
+            if abs(part[i]) > negligible:
                 new = 1 if part[i] > 0.0 else -1
                 if sign == 0:
                     first = new
@@ -435,8 +437,10 @@ def integrate(
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
-            if fixed > 0:
-                h_next = min(gx[1] - gx[0], gy[1] - gy[0]) / fixed
+            law = min(gx[1] - gx[0], gy[1] - gy[0])
+            controlled = fixed == 0 or law == np.inf
+            if not controlled:
+                h_next = law / fixed
             h = min(h_next, h_max, sampling_step(contact, gx), sampling_step(contact, gy))
             cut = t + 1.1 * h >= last
             if cut:
@@ -447,7 +451,7 @@ def integrate(
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, w, y_new)
-                if target < 0 and not error <= 1.0 and (fixed == 0 or not math.isfinite(error)):
+                if target < 0 and not error <= 1.0 and (controlled or not math.isfinite(error)):
                     # refused: too inaccurate, or not finite
                     cut = False
                     shrink = 0.9 * error**ERROR_EXPONENT if math.isfinite(error) else 0.1
@@ -771,6 +775,14 @@ def integrate_many(
         impacts[n] = status[2]
 
 
+@_compiled
+def row_for(table, n, t, quiet):
+    """As row_at, but the very end of a motion still belongs to its last law."""
+    if table.shape[0] > 0 and t == table[-1, 1]:
+        return table.shape[0] - 1, table[-1]
+    return row_at(table, n, t, quiet)
+
+
 @_entry
 def evaluate(contacts, t, states, horizontal, vertical, p, energy, force, motion):
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
@@ -778,8 +790,8 @@ def evaluate(contacts, t, states, horizontal, vertical, p, energy, force, motion
     quiet[1] = np.inf
     nx = ny = 0
     for n in range(t.shape[0]):
-        nx, gx = row_at(horizontal, nx, t[n], quiet)
-        ny, gy = row_at(vertical, ny, t[n], quiet)
+        nx, gx = row_for(horizontal, nx, t[n], quiet)
+        ny, gy = row_for(vertical, ny, t[n], quiet)
         ax, ay = ground(gx, t[n]), ground(gy, t[n])
         energies(contacts[n], states[n], p, energy[n])
         reactions(contacts[n], states[n], p, ax, ay, force[n])

@@ -181,7 +181,7 @@ def test_impact_at_the_start(sign):
         initial={"theta_dot": first.after["theta_dot"]},
         impact=rk.VelocityRatio(0.9),
     )
-    np.testing.assert_array_equal(run.final, direct.final)
+    assert run.final == pytest.approx(direct.final, abs=1e-11)
 
 
 @pytest.mark.parametrize("rate", [1e-12, 1e-9, 1e-6])
@@ -269,7 +269,7 @@ def test_pulse_shorter_than_any_step(length):
     # the weight slows it meanwhile
     weight = BLOCK.accelerations({}, phase="right")["theta"]
     expected = acceleration * length + weight * length
-    assert after["theta_dot"] == pytest.approx(expected, rel=1e-9)
+    assert after["theta_dot"] == pytest.approx(expected, rel=1e-8)
     assert run.outcome is rk.Outcome.CAME_TO_REST
 
 
@@ -382,7 +382,7 @@ def test_too_many_steps_are_a_stall_that_keeps_what_was_done():
     )
     assert run.outcome is rk.Outcome.STALLED
     assert 0.0 < run.t[-1] < 100.0
-    assert run.at(run.t[-1])["theta"] == run.final["theta"]
+    assert run.at(run.t[-1])["theta"] == pytest.approx(run.final["theta"], rel=1e-15)
     assert 0.0 < run.final["theta"] <= 0.1
 
 

@@ -1,0 +1,233 @@
+"""What no way of integrating may change: mirror, scale, cuts; and what an impact may not give."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import rockeom as rk
+
+S1 = {
+    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
+    "base_inertia": 1.37, "half_width": 0.285,
+}  # fmt: skip
+STRUCTURES = {
+    s.model: s
+    for s in (
+        rk.RigidBlock.from_frequency(p=2.14, alpha=0.25),
+        rk.SlenderBlock.from_frequency(p=2.14, alpha=0.25),
+        rk.NondimensionalBlock(alpha=0.3),
+        rk.LumpedMassStructure(**S1),
+        rk.FlexibleStructure(**S1, stiffness=571.8e3, damping=502.4),
+        rk.TwoSpringStructure(**S1, foundation_stiffness=550e3, foundation_damping=3e3),
+        rk.TwoSpringCart(**S1, foundation_stiffness=550e3),
+    )
+}
+ALL = pytest.mark.parametrize("structure", STRUCTURES.values(), ids=STRUCTURES)
+EVEN = {"heave", "heave_dot"}
+SIDES = {"left": "right", "right": "left", "both_left": "both_right", "both_right": "both_left"}
+
+
+def law(structure, e):
+    if structure.model == "two_spring_structure":
+        return None
+    return rk.Impulsive() if structure.model == "flexible_structure" else rk.VelocityRatio(e)
+
+
+def record(seed, structure, samples=60, dt=0.03):
+    """Smoothed noise, in the units of the structure."""
+    unit = 1.0 if structure.model == "nondimensional_block" else 9.81
+    a = np.convolve(np.random.default_rng(seed).normal(size=samples), np.ones(3) / 3, "same")
+    return rk.GroundMotion.from_array(0.5 * unit * a, dt)
+
+
+seeds = st.integers(0, 2**32 - 1)
+
+
+# -- mirror
+
+
+@ALL
+@settings(max_examples=15, deadline=None)
+@given(seed=seeds, tilt=st.floats(-0.05, 0.05), e=st.floats(0.0, 1.0), method=st.booleans())
+def test_mirror_image_to_the_last_bit(structure, seed, tilt, e, method):
+    """theta to -theta, a_g to -a_g, under vertical shaking that stays as it is."""
+    rotation = structure.states[0]
+    motion, vertical = record(seed, structure), record(seed + 1, structure).scaled(0.3)
+    run, image = (
+        rk.simulate(
+            structure,
+            horizontal,
+            vertical=vertical,
+            impact=law(structure, e),
+            initial={rotation: start},
+            options=rk.SolverOptions(method="DOP853"),
+        )
+        for horizontal, start in ((motion, tilt), (-motion, -tilt))
+    )
+    assert image.outcome is run.outcome
+    np.testing.assert_array_equal(image.t, run.t)
+    for name in run.states:
+        np.testing.assert_array_equal(image[name], run[name] if name in EVEN else -run[name])
+    assert [(e.time, e.kind, SIDES.get(e.phase_after, e.phase_after)) for e in image.events] == [
+        (e.time, e.kind, e.phase_after) for e in run.events
+    ]
+
+
+# -- scale
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    power=st.integers(-20, 20),
+    seed=seeds,
+    e=st.floats(0.3, 1.0),
+)
+def test_scaling_by_p_is_exact_for_powers_of_two(power, seed, e):
+    """p to p/2^n and all times by 2^n: the same numbers, to the accuracy of the tolerances."""
+    factor = 2.0**power
+    block, motion = STRUCTURES["rigid_block"], record(seed, STRUCTURES["rigid_block"])
+    other = rk.RigidBlock(
+        half_width=block.half_width * factor**2,
+        half_height=block.half_height * factor**2,
+        mass=block.mass,
+    )
+    a = rk.simulate(block, motion, impact=rk.VelocityRatio(e), initial={"theta": 0.05})
+    b = rk.simulate(
+        other, motion.scaled(time=factor), impact=rk.VelocityRatio(e), initial={"theta": 0.05}
+    )
+    assert b.outcome is a.outcome
+    times = [[event.time for event in run.events if event.time < 0.9 * run.t[-1]] for run in (a, b)]
+    n = min(len(times[0]), 12)
+    np.testing.assert_allclose(np.array(times[1][:n]) / factor, times[0][:n], rtol=1e-7)
+    end = times[0][n - 1] if n else a.t[-1]
+    t = np.linspace(0, min(end, 0.99 * a.t[-1]), 40)
+    np.testing.assert_allclose(b.at(factor * t)["theta"], a.at(t)["theta"], atol=1e-8)
+
+
+# -- energy at impacts
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    name=st.sampled_from([n for n in STRUCTURES if n != "two_spring_structure"]),
+    seed=seeds,
+    e=st.floats(0.0, 1.0),
+)
+def test_no_impact_in_a_shaken_motion_gives_energy(name, seed, e):
+    structure = STRUCTURES[name]
+    run = rk.simulate(structure, record(seed, structure), impact=law(structure, e))
+    for impact in run.impacts:
+        before = sum(structure.energies(impact.before, impact.phase_before).values())
+        after = sum(structure.energies(impact.after, impact.phase_after).values())
+        rest = structure.energies({}, impact.phase_after)
+        assert after - before <= 1e-12 * max(abs(sum(rest.values())), abs(before))
+
+
+# -- cut in two and continued
+
+
+def from_time(motion, t):
+    """The rest of a motion from time t on."""
+    laws = motion.segments[motion.segments[:, 1] > t].copy()
+    passed = max(t - laws[0, 0], 0.0)
+    linear, sine = laws[0, 2] == 0, laws[0, 2] == 1
+    if linear:
+        laws[0, 3] += laws[0, 4] * passed
+    elif sine:
+        laws[0, 5] += laws[0, 4] * passed
+    else:
+        laws[0, 5] -= passed
+    laws[:, :2] -= t
+    laws[0, 0] = 0.0
+    return rk.GroundMotion(laws)
+
+
+def test_rest_of_a_motion_is_the_motion_later():
+    """The helper itself, for every kind of law."""
+    for motion in (
+        rk.GroundMotion.ricker(3.0, period=0.4),
+        rk.GroundMotion.ricker(3.0, period=0.4, antisymmetric=True),
+        rk.GroundMotion.single_cosine(2.0, period=0.7),
+        record(3, STRUCTURES["rigid_block"]),
+    ):
+        t = np.linspace(0, 1, 33)
+        np.testing.assert_allclose(
+            from_time(motion, 0.31).acceleration(t), motion.acceleration(0.31 + t), atol=1e-12
+        )
+
+
+@ALL
+@settings(max_examples=12, deadline=None)
+@given(seed=seeds, cut=st.floats(0.1, 0.9), smooth=st.booleans())
+def test_response_cut_in_two_and_continued_is_the_whole(structure, seed, cut, smooth):
+    """Wherever it is cut; to 1e-7 of the largest rotation, far above the tolerance of 1e-10."""
+    motion = record(seed, structure)
+    if smooth:
+        motion = rk.GroundMotion.ricker(motion.peak, period=0.4, duration=1.8)
+    options = {"impact": law(structure, 0.9), "vertical": None}
+    start = {structure.states[0]: 0.02}
+    whole = rk.simulate(structure, motion, initial=start, **options)
+    cut *= whole.t[-1]
+    first = rk.simulate(structure, motion, initial=start, duration=cut, **options)
+    assert first.t[-1] == cut
+    rest = rk.simulate(
+        structure,
+        from_time(motion, cut),
+        initial=first.final,
+        phase=str(first.phase[-1]),
+        duration=motion.duration - cut,
+        **options,
+    )
+    assert rest.outcome is whole.outcome
+    t = np.linspace(cut, whole.t[-1], 50)[1:-1]
+    for name in structure.states:
+        scale = np.abs(whole[name]).max()
+        # at a jump either side may be asked: leave its instants out
+        clear = np.min(
+            [np.abs(t - e.time) for e in whole.events] or [np.full(len(t), 1.0)], axis=0
+        ) > 1e-6
+        np.testing.assert_allclose(
+            rest.at(np.minimum(t - cut, rest.t[-1]))[name][clear],
+            whole.at(t)[name][clear],
+            atol=1e-7 * scale,
+        )
+
+
+def test_response_cut_at_its_own_impacts_is_the_whole():
+    """Continued from both sides of every impact: before it, it happens; after it, it does not."""
+    block, motion = STRUCTURES["rigid_block"], rk.GroundMotion.none(5.0)
+    whole = rk.simulate(block, motion, initial={"theta": 0.1}, impact=rk.VelocityRatio(0.9))
+    for n, impact in enumerate(whole.impacts[:4]):
+        for state, phase, first in (
+            (impact.before, impact.phase_before, n),
+            (impact.after, impact.phase_after, n + 1),
+        ):
+            side = 1 if phase == "right" else -1
+            state = state | {"theta": side * abs(state["theta"])}
+            rest = rk.simulate(
+                block,
+                rk.GroundMotion.none(5.0 - impact.time),
+                initial=state,
+                phase=phase,
+                impact=rk.VelocityRatio(0.9),
+            )
+            times = [impact.time + later.time for later in rest.impacts[:3]]
+            expected = [later.time for later in whole.impacts[first : first + 3]]
+            np.testing.assert_allclose(times, expected, rtol=1e-9, atol=1e-12)
+
+
+def test_full_record_changes_no_bit():
+    """More events and steps than the records hold at a time: the loop goes on where it was."""
+    block = STRUCTURES["rigid_block"]
+    long = {"impact": rk.VelocityRatio(1.0), "initial": {"theta": 0.1}}
+    run = rk.simulate(block, rk.GroundMotion.none(2000.0), **long)
+    assert len(run.impacts) > 1000
+    many = rk.simulate_many(
+        lambda end: rk.Case(block, rk.GroundMotion.none(end), **long), over={"end": [2000.0]}
+    )
+    assert many.impacts.item() == len(run.impacts)
+    final = many.final.isel(end=0)
+    assert {n: float(final.sel(state=n)) for n in run.states} == pytest.approx(run.final, abs=0.0)
+    assert math.isfinite(run.final["theta"])
