@@ -80,13 +80,14 @@ def first_fall(b, touching, noise, stack):
     if touching:
         stack[0, 0] = 0.0
     stack[0, 8], stack[0, 9] = 0.0, 1.0
+    before = 1 if touching or b[0] > noise else -1  # sign of the polynomial before a part
     depth = 0
     while depth >= 0:
         part, upper = stack[depth], stack[depth + 1]
         start, width = part[8], part[9]
+        negligible = opening if start == 0.0 else noise
         changes = 0
         first = sign = 0
-        negligible = opening if start == 0.0 else noise
         for i in range(8):
             if abs(part[i]) > negligible:
                 new = 1 if part[i] > 0.0 else -1
@@ -95,17 +96,16 @@ def first_fall(b, touching, noise, stack):
                 elif new != sign:
                     changes += 1
                 sign = new
+        if first < 0 and (before > 0 or (changes == 0 and depth == 0)):
+            return start  # it falls exactly where this part begins, or was below zero all along
         if changes == 0:
-            fell = -noise <= part[0] if start > 0.0 else touching or depth == 0
-            if first < 0 and fell:
-                return start  # below zero from here on, and not before
+            before = sign if sign != 0 else before
             depth -= 1
         elif changes == 1 or width < 1e-13:
             if first > 0:
                 return start + width * fall(part, upper)
-            if touching and start == 0.0:
-                return 0.0  # it does not open: it falls back at once
-            depth -= 1  # begins below zero and rises
+            before = sign  # begins below zero and rises
+            depth -= 1
         else:
             # halve: de Casteljau gives both halves at once; the lower one is looked at first
             for n in range(7, -1, -1):
@@ -437,10 +437,10 @@ def integrate(
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
-            law = min(gx[1] - gx[0], gy[1] - gy[0])
-            controlled = fixed == 0 or law == np.inf
+            span = min(gx[1] - gx[0], gy[1] - gy[0])
+            controlled = fixed == 0 or span == np.inf
             if not controlled:
-                h_next = law / fixed
+                h_next = span / fixed
             h = min(h_next, h_max, sampling_step(contact, gx), sampling_step(contact, gy))
             cut = t + 1.1 * h >= last
             if cut:
