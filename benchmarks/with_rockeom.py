@@ -94,7 +94,5 @@ def pulse_map(rtol: float, threads: int = 1):
 
 def bifurcation(rtol: float) -> Callable[[], dict[float, np.ndarray]]:
     law = rk.VelocityRatio(w.DRIVEN_RATIO)
-    runs = {
-        float(a): loop(w.DRIVEN, w.shaking(a), options(rtol), impact=law) for a in w.AMPLITUDES
-    }
+    runs = {float(a): loop(w.DRIVEN, w.shaking(a), options(rtol), impact=law) for a in w.AMPLITUDES}
     return lambda: {a: w.kept(call()) for a, call in runs.items()}

@@ -90,7 +90,9 @@ def pulse_grid(stride: int = 1) -> tuple[np.ndarray, np.ndarray]:
 
 
 def pulse(frequency: float, amplitude: float) -> rk.GroundMotion:
-    return rk.GroundMotion.single_sine(float(amplitude), 2.0 * math.pi / float(frequency), PULSE_END)
+    return rk.GroundMotion.single_sine(
+        float(amplitude), 2.0 * math.pi / float(frequency), PULSE_END
+    )
 
 
 def pulses(stride: int = 1) -> list[rk.GroundMotion]:

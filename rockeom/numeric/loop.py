@@ -96,8 +96,8 @@ def first_fall(b, touching, noise, stack):
                 elif new != sign:
                     changes += 1
                 sign = new
-        if first < 0 and (before > 0 or (changes == 0 and depth == 0)):
-            return start  # it falls exactly where this part begins, or was below zero all along
+        if first < 0 and before > 0:
+            return start  # it falls exactly where this part begins
         if changes == 0:
             before = sign if sign != 0 else before
             depth -= 1
@@ -115,7 +115,7 @@ def first_fall(b, touching, noise, stack):
             upper[8], upper[9] = start, 0.5 * width
             part[8], part[9] = start + 0.5 * width, 0.5 * width
             depth += 1
-    return NEVER
+    return NEVER if before > 0 or b[0] >= -noise else 0.0  # 0: below zero all along
 
 
 @_compiled

@@ -118,6 +118,7 @@ class Response:
     output_step: float
     statistics: dict[str, Any]
     steps: Steps
+    end: np.ndarray
     passages: tuple[np.ndarray, np.ndarray, np.ndarray]
     tables: tuple[np.ndarray, np.ndarray]
     program: ModuleType
@@ -234,7 +235,7 @@ class Response:
     @property
     def final(self) -> dict[str, float]:
         """The last state, by name."""
-        return dict(zip(self.states, self.steps.powers[-1].sum(axis=0).tolist(), strict=True))
+        return dict(zip(self.states, self.end.tolist(), strict=True))
 
     @cached_property
     def _support(self) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:

@@ -61,6 +61,7 @@ def simulate(
             "method": options.method,
         },
         steps=record.steps,
+        end=record.y,
         passages=record.events,
         tables=(problem.horizontal, problem.vertical),
         program=compiled,
@@ -72,6 +73,7 @@ class Record:
     """What the compiled loop left of a motion: how it ended, its steps and its events."""
 
     outcome: Outcome
+    y: np.ndarray
     steps: Steps
     events: tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -117,4 +119,4 @@ def run(
             outcome = Outcome.OVERTURNED
         elif compiled.at_rest(contact, y, q.vector):
             outcome = Outcome.CAME_TO_REST
-    return Record(outcome, Steps(span, contacts, powers), (times, kinds, states))
+    return Record(outcome, y, Steps(span, contacts, powers), (times, kinds, states))

@@ -410,7 +410,8 @@ class TwoSpringStructure(_TwoMasses):
 
     foundation_stiffness [N/m] and foundation_damping [N s/m] of each foot; else as
     LumpedMassStructure. The base's centre is guided vertically; `heave` counts from the settled
-    position.
+    position. The elastic energy is that of the springs that press: a damped foot lifts off a
+    spring that is still compressed.
     """
 
     model: ClassVar[str] = "two_spring_structure"

@@ -72,7 +72,11 @@ def clock() -> RockingModel:
         Transition("ping", "pong", "switch", -1 - x**2),
         Transition("pong", "ping", "switch", -1 - x**2),
     ]
-    contacts = ["left", "right", *dict.fromkeys(n for t in transitions for n in (t.source, t.target))]
+    contacts = [
+        "left",
+        "right",
+        *dict.fromkeys(n for t in transitions for n in (t.source, t.target)),
+    ]
     phases = (
         Phase(
             {contact: 0},

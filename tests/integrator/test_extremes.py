@@ -377,9 +377,7 @@ def test_too_many_impacts_keep_what_was_done():
 
 
 def test_too_many_steps_are_a_stall_that_keeps_what_was_done():
-    run = rk.simulate(
-        BLOCK, QUIET, initial={"theta": 0.1}, options=rk.SolverOptions(max_steps=10)
-    )
+    run = rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, options=rk.SolverOptions(max_steps=10))
     assert run.outcome is rk.Outcome.STALLED
     assert 0.0 < run.t[-1] < 100.0
     assert run.at(run.t[-1])["theta"] == pytest.approx(run.final["theta"], rel=1e-15)

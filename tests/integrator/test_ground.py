@@ -69,8 +69,8 @@ def test_ground_stands_still_behind_a_motion(motion):
 def test_no_step_straddles_a_breakpoint_of_either_motion(method):
     """Two records whose samples interleave, and one that ends early."""
     rng = np.random.default_rng(2)
-    horizontal = rk.GroundMotion.from_array(rng.normal(scale=3.0, size=41), dt=0.1)
-    vertical = rk.GroundMotion.from_array(rng.normal(scale=2.0, size=73), dt=0.037)
+    horizontal = rk.GroundMotion.from_array(rng.normal(scale=1.0, size=41), dt=0.1)
+    vertical = rk.GroundMotion.from_array(rng.normal(scale=0.8, size=73), dt=0.037)
     run = rk.simulate(
         BLOCK,
         horizontal,

@@ -82,9 +82,10 @@ def check_first_fall(b, touching=False):
         assert found == NEVER or (found > places[-1] and abs(b[7]) <= 1e-11 * size)
 
 
-coefficients = st.one_of(st.integers(-5, 5), st.floats(-1, 1, allow_subnormal=False).filter(
-    lambda v: v == 0 or abs(v) > 1e-6
-))
+coefficients = st.one_of(
+    st.integers(-5, 5),
+    st.floats(-1, 1, allow_subnormal=False).filter(lambda v: v == 0 or abs(v) > 1e-6),
+)
 
 
 @settings(max_examples=500, deadline=None)
@@ -114,8 +115,14 @@ def test_close_pair_is_not_stepped_over(first, log_width, third, height):
 
 
 @settings(max_examples=100, deadline=None)
-@given(st.lists(st.fractions(Fraction(1, 20), Fraction(19, 20), max_denominator=200),
-                min_size=7, max_size=7, unique=True))
+@given(
+    st.lists(
+        st.fractions(Fraction(1, 20), Fraction(19, 20), max_denominator=200),
+        min_size=7,
+        max_size=7,
+        unique=True,
+    )
+)
 def test_seven_roots_in_a_step(roots):
     check_first_fall(bernstein(product([[r, -1] for r in roots])))
 

@@ -154,9 +154,7 @@ def test_order_observed_through_impacts(name):
     errors = [
         [
             np.sqrt(np.mean((found - expected) ** 2))
-            for found, expected in zip(
-                observed(shaken(name, steps_per_law=n)), exact, strict=True
-            )
+            for found, expected in zip(observed(shaken(name, steps_per_law=n)), exact, strict=True)
         ]
         for n in counts
     ]
