@@ -80,7 +80,7 @@ def first_fall(b, touching, noise, stack):
     if touching:
         stack[0, 0] = 0.0
     stack[0, 8], stack[0, 9] = 0.0, 1.0
-    before = 1 if touching or b[0] > noise else -1  # sign of the polynomial before a part
+    before = -1 if b[0] < -noise and not touching else 1  # sign before a part
     depth = 0
     while depth >= 0:
         part, upper = stack[depth], stack[depth + 1]

@@ -47,12 +47,11 @@ def test_same_as_simulate(reference):
             times = [impact.time for impact in run.impacts[:20]]
             np.testing.assert_array_equal(found.impact_time.values[: len(times)], times)
             assert np.isnan(found.impact_time.values[len(times) :]).all()
-            for name in run.states:
-                of = found.sel(state=name)
-                assert of.final.item() == pytest.approx(run.final[name], abs=1e-12)
+            assert found.final.values.tolist() == [*run.final.values()]
+            # samples a millisecond apart pass beside the turning points
             rotation = found.sel(state="theta")
-            assert rotation.largest.item() == pytest.approx(run["theta"].max(), abs=1e-7)
-            assert rotation.smallest.item() == pytest.approx(run["theta"].min(), abs=1e-7)
+            assert 0 <= rotation.largest.item() - run["theta"].max() < 1e-6
+            assert 0 <= run["theta"].min() - rotation.smallest.item() < 1e-6
 
 
 @settings(max_examples=20, deadline=None)
@@ -127,7 +126,7 @@ def test_every_argument_of_a_case_reaches_the_motion():
     for name, arguments in kept.items():
         run = rk.simulate(BLOCK, motion, **arguments)
         found = result.sel(left_out=name)
-        assert found.final.values == pytest.approx([*run.final.values()], abs=1e-12)
+        assert found.final.values.tolist() == [*run.final.values()]
         ends.append(tuple(found.final.values))
     assert len(set(ends)) == len(kept) - 1  # the phase follows from the state
 
@@ -152,11 +151,11 @@ def test_interrupt_keeps_what_was_done(reference, threads):
     assert ran.values.ravel()[:n].all()
     assert n >= 36
     for name in ("outcome", "final_time", "impacts", "largest", "final", "impact_time"):
-        done, whole = result[name].where(ran), reference[name].where(ran)
-        np.testing.assert_array_equal(done.values, whole.values)
+        done, whole = result[name].values[ran.values], reference[name].values[ran.values]
+        np.testing.assert_array_equal(done, whole)
     # nothing is said of the others
     for name in ("final_time", "smallest", "largest", "final", "impact_time"):
-        assert np.isnan(result[name].where(~ran, drop=False).values[~ran.values]).all()
+        assert np.isnan(result[name].values[~ran.values]).all()
     assert set(result.final_phase.values[~ran.values].tolist()) == {""}
 
 
@@ -218,15 +217,20 @@ def test_more_threads_than_cores_and_cases():
 
 
 def test_memory_holds_results_and_not_cases():
-    """Twenty thousand cases, made when they are needed: some hundred bytes each remain."""
-    still = rk.GroundMotion.none(0.01)
-    n = 20_000
-    tracemalloc.start()
-    rk.simulate_many(
-        lambda theta: rk.Case(BLOCK, still, initial={"theta": theta}),
-        over={"theta": np.linspace(-0.1, 0.1, n)},
-        chunk=256,
-    )
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert peak < 600 * n
+    """Cases are made when they are needed: of each, some hundred bytes of results remain."""
+    still = rk.GroundMotion.none(10.0)
+
+    def peak(n):
+        tracemalloc.start()
+        rk.simulate_many(
+            lambda theta: rk.Case(BLOCK, still, initial={"theta": theta}),
+            over={"theta": np.linspace(0.01, 0.02, n)},
+            chunk=64,
+            threads=1,
+        )
+        found = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return found
+
+    peak(100)  # what is made once
+    assert peak(4000) - peak(1000) < 600 * 3000

@@ -1,0 +1,171 @@
+"""What is compiled once stays compiled, and is never used for other equations."""
+
+import math
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import rockeom as rk
+from rockeom.numeric.specialise import cache_folder, load_text, program
+from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
+from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
+
+ROOT = Path(__file__).resolve().parents[2]
+
+DECAY = """
+import rockeom as rk
+from rockeom.numeric.specialise import program
+block = rk.RigidBlock(half_width=0.25, half_height=1.0, gravity=9.81)
+options = rk.SolverOptions(method="RK45")
+run = rk.simulate(block, rk.GroundMotion.none(1.0), initial={"theta": 0.1}, options=options)
+stats = [getattr(program(block.module, "RK45"), name).stats for name in ("integrate", "falls")]
+hits = sum(sum(s.cache_hits.values()) for s in stats)
+misses = sum(sum(s.cache_misses.values()) for s in stats)
+print(repr(run.impacts[0].time), hits, misses, program(block.module, "RK45").__name__)
+"""
+"""Prints the time of the first impact, how much was loaded and compiled, and the program's name."""
+
+
+def start(package, cache):
+    """A new process that runs DECAY with the package and the cache given."""
+    environment = {**os.environ, "PYTHONPATH": str(package), "ROCKEOM_CACHE_DIR": str(cache)}
+    return subprocess.Popen(
+        [sys.executable, "-c", DECAY],
+        cwd=package,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def result(process):
+    out, errors = process.communicate(timeout=300)
+    assert process.returncode == 0, errors
+    assert errors == ""
+    time, hits, misses, name = out.split()
+    return float(time), int(hits), int(misses), name
+
+
+def quarter_period(gravity):
+    """From 0.1 rad at rest to the impact, for the block of DECAY."""
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    alpha, radius = math.atan2(0.25, 1.0), math.hypot(0.25, 1.0)
+    u = 0.5 * math.sqrt(0.1) * (nodes + 1)
+    x = u**2 / 2
+    ratio = math.sqrt(2) / np.sqrt(np.sinc(x / np.pi))
+    p = math.sqrt(0.75 * gravity / radius)
+    return float(ratio / np.sqrt(np.sin(alpha - 0.1 + x)) @ weights) * 0.5 * math.sqrt(0.1) / p
+
+
+def copy_of_the_package(folder):
+    ignored = shutil.ignore_patterns("__pycache__")
+    for name in ("rockeom", "generated"):
+        shutil.copytree(ROOT / name, folder / name, ignore=ignored)
+    return folder
+
+
+def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
+    """Two start at once on an empty cache; a third loads; then the equations change under it."""
+    cache, package = tmp_path / "cache", copy_of_the_package(tmp_path / "package")
+    racing = [start(package, cache), start(package, cache)]
+    first, second = (result(process) for process in racing)
+    assert first[0] == second[0] == pytest.approx(quarter_period(9.81), rel=1e-9)
+    assert first[3] == second[3]
+
+    time, hits, misses, name = result(start(package, cache))
+    assert (time, name) == (first[0], first[3])
+    assert misses == 0
+    assert hits >= 1
+    assert [path.name for path in cache.glob("*.py")] == [f"{name}.py"]
+    assert not [*cache.glob("*.tmp")]
+
+    # twice the gravity, as if the model had been derived anew
+    module = package / "generated" / "rigid_block.py"
+    text = module.read_text(encoding="utf-8")
+    changed = text.replace("total_gravity = ay + gravity", "total_gravity = ay + 2.0*gravity")
+    assert changed != text
+    module.write_text(changed, encoding="utf-8")
+    time, _, misses, other = result(start(package, cache))
+    assert time == pytest.approx(quarter_period(2 * 9.81), rel=1e-9)
+    assert misses >= 1
+    assert other != name
+
+    # and back: both programs are there
+    module.write_text(text, encoding="utf-8")
+    assert result(start(package, cache))[::3] == (first[0], name)
+    assert len([*cache.glob("*.py")]) == 2
+
+
+def tall_block(stretch) -> RockingModel:
+    """The rigid block whose centroid is `stretch` times as high as its parameter says."""
+    mass = parameter("m", "mass", "kg", "mass")
+    half_width = parameter("B", "half_width", "m", "half of the width of the base")
+    height = parameter("H", "height", "m", "nominal height of the centroid")
+    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
+
+    def bodies(pivot):
+        centroid = turned((0, stretch * height.symbol), pivot, ROTATION.position)
+        return [Body("block", mass.symbol, centroid, inertia.symbol, ROTATION.position)]
+
+    return rocking_structure(
+        name="tall_block",
+        title="A block",
+        parameters=(mass, half_width, height, inertia, GRAVITY),
+        coordinates=(ROTATION,),
+        bodies=bodies,
+        half_width=half_width.symbol,
+        gravity=GRAVITY.symbol,
+    )
+
+
+def test_two_models_of_one_name_are_two_programs():
+    """Declared anew with other equations in the same session: no name decides what is run."""
+    found = {}
+    for stretch in (sp.Integer(1), sp.Integer(2)):
+        structure = rk.structure(
+            tall_block(stretch), mass=1.0, half_width=0.25, height=0.5, inertia=0.3, gravity=9.81
+        )
+        block = rk.RigidBlock(
+            half_width=0.25, half_height=0.5 * float(stretch), inertia=0.3, gravity=9.81
+        )
+        runs = [
+            rk.simulate(s, rk.GroundMotion.none(2.0), initial={"theta": 0.1})
+            for s in (structure, block)
+        ]
+        times = [[impact.time for impact in run.impacts[:3]] for run in runs]
+        assert times[0] == pytest.approx(times[1], rel=1e-9)
+        found[program(structure.module, "DOP853").__name__] = times[0][0]
+    assert len(found) == 2
+    assert len({*found.values()}) == 2
+
+
+def test_text_is_stored_under_its_hash_and_never_written_twice(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
+    assert cache_folder() == tmp_path
+    one, two = load_text("probe", "VALUE = 1\n"), load_text("probe", "VALUE = 2\n")
+    assert (one.VALUE, two.VALUE) == (1, 2)
+    assert load_text("probe", "VALUE = 1\n") is one
+    assert len([*tmp_path.glob("rockeom_probe_*.py")]) == 2
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root writes anywhere")
+def test_folder_that_cannot_be_written_costs_speed_and_nothing_else(tmp_path, monkeypatch):
+    closed = tmp_path / "closed"
+    closed.mkdir(mode=0o500)
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(closed / "cache"))
+    assert load_text("homeless", "VALUE = 3\n").VALUE == 3
+
+
+def test_text_that_does_not_run_leaves_nothing_behind(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
+    for _ in range(2):
+        with pytest.raises(ZeroDivisionError):
+            load_text("broken", "1 / 0\n")
+    assert not [name for name in sys.modules if name.startswith("rockeom_broken")]
