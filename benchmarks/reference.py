@@ -160,7 +160,7 @@ class Column:
             )
             inertia.append(self.m * product(beside, beside, k) + (self.J if k == 0 else 0))
             # the quotient of two series
-            taken = product(theta_ddot + [ZERO], inertia, k)
+            taken = product([*theta_ddot, ZERO], inertia, k)
             theta_ddot.append((turning - taken) / inertia[0])
             u_ddot = F - self.H * theta_ddot[k]
             theta.append(theta_dot[k] / (k + 1))

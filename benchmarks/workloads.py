@@ -160,7 +160,7 @@ def error(workload: str, result) -> float:
     """How far a result lies from the reference; infinite where something is missing.
 
     W1, W2, W3: the largest difference of an impact's time [s]. W4: of a peak, relative to alpha,
-    over the pulses that do not overturn; infinite for a wrong outcome. W5: of a speed at a crossing,
+    over the pulses that do not overturn; infinite for a wrong outcome. W5: of a crossing speed,
     over those amplitudes of the reference whose motion is periodic.
     """
     found = reference()[workload]

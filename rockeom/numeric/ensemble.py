@@ -101,14 +101,19 @@ class _Source:
             first += len(batch)
 
     def problem(self, point: tuple[Any, ...]) -> Problem:
+        """The numbers of one case; what goes wrong in making it says which one it was."""
         named = dict(zip(self.values, point, strict=True))
-        case = self.case(**named)
-        if case.structure.module is not self.module:
-            raise ValueError(
-                f"case {named} is a {case.structure.module.NAME}, the first one a "
-                f"{self.module.NAME}: simulate each model by itself"
-            )
-        return case.problem()
+        try:
+            case = self.case(**named)
+            if case.structure.module is not self.module:
+                raise ValueError(
+                    f"a case is a {case.structure.module.NAME}, the first one a "
+                    f"{self.module.NAME}: simulate each model by itself"
+                )
+            return case.problem()
+        except Exception as error:
+            error.add_note(f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}")
+            raise
 
 
 def _in_threads(

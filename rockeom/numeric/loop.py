@@ -695,11 +695,15 @@ def falls(
     """Whether free motion from here leads to the ground, and not back upright.
 
     It is followed until the next impact, or, on springs, while the structure leans further;
-    `reach` is a time [s] in which it would move far; `still` the table of ground that is.
+    `reach` [s] is how long at a time; `still` the table of ground that is.
     """
     if SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT:
         return False
     rocks = SIDES[contact] != 0.0 and KINDS[contact][0] == IMPACT
+    if rocks:
+        # a rocking motion has a time of its own, in which it comes back or falls
+        a = abs(opening_acceleration(contact, y, p, 0.0, 0.0))
+        reach = max(reach, 10.0 / math.sqrt(a)) if a > 0.0 else reach
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))

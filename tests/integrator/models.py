@@ -1,6 +1,7 @@
 """Small models whose events are known in closed form, declared as a user would."""
 
 import functools
+import itertools
 
 import sympy as sp
 
@@ -67,7 +68,7 @@ def clock() -> RockingModel:
         *flags("later_", ("second", "first")),
         *(
             Transition(before, after, "switch", a.symbol + n * spacing.symbol - x)
-            for n, (before, after) in enumerate(zip(CHAIN, CHAIN[1:], strict=False))
+            for n, (before, after) in enumerate(itertools.pairwise(CHAIN))
         ),
         Transition("ping", "pong", "switch", -1 - x**2),
         Transition("pong", "ping", "switch", -1 - x**2),

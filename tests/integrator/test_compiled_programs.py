@@ -65,9 +65,11 @@ def quarter_period(gravity):
 
 
 def copy_of_the_package(folder):
+    """Laid out as in a wheel."""
     ignored = shutil.ignore_patterns("__pycache__")
-    for name in ("rockeom", "generated"):
-        shutil.copytree(ROOT / name, folder / name, ignore=ignored)
+    shutil.copytree(ROOT / "rockeom", folder / "rockeom", ignore=ignored)
+    generated = folder / "rockeom" / "generated"
+    shutil.copytree(ROOT / "generated", generated, ignore=ignored, dirs_exist_ok=True)
     return folder
 
 
@@ -87,7 +89,7 @@ def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
     assert not [*cache.glob("*.tmp")]
 
     # twice the gravity, as if the model had been derived anew
-    module = package / "generated" / "rigid_block.py"
+    module = package / "rockeom" / "generated" / "rigid_block.py"
     text = module.read_text(encoding="utf-8")
     changed = text.replace("total_gravity = ay + gravity", "total_gravity = ay + 2.0*gravity")
     assert changed != text
@@ -155,11 +157,10 @@ def test_text_is_stored_under_its_hash_and_never_written_twice(tmp_path, monkeyp
     assert len([*tmp_path.glob("rockeom_probe_*.py")]) == 2
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root writes anywhere")
-def test_folder_that_cannot_be_written_costs_speed_and_nothing_else(tmp_path, monkeypatch):
-    closed = tmp_path / "closed"
-    closed.mkdir(mode=0o500)
-    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(closed / "cache"))
+def test_cache_that_cannot_be_written_costs_speed_and_nothing_else(tmp_path, monkeypatch):
+    """A file stands where the folder would have to be."""
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path / "file" / "cache"))
     assert load_text("homeless", "VALUE = 3\n").VALUE == 3
 
 

@@ -64,9 +64,7 @@ def test_threads_and_chunks_change_no_bit(threads, chunk):
 
 def test_order_of_the_cases_changes_no_bit(reference):
     """What one case leaves behind in its thread must not reach the next."""
-    backwards = rk.simulate_many(
-        pulse, over={k: v[::-1] for k, v in OVER.items()}, impact_times=20
-    )
+    backwards = rk.simulate_many(pulse, over={k: v[::-1] for k, v in OVER.items()}, impact_times=20)
     again = backwards.isel(frequency=slice(None, None, -1), amplitude=slice(None, None, -1))
     assert reference.identical(again)
 
@@ -176,15 +174,17 @@ def test_error_in_a_case_names_the_case():
 def test_start_that_cannot_be_names_the_case():
     with pytest.raises(ValueError, match="lies on the ground") as caught:
         rk.simulate_many(
-            lambda theta: rk.Case(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": theta}),
-            over={"theta": [0.1, 2.0]},
+            lambda times: rk.Case(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": 0.1 * times}),
+            over={"times": [1, 23]},
         )
-    assert "2.0" in " ".join([str(caught.value), *getattr(caught.value, "__notes__", [])])
+    text = " ".join([str(caught.value), *getattr(caught.value, "__notes__", [])])
+    assert "times" in text
+    assert "23" in text
 
 
 def test_cases_of_two_models_are_refused():
     slender = rk.SlenderBlock.from_frequency(p=2.14, alpha=0.25)
-    with pytest.raises(ValueError, match="slender_block.*rigid_block"):
+    with pytest.raises(ValueError, match=r"slender_block.*rigid_block"):
         rk.simulate_many(
             lambda s: rk.Case(s, rk.GroundMotion.none(1.0)), over={"s": [BLOCK, slender]}
         )
@@ -210,7 +210,10 @@ def test_progress_is_a_line_that_ends_with_the_total(capsys):
 def test_more_threads_than_cores_and_cases():
     started = threading.active_count()
     few = rk.simulate_many(
-        pulse, over={"frequency": [1.0], "amplitude": [1.5, 3.0]}, threads=4 * os.cpu_count(), chunk=1
+        pulse,
+        over={"frequency": [1.0], "amplitude": [1.5, 3.0]},
+        threads=4 * os.cpu_count(),
+        chunk=1,
     )
     assert (few.outcome != "not run").all()
     assert threading.active_count() == started  # none is left behind

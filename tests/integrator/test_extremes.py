@@ -162,7 +162,7 @@ def test_zero_velocity_impact_is_rest():
 
 @SIGNS
 def test_impact_at_the_start(sign):
-    """theta = 0 and closing: the impact is at t = 0, once, and the block leaves to the other side."""
+    """theta = 0 and closing: the impact is at t = 0, once; the block leaves to the other side."""
     run = rk.simulate(
         BLOCK,
         rk.GroundMotion.none(1.0),
