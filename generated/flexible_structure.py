@@ -17,17 +17,16 @@ Source: thesis 5-34, 5-35, D-1 to D-29.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration      18    18
-    rates                     56    48
+    accelerations             60    55
     guards                     1     1
-    impulse                   29    27
+    impulse                   23    21
     energies                  91    62
     reactions                291   137
     kinematics                20    15
     statics                   45    35
     overturning                1     1
     velocity_ratio            28    18
-    prepare                   31    20
+    prepare                   29    21
 """
 
 import math
@@ -35,7 +34,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "a760254e4c0d512d"
+SOURCE_HASH = "301342c39f36e5db"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -78,6 +77,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 
 N_STATES = 4
 N_GUARDS = 2
+N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 2
 SIDES = (-1.0, 0.0, 1.0,)
@@ -97,108 +97,144 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (0, 0,),  # both
     (0, -1,),  # right
 )
+PARTS = (  # place in g of the two parts of a guard, or -1
+    (-1, -1,),  # left
+    (-1, -1,),  # both
+    (-1, -1,),  # right
+)
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
 BOTH = 1
 RIGHT = 2
 
-_compiled = njit(cache=True, error_model="numpy")
+# Nothing here allocates: no array's references need to be counted. Equations are not
+# contracted to a*b + c in one rounding: they give one number wherever they stand.
+OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+_compiled = njit(cache=True, **OPTIONS)
+_inlined = njit(forceinline=True, **OPTIONS)
+
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@_compiled
-def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
-    s = 1.0 if contact == RIGHT else -1.0
-    u = y[1]
-    u_dot = y[3]
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine
+
+
+@_inlined
+def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact left or right."""
     mass = p[0]
+    height = p[1]
+    half_width = p[6]
     gravity = p[7]
-    stiffness = p[8]
-    damping = p[9]
     c0 = p[10]  # 2*half_width*mass
     c1 = p[11]
-    c2 = p[12]  # height*mass
-    c3 = p[13]  # half_width*(base_mass + mass)
-    c4 = p[14]  # base_height*base_mass + height*mass
+    c2 = p[12]  # half_width*(base_mass + mass)
+    c3 = p[13]  # base_height*base_mass
+    c4 = p[14]  # damping*height
+    c5 = p[15]  # height*stiffness
+    c6 = p[16]  # height*mass
+    c7 = p[17]  # 2*mass
+    c8 = p[18]  # half_width*mass
+    c9 = p[19]  # damping/mass
+    c10 = p[20]  # stiffness/mass
     total_gravity = ay + gravity
+    sin_theta, cos_theta = sine_cosine(theta)
+    x0 = theta_dot**2
+    x1 = -c2*s + mass*u
     m00 = -c0*s*u + c1 + mass*u**2
-    m10 = c2
-    m11 = mass
-    f0 = -ax*c4 + total_gravity*(-c3*s + mass*u)
-    f1 = -ax*mass - damping*u_dot - stiffness*u
-    l10 = m10 / m00
-    m11 -= l10 * m10
-    f1 -= l10 * f0
-    u_ddot = f1 / m11
-    theta_ddot = f0 / m00 - l10 * u_ddot
-    return s * theta_ddot
+    f0 = (
+        ax*(-c3*cos_theta + sin_theta*x1) + c4*u_dot + c5*u - c6*u*x0 - c7*theta_dot*u*u_dot +
+        c8*s*theta_dot*(height*theta_dot + 2*u_dot) + total_gravity*(c3*sin_theta +
+        cos_theta*x1)
+    )
+    share_10 = height
+    u_ddot_alone = (
+        -ax*cos_theta - c10*u - c9*u_dot - half_width*s*x0 + sin_theta*total_gravity + u*x0
+    )
+    r0 = 1.0 / m00
+    theta_ddot = f0 * r0
+    u_ddot = u_ddot_alone - share_10 * theta_ddot
+    return (theta_ddot, u_ddot,)
+
+
+@_inlined
+def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact both."""
+    stiffness = p[8]
+    damping = p[9]
+    c11 = p[21]  # 1/mass
+    u_ddot = -ax - c11*(damping*u_dot + stiffness*u)
+    return (0.0, u_ddot,)
+
+
+@_inlined
+def accelerations(contact, theta, u, theta_dot, u_dot, p, ax, ay):
+    """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        return accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay)
+    else:
+        return accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay)
 
 
 @_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        half_width = p[6]
-        gravity = p[7]
-        stiffness = p[8]
-        damping = p[9]
-        c0 = p[10]  # 2*half_width*mass
-        c1 = p[11]
-        c2 = p[12]  # height*mass
-        c3 = p[13]  # half_width*(base_mass + mass)
-        c4 = p[14]  # base_height*base_mass + height*mass
-        c5 = p[15]  # 2*mass
-        c6 = p[16]  # half_width*mass
-        total_gravity = ay + gravity
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = -c3*s + mass*u
-        x3 = theta_dot**2
-        m00 = -c0*s*u + c1 + mass*u**2
-        m10 = c2
-        m11 = mass
-        f0 = (
-            ax*(-c4*x1 + x0*x2) + c5*theta_dot*u_dot*(half_width*s - u) + total_gravity*(c4*x0 +
-            x1*x2)
-        )
-        f1 = (
-            -ax*mass*x1 - c6*s*x3 - damping*u_dot + mass*total_gravity*x0 + mass*u*x3 -
-            stiffness*u
-        )
-        l10 = m10 / m00
-        m11 -= l10 * m10
-        f1 -= l10 * f0
-        u_ddot = f1 / m11
-        theta_ddot = f0 / m00 - l10 * u_ddot
         dy[0] = y[2]
-        dy[2] = theta_ddot
         dy[1] = y[3]
-        dy[3] = u_ddot
     elif contact == BOTH:
-        u = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        stiffness = p[8]
-        damping = p[9]
-        m00 = mass
-        f0 = -ax*mass - damping*u_dot - stiffness*u
-        u_ddot = f0 / m00
         dy[0] = 0.0
-        dy[2] = 0.0
         dy[1] = y[3]
-        dy[3] = u_ddot
+    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    dy[2] = found[0]
+    dy[3] = found[1]
+
+
+@_compiled
+def opening_acceleration(contact, y, p, ax, ay):
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[contact] * found[0]
 
 
 @_compiled
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
+    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.
+    """
     if contact == LEFT:
         theta = y[0]
         g[0] = -theta
@@ -217,29 +253,25 @@ def impulse_to_opposite(s, y, p, out):
     theta_dot = y[2]
     u_dot = y[3]
     mass = p[0]
+    height = p[1]
     inertia = p[2]
     base_inertia = p[5]
     c0 = p[10]  # 2*half_width*mass
     c1 = p[11]
-    c2 = p[12]  # height*mass
-    c7 = p[17]  # base_height**2*base_mass
-    c8 = p[18]  # height**2*mass
-    c9 = p[19]  # base_mass*half_width**2
-    c10 = p[20]  # half_width**2*mass
+    c12 = p[22]  # base_height**2*base_mass
+    c13 = p[23]  # base_mass*half_width**2
+    c14 = p[24]  # half_width**2*mass
     x0 = mass*u**2
     m00 = c0*s*u + c1 + x0
-    m10 = c2
-    m11 = mass
     f0 = (
-        base_inertia*theta_dot - c10*theta_dot + c2*u_dot + c7*theta_dot + c8*theta_dot -
-        c9*theta_dot + inertia*theta_dot + theta_dot*x0
+        base_inertia*theta_dot + c12*theta_dot - c13*theta_dot - c14*theta_dot +
+        inertia*theta_dot + theta_dot*x0
     )
-    f1 = c2*theta_dot + mass*u_dot
-    l10 = m10 / m00
-    m11 -= l10 * m10
-    f1 -= l10 * f0
-    u_dot_after = f1 / m11
-    theta_dot_after = f0 / m00 - l10 * u_dot_after
+    share_10 = height
+    u_dot_after_alone = height*theta_dot + u_dot
+    r0 = 1.0 / m00
+    theta_dot_after = f0 * r0
+    u_dot_after = u_dot_after_alone - share_10 * theta_dot_after
     out[2] = theta_dot_after
     out[3] = u_dot_after
 
@@ -249,11 +281,8 @@ def impulse_to_both(s, y, p, out):
     """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
     u_dot = y[3]
-    mass = p[0]
-    c2 = p[12]  # height*mass
-    m00 = mass
-    f0 = c2*theta_dot + mass*u_dot
-    u_dot_after = f0 / m00
+    height = p[1]
+    u_dot_after = height*theta_dot + u_dot
     out[3] = u_dot_after
 
 
@@ -353,10 +382,9 @@ def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[2]
-        u_ddot = dy[3]
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
+        u_ddot = found[1]
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -396,9 +424,8 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x15*(1 - s)
         out[2] = x15*(s + 1)
     elif contact == BOTH:
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        u_ddot = dy[3]
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        u_ddot = found[1]
         u = y[1]
         mass = p[0]
         height = p[1]
@@ -499,10 +526,10 @@ def velocity_ratio(p):
     return value
 
 
-@_compiled
+@njit(cache=True, error_model="numpy")
 def prepare(parameters):
-    """Parameters (10,) with the constants that follow from them: p (21,)."""
-    p = np.empty(21)
+    """Parameters (10,) with the constants that follow from them: p (25,)."""
+    p = np.empty(25)
     p[:10] = parameters
     mass = parameters[0]
     height = parameters[1]
@@ -511,22 +538,27 @@ def prepare(parameters):
     base_height = parameters[4]
     base_inertia = parameters[5]
     half_width = parameters[6]
+    stiffness = parameters[8]
+    damping = parameters[9]
     x0 = 2*mass
     x1 = base_height**2*base_mass
     x2 = half_width**2
     x3 = base_mass*x2
     x4 = mass*x2
-    x5 = height**2*mass
-    x6 = height*mass
+    x5 = 1/mass
     p[10] = half_width*x0
-    p[11] = base_inertia + inertia + x1 + x3 + x4 + x5
-    p[12] = x6
-    p[13] = half_width*(base_mass + mass)
-    p[14] = base_height*base_mass + x6
-    p[15] = x0
-    p[16] = half_width*mass
-    p[17] = x1
-    p[18] = x5
-    p[19] = x3
-    p[20] = x4
+    p[11] = base_inertia + inertia + x1 + x3 + x4
+    p[12] = half_width*(base_mass + mass)
+    p[13] = base_height*base_mass
+    p[14] = damping*height
+    p[15] = height*stiffness
+    p[16] = height*mass
+    p[17] = x0
+    p[18] = half_width*mass
+    p[19] = damping*x5
+    p[20] = stiffness*x5
+    p[21] = x5
+    p[22] = x1
+    p[23] = x3
+    p[24] = x4
     return p

@@ -9,17 +9,16 @@ Source: Hogan (1989); thesis 2-13.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration       5     5
-    rates                     20    14
+    accelerations             12    11
     guards                     1     1
-    impulse                    3     3
+    impulse                    2     2
     energies                  19    18
     reactions                142    58
     kinematics                37    19
     statics                   30    20
     overturning                2     2
     velocity_ratio             5     5
-    prepare                   15    12
+    prepare                    8     8
 """
 
 import math
@@ -27,7 +26,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "0f20ac1621d9a8b0"
+SOURCE_HASH = "45f72ba658055c36"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -51,6 +50,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 
 N_STATES = 2
 N_GUARDS = 2
+N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
 SIDES = (-1.0, 0.0, 1.0,)
@@ -70,57 +70,114 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (0, 0,),  # both
     (0, -1,),  # right
 )
+PARTS = (  # place in g of the two parts of a guard, or -1
+    (-1, -1,),  # left
+    (-1, -1,),  # both
+    (-1, -1,),  # right
+)
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
 BOTH = 1
 RIGHT = 2
 
-_compiled = njit(cache=True, error_model="numpy")
+# Nothing here allocates: no array's references need to be counted. Equations are not
+# contracted to a*b + c in one rounding: they give one number wherever they stand.
+OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+_compiled = njit(cache=True, **OPTIONS)
+_inlined = njit(forceinline=True, **OPTIONS)
+
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@_compiled
-def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
-    s = 1.0 if contact == RIGHT else -1.0
-    c0 = p[2]  # alpha**2*radius_ratio
-    c1 = p[3]  # alpha*radius_ratio*math.cos(alpha)
-    c2 = p[4]  # alpha*radius_ratio*math.sin(alpha)
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine
+
+
+@_inlined
+def accelerations_left_right(s, x, x_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact left or right."""
+    alpha = p[0]
+    c0 = p[2]  # math.cos(alpha)/alpha
+    c1 = p[3]  # math.sin(alpha)/alpha
     total_gravity = ay + 1
-    m00 = c0
-    f0 = -ax*c1 - c2*s*total_gravity
-    x_ddot = f0 / m00
-    return s * x_ddot
+    sin_angle_0, cos_angle_0 = sine_cosine(alpha*x)
+    x0 = c1*s
+    x_ddot = (
+        ax*(-c0*cos_angle_0 - sin_angle_0*x0) + total_gravity*(c0*sin_angle_0 - cos_angle_0*x0)
+    )
+    return (x_ddot,)
+
+
+@_inlined
+def accelerations_both(x, x_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact both."""
+    return (0.0,)
+
+
+@_inlined
+def accelerations(contact, x, x_dot, p, ax, ay):
+    """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        return accelerations_left_right(s, x, x_dot, p, ax, ay)
+    else:
+        return accelerations_both(x, x_dot, p, ax, ay)
 
 
 @_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        x = y[0]
-        alpha = p[0]
-        c0 = p[2]  # alpha**2*radius_ratio
-        c1 = p[3]  # alpha*radius_ratio*math.cos(alpha)
-        c2 = p[4]  # alpha*radius_ratio*math.sin(alpha)
-        total_gravity = ay + 1
-        x0 = alpha*x
-        x1 = math.sin(x0)
-        x2 = math.cos(x0)
-        x3 = c2*s
-        m00 = c0
-        f0 = ax*(-c1*x2 - x1*x3) + total_gravity*(c1*x1 - x2*x3)
-        x_ddot = f0 / m00
         dy[0] = y[1]
-        dy[1] = x_ddot
     elif contact == BOTH:
         dy[0] = 0.0
-        dy[1] = 0.0
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    dy[1] = found[0]
+
+
+@_compiled
+def opening_acceleration(contact, y, p, ax, ay):
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
+    return SIDES[contact] * found[0]
 
 
 @_compiled
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
+    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.
+    """
     if contact == LEFT:
         x = y[0]
         g[0] = -x
@@ -136,11 +193,8 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     x_dot = y[1]
-    c0 = p[2]  # alpha**2*radius_ratio
-    c3 = p[5]  # 2*alpha**2*radius_ratio**2*math.sin(alpha)**2
-    m00 = c0
-    f0 = c0*x_dot - c3*x_dot
-    x_dot_after = f0 / m00
+    c2 = p[4]  # 2*radius_ratio*math.sin(alpha)**2
+    x_dot_after = -c2*x_dot + x_dot
     out[1] = x_dot_after
 
 
@@ -220,9 +274,8 @@ def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        x_ddot = dy[1]
+        found = accelerations(contact, y[0], y[1], p, ax, ay)
+        x_ddot = found[0]
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -313,18 +366,16 @@ def velocity_ratio(p):
     return value
 
 
-@_compiled
+@njit(cache=True, error_model="numpy")
 def prepare(parameters):
-    """Parameters (2,) with the constants that follow from them: p (6,)."""
-    p = np.empty(6)
+    """Parameters (2,) with the constants that follow from them: p (5,)."""
+    p = np.empty(5)
     p[:2] = parameters
     alpha = parameters[0]
     radius_ratio = parameters[1]
-    x0 = alpha**2
-    x1 = alpha*radius_ratio
-    x2 = math.sin(alpha)
-    p[2] = radius_ratio*x0
-    p[3] = x1*math.cos(alpha)
-    p[4] = x1*x2
-    p[5] = 2*radius_ratio**2*x0*x2**2
+    x0 = 1/alpha
+    x1 = math.sin(alpha)
+    p[2] = x0*math.cos(alpha)
+    p[3] = x0*x1
+    p[4] = 2*radius_ratio*x1**2
     return p

@@ -12,8 +12,7 @@ Source: Housner (1963); thesis 2-2, 2-6, 2-9, 3-8, 3-9.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration       5     5
-    rates                     16    13
+    accelerations             12    11
     guards                     1     1
     impulse                    5     5
     energies                  27    21
@@ -22,7 +21,7 @@ Operations before and after common subexpressions were shared:
     statics                   18    16
     overturning                1     1
     velocity_ratio            14    10
-    prepare                   12     8
+    prepare                   41    13
 """
 
 import math
@@ -30,7 +29,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "e156ef44b6ca543f"
+SOURCE_HASH = "4a8b46694d567fd0"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -57,6 +56,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 
 N_STATES = 2
 N_GUARDS = 2
+N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
 SIDES = (-1.0, 0.0, 1.0,)
@@ -76,57 +76,112 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (0, 0,),  # both
     (0, -1,),  # right
 )
+PARTS = (  # place in g of the two parts of a guard, or -1
+    (-1, -1,),  # left
+    (-1, -1,),  # both
+    (-1, -1,),  # right
+)
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
 BOTH = 1
 RIGHT = 2
 
-_compiled = njit(cache=True, error_model="numpy")
+# Nothing here allocates: no array's references need to be counted. Equations are not
+# contracted to a*b + c in one rounding: they give one number wherever they stand.
+OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+_compiled = njit(cache=True, **OPTIONS)
+_inlined = njit(forceinline=True, **OPTIONS)
+
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@_compiled
-def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
-    s = 1.0 if contact == RIGHT else -1.0
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine
+
+
+@_inlined
+def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact left or right."""
     gravity = p[4]
-    c0 = p[5]  # half_width**2*mass + height**2*mass + inertia
-    c1 = p[6]  # height*mass
-    c2 = p[7]  # half_width*mass
+    c0 = p[5]  # height*mass/(half_width**2*mass + height**2*mass + inertia)
+    c1 = p[6]  # half_width*mass/(half_width**2*mass + height**2*mass + inertia)
     total_gravity = ay + gravity
-    m00 = c0
-    f0 = -ax*c1 - c2*s*total_gravity
-    theta_ddot = f0 / m00
-    return s * theta_ddot
+    sin_theta, cos_theta = sine_cosine(theta)
+    x0 = c1*s
+    theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
+    return (theta_ddot,)
+
+
+@_inlined
+def accelerations_both(theta, theta_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact both."""
+    return (0.0,)
+
+
+@_inlined
+def accelerations(contact, theta, theta_dot, p, ax, ay):
+    """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        return accelerations_left_right(s, theta, theta_dot, p, ax, ay)
+    else:
+        return accelerations_both(theta, theta_dot, p, ax, ay)
 
 
 @_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        gravity = p[4]
-        c0 = p[5]  # half_width**2*mass + height**2*mass + inertia
-        c1 = p[6]  # height*mass
-        c2 = p[7]  # half_width*mass
-        total_gravity = ay + gravity
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = c2*s
-        m00 = c0
-        f0 = ax*(-c1*x1 - x0*x2) + total_gravity*(c1*x0 - x1*x2)
-        theta_ddot = f0 / m00
         dy[0] = y[1]
-        dy[1] = theta_ddot
     elif contact == BOTH:
         dy[0] = 0.0
-        dy[1] = 0.0
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    dy[1] = found[0]
+
+
+@_compiled
+def opening_acceleration(contact, y, p, ax, ay):
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
+    return SIDES[contact] * found[0]
 
 
 @_compiled
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
+    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.
+    """
     if contact == LEFT:
         theta = y[0]
         g[0] = -theta
@@ -142,13 +197,10 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
-    inertia = p[3]
-    c0 = p[5]  # half_width**2*mass + height**2*mass + inertia
-    c3 = p[8]  # height**2*mass
-    c4 = p[9]  # half_width**2*mass
-    m00 = c0
-    f0 = c3*theta_dot - c4*theta_dot + inertia*theta_dot
-    theta_dot_after = f0 / m00
+    c2 = p[7]  # inertia/(half_width**2*mass + height**2*mass + inertia)
+    c3 = p[8]  # height**2*mass/(half_width**2*mass + height**2*mass + inertia)
+    c4 = p[9]  # half_width**2*mass/(half_width**2*mass + height**2*mass + inertia)
+    theta_dot_after = c2*theta_dot + c3*theta_dot - c4*theta_dot
     out[1] = theta_dot_after
 
 
@@ -231,9 +283,8 @@ def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[1]
+        found = accelerations(contact, y[0], y[1], p, ax, ay)
+        theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[1]
         mass = p[0]
@@ -329,7 +380,7 @@ def velocity_ratio(p):
     return value
 
 
-@_compiled
+@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (5,) with the constants that follow from them: p (10,)."""
     p = np.empty(10)
@@ -340,9 +391,11 @@ def prepare(parameters):
     inertia = parameters[3]
     x0 = half_width**2*mass
     x1 = height**2*mass
-    p[5] = inertia + x0 + x1
-    p[6] = height*mass
-    p[7] = half_width*mass
-    p[8] = x1
-    p[9] = x0
+    x2 = 1/(inertia + x0 + x1)
+    x3 = mass*x2
+    p[5] = height*x3
+    p[6] = half_width*x3
+    p[7] = inertia*x2
+    p[8] = x1*x2
+    p[9] = x0*x2
     return p

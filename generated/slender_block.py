@@ -12,8 +12,7 @@ Source: Housner (1963); thesis 2-3, 2-14.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    opening_acceleration       5     5
-    rates                      6     6
+    accelerations              6     6
     guards                     1     1
     impulse                    5     5
     energies                  37    32
@@ -22,7 +21,7 @@ Operations before and after common subexpressions were shared:
     statics                   10    10
     overturning                1     1
     velocity_ratio            14    10
-    prepare                   14     9
+    prepare                   25    12
 """
 
 import math
@@ -30,7 +29,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "1e4158ecaaf3dbf9"
+SOURCE_HASH = "e95561ab66827d95"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -57,6 +56,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 
 N_STATES = 2
 N_GUARDS = 2
+N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
 SIDES = (-1.0, 0.0, 1.0,)
@@ -76,54 +76,110 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (0, 0,),  # both
     (0, -1,),  # right
 )
+PARTS = (  # place in g of the two parts of a guard, or -1
+    (-1, -1,),  # left
+    (-1, -1,),  # both
+    (-1, -1,),  # right
+)
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
 BOTH = 1
 RIGHT = 2
 
-_compiled = njit(cache=True, error_model="numpy")
+# Nothing here allocates: no array's references need to be counted. Equations are not
+# contracted to a*b + c in one rounding: they give one number wherever they stand.
+OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+_compiled = njit(cache=True, **OPTIONS)
+_inlined = njit(forceinline=True, **OPTIONS)
+
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@_compiled
-def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
-    s = 1.0 if contact == RIGHT else -1.0
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine
+
+
+@_inlined
+def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact left or right."""
+    alpha = p[2]
     gravity = p[4]
-    c0 = p[5]  # inertia + mass*radius**2
-    c1 = p[6]  # mass*radius
-    c2 = p[7]  # alpha*mass*radius
+    c0 = p[5]  # mass*radius/(inertia + mass*radius**2)
     total_gravity = ay + gravity
-    m00 = c0
-    f0 = -ax*c1 - c2*s*total_gravity
-    theta_ddot = f0 / m00
-    return s * theta_ddot
+    theta_ddot = -ax*c0 + c0*total_gravity*(-alpha*s + theta)
+    return (theta_ddot,)
+
+
+@_inlined
+def accelerations_both(theta, theta_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact both."""
+    return (0.0,)
+
+
+@_inlined
+def accelerations(contact, theta, theta_dot, p, ax, ay):
+    """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        return accelerations_left_right(s, theta, theta_dot, p, ax, ay)
+    else:
+        return accelerations_both(theta, theta_dot, p, ax, ay)
 
 
 @_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        alpha = p[2]
-        gravity = p[4]
-        c0 = p[5]  # inertia + mass*radius**2
-        c1 = p[6]  # mass*radius
-        total_gravity = ay + gravity
-        m00 = c0
-        f0 = -ax*c1 + c1*total_gravity*(-alpha*s + theta)
-        theta_ddot = f0 / m00
         dy[0] = y[1]
-        dy[1] = theta_ddot
     elif contact == BOTH:
         dy[0] = 0.0
-        dy[1] = 0.0
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    dy[1] = found[0]
+
+
+@_compiled
+def opening_acceleration(contact, y, p, ax, ay):
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
+    return SIDES[contact] * found[0]
 
 
 @_compiled
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
+    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.
+    """
     if contact == LEFT:
         theta = y[0]
         g[0] = -theta
@@ -139,13 +195,10 @@ def guards(contact, y, p, ax, ay, g):
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
-    inertia = p[3]
-    c0 = p[5]  # inertia + mass*radius**2
-    c3 = p[8]  # mass*radius**2
-    c4 = p[9]  # 2*mass*radius**2*math.cos(alpha)**2
-    m00 = c0
-    f0 = -c3*theta_dot + c4*theta_dot + inertia*theta_dot
-    theta_dot_after = f0 / m00
+    c1 = p[6]  # inertia/(inertia + mass*radius**2)
+    c2 = p[7]  # mass*radius**2/(inertia + mass*radius**2)
+    c3 = p[8]  # 2*mass*radius**2*math.cos(alpha)**2/(inertia + mass*radius**2)
+    theta_dot_after = c1*theta_dot - c2*theta_dot + c3*theta_dot
     out[1] = theta_dot_after
 
 
@@ -230,9 +283,8 @@ def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[1]
+        found = accelerations(contact, y[0], y[1], p, ax, ay)
+        theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[1]
         mass = p[0]
@@ -315,20 +367,20 @@ def velocity_ratio(p):
     return value
 
 
-@_compiled
+@njit(cache=True, error_model="numpy")
 def prepare(parameters):
-    """Parameters (5,) with the constants that follow from them: p (10,)."""
-    p = np.empty(10)
+    """Parameters (5,) with the constants that follow from them: p (9,)."""
+    p = np.empty(9)
     p[:5] = parameters
     mass = parameters[0]
     radius = parameters[1]
     alpha = parameters[2]
     inertia = parameters[3]
     x0 = mass*radius**2
-    x1 = mass*radius
-    p[5] = inertia + x0
-    p[6] = x1
-    p[7] = alpha*x1
-    p[8] = x0
-    p[9] = 2*x0*math.cos(alpha)**2
+    x1 = 1/(inertia + x0)
+    x2 = x0*x1
+    p[5] = mass*radius*x1
+    p[6] = inertia*x1
+    p[7] = x2
+    p[8] = 2*x2*math.cos(alpha)**2
     return p

@@ -16,7 +16,7 @@ Source: thesis 5-15, 5-25, 5-33.
     contacts    both_left, left, both_right, right
 
 Operations before and after common subexpressions were shared:
-    rates                     10    10
+    accelerations              8     8
     guards                     6     6
     energies                 217    94
     reactions                 14    14
@@ -24,7 +24,7 @@ Operations before and after common subexpressions were shared:
     statics                  270    70
     overturning                1     1
     velocity_ratio            28    18
-    prepare                  165    54
+    prepare                  264    62
 """
 
 import math
@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "4bb773b5123228d8"
+SOURCE_HASH = "018d488bced882b1"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -75,6 +75,7 @@ KINEMATICS = ("displacement",)
 
 N_STATES = 2
 N_GUARDS = 2
+N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
 SIDES = (-1.0, -1.0, 1.0, 1.0,)
@@ -97,6 +98,12 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (0, 0,),  # both_right
     (1, -1,),  # right
 )
+PARTS = (  # place in g of the two parts of a guard, or -1
+    (-1, -1,),  # both_left
+    (-1, -1,),  # left
+    (-1, -1,),  # both_right
+    (-1, -1,),  # right
+)
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_LEFT = 0
@@ -104,62 +111,119 @@ LEFT = 1
 BOTH_RIGHT = 2
 RIGHT = 3
 
-_compiled = njit(cache=True, error_model="numpy")
+# Nothing here allocates: no array's references need to be counted. Equations are not
+# contracted to a*b + c in one rounding: they give one number wherever they stand.
+OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+_compiled = njit(cache=True, **OPTIONS)
+_inlined = njit(forceinline=True, **OPTIONS)
+
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@_compiled
-def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
-    return 0.0
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine
+
+
+@_inlined
+def accelerations_both_left_both_right(s, u, u_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact both_left or both_right."""
+    c0 = p[9]
+    u_ddot = -ax - c0*u
+    return (u_ddot,)
+
+
+@_inlined
+def accelerations_left_right(s, u, u_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact left or right."""
+    c1 = p[10]
+    c2 = p[11]
+    c3 = p[12]
+    u_ddot = -ax + c3*(c1*u - c2*s)
+    return (u_ddot,)
+
+
+@_inlined
+def accelerations(contact, u, u_dot, p, ax, ay):
+    """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
+    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
+        s = 1.0 if contact == BOTH_RIGHT else -1.0
+        return accelerations_both_left_both_right(s, u, u_dot, p, ax, ay)
+    else:
+        s = 1.0 if contact == RIGHT else -1.0
+        return accelerations_left_right(s, u, u_dot, p, ax, ay)
 
 
 @_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        u = y[0]
-        c0 = p[9]  # base_mass + mass
-        c1 = p[10]
-        m00 = c0
-        f0 = -ax*c0 - c1*u
-        u_ddot = f0 / m00
         dy[0] = y[1]
-        dy[1] = u_ddot
     elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        u = y[0]
-        c0 = p[9]  # base_mass + mass
-        c2 = p[11]
-        c3 = p[12]
-        c4 = p[13]
-        m00 = c0
-        f0 = -ax*c0 + c4*(c2*u - c3*s)
-        u_ddot = f0 / m00
         dy[0] = y[1]
-        dy[1] = u_ddot
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    dy[1] = found[0]
+
+
+@_compiled
+def opening_acceleration(contact, y, p, ax, ay):
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
+    return SIDES[contact] * found[0]
 
 
 @_compiled
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
+    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.
+    """
     if contact == BOTH_LEFT:
         u = y[0]
-        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
         g[0] = -u
-        g[1] = c5 + u
+        g[1] = c4 + u
     elif contact == LEFT:
         u = y[0]
-        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
-        g[0] = -c5 - u
+        c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        g[0] = -c4 - u
     elif contact == BOTH_RIGHT:
         u = y[0]
-        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
         g[0] = u
-        g[1] = c5 - u
+        g[1] = c4 - u
     elif contact == RIGHT:
         u = y[0]
-        c5 = p[14]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
-        g[0] = -c5 + u
+        c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
+        g[0] = -c4 + u
 
 
 @_compiled
@@ -258,16 +322,14 @@ def energies(contact, y, p, out):
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        u_ddot = dy[1]
+        found = accelerations(contact, y[0], y[1], p, ax, ay)
+        u_ddot = found[0]
         mass = p[0]
         base_mass = p[3]
         out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
     elif contact == LEFT or contact == RIGHT:
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        u_ddot = dy[1]
+        found = accelerations(contact, y[0], y[1], p, ax, ay)
+        u_ddot = found[0]
         mass = p[0]
         base_mass = p[3]
         out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
@@ -351,10 +413,10 @@ def velocity_ratio(p):
     return value
 
 
-@_compiled
+@njit(cache=True, error_model="numpy")
 def prepare(parameters):
-    """Parameters (9,) with the constants that follow from them: p (15,)."""
-    p = np.empty(15)
+    """Parameters (9,) with the constants that follow from them: p (14,)."""
+    p = np.empty(14)
     p[:9] = parameters
     mass = parameters[0]
     height = parameters[1]
@@ -364,23 +426,26 @@ def prepare(parameters):
     gravity = parameters[7]
     foundation_stiffness = parameters[8]
     x0 = base_mass + mass
-    x1 = base_height*base_mass
-    x2 = height*mass
-    x3 = (1/2)*gravity*x0/(foundation_stiffness*half_width)
-    x4 = height*x3
-    x5 = x1 + x2
-    x6 = base_mass*half_width + half_width*mass
-    x7 = 1/math.sqrt(1 + x6**2/x5**2)
-    x8 = 1/(-half_width*x7 + half_width + height*x6*x7/x5 - x4)
-    x9 = math.sin(x3)
-    x10 = math.cos(x3)
-    p[9] = x0
-    p[10] = (2*foundation_stiffness*half_width**2 - gravity*x1 - gravity*x2)/height**2
-    p[11] = x8
-    p[12] = x4*x8 + 1
-    p[13] = (
-        gravity*(base_mass*half_width*x10 + half_width*mass*x10 - x1*x9 - x2*x9)/(half_width*x9
-        + height*x10)
+    x1 = 1/x0
+    x2 = base_height*base_mass
+    x3 = height*mass
+    x4 = gravity*x3
+    x5 = (1/2)*x0/(foundation_stiffness*half_width)
+    x6 = gravity*x5
+    x7 = height*x6
+    x8 = x2 + x3
+    x9 = base_mass*half_width + half_width*mass
+    x10 = 1/math.sqrt(1 + x9**2/x8**2)
+    x11 = -half_width*x10 + half_width + height*x10*x9/x8
+    x12 = 1/(base_mass*x11 - base_mass*x7 + mass*x11 - x4*x5)
+    x13 = math.sin(x6)
+    x14 = math.cos(x6)
+    p[9] = x1*(2*foundation_stiffness*half_width**2 - gravity*x2 - x4)/height**2
+    p[10] = x12
+    p[11] = x1 + x12*x7
+    p[12] = (
+        gravity*(base_mass*half_width*x14 + half_width*mass*x14 - x13*x2 -
+        x13*x3)/(half_width*x13 + height*x14)
     )
-    p[14] = x4
+    p[13] = x7
     return p

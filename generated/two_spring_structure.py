@@ -17,15 +17,15 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
     contacts    left, both, flight, right
 
 Operations before and after common subexpressions were shared:
-    rates                    104    85
-    guards                   100    80
+    accelerations             81    79
+    guards                   166    76
     energies                 248   181
     reactions                146    98
     kinematics                24    15
     statics                   92    74
     overturning                1     1
     velocity_ratio             0     0
-    prepare                   39    29
+    prepare                   40    30
 """
 
 import math
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "117e7bd00d417215"
+SOURCE_HASH = "b693be03d65e1110"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -80,6 +80,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 
 N_STATES = 4
 N_GUARDS = 2
+N_PARTS = 4
 ROTATION = 0
 ROTATION_RATE = 2
 SIDES = (-1.0, 0.0, 0.0, 1.0,)
@@ -102,6 +103,12 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (1, 1,),  # flight
     (0, 1,),  # right
 )
+PARTS = (  # place in g of the two parts of a guard, or -1
+    (2, -1,),  # left
+    (-1, -1,),  # both
+    (2, 4,),  # flight
+    (2, -1,),  # right
+)
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -109,127 +116,189 @@ BOTH = 1
 FLIGHT = 2
 RIGHT = 3
 
-_compiled = njit(cache=True, error_model="numpy")
+# Nothing here allocates: no array's references need to be counted. Equations are not
+# contracted to a*b + c in one rounding: they give one number wherever they stand.
+OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+_compiled = njit(cache=True, **OPTIONS)
+_inlined = njit(forceinline=True, **OPTIONS)
+
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@_compiled
-def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
-    return 0.0
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine
+
+
+@_inlined
+def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact both."""
+    gravity = p[7]
+    c0 = p[10]  # base_height*base_mass
+    c1 = p[11]  # height*mass
+    c2 = p[12]  # base_mass + mass
+    c3 = p[13]  # base_height*base_mass + height*mass
+    c4 = p[14]  # 2*foundation_damping*half_width**2
+    c5 = p[15]  # 2*foundation_stiffness*half_width**2
+    c6 = p[16]  # 2*foundation_damping
+    c7 = p[17]  # 2*foundation_stiffness
+    c8 = p[18]  # base_mass*gravity + gravity*mass
+    c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
+    total_gravity = ay + gravity
+    sin_theta, cos_theta = sine_cosine(theta)
+    m10 = -c0*sin_theta - c1*sin_theta
+    m11 = c2
+    f0 = (
+        -ax*c3*cos_theta + c3*sin_theta*total_gravity - c4*cos_theta**2*theta_dot -
+        c5*cos_theta*sin_theta
+    )
+    f1 = -c2*total_gravity + c3*cos_theta*theta_dot**2 - c6*heave_dot - c7*heave + c8
+    r0 = c9
+    l10 = m10 * r0
+    m11 -= l10 * m10
+    f1 -= l10 * f0
+    r1 = 1.0 / m11
+    heave_ddot = f1 * r1
+    theta_ddot = f0 * r0 - l10 * heave_ddot
+    return (theta_ddot, heave_ddot,)
+
+
+@_inlined
+def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact left or right."""
+    half_width = p[6]
+    gravity = p[7]
+    foundation_stiffness = p[8]
+    foundation_damping = p[9]
+    c0 = p[10]  # base_height*base_mass
+    c1 = p[11]  # height*mass
+    c2 = p[12]  # base_mass + mass
+    c3 = p[13]  # base_height*base_mass + height*mass
+    c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
+    c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
+    c11 = p[21]  # foundation_damping*half_width**2
+    c12 = p[22]  # foundation_stiffness*half_width**2
+    c13 = p[23]  # foundation_damping*half_width
+    c14 = p[24]  # foundation_stiffness*half_width
+    total_gravity = ay + gravity
+    sin_theta, cos_theta = sine_cosine(theta)
+    x0 = foundation_damping*heave_dot
+    x1 = foundation_stiffness*heave
+    m10 = -c0*sin_theta - c1*sin_theta
+    m11 = c2
+    f0 = (
+        -ax*c3*cos_theta - c11*cos_theta**2*theta_dot - c12*cos_theta*sin_theta +
+        c3*sin_theta*total_gravity + cos_theta*half_width*s*(-c10 + x0 + x1)
+    )
+    f1 = (
+        c10 + c14*s*sin_theta - c2*total_gravity + cos_theta*theta_dot*(c0*theta_dot +
+        c1*theta_dot + c13*s) - x0 - x1
+    )
+    r0 = c9
+    l10 = m10 * r0
+    m11 -= l10 * m10
+    f1 -= l10 * f0
+    r1 = 1.0 / m11
+    heave_ddot = f1 * r1
+    theta_ddot = f0 * r0 - l10 * heave_ddot
+    return (theta_ddot, heave_ddot,)
+
+
+@_inlined
+def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
+    """Accelerations of the coordinates with contact flight."""
+    gravity = p[7]
+    c0 = p[10]  # base_height*base_mass
+    c1 = p[11]  # height*mass
+    c2 = p[12]  # base_mass + mass
+    c3 = p[13]  # base_height*base_mass + height*mass
+    c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
+    total_gravity = ay + gravity
+    sin_theta, cos_theta = sine_cosine(theta)
+    m10 = -c0*sin_theta - c1*sin_theta
+    m11 = c2
+    f0 = -ax*c3*cos_theta + c3*sin_theta*total_gravity
+    f1 = -c2*total_gravity + c3*cos_theta*theta_dot**2
+    r0 = c9
+    l10 = m10 * r0
+    m11 -= l10 * m10
+    f1 -= l10 * f0
+    r1 = 1.0 / m11
+    heave_ddot = f1 * r1
+    theta_ddot = f0 * r0 - l10 * heave_ddot
+    return (theta_ddot, heave_ddot,)
+
+
+@_inlined
+def accelerations(contact, theta, heave, theta_dot, heave_dot, p, ax, ay):
+    """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
+    if contact == BOTH:
+        return accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay)
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        return accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay)
+    else:
+        return accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay)
 
 
 @_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == BOTH:
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        gravity = p[7]
-        c0 = p[10]  # base_height**2*base_mass + base_inertia + height**2*mass + inertia
-        c1 = p[11]  # base_height*base_mass
-        c2 = p[12]  # height*mass
-        c3 = p[13]  # base_mass + mass
-        c4 = p[14]  # base_height*base_mass + height*mass
-        c5 = p[15]  # 2*foundation_damping*half_width**2
-        c6 = p[16]  # 2*foundation_stiffness*half_width**2
-        c7 = p[17]  # 2*foundation_damping
-        c8 = p[18]  # 2*foundation_stiffness
-        c9 = p[19]  # base_mass*gravity + gravity*mass
-        total_gravity = ay + gravity
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        m00 = c0
-        m10 = -c1*x0 - c2*x0
-        m11 = c3
-        f0 = -ax*c4*x1 + c4*total_gravity*x0 - c5*theta_dot*x1**2 - c6*x0*x1
-        f1 = -c3*total_gravity + c4*theta_dot**2*x1 - c7*heave_dot - c8*heave + c9
-        l10 = m10 / m00
-        m11 -= l10 * m10
-        f1 -= l10 * f0
-        heave_ddot = f1 / m11
-        theta_ddot = f0 / m00 - l10 * heave_ddot
         dy[0] = y[2]
-        dy[2] = theta_ddot
         dy[1] = y[3]
-        dy[3] = heave_ddot
     elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        c0 = p[10]  # base_height**2*base_mass + base_inertia + height**2*mass + inertia
-        c1 = p[11]  # base_height*base_mass
-        c2 = p[12]  # height*mass
-        c3 = p[13]  # base_mass + mass
-        c4 = p[14]  # base_height*base_mass + height*mass
-        c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
-        c11 = p[21]  # foundation_damping*half_width**2
-        c12 = p[22]  # foundation_stiffness*half_width**2
-        c13 = p[23]  # foundation_damping*half_width
-        c14 = p[24]  # foundation_stiffness*half_width
-        total_gravity = ay + gravity
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = foundation_damping*heave_dot
-        x3 = foundation_stiffness*heave
-        m00 = c0
-        m10 = -c1*x0 - c2*x0
-        m11 = c3
-        f0 = (
-            -ax*c4*x1 - c11*theta_dot*x1**2 - c12*x0*x1 + c4*total_gravity*x0 +
-            half_width*s*x1*(-c10 + x2 + x3)
-        )
-        f1 = (
-            c10 + c14*s*x0 - c3*total_gravity + theta_dot*x1*(c1*theta_dot + c13*s +
-            c2*theta_dot) - x2 - x3
-        )
-        l10 = m10 / m00
-        m11 -= l10 * m10
-        f1 -= l10 * f0
-        heave_ddot = f1 / m11
-        theta_ddot = f0 / m00 - l10 * heave_ddot
         dy[0] = y[2]
-        dy[2] = theta_ddot
         dy[1] = y[3]
-        dy[3] = heave_ddot
     elif contact == FLIGHT:
-        theta = y[0]
-        theta_dot = y[2]
-        gravity = p[7]
-        c0 = p[10]  # base_height**2*base_mass + base_inertia + height**2*mass + inertia
-        c1 = p[11]  # base_height*base_mass
-        c2 = p[12]  # height*mass
-        c3 = p[13]  # base_mass + mass
-        c4 = p[14]  # base_height*base_mass + height*mass
-        total_gravity = ay + gravity
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        m00 = c0
-        m10 = -c1*x0 - c2*x0
-        m11 = c3
-        f0 = -ax*c4*x1 + c4*total_gravity*x0
-        f1 = -c3*total_gravity + c4*theta_dot**2*x1
-        l10 = m10 / m00
-        m11 -= l10 * m10
-        f1 -= l10 * f0
-        heave_ddot = f1 / m11
-        theta_ddot = f0 / m00 - l10 * heave_ddot
         dy[0] = y[2]
-        dy[2] = theta_ddot
         dy[1] = y[3]
-        dy[3] = heave_ddot
+    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    dy[2] = found[0]
+    dy[3] = found[1]
+
+
+@_compiled
+def opening_acceleration(contact, y, p, ax, ay):
+    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[contact] * found[0]
 
 
 @_compiled
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it."""
+    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.
+    """
     if contact == LEFT:
         theta = y[0]
         heave = y[1]
@@ -239,13 +308,16 @@ def guards(contact, y, p, ax, ay, g):
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x0 = half_width*math.sin(theta)
-        x1 = half_width*theta_dot*math.cos(theta)
-        g[0] = (
-            -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave +
-            x0)
-        )
-        g[1] = foundation_damping*(-heave_dot - x1) + foundation_stiffness*(c15 - heave - x0)
+        sin_theta, cos_theta = sine_cosine(theta)
+        x0 = half_width*sin_theta
+        x1 = foundation_stiffness*(c15 - heave + x0)
+        x2 = -x1
+        x3 = cos_theta*half_width*theta_dot
+        x4 = -foundation_damping*(-heave_dot + x3) - x1
+        g[0] = max(x2, x4)
+        g[1] = foundation_damping*(-heave_dot - x3) + foundation_stiffness*(c15 - heave - x0)
+        g[2] = x2
+        g[3] = x4
     elif contact == BOTH:
         theta = y[0]
         heave = y[1]
@@ -255,8 +327,9 @@ def guards(contact, y, p, ax, ay, g):
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x0 = half_width*theta_dot*math.cos(theta)
-        x1 = half_width*math.sin(theta)
+        sin_theta, cos_theta = sine_cosine(theta)
+        x0 = cos_theta*half_width*theta_dot
+        x1 = half_width*sin_theta
         g[0] = foundation_damping*(-heave_dot - x0) + foundation_stiffness*(c15 - heave - x1)
         g[1] = foundation_damping*(-heave_dot + x0) + foundation_stiffness*(c15 - heave + x1)
     elif contact == FLIGHT:
@@ -268,16 +341,21 @@ def guards(contact, y, p, ax, ay, g):
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x0 = half_width*math.sin(theta)
-        x1 = half_width*theta_dot*math.cos(theta)
-        g[0] = (
-            -foundation_damping*min(0, -heave_dot - x1) - foundation_stiffness*(c15 - heave -
-            x0)
-        )
-        g[1] = (
-            -foundation_damping*min(0, -heave_dot + x1) - foundation_stiffness*(c15 - heave +
-            x0)
-        )
+        sin_theta, cos_theta = sine_cosine(theta)
+        x0 = half_width*sin_theta
+        x1 = foundation_stiffness*(c15 - heave - x0)
+        x2 = -x1
+        x3 = cos_theta*half_width*theta_dot
+        x4 = -foundation_damping*(-heave_dot - x3) - x1
+        x5 = foundation_stiffness*(c15 - heave + x0)
+        x6 = -x5
+        x7 = -foundation_damping*(-heave_dot + x3) - x5
+        g[0] = max(x2, x4)
+        g[1] = max(x6, x7)
+        g[2] = x2
+        g[3] = x4
+        g[4] = x6
+        g[5] = x7
     elif contact == RIGHT:
         theta = y[0]
         heave = y[1]
@@ -287,13 +365,16 @@ def guards(contact, y, p, ax, ay, g):
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x0 = half_width*math.sin(theta)
-        x1 = half_width*theta_dot*math.cos(theta)
-        g[0] = (
-            -foundation_damping*min(0, -heave_dot - x1) - foundation_stiffness*(c15 - heave -
-            x0)
-        )
-        g[1] = foundation_damping*(-heave_dot + x1) + foundation_stiffness*(c15 - heave + x0)
+        sin_theta, cos_theta = sine_cosine(theta)
+        x0 = half_width*sin_theta
+        x1 = foundation_stiffness*(c15 - heave - x0)
+        x2 = -x1
+        x3 = cos_theta*half_width*theta_dot
+        x4 = -foundation_damping*(-heave_dot - x3) - x1
+        g[0] = max(x2, x4)
+        g[1] = foundation_damping*(-heave_dot + x3) + foundation_stiffness*(c15 - heave + x0)
+        g[2] = x2
+        g[3] = x4
 
 
 @_compiled
@@ -443,9 +524,8 @@ def energies(contact, y, p, out):
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == BOTH:
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[2]
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -479,9 +559,8 @@ def reactions(contact, y, p, ax, ay, out):
         )
     elif contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[2]
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -510,9 +589,8 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x7*(1 - s)
         out[2] = x7*(s + 1)
     elif contact == FLIGHT:
-        dy = np.empty(N_STATES)
-        rates(contact, y, p, ax, ay, dy)
-        theta_ddot = dy[2]
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -635,7 +713,7 @@ def velocity_ratio(p):
     return value
 
 
-@_compiled
+@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (10,) with the constants that follow from them: p (26,)."""
     p = np.empty(26)
@@ -658,16 +736,16 @@ def prepare(parameters):
     x5 = 2*foundation_stiffness
     x6 = base_mass*gravity
     x7 = gravity*mass
-    p[10] = base_height**2*base_mass + base_inertia + height**2*mass + inertia
-    p[11] = x0
-    p[12] = x1
-    p[13] = x2
-    p[14] = x0 + x1
-    p[15] = x3*x4
-    p[16] = x3*x5
-    p[17] = x4
-    p[18] = x5
-    p[19] = x6 + x7
+    p[10] = x0
+    p[11] = x1
+    p[12] = x2
+    p[13] = x0 + x1
+    p[14] = x3*x4
+    p[15] = x3*x5
+    p[16] = x4
+    p[17] = x5
+    p[18] = x6 + x7
+    p[19] = 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
     p[20] = (1/2)*x6 + (1/2)*x7
     p[21] = foundation_damping*x3
     p[22] = foundation_stiffness*x3

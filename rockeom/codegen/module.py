@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Mapping
 import sympy as sp
 
 from rockeom.codegen.printer import WIDTH, assign, python, solve_symmetric, statements
-from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.algebra import SIDE, angles_in, tidy
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel, Transition
 from rockeom.symbolic.statics import LOAD, equilibrium
@@ -40,6 +40,42 @@ Operations before and after common subexpressions were shared:
 
 SOURCE_HASH = "{digest}"
 '''
+
+
+SINE_COSINE = '''
+ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
+
+
+@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+def sine_cosine(x):
+    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    n = 0.0
+    r = x
+    if abs(x) > 0.7853981633974483:
+        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
+        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
+    z = r * r
+    zz = z * z
+    z4 = zz * zz
+    # in pairs of terms, so that the processor need not wait for one after the other
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * s2
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    # by quarters of a turn: -2 to 2
+    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+    odd = quarter * quarter == 1.0
+    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+    back = quarter * quarter == 4.0
+    sine = -sine if back or quarter == -1.0 else sine
+    cosine = -cosine if back or quarter == 1.0 else cosine
+    return sine, cosine'''
 
 
 class _Module:
@@ -110,10 +146,12 @@ class _Module:
 
         return walk(expr)
 
-    def unpack(self, exprs: Iterable[sp.Expr], indent: str) -> list[str]:
-        """Read the states and parameters that occur, in the order of the tables."""
+    def unpack(self, exprs: Iterable[sp.Expr], indent: str, states: bool) -> list[str]:
+        """Read the states (of y) and parameters (of p) that occur, in the order of the tables."""
         used = {str(x) for e in exprs for x in sp.sympify(e).free_symbols}
-        lines = [f"{indent}{n} = y[{i}]" for i, n in enumerate(self.model.states) if n in used]
+        lines = [
+            f"{indent}{n} = y[{i}]" for i, n in enumerate(self.model.states) if states and n in used
+        ]
         lines += [
             f"{indent}{p.name} = p[{i}]"
             for i, p in enumerate(self.model.parameters)
@@ -137,18 +175,30 @@ class _Module:
         indent: str,
         first: Mapping[str, sp.Expr] | None = None,
         hoist: bool = False,
+        states: bool = True,
     ) -> list[str]:
-        """Lines that read what is needed, assign `first`, and then the targets."""
+        """Lines that read what is needed, assign `first`, and then the targets.
+
+        hoist : parts that depend on parameters alone are left to `prepare`, and the sine and
+            cosine of an angle are found together. states : whether they are read from y.
+        """
         ahead = {k: self.plain(e) for k, e in (first or {}).items()}
         plain = {k: self.plain(e) for k, e in targets.items()}
+        angles: dict[sp.Expr, str] = {}
         if hoist:
             plain = {k: self.hoisted(e) for k, e in plain.items()}
+            plain, angles = _turned(plain)
         lines, before, after = statements(plain, indent)
         self.count(function, before, after)
         used = {str(x) for e in plain.values() for x in e.free_symbols}
         ahead = {k: e for k, e in ahead.items() if k in used}
         assigned = [line for k, e in ahead.items() for line in assign(k, python(e), indent)]
-        return self.unpack([*ahead.values(), *plain.values()], indent) + assigned + lines
+        assigned += [
+            f"{indent}sin_{name}, cos_{name} = sine_cosine({python(angle)})"
+            for angle, name in angles.items()
+        ]
+        read = self.unpack([*ahead.values(), *plain.values(), *angles], indent, states)
+        return read + assigned + lines
 
     def system(
         self,
@@ -158,24 +208,62 @@ class _Module:
         out: list[str],
         indent: str,
         gravity: sp.Expr | None = None,
+        states: bool = True,
     ) -> list[str]:
-        """Lines that evaluate and solve matrix * x = right, x assigned to the names in `out`.
+        """Lines that solve matrix * x = right for plain numbers, x assigned to the names in `out`.
 
-        Where `gravity` is given, the right-hand side is collected by it and by the ground
-        acceleration: weight and vertical shaking act alike, as g + a_y.
+        Unknowns whose coefficients are constants are eliminated here, symbolically: divisions by
+        them are hoisted, and what cancels is gone. Where `gravity` is given, the right-hand
+        side is collected by it and by the ground acceleration: weight and vertical shaking act
+        alike, as g + a_y.
         """
-        n = matrix.rows
-        first = {}
-        if gravity is not None:
-            first[TOTAL_GRAVITY.name] = gravity + GROUND_Y
-            right = right.applyfunc(lambda e: _collected(e, gravity))
-        entries = {f"m{i}{j}": matrix[i, j] for i in range(n) for j in range(i + 1)}
-        entries |= {f"f{i}": right[i] for i in range(n)}
-        solved = solve_symmetric(n, "m", "f", out, indent)
-        return self.evaluate(function, entries, indent, first, hoist=True) + solved
 
-    def function(self, signature: str, doc: str, body: list[str]) -> None:
-        self.text += ["", "", "@_compiled", f"def {signature}:", *_docstring(doc), *body]
+        def collected(expr: sp.Expr) -> sp.Expr:
+            return expr if gravity is None else _collected(expr, gravity)
+
+        M, F = matrix.copy(), right.copy()
+        left, last = list(range(M.rows)), []
+
+        def simple(j: int) -> bool:
+            return self.fixed(M[j, j]) and all(self.fixed(M[i, j] / M[j, j]) for i in left)
+
+        while (j := next((j for j in left if simple(j)), None)) is not None:
+            left.remove(j)
+            share = {i: sp.expand(M[i, j] / M[j, j]) for i in left}
+            for i in left:
+                F[i] = tidy(F[i] - share[i] * F[j])
+                for k in left:
+                    M[i, k] = tidy(M[i, k] - share[i] * M[j, k])
+            last.append((j, sp.expand(F[j] / M[j, j]), share))
+        left.sort(key=lambda j: not self.fixed(M[j, j]))
+        entries = {
+            f"m{a}{b}": M[i, j] for a, i in enumerate(left) for b, j in enumerate(left[: a + 1])
+        }
+        entries |= {f"f{a}": collected(F[i]) for a, i in enumerate(left)}
+        if left and self.fixed(M[left[0], left[0]]):
+            del entries["m00"]
+            entries["r0"] = 1 / M[left[0], left[0]]
+        solved = solve_symmetric(len(left), [out[i] for i in left], indent, known="r0" in entries)
+        for j, value, share in reversed(last):
+            pull = [(f"share_{j}{i}", out[i], e) for i, e in share.items() if e != 0]
+            entries |= {name: e for name, _, e in pull}
+            entries[f"{out[j]}_alone" if pull else out[j]] = collected(value)
+            if pull:
+                taken = "".join(f" - {name} * {x}" for name, x, _ in pull)
+                solved.append(f"{indent}{out[j]} = {out[j]}_alone{taken}")
+        first = {} if gravity is None else {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+        lines = self.evaluate(function, entries, indent, first, hoist=True, states=states)
+        return lines + solved
+
+    def fixed(self, expr: sp.Expr) -> bool:
+        """Whether an expression contains parameters alone."""
+        parameters = {self.names[p.symbol] for p in self.model.parameters}
+        return self.plain(expr).free_symbols <= parameters
+
+    def function(
+        self, signature: str, doc: str, body: list[str], decorator: str = "_compiled"
+    ) -> None:
+        self.text += ["", "", f"@{decorator}", f"def {signature}:", *_docstring(doc), *body]
 
     def by_phase(self, signature: str, doc: str, branch: Callable[[Phase, str], list[str]]) -> None:
         """A function with one branch a phase."""
@@ -191,53 +279,75 @@ class _Module:
 
     # -- functions of the contract --------------------------------------------------------
 
-    def rates(self) -> None:
-        def branch(phase: Phase, indent: str) -> list[str]:
+    def accelerations(self) -> None:
+        """A function of plain numbers for each phase, and one that chooses the phase."""
+        model = self.model
+        states = ", ".join(model.states)
+        chosen: list[str] = []
+        for phase in model.phases:
+            name = "_".join(["accelerations", *phase.contacts])
             free = [c.name for c in phase.coordinates]
-            lines = []
+            out = [f"{n}_ddot" for n in free]
+            body = []
             if free:
                 eq = phase.equations
-                out = [f"{n}_ddot" for n in free]
-                lines += self.system(
-                    "rates", eq.mass_matrix, eq.forcing, out, indent, phase.gravity
+                body = self.system(
+                    "accelerations", eq.mass_matrix, eq.forcing, out, "    ", phase.gravity, False
                 )
-            for i, c in enumerate(self.model.coordinates):
-                moving = c.name in free
-                lines.append(f"{indent}dy[{i}] = {f'y[{self.n + i}]' if moving else '0.0'}")
-                lines.append(f"{indent}dy[{self.n + i}] = {f'{c.name}_ddot' if moving else '0.0'}")
-            return lines
+            found = [f"{c.name}_ddot" if c.name in free else "0.0" for c in model.coordinates]
+            side = "s, " if phase.has_side else ""
+            self.function(
+                f"{name}({side}{states}, p, ax, ay)",
+                f"Accelerations of the coordinates with contact {' or '.join(phase.contacts)}.",
+                [*body, f"    return ({', '.join(found)},)"],
+                "_inlined",
+            )
+            chosen.append(f"    {'elif' if chosen else 'if'} {self.test(phase)}:")
+            chosen += self.side(phase, " " * 8)
+            chosen.append(f"        return {name}({side}{states}, p, ax, ay)")
+        chosen[-2 - any(phase.has_side for phase in model.phases[-1:])] = "    else:"
+        self.function(
+            f"accelerations(contact, {states}, p, ax, ay)",
+            "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
+            chosen,
+            "_inlined",
+        )
 
+    def rates(self) -> None:
+        """The same on arrays."""
+
+        def branch(phase: Phase, indent: str) -> list[str]:
+            free = [c.name for c in phase.coordinates]
+            return [
+                f"{indent}dy[{i}] = {f'y[{self.n + i}]' if c.name in free else '0.0'}"
+                for i, c in enumerate(self.model.coordinates)
+            ]
+
+        states = ", ".join(f"y[{i}]" for i in range(2 * self.n))
         self.by_phase(
             "rates(contact, y, p, ax, ay, dy)",
             "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
             branch,
         )
+        self.text += [
+            f"    found = accelerations(contact, {states}, p, ax, ay)",
+            *(f"    dy[{self.n + i}] = found[{i}]" for i in range(self.n)),
+        ]
 
     def opening_acceleration(self) -> None:
         """Second derivative of the gap that a rocking phase would open from rest."""
         rotation = self.model.rotation
-        targets = {t.target for t in self.model.transitions if t.kind == "uplift"}
-        body = []
-        for phase in self.model.phases:
-            if not targets & set(phase.contacts):
-                continue
-            closed = {rotation.position: 0, rotation.velocity: 0}
-            eq = phase.equations
-            out = [f"{c.name}_ddot" for c in phase.coordinates]
-            body += self.side(phase, "    ")
-            body += self.system(
-                "opening_acceleration",
-                eq.mass_matrix.subs(closed),
-                eq.forcing.subs(closed),
-                out,
-                "    ",
-                phase.gravity,
-            )
-            body.append(f"    return s * {rotation.name}_ddot")
+        closed = {rotation.name, f"{rotation.name}_dot"}
+        states = ", ".join(
+            "0.0" if n in closed else f"y[{i}]" for i, n in enumerate(self.model.states)
+        )
         self.function(
             "opening_acceleration(contact, y, p, ax, ay)",
             "Acceleration with which a contact state's gap would open from closed and at rest.",
-            body or ["    return 0.0"],
+            [
+                f"    found = accelerations(contact, {states}, p, ax, ay)",
+                f"    return SIDES[contact] * found[{self.index(rotation.name)}]",
+            ],
         )
 
     def guards(self) -> None:
@@ -250,6 +360,8 @@ class _Module:
             expressions = {
                 f"g[{i}]": t.guard for i, t in enumerate(transitions) if t.guard is not None
             }
+            for parts in self.parts(contact):
+                expressions |= {f"g[{i}]": e for i, e in parts.items()}
             body += self.evaluate("guards", expressions, " " * 8, hoist=True)
             body += [
                 f"        g[{i}] = -opening_acceleration({t.target.upper()}, y, p, ax, ay)"
@@ -258,9 +370,29 @@ class _Module:
             ]
         self.function(
             "guards(contact, y, p, ax, ay, g)",
-            "Guards of a contact state into g: all positive inside it; the first to fall ends it.",
+            """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.""",
             body or ["    pass"],
         )
+
+    def parts(self, contact: str) -> list[dict[int, sp.Expr]]:
+        """For each guard of a contact state: its two parts by their place in g, if it has any."""
+        found: list[dict[int, sp.Expr]] = []
+        place = self.longest
+        for t in self.outgoing(contact):
+            if isinstance(t.guard, sp.Max):
+                found.append(dict(zip((place, place + 1), t.guard.args, strict=True)))
+                place += 2
+            else:
+                found.append({})
+        return found
+
+    @property
+    def longest(self) -> int:
+        """The largest number of guards of a contact state."""
+        return max(len(self.outgoing(c)) for c in self.model.contacts)
 
     def outgoing(self, contact: str) -> list[Transition]:
         return [t for t in self.model.transitions if t.source == contact]
@@ -349,11 +481,11 @@ class _Module:
             used = set().union(*(sp.sympify(e).free_symbols for e in values.values()))
             lines = []
             if used & {c.acceleration for c in phase.coordinates}:
-                lines.append(f"{indent}dy = np.empty(N_STATES)")
-                lines.append(f"{indent}rates(contact, y, p, ax, ay, dy)")
+                states = ", ".join(f"y[{i}]" for i in range(2 * self.n))
+                lines.append(f"{indent}found = accelerations(contact, {states}, p, ax, ay)")
                 lines += [
-                    f"{indent}{c.name}_ddot = dy[{self.index(f'{c.name}_dot')}]"
-                    for c in phase.coordinates
+                    f"{indent}{c.name}_ddot = found[{i}]"
+                    for i, c in enumerate(self.model.coordinates)
                     if c.acceleration in used
                 ]
             targets = {f"out[{i}]": e for i, e in enumerate(values.values())}
@@ -409,6 +541,7 @@ class _Module:
                 *lines,
                 "    return p",
             ],
+            'njit(cache=True, error_model="numpy")',
         )
 
     def statics(self) -> None:
@@ -435,8 +568,9 @@ class _Module:
 
     def build(self) -> str:
         model = self.model
-        self.opening_acceleration()
+        self.accelerations()
         self.rates()
+        self.opening_acceleration()
         self.guards()
         self.impulses()
         self.jump()
@@ -475,7 +609,8 @@ class _Module:
         model = self.model
         number = {c: i for i, c in enumerate(model.contacts)}
         sides = [model.phase(c).side_of(c) for c in model.contacts]
-        longest = max(len(self.outgoing(c)) for c in model.contacts)
+        longest = self.longest
+        parts = {c: self.parts(c) for c in model.contacts}
         lines = [
             "",
             f'NAME = "{model.name}"',
@@ -502,6 +637,7 @@ class _Module:
             "",
             f"N_STATES = {2 * self.n}",
             f"N_GUARDS = {longest}",
+            f"N_PARTS = {max(sum(map(len, p)) for p in parts.values())}",
             f"ROTATION = {self.index(model.rotation.name)}",
             f"ROTATION_RATE = {self.index(model.rotation.name + '_dot')}",
             f"SIDES = ({', '.join(str(float(s)) for s in sides)},)",
@@ -515,18 +651,27 @@ class _Module:
             "CLOSED = (  # guard of the contact state that follows which is closed on entering it",
             *(f"    {self.closed(c, longest)},  # {c}" for c in model.contacts),
             ")",
+            "PARTS = (  # place in g of the two parts of a guard, or -1",
+            *(
+                f"    {_row([min(p, default=-1) for p in parts[c]], longest)},  # {c}"
+                for c in model.contacts
+            ),
+            ")",
             f"HAS_IMPULSIVE = {self.impulsive}",
             "RATIO, IMPULSIVE = 0, 1",
             *(f"{c.upper()} = {i}" for c, i in number.items()),
             "",
-            '_compiled = njit(cache=True, error_model="numpy")',
+            "# Nothing here allocates: no array's references need to be counted. Equations are not",
+            "# contracted to a*b + c in one rounding: they give one number wherever they stand.",
+            'OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}',
+            "_compiled = njit(cache=True, **OPTIONS)",
+            "_inlined = njit(forceinline=True, **OPTIONS)",
+            *SINE_COSINE.splitlines(),
         ]
         return lines
 
     def targets(self, contact: str, length: int) -> str:
-        numbers = [self.number(t.target) for t in self.outgoing(contact)]
-        numbers += [-1] * (length - len(numbers))
-        return "(" + "".join(f"{i}, " for i in numbers).strip() + ")"
+        return _row([self.number(t.target) for t in self.outgoing(contact)], length)
 
     def closed(self, contact: str, length: int) -> str:
         """For each guard of a contact state: the one of its target that leads back, or -1.
@@ -541,8 +686,7 @@ class _Module:
                 if other.target == contact or other.fallback == contact
             ]
             back.append(returning[0] if returning else -1)
-        back += [-1] * (length - len(back))
-        return "(" + "".join(f"{i}, " for i in back).strip() + ")"
+        return _row(back, length)
 
     def header(self, body: str) -> str:
         model = self.model
@@ -576,6 +720,17 @@ def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
     )
 
 
+def _turned(exprs: Mapping[str, sp.Expr]) -> tuple[dict[str, sp.Expr], dict[sp.Expr, str]]:
+    """The expressions with names for sines and cosines, and the name of each angle."""
+    found = {a for e in exprs.values() for a in angles_in(e)}
+    names: dict[sp.Expr, str] = {}
+    for angle in sorted(found, key=sp.default_sort_key):
+        names[angle] = str(angle) if angle.is_Symbol else f"angle_{len(names)}"
+    named = {sp.sin(a): sp.Symbol(f"sin_{n}") for a, n in names.items()}
+    named |= {sp.cos(a): sp.Symbol(f"cos_{n}") for a, n in names.items()}
+    return {k: e.xreplace(named) for k, e in exprs.items()}, names
+
+
 def _imports(body: str) -> str:
     """Only what the functions use."""
     lines = ["import math\n"] if "math." in body else []
@@ -592,9 +747,13 @@ _KIND = {"impact": 0, "uplift": 1, "switch": 2}
 
 
 def _kinds(transitions: list[Transition], length: int) -> str:
-    kinds = [_KIND[t.kind] for t in transitions]
-    kinds += [2] * (length - len(kinds))
-    return "(" + "".join(f"{k}, " for k in kinds).strip() + ")"
+    return _row([_KIND[t.kind] for t in transitions], length, _KIND["switch"])
+
+
+def _row(numbers: list[int], length: int, filler: int = -1) -> str:
+    """A tuple of that length."""
+    numbers = numbers + [filler] * (length - len(numbers))
+    return "(" + "".join(f"{i}, " for i in numbers).strip() + ")"
 
 
 def _table(name: str, values: Iterable[str]) -> list[str]:

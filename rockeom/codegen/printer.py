@@ -14,8 +14,8 @@ WIDTH = 96
 class _Printer(PythonCodePrinter):
     """Python of the standard library alone."""
 
-    def _print_Min(self, expr):
-        return f"min({', '.join(self._print(a) for a in expr.args)})"
+    def _print_Max(self, expr):
+        return f"max({', '.join(self._print(a) for a in expr.args)})"
 
 
 _PRINTER = _Printer({"fully_qualified_modules": True})
@@ -53,24 +53,23 @@ def statements(
     return lines, before, after
 
 
-def solve_symmetric(n: int, matrix: str, right: str, out: Sequence[str], indent: str) -> list[str]:
+def solve_symmetric(n: int, out: Sequence[str], indent: str, known: bool = False) -> list[str]:
     """Lines that solve a symmetric n x n system by L D L^T, written out without loops.
 
-    The entries stand in names such as m00, m10, m11 (lower triangle) and f0, f1.
+    The entries stand in m00, m10, m11 (lower triangle) and f0, f1. Where the first reciprocal
+    pivot is `known`, it stands in r0, and m00 nowhere.
     """
-
-    def m(i: int, j: int) -> str:
-        return f"{matrix}{i}{j}"
-
     lines = []
     for j in range(n):
+        if j > 0 or not known:
+            lines.append(f"r{j} = 1.0 / m{j}{j}")
         for i in range(j + 1, n):
-            lines.append(f"l{i}{j} = {m(i, j)} / {m(j, j)}")
+            lines.append(f"l{i}{j} = m{i}{j} * r{j}")
         for i in range(j + 1, n):
             for k in range(j + 1, i + 1):
-                lines.append(f"{m(i, k)} -= l{i}{j} * {m(k, j)}")
-            lines.append(f"{right}{i} -= l{i}{j} * {right}{j}")
+                lines.append(f"m{i}{k} -= l{i}{j} * m{k}{j}")
+            lines.append(f"f{i} -= l{i}{j} * f{j}")
     for i in reversed(range(n)):
         back = "".join(f" - l{k}{i} * {out[k]}" for k in range(i + 1, n))
-        lines.append(f"{out[i]} = {right}{i} / {m(i, i)}{back}")
+        lines.append(f"{out[i]} = f{i} * r{i}{back}")
     return [indent + line for line in lines]

@@ -15,214 +15,390 @@ FULL = 7  # no outcome: the records must be emptied before the loop goes on
 # Columns of the record of events
 IMPACT, UPLIFT, SWITCH, REST = range(4)
 
-_entry = njit(cache=True, error_model="numpy", nogil=True)
+_entry = njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True)
+"""What is called from Python, and may allocate."""
+_loop = njit(cache=True, nogil=True, **FUSED)
+
+# Places in the loop's scratch array
+_K = 0
+_W = _K + N_ALL_STAGES * (N_STATES + 2)
+_Y_NEW = _W + N_STATES
+_AFTER = _Y_NEW + N_STATES
+_POWERS = _AFTER + N_STATES
+_GUARDS = _POWERS + 8 * N_STATES
+_BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
+_STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
+SCRATCH = _STACK + 640
 
 EPS = 2.220446049250313e-16
+EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
 NEVER = 2.0  # a place behind the end of any step
 
 
 @_compiled
-def ground(row, t):
-    """Ground acceleration at t by the law in a row of a motion's table."""
+def pulse(row, t):
+    """Ground acceleration at t by a curved law, see `shaking`."""
     kind = row[2]
     tau = t - row[0]
-    if kind == 0.0:  # linear
-        return row[3] + row[4] * tau
     if kind == 1.0:  # sine
-        return row[3] * math.sin(row[4] * tau + row[5])
+        sine, _ = sine_cosine(row[4] * tau + row[5])
+        return row[3] * sine
+    # expm1, since the compiler would call exp for every law, just in case
     x = row[4] * (tau - row[5])
     if kind == 2.0:  # symmetric Ricker
-        return row[3] * (1.0 - 2.0 * x * x) * math.exp(-x * x)
-    return row[3] * x * (x * x - 3.0) * math.exp(-0.5 * x * x)
+        return row[3] * (1.0 - 2.0 * x * x) / (1.0 + math.expm1(x * x))
+    return row[3] * x * (x * x - 3.0) / (1.0 + math.expm1(0.5 * x * x))
+
+
+@_inlined
+def shaking(row, t):
+    """Ground acceleration at t by the law in a row of a motion's table."""
+    if row[2] == 0.0:  # linear
+        return row[3] + row[4] * (t - row[0])
+    return pulse(row, t)
 
 
 @_compiled
-def row_at(table, n, t, quiet):
+def shake(row, t, h, first, last, out, at):
+    """Ground accelerations by a curved law at the stages from `first` to before `last` of a step.
+
+    To out[at + j]. They do not wait for the state, so that the compiler may find several at once.
+    """
+    if row[2] == 1.0:
+        for j in range(first, last):
+            sine, _ = sine_cosine(row[4] * ((t + STAGE_TIMES[j] * h) - row[0]) + row[5])
+            out[at + j] = row[3] * sine
+    else:
+        for j in range(first, last):
+            out[at + j] = pulse(row, t + STAGE_TIMES[j] * h)
+
+
+@_inlined
+def at_stage(row, t, shaken):
+    """Ground acceleration at a stage: of a line, or what `shake` has found."""
+    return row[3] + row[4] * (t - row[0]) if row[2] == 0.0 else shaken
+
+
+QUIET = (0.0, np.inf, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""The row of ground that stands still."""
+
+
+@_inlined
+def row_at(table, n, t):
     """(n, row) of a motion's table that holds at t and after it, from row n on; quiet behind it."""
     while n < table.shape[0] and t >= table[n, 1]:
         n += 1
-    return n, (table[n] if n < table.shape[0] else quiet)
+    if n == table.shape[0]:
+        return n, QUIET
+    return n, row_of(table, n)
+
+
+@_inlined
+def row_of(table, n):
+    return (
+        table[n, 0], table[n, 1], table[n, 2], table[n, 3], table[n, 4], table[n, 5], table[n, 6]
+    )  # fmt: skip
 
 
 # -- first fall of a guard through zero ----------------------------------------------------------
 
 
-@_compiled
-def bernstein_at(b, x, w):
-    """Value of the polynomial with Bernstein coefficients b[:8], by de Casteljau in w (8,)."""
-    for i in range(8):
-        w[i] = b[i]
-    for n in range(7, 0, -1):
-        for i in range(n):
-            w[i] += x * (w[i + 1] - w[i])
-    return w[0]
+@_inlined
+def bernstein_at(b, at, x):
+    """Value and slope at x of the polynomial with Bernstein coefficients b[at : at + 8].
+
+    De Casteljau's scheme, written out.
+    """
+    a0, a1, a2, a3 = b[at], b[at + 1], b[at + 2], b[at + 3]
+    a4, a5, a6, a7 = b[at + 4], b[at + 5], b[at + 6], b[at + 7]
+    a0, a1, a2, a3 = a0 + x * (a1 - a0), a1 + x * (a2 - a1), a2 + x * (a3 - a2), a3 + x * (a4 - a3)
+    a4, a5, a6 = a4 + x * (a5 - a4), a5 + x * (a6 - a5), a6 + x * (a7 - a6)
+    a0, a1, a2 = a0 + x * (a1 - a0), a1 + x * (a2 - a1), a2 + x * (a3 - a2)
+    a3, a4, a5 = a3 + x * (a4 - a3), a4 + x * (a5 - a4), a5 + x * (a6 - a5)
+    a0, a1, a2 = a0 + x * (a1 - a0), a1 + x * (a2 - a1), a2 + x * (a3 - a2)
+    a3, a4 = a3 + x * (a4 - a3), a4 + x * (a5 - a4)
+    a0, a1 = a0 + x * (a1 - a0), a1 + x * (a2 - a1)
+    a2, a3 = a2 + x * (a3 - a2), a3 + x * (a4 - a3)
+    a0, a1, a2 = a0 + x * (a1 - a0), a1 + x * (a2 - a1), a2 + x * (a3 - a2)
+    a0, a1 = a0 + x * (a1 - a0), a1 + x * (a2 - a1)
+    return a0 + x * (a1 - a0), 7.0 * (a1 - a0)
 
 
 @_compiled
-def first_fall(b, touching, noise, stack):
+def first_fall(b, at, grain, touching, noise, stack):
     """Smallest x in (0, 1] at which a polynomial falls through zero, or NEVER.
 
-    b (8,) Bernstein coefficients on [0, 1]. Its coefficients bound a polynomial, and the number
-    of their changes of sign bounds that of its roots: a part without change has no root, a part
-    with one has one, other parts are halved. So no pair of roots is stepped over.
+    b[at : at + 8] Bernstein coefficients on [0, 1]. Its coefficients bound a polynomial, and the
+    number of their changes of sign bounds that of its roots: a part without change has no root, a
+    part with one has one, other parts are halved. So no pair of roots is stepped over.
 
+    grain : rounding error of a coefficient, relative to the largest.
     touching : the guard was closed at x = 0 (an event was just there); that root is no other event.
     noise : beside x = 0 coefficients below it are rounding errors.
-    stack (64, 10) : scratch, a row holds the coefficients of a part, its start and its width.
+    stack (640,) : scratch; ten places hold the coefficients of a part, its start and its width.
     """
-    scale = size(b)
+    scale = size(b, at)
     if scale == 0.0:
         return NEVER
-    opening = max(8.0 * EPS * scale, noise)
-    noise = 8.0 * EPS * scale
+    opening = max(grain * scale, noise)
+    noise = grain * scale
     for i in range(8):
-        stack[0, i] = b[i]
+        stack[i] = b[at + i]
     if touching:
-        stack[0, 0] = 0.0
-    stack[0, 8], stack[0, 9] = 0.0, 1.0
-    before = -1 if b[0] < -noise and not touching else 1  # sign before a part
-    depth = 0
-    while depth >= 0:
-        part, upper = stack[depth], stack[depth + 1]
-        start, width = part[8], part[9]
+        stack[0] = 0.0
+    stack[8], stack[9] = 0.0, 1.0
+    before = -1 if b[at] < -noise and not touching else 1  # sign before a part
+    part = np.int64(0)
+    while part >= 0:
+        start, width = stack[part + 8], stack[part + 9]
         negligible = opening if start == 0.0 else noise
         changes = 0
         first = sign = 0
         for i in range(8):
-            if abs(part[i]) > negligible:
-                new = 1 if part[i] > 0.0 else -1
+            if abs(stack[part + i]) > negligible:
+                new = 1 if stack[part + i] > 0.0 else -1
                 if sign == 0:
                     first = new
                 elif new != sign:
                     changes += 1
                 sign = new
-        if first < 0 and before > 0:
+        decided = changes == 0 or width < 1e-13
+        ends = abs(stack[part + 7]) > negligible  # else the last change of sign may be none
+        if first < 0 and before > 0 and decided:
             return start  # it falls exactly where this part begins
         if changes == 0:
             before = sign if sign != 0 else before
-            depth -= 1
-        elif changes == 1 or width < 1e-13:
+            part -= 10
+        elif decided or (changes == 1 and first == before and ends):
             if first > 0:
-                return start + width * fall(part, upper)
+                return start + width * fall(stack, part)
             before = sign  # begins below zero and rises
-            depth -= 1
+            part -= 10
         else:
             # halve: de Casteljau gives both halves at once; the lower one is looked at first
+            lower = part + 10
             for n in range(7, -1, -1):
-                upper[7 - n] = part[0]
-                for i in range(n):
-                    part[i] = 0.5 * (part[i] + part[i + 1])
-            upper[8], upper[9] = start, 0.5 * width
-            part[8], part[9] = start + 0.5 * width, 0.5 * width
-            depth += 1
-    return NEVER if before > 0 or b[0] >= -noise else 0.0  # 0: below zero all along
+                stack[lower + 7 - n] = stack[part]
+                for i in range(part, part + n):
+                    stack[i] = 0.5 * (stack[i] + stack[i + 1])
+            stack[lower + 8], stack[lower + 9] = start, 0.5 * width
+            stack[part + 8], stack[part + 9] = start + 0.5 * width, 0.5 * width
+            part = lower
+    return NEVER if before > 0 or b[at] >= -noise else 0.0  # 0: below zero all along
 
 
 @_compiled
-def size(b):
+def larger_falls(b, part, touching, noise, stack):
+    """(place, part): where the larger of two polynomials first falls through zero, and which it is.
+
+    b : the Bernstein coefficients of both begin at 8 * part and 8 * (part + 1); its last eight
+        places are scratch. Each may fall and rise while the other holds the guard open.
+    """
+    p = 0.0
+    open_ = part if b[8 * part] >= b[8 * part + 8] else part + 1
+    rest = 8 * (N_GUARDS + N_PARTS)
+    if not touching and not starts_open(b, 8 * open_):
+        open_ = 2 * part + 1 - open_
+        if not starts_open(b, 8 * open_):
+            return 0.0, open_
+    while True:
+        part_from(b, 8 * open_, p, rest)
+        touches = touching and p == 0.0
+        x = first_fall(b, rest, SAMPLED, touches, noise if p == 0.0 else 0.0, stack)
+        if x == NEVER:
+            return NEVER, open_
+        p += (1.0 - p) * x
+        other = 2 * part + 1 - open_
+        if bernstein_at(b, 8 * other, p)[0] <= SAMPLED * size(b, 8 * other):
+            return p, open_
+        open_ = other
+
+
+@_compiled
+def starts_open(b, at):
+    """Whether a polynomial is positive at zero, or opens there."""
+    noise = SAMPLED * size(b, at)
+    for i in range(8):
+        if abs(b[at + i]) > noise:
+            return b[at + i] > 0.0
+    return False
+
+
+@_compiled
+def part_from(b, at, x, to):
+    """Bernstein coefficients b[to : to + 8] on [x, 1] of a polynomial."""
+    for i in range(8):
+        b[to + i] = b[at + i]
+    for n in range(7, 0, -1):
+        for i in range(n):
+            b[to + i] += x * (b[to + i + 1] - b[to + i])
+
+
+@_compiled
+def size(b, at):
     largest = 0.0
     for i in range(8):
-        largest = max(largest, abs(b[i]))
+        largest = max(largest, abs(b[at + i]))
     return largest
 
 
 @_compiled
-def fall(b, w):
-    """The single fall through zero on [0, 1], by bisection sped up by false position."""
+def fall(b, at):
+    """The single fall through zero on [0, 1], by Newton's method within a bracket."""
     low, high = 0.0, 1.0
-    at_low, at_high = b[0], b[7]
+    # a hop is concave: from its end Newton's method goes straight to where it lands
+    last = b[at + 6] - b[at + 7]
+    x = 1.0 + b[at + 7] / (7.0 * last) if last > 0.0 else 0.5
+    if not 0.0 < x < 1.0:
+        x = 0.5
     for n in range(200):
-        if high - low <= 2.0 * EPS:
-            break
-        x = 0.5 * (low + high)
-        if n % 2 == 0 and at_low > 0.0 > at_high:
-            x = low + (high - low) * at_low / (at_low - at_high)
-            x = min(max(x, low + 0.01 * (high - low)), high - 0.01 * (high - low))
-        value = bernstein_at(b, x, w)
+        value, slope = bernstein_at(b, at, x)
         if value > 0.0:
-            low, at_low = x, value
+            low = x
         else:
-            high, at_high = x, value
-        if value == 0.0:
-            return x
-    return high
+            high = x
+        step = -value / slope if slope < 0.0 else np.inf
+        x += step
+        if abs(step) <= 1e-10 or high - low <= 2.0 * EPS:
+            break  # the error left is about the square of that
+        if not low < x < high or n % 8 == 7:
+            x = 0.5 * (low + high)
+    return min(max(x, low), high)
+
+
+@_inlined
+def power_sum(coefficients, x, i):
+    """State i at x in [0, 1] of a step from its dense output (8 * N,)."""
+    value = coefficients[7 * N_STATES + i]
+    for j in range(6, -1, -1):
+        value = value * x + coefficients[j * N_STATES + i]
+    return value
 
 
 @_compiled
 def dense_at(coefficients, x, out):
-    """States at x in [0, 1] of a step from its dense output (8, N), into out (N,)."""
+    """All states at x in [0, 1] of a step, into out (N,)."""
     for i in range(N_STATES):
-        value = coefficients[7, i]
-        for j in range(6, -1, -1):
-            value = value * x + coefficients[j, i]
-        out[i] = value
+        out[i] = power_sum(coefficients, x, i)
 
 
-@_compiled
-def stays_open(contact, h, y, y_new, k, touching):
+@_inlined
+def stays_open(side, h, y, y_new, k, touching):
     """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
 
     The quintic through rotation, rate and acceleration at both ends, in Bernstein form: where all
     coefficients are positive by a margin far above its error, there is no root.
     """
-    if GUARDS[contact] != 1 or KINDS[contact][0] != IMPACT:
-        return False
-    side = SIDES[contact]
+    scaled = side * h
     q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
-    v0, v1 = side * h * y[ROTATION_RATE] / 5.0, side * h * y_new[ROTATION_RATE] / 5.0
-    a0 = side * h * h * k[0, ROTATION_RATE] / 20.0
-    a1 = side * h * h * k[N_STAGES, ROTATION_RATE] / 20.0
-    b1, b2, b3, b4 = q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1
+    v0, v1 = scaled * y[ROTATION_RATE] / 5.0, scaled * y_new[ROTATION_RATE] / 5.0
+    a0 = scaled * h * k[ROTATION_RATE] / 20.0
+    a1 = scaled * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
     least = 1e-3 * max(q0, q1)
     return (
         (q0 > least or touching == 0)
-        and b1 > least
-        and b2 > least
-        and b3 > least
-        and (b4 > least and q1 > least)
+        and q0 + v0 > least
+        and q0 + 2.0 * v0 + a0 > least
+        and q1 - 2.0 * v1 + a1 > least
+        and (q1 - v1 > least and q1 > least)
     )
 
 
 @_compiled
-def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
-    """Bernstein coefficients of all guards over the step of the dense output, into b (m, 8)."""
-    n_guards = GUARDS[contact]
-    for n in range(n_guards):
-        for i in range(8):
-            b[n, i] = 0.0
-    sampled = False
-    for n in range(n_guards):
-        if KINDS[contact][n] == IMPACT:
-            # an impact's guard is the rotation, on its side: exactly the dense output
-            side = SIDES[contact]
-            for i in range(8):
-                for j in range(i + 1):
-                    b[n, i] += POWERS_TO_BERNSTEIN[i, j] * side * coefficients[j, ROTATION]
-        else:
-            sampled = True
-    if not sampled:
-        return
+def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
+    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+
+    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    """
+    n = N_STATES // 2
+    for i in range(n):
+        v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
+        a0, a1 = h * h * k[n + i] / 20.0, h * h * k[N_STAGES * N_STATES + n + i] / 20.0
+        at = 6 * i
+        quintics[at], quintics[at + 1], quintics[at + 2] = y[i], y[i] + v0, y[i] + 2.0 * v0 + a0
+        quintics[at + 5], quintics[at + 4] = y_new[i], y_new[i] - v1
+        quintics[at + 3] = y_new[i] - 2.0 * v1 + a1
+    for i in range(8 * (N_GUARDS + N_PARTS)):
+        b[i] = 0.0
     for m in range(8):
-        dense_at(coefficients, NODES[m], w)
+        for i in range(n):
+            w[i] = w[n + i] = 0.0
+            for j in range(6):
+                w[i] += QUINTIC[m, j] * quintics[6 * i + j]
+            for j in range(5):
+                slope = quintics[6 * i + j + 1] - quintics[6 * i + j]
+                w[n + i] += QUARTIC[m, j] * slope
+            w[n + i] *= 5.0 / h
         tau = t + NODES[m] * h
-        guards(contact, w, p, ground(gx, tau), ground(gy, tau), g)
-        for n in range(n_guards):
-            if KINDS[contact][n] != IMPACT:
-                for i in range(8):
-                    b[n, i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
+        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+        for n_g in range(N_GUARDS + N_PARTS):
+            for i in range(8):
+                b[8 * n_g + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n_g]
+    for n_g in range(GUARDS[contact]):
+        held = clearly_open(b, 8 * n_g)
+        if N_PARTS > 0 and PARTS[contact][n_g] >= 0:
+            part = 8 * PARTS[contact][n_g]
+            held = clearly_open(b, part) or clearly_open(b, part + 8)
+        if not held:
+            return False
+    return True
+
+
+@_inlined
+def clearly_open(b, at):
+    """Whether all coefficients are positive by a margin far above the error of a quintic."""
+    least, most = b[at], abs(b[at])
+    for i in range(1, 8):
+        least, most = min(least, b[at + i]), max(most, abs(b[at + i]))
+    return least > 1e-3 * most
 
 
 @_compiled
-def rounding(contact, index, h, y, p, gx, gy, t, b):
+def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
+    """Bernstein coefficients of all guards over the step of the dense output, into b (m * 8,)."""
+    sampled = False
+    for n in range(GUARDS[contact]):
+        if KINDS[contact][n] != IMPACT:
+            sampled = True
+            continue
+        # an impact's guard is the rotation, on its side: exactly the dense output
+        side = SIDES[contact]
+        for i in range(8):
+            b[8 * n + i] = 0.0
+            for j in range(i + 1):
+                power = side * coefficients[j * N_STATES + ROTATION]
+                b[8 * n + i] += POWERS_TO_BERNSTEIN[i, j] * power
+    if not sampled:
+        return
+    for n in range(N_GUARDS + N_PARTS):
+        if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
+            for i in range(8):
+                b[8 * n + i] = 0.0
+    for m in range(8):
+        dense_at(coefficients, NODES[m], w)
+        tau = t + NODES[m] * h
+        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+        for n in range(N_GUARDS + N_PARTS):
+            if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
+                for i in range(8):
+                    b[8 * n + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
+
+
+@_compiled
+def rounding(contact, index, h, y, p, ax, ay, b):
     """Size of the rounding errors of a guard that opens from closed.
 
     A gap that opens without speed grows with the third power of time out of accelerations that
     cancel: what is left of them by rounding acts over the whole step.
     """
-    scale = size(b)
+    scale = size(b, 8 * index)
     if KINDS[contact][index] != IMPACT:
-        return 1e-8 * scale
-    ax, ay = ground(gx, t), ground(gy, t)
+        left = abs(b[8 * index])
+        if N_PARTS > 0 and PARTS[contact][index] >= 0:
+            part = 8 * PARTS[contact][index]
+            scale = max(size(b, part), size(b, part + 8))
+            left = abs(max(b[part], b[part + 8]))
+        return max(SAMPLED * scale, min(2.0 * left, 1e-8 * scale))
     acceleration = 0.0
     for other in range(len(SIDES)):
         if SIDES[other] != 0.0:
@@ -264,7 +440,7 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
         if v <= EPS * start or turn == 999:
             total += flight * (1.0 - loss) / loss  # what a constant loss leaves of the series
             w[ROTATION_RATE] = 0.0
-        contact = jump(contact, 0, law, ratio, w, p, out)
+        contact = jump(contact, np.int64(0), law, ratio, w, p, out)
         if SIDES[contact] == 0.0:
             return total, contact
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
@@ -303,7 +479,7 @@ def settle(contact, t, h, y, p, gx, gy, touching, g, w, rate):
         return -1
     due = -1
     moved = False
-    guards(contact, y, p, ground(gx, t), ground(gy, t), g)
+    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
     for i in range(GUARDS[contact]):
         if i == touching or KINDS[contact][i] == IMPACT or not g[i] < 0.0:
             continue
@@ -311,23 +487,23 @@ def settle(contact, t, h, y, p, gx, gy, touching, g, w, rate):
             # look a few rounding errors of time ahead
             moved = True
             tau = 64.0 * EPS * max(t, h)
-            rates(contact, y, p, ground(gx, t), ground(gy, t), rate)
+            rates(contact, y, p, shaking(gx, t), shaking(gy, t), rate)
             for n in range(N_STATES):
                 w[n] = y[n] + tau * rate[n]
-            guards(contact, w, p, ground(gx, t + tau), ground(gy, t + tau), g)
+            guards(contact, w, p, shaking(gx, t + tau), shaking(gy, t + tau), g)
         if g[i] < 0.0 and (due < 0 or g[i] < g[due]):
             due = i
     return due
 
 
-@_compiled
-def sampling_step(contact, row):
+@_inlined
+def sampling_step(row):
     """Largest step in which eight samples of a guard follow a law of the ground.
 
     Only guards of uplift and of springs are sampled; in full contact nothing else may move, and
     the error of a step says nothing of the ground.
     """
-    if row[2] == 0.0 or (GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT):
+    if row[2] == 0.0:
         return np.inf
     return (1.0 if row[2] == 1.0 else 0.5) / abs(row[4])
 
@@ -339,7 +515,7 @@ def record_step(row, t, h, contact, coefficients, steps, step_contact, step_stat
     step_contact[row] = contact
     for j in range(8):
         for i in range(N_STATES):
-            step_states[row, j, i] = coefficients[j, i]
+            step_states[row, j, i] = coefficients[j * N_STATES + i]
 
 
 @_compiled
@@ -353,39 +529,21 @@ def record_event(row, t, kind, before, follows, y, after, events, event_kinds, e
         event_states[row, 1, i] = after[i]
 
 
-@_entry
+@_loop
 def integrate(
-    status,
-    clock,
-    y,
-    t_end,
-    horizontal,
-    vertical,
-    p,
-    law,
-    ratio,
-    rtol,
-    atol,
-    h_max,
-    fixed,
-    fallen,
-    rest_tolerance,
-    max_impacts,
-    max_steps,
-    steps,
-    step_contact,
-    step_states,
-    events,
-    event_kinds,
-    event_states,
-    peaks,
-):
+    status, clock, y, rate, t_end, horizontal, vertical, p, law, ratio, rtol, atol, h_max, fixed,
+    fallen, rest_tolerance, max_impacts, max_steps, steps, step_contact, step_states,
+    events, event_kinds, event_states, peaks, scratch,
+):  # fmt: skip
     """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
 
     status : contact, guard closed at t (or -1), impacts, steps taken, passages since time last
-        moved, whether a guard may be due at t (1, or 0), steps recorded, events recorded.
-    clock : t, next step (0: unknown), error of the last step. y (N,): the state. All three are
-        changed in place, so that a call goes on where the last one ended, to the last bit.
+        moved, whether a guard may be due at t (1, or 0), whether the rate at t must be found anew
+        (1, or 0), steps recorded, events recorded.
+    clock : t, next step (0: unknown), logarithm of the error of the last step.
+    y, rate (N,) : the state and its rate.
+    These four are changed in place, so that a call goes on where the last one ended, to the last
+    bit.
     horizontal, vertical (m, 7) : the ground's motion, each row start, end, kind and constants of
         a law; no step straddles an end, and behind the last one the ground stands still.
     fixed : 0 to control the error, or the number of equal steps in each law of the ground.
@@ -393,55 +551,64 @@ def integrate(
     each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
     and after, event_states (m, 2, N) state before and after.
     """
-    contact, touching, impacts, taken, idle, news, n_steps, n_events = status
-    t, h_next, last_error = clock
-    k = np.zeros((N_ALL_STAGES, N_STATES))
-    w = np.empty(N_STATES)
-    y_new = np.empty(N_STATES)
-    after = np.empty(N_STATES)
-    coefficients = np.zeros((8, N_STATES))
-    stack = np.empty((64, 10))
-    b = np.empty((N_GUARDS, 8))
-    w8 = np.empty(8)
-    g = np.zeros(N_GUARDS)
-
-    quiet = np.zeros(7)
-    quiet[1] = np.inf
-    nx, gx = row_at(horizontal, 0, t, quiet)
-    ny, gy = row_at(vertical, 0, t, quiet)
+    k = scratch[_K:_W]  # rates of the stages of a step, and the ground at each
+    w = scratch[_W:_Y_NEW]
+    y_new = scratch[_Y_NEW:_AFTER]
+    after = scratch[_AFTER:_POWERS]
+    coefficients = scratch[_POWERS:_GUARDS]
+    g = scratch[_GUARDS:_BERNSTEIN]
+    b = scratch[_BERNSTEIN:_STACK]
+    stack = scratch[_STACK:SCRATCH]
+    contact, touching, impacts, taken = status[0], status[1], status[2], status[3]
+    idle, news, fresh, n_steps, n_events = status[4], status[5], status[6], status[7], status[8]
+    for i in range(N_STATES):
+        k[i] = rate[i]
+    t, h_next, last_error = clock[0], clock[1], clock[2]
+    nx, gx = row_at(horizontal, np.int64(0), t)
+    ny, gy = row_at(vertical, np.int64(0), t)
     keep = steps.shape[0] > 0
+    follow = peaks.shape[0] > 0
+    rocks = rocking(contact)
+    side = SIDES[contact]
     outcome = COMPLETED
-    fresh = True  # the rate at t is not known
 
     while t < t_end:
         if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
             outcome = FULL
             break
-        if t >= gx[1] or t >= gy[1]:
-            nx, gx = row_at(horizontal, nx, t, quiet)
-            ny, gy = row_at(vertical, ny, t, quiet)
-            fresh = True
-            news = 1
+        if t >= gx[1]:
+            before_x = shaking(gx, t)
+            nx, gx = row_at(horizontal, nx, t)
+            if jumps(before_x, shaking(gx, t)):
+                fresh = news = 1
+        if t >= gy[1]:
+            before_y = shaking(gy, t)
+            ny, gy = row_at(vertical, ny, t)
+            if jumps(before_y, shaking(gy, t)):
+                fresh = news = 1
         last = min(gx[1], gy[1], t_end)
 
         landed = -1  # the guard that ends this contact state now
-        if fresh:
-            if news == 1:
-                landed = settle(contact, t, h_next, y, p, gx, gy, touching, g, w, k[0])
+        if fresh == 1:
+            if news == 1 and not rocks:
+                landed = settle(contact, t, h_next, y, p, gx, gy, touching, g, w, k)
             if landed < 0:
-                rates(contact, y, p, ground(gx, t), ground(gy, t), k[0])
-                fresh = False
-                news = 0
+                rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
+                fresh = news = 0
                 if h_next == 0.0:
-                    h_next = first_step(y, k[0], rtol, atol)
+                    h_next = first_step(y, k, rtol, atol)
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
-            span = min(gx[1] - gx[0], gy[1] - gy[0])
-            controlled = fixed == 0 or span == np.inf
-            if not controlled:
-                h_next = span / fixed
-            h = min(h_next, h_max, sampling_step(contact, gx), sampling_step(contact, gy))
+            controlled = True
+            if fixed > 0:
+                span = min(gx[1] - gx[0], gy[1] - gy[0])
+                controlled = span == np.inf
+                if not controlled:
+                    h_next = span / fixed
+            h = min(h_next, h_max)
+            if not rocks:
+                h = min(h, sampling_step(gx), sampling_step(gy))
             cut = t + 1.1 * h >= last
             if cut:
                 h = last - t
@@ -450,7 +617,7 @@ def integrate(
             corrections = 0
             while True:
                 taken += 1
-                error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, w, y_new)
+                error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
                 if target < 0 and not error <= 1.0 and (controlled or not math.isfinite(error)):
                     # refused: too inaccurate, or not finite
                     cut = False
@@ -464,41 +631,63 @@ def integrate(
                 if target >= 0:
                     # this step ends at the event: correct what is left of the guard there
                     tau = t + h
-                    guards(contact, y_new, p, ground(gx, tau), ground(gy, tau), g)
+                    guards(contact, y_new, p, shaking(gx, tau), shaking(gy, tau), g)
                     move = -g[target] / slope if slope < 0.0 else 0.0
-                    if corrections < 3 and 2.0 * EPS * tau < abs(move) < 0.01 * h:
+                    least = max(2.0 * EPS * tau, 1e-5 * rtol * h)
+                    if corrections < 3 and least < abs(move) < 0.01 * h:
                         corrections += 1
                         h += move
                         continue
+                    if abs(move) >= 0.01 * h and h > 1e-6 * h_next:
+                        # the guard is not where its polynomial put it: look again in less time
+                        h *= 0.5
+                        target = -1
+                        corrections = 0
+                        continue
                     landed = target
-                else:
+                elif not cut:
                     # proportional-integral control: the last error damps the answer to this one
-                    error = max(error, 1e-10)
-                    factor = 0.9 * (error**0.7 / last_error**0.4) ** ERROR_EXPONENT
+                    error = math.log(max(error, 1e-10))
+                    factor = math.exp(ERROR_EXPONENT * (0.7 * error - 0.4 * last_error))
                     last_error = error
-                    growth = h * min(5.0, max(0.2, factor))
-                    h_next = max(h_next, growth) if cut else growth
-                open_ = landed < 0 and stays_open(contact, h, y, y_new, k, touching)
-                if keep or not open_ or turns(k) or abs(y_new[ROTATION]) >= fallen:
-                    dense_output(contact, t, h, y, p, gx, gy, k, w, coefficients)
+                    h_next = h * min(5.0, max(0.2, 0.9 * factor))
+                open_ = False
+                if rocks and landed < 0:
+                    open_ = stays_open(side, h, y, y_new, k, touching)
+                elif landed < 0 and touching < 0:
+                    open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
+                beyond = abs(y_new[ROTATION]) >= fallen
+                turned = follow and widens(peaks, h, y, y_new, k)
+                if keep or turned or beyond or not (open_ or landed >= 0):
+                    dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
                 if landed >= 0 or open_:
                     break
                 place = NEVER
+                unclear = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
-                for i in range(GUARDS[contact]):
-                    noise = rounding(contact, i, h, y, p, gx, gy, t, b[i]) if touching == i else 0.0
-                    x = first_fall(b[i], touching == i, noise, stack)
+                for i in range(1 if rocks else GUARDS[contact]):
+                    noise = 0.0
+                    if touching == i:
+                        ax, ay = shaking(gx, t), shaking(gy, t)
+                        noise = rounding(contact, i, h, y, p, ax, ay, b)
+                    row = np.int64(i)
+                    if N_PARTS > 0 and PARTS[contact][i] >= 0:
+                        x, row = larger_falls(b, PARTS[contact][i], touching == i, noise, stack)
+                    else:
+                        grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
+                        x = first_fall(b, 8 * i, grain, touching == i, noise, stack)
+                    if touching == i:
+                        unclear = abs(b[8 * row + 1]) <= noise
                     if x < place:
                         place = x
                         target = i
-                        low, high = max(x - 1e-4, 0.0), min(x + 1e-4, 1.0)
-                        slope = bernstein_at(b[i], high, w8) - bernstein_at(b[i], low, w8)
-                        slope /= (high - low) * h
+                        slope = bernstein_at(b, 8 * row, x)[1] / h
                 if target < 0:
                     break
                 if place * h <= 4.0 * EPS * max(t, h):
-                    if touching == target and y[ROTATION_RATE] == 0.0 and h > 1e-6 * h_next:
-                        # an uplift so short that rounding hides it in a step of this length
+                    slow = y[ROTATION_RATE] == 0.0 if rocks else unclear
+                    if touching == target and slow and h > 1e-6 * h_next:
+                        # an opening so short that rounding hides it in a step of this length
                         h *= 0.1
                         cut = False
                         target = -1
@@ -513,7 +702,7 @@ def integrate(
                 break
 
             # -- fallen over: the step ends where it passed the bound
-            if h > 0.0 and abs(y_new[ROTATION]) >= fallen:
+            if h > 0.0 and beyond:
                 x = bound_passed(coefficients, fallen)
                 dense_at(coefficients, x, y_new)
                 shorten(coefficients, x)
@@ -528,12 +717,13 @@ def integrate(
                     )
                     n_steps += 1
                 t = last if cut or t + h > last else t + h
-                if turns(k):
-                    widen_within(peaks, coefficients)
-                widen(peaks, y_new)
+                if follow:
+                    if turned:
+                        widen_within(peaks, coefficients)
+                    widen(peaks, y_new)
                 for i in range(N_STATES):
                     y[i] = y_new[i]
-                    k[0, i] = k[N_STAGES, i]
+                    k[i] = k[N_STAGES * N_STATES + i]
                 touching = -1
                 idle = 0
             if outcome != COMPLETED:
@@ -559,8 +749,9 @@ def integrate(
         n_events += 1
         for i in range(N_STATES):
             y[i] = after[i]
-        fresh = True
-        news = 1
+        rocks = rocking(contact)
+        side = SIDES[contact]
+        fresh = news = 1
         touching = CLOSED[before][landed] if kind != IMPACT or SIDES[contact] != 0.0 else -1
         if kind == UPLIFT:
             h_next = 0.0  # the gap opens slowly: its first moments want a short step
@@ -579,31 +770,49 @@ def integrate(
             continue
 
         # -- the rest of infinitely many impacts at once
-        ax, ay = ground(gx, t), ground(gy, t)
+        ax, ay = shaking(gx, t), shaking(gy, t)
         rests, follows = time_to_rest(contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after)
         if t + rests < last or rests < 16.0 * EPS * t:
             if keep and t + rests > t:
                 for i in range(N_STATES):
                     for j in range(8):
-                        coefficients[j, i] = after[i] if j == 0 else 0.0
+                        coefficients[j * N_STATES + i] = after[i] if j == 0 else 0.0
                 record_step(
                     n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
                 )
                 n_steps += 1
             t += rests
             record_event(
-                n_events, t, REST, contact, follows, y, after, events, event_kinds, event_states
-            )
+                n_events, t, np.int64(REST), contact, follows, y, after,
+                events, event_kinds, event_states,
+            )  # fmt: skip
             n_events += 1
             for i in range(N_STATES):
                 y[i] = after[i]
             contact = follows
+            rocks = rocking(contact)
+            side = SIDES[contact]
             touching = -1
             h_next = 0.0
 
-    status[:] = np.array([contact, touching, impacts, taken, idle, news, n_steps, n_events])
-    clock[:] = np.array([t, h_next, last_error])
+    status[0], status[1], status[2], status[3] = contact, touching, impacts, taken
+    status[4], status[5], status[6], status[7], status[8] = idle, news, fresh, n_steps, n_events
+    for i in range(N_STATES):
+        rate[i] = k[i]
+    clock[0], clock[1], clock[2] = t, h_next, last_error
     return outcome
+
+
+@_inlined
+def jumps(before, after):
+    """Whether the ground's acceleration jumps between two laws, by more than rounding."""
+    return not abs(after - before) <= 1e-10 * (abs(before) + abs(after))
+
+
+@_compiled
+def rocking(contact):
+    """Whether a contact state ends by an impact and in no other way."""
+    return GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT
 
 
 @_compiled
@@ -615,41 +824,60 @@ def widen(peaks, y):
 
 
 @_compiled
-def turns(k):
-    """Whether a coordinate may turn back within a step: its rate changes sign."""
-    back = False
-    for i in range(N_STATES // 2):
-        back = back or k[0, i] * k[N_STAGES, i] < 0.0
-    return back
+def widens(peaks, h, y, y_new, k):
+    """Whether a coordinate may turn back within a step, outside of the extremes known so far.
+
+    By the Bernstein coefficients of the polynomials through both ends: the cubic of its rate
+    bounds where it may turn, the quintic of its value how far it may go.
+    """
+    far = False
+    n = N_STATES // 2
+    for i in range(n):
+        v0, v1 = h * y[n + i], h * y_new[n + i]
+        a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
+        up = v0 >= 0.0 and v0 + a0 / 3.0 >= 0.0 and v1 - a1 / 3.0 >= 0.0 and v1 >= 0.0
+        down = v0 <= 0.0 and v0 + a0 / 3.0 <= 0.0 and v1 - a1 / 3.0 <= 0.0 and v1 <= 0.0
+        if up or down:
+            continue
+        b1, b2 = y[i] + v0 / 5.0, y[i] + 2.0 * v0 / 5.0 + a0 / 20.0
+        b4, b3 = y_new[i] - v1 / 5.0, y_new[i] - 2.0 * v1 / 5.0 + a1 / 20.0
+        least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
+        margin = 1e-3 * (most - least)
+        far = far or least - margin < peaks[0, i] or most + margin > peaks[1, i]
+    return far
 
 
 @_compiled
 def widen_within(peaks, coefficients):
     """Take in the turning points of the coordinates inside a step, from its dense output."""
     for i in range(N_STATES // 2):
-        low, high = 0.0, 1.0
-        start = slope_at(coefficients, 0.0, i)
-        if start * slope_at(coefficients, 1.0, i) >= 0.0:
-            continue
-        for _ in range(40):
-            x = 0.5 * (low + high)
-            if slope_at(coefficients, x, i) * start > 0.0:
-                low = x
-            else:
-                high = x
-        value = coefficients[7, i]
-        for j in range(6, -1, -1):
-            value = value * high + coefficients[j, i]
-        peaks[0, i] = min(peaks[0, i], value)
-        peaks[1, i] = max(peaks[1, i], value)
+        for end in range(2):
+            sign = 2.0 * end - 1.0
+            best, x = -np.inf, 0.0
+            for m in range(8):
+                value = sign * power_sum(coefficients, NODES[m], i)
+                if value > best:
+                    best, x = value, NODES[m]
+            low, high = max(x - 0.25, 0.0), min(x + 0.25, 1.0)
+            for _ in range(6):
+                slope, bend = slope_at(coefficients, x, i)
+                if sign * bend >= 0.0:
+                    break
+                x = min(max(x - slope / bend, low), high)
+            best = max(best, sign * power_sum(coefficients, x, i))
+            if best > sign * peaks[end, i]:
+                peaks[end, i] = sign * best
 
 
 @_compiled
 def slope_at(coefficients, x, i):
-    value = 7.0 * coefficients[7, i]
+    """First and second derivative of state i by x."""
+    slope, bend = 7.0 * coefficients[7 * N_STATES + i], 42.0 * coefficients[7 * N_STATES + i]
     for j in range(6, 0, -1):
-        value = value * x + j * coefficients[j, i]
-    return value
+        slope = slope * x + j * coefficients[j * N_STATES + i]
+    for j in range(6, 1, -1):
+        bend = bend * x + j * (j - 1) * coefficients[j * N_STATES + i]
+    return slope, bend
 
 
 @_compiled
@@ -658,10 +886,7 @@ def bound_passed(coefficients, bound):
     low, high = 0.0, 1.0
     for _ in range(60):
         x = 0.5 * (low + high)
-        value = coefficients[7, ROTATION]
-        for j in range(6, -1, -1):
-            value = value * x + coefficients[j, ROTATION]
-        if abs(value) < bound:
+        if abs(power_sum(coefficients, x, ROTATION)) < bound:
             low = x
         else:
             high = x
@@ -674,7 +899,7 @@ def shorten(coefficients, x):
     factor = 1.0
     for j in range(8):
         for i in range(N_STATES):
-            coefficients[j, i] *= factor
+            coefficients[j * N_STATES + i] *= factor
         factor *= x
 
 
@@ -689,6 +914,12 @@ def at_rest(contact, y, p):
 
 
 @_entry
+def own_time(contact, y, p):
+    """Time in which a rocking motion goes on, 1/sqrt(acceleration); 0 where nothing drives it."""
+    a = abs(opening_acceleration(contact, y, p, 0.0, 0.0))
+    return 1.0 / math.sqrt(a) if a > 0.0 else 0.0
+
+
 def falls(
     contact, y, still, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps, reach
 ):  # fmt: skip
@@ -702,22 +933,22 @@ def falls(
     rocks = SIDES[contact] != 0.0 and KINDS[contact][0] == IMPACT
     if rocks:
         # a rocking motion has a time of its own, in which it comes back or falls
-        a = abs(opening_acceleration(contact, y, p, 0.0, 0.0))
-        reach = max(reach, 10.0 / math.sqrt(a)) if a > 0.0 else reach
+        reach = max(reach, 10.0 * own_time(contact, y, p))
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
-    peaks = np.zeros((2, N_STATES))
-    status = np.array([contact, -1, 0, 0, 0, 1, 0, 0])
-    clock = np.array([0.0, 0.0, 1.0])
+    peaks = np.empty((0, N_STATES))
+    status = np.array([contact, -1, 0, 0, 0, 1, 1, 0, 0])
+    rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
+    clock = np.array([0.0, 0.0, 0.0])
     state = y.copy()
     for n in range(1000):
         lean = abs(state[ROTATION])
-        status[6] = status[7] = 0
+        status[7] = status[8] = 0
         code = integrate(
-            status, clock, state, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
+            status, clock, state, rate, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
             np.inf, np.int64(0), fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
-            steps, step_contact, step_states, events, event_kinds, event_states, peaks,
+            steps, step_contact, step_states, events, event_kinds, event_states, peaks, scratch,
         )  # fmt: skip
         if code == OVERTURNED:
             return True
@@ -726,77 +957,73 @@ def falls(
     return False
 
 
+_falls = njit(error_model="numpy")(falls)
+"""For many motions; one motion asks the plain function, and spares itself its compilation."""
+
+
 @_entry
 def integrate_many(
-    contacts, states, t_end, quiet_from, horizontal, h_rows, vertical, v_rows, p, law, ratio,
-    rtol, atol, h_max, fixed, fallen, rest_tolerance, max_impacts, max_steps,
-    outcome, t_final, contact_final, impacts, peaks, impact_times,
+    status, clock, states, rates, t_end, quiet_from, horizontal, h_rows, vertical, v_rows, p, law,
+    ratio, rtol, atol, h_max, fixed, fallen, rest_tolerance, max_impacts, max_steps,
+    outcome, peaks, impact_times,
 ):  # fmt: skip
     """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
 
-    contacts (n,), states (n, N) at the start, and on return at the end. horizontal, vertical : the
-    rows of all motions, those of motion i from h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from,
-    law, ratio, fallen (n,), p (n, m). impact_times (n, k) gets the first k impacts of each.
+    status (n, 9), clock (n, 3), states and rates (n, N) as in `integrate`, at the start, and on
+    return at the end. horizontal, vertical : the rows of all motions, those of motion i from
+    h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from, law, ratio, fallen (n,), p (n, m). outcome
+    (n,): FULL, or that of a motion that has ended. impact_times (n, k): the first k of each.
     """
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
-    status = np.empty(8, np.int64)
-    clock = np.empty(3)
-    for n in range(len(contacts)):
+    scratch = np.zeros(SCRATCH)
+    for n in range(len(states)):
         y = states[n]
-        status[:] = 0
-        status[0], status[1], status[5] = contacts[n], -1, 1
-        clock[:] = 0.0
-        clock[2] = 1.0
         widen(peaks[n], y)
-        noted = 0
-        code = FULL
+        noted = status[n, 2]
+        code = outcome[n]
         while code == FULL:
-            status[7] = 0
+            status[n, 8] = 0
             code = integrate(
-                status, clock, y, t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
+                status[n], clock[n], y, rates[n], t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
                 vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
                 fixed, fallen[n], rest_tolerance, max_impacts, max_steps,
                 steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
+                scratch,
             )  # fmt: skip
-            for e in range(status[7]):
+            for e in range(status[n, 8]):
                 if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                     impact_times[n, noted] = events[e]
                     noted += 1
         if code == COMPLETED and quiet_from[n] <= t_end[n]:
             reach = 0.1 * t_end[n]
-            if falls(
-                status[0], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol, fallen[n],
+            if _falls(
+                status[n, 0], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol, fallen[n],
                 max_impacts, max_steps, reach,
             ):  # fmt: skip
                 code = OVERTURNED
-            elif at_rest(status[0], y, p[n]):
+            elif at_rest(status[n, 0], y, p[n]):
                 code = CAME_TO_REST
         outcome[n] = code
-        t_final[n] = clock[0]
-        contact_final[n] = status[0]
-        impacts[n] = status[2]
 
 
 @_compiled
-def row_for(table, n, t, quiet):
+def row_for(table, n, t):
     """As row_at, but the very end of a motion still belongs to its last law."""
     if table.shape[0] > 0 and t == table[-1, 1]:
-        return table.shape[0] - 1, table[-1]
-    return row_at(table, n, t, quiet)
+        return table.shape[0] - 1, row_of(table, table.shape[0] - 1)
+    return row_at(table, n, t)
 
 
 @_entry
 def evaluate(contacts, t, states, horizontal, vertical, p, energy, force, motion):
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
-    quiet = np.zeros(7)
-    quiet[1] = np.inf
     nx = ny = 0
     for n in range(t.shape[0]):
-        nx, gx = row_for(horizontal, nx, t[n], quiet)
-        ny, gy = row_for(vertical, ny, t[n], quiet)
-        ax, ay = ground(gx, t[n]), ground(gy, t[n])
+        nx, gx = row_for(horizontal, nx, t[n])
+        ny, gy = row_for(vertical, ny, t[n])
+        ax, ay = shaking(gx, t[n]), shaking(gy, t[n])
         energies(contacts[n], states[n], p, energy[n])
         reactions(contacts[n], states[n], p, ax, ay, force[n])
         kinematics(contacts[n], states[n], p, motion[n])

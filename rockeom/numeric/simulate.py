@@ -13,7 +13,7 @@ from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome, Response, Steps
-from rockeom.numeric.specialise import program
+from rockeom.numeric.specialise import compiling, program
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -84,24 +84,25 @@ def run(
     """Run the compiled loop to its end, emptying its records whenever they are full."""
     n, q = len(problem.y0), problem
     atol = np.full(n, options.atol)
-    status = np.array([q.contact, -1, 0, 0, 0, 1, 0, 0])
-    clock = np.array([0.0, 0.0, 1.0])
-    y = q.y0.copy()
-    peaks = np.array([y, y])
+    status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0])
+    clock = np.array([0.0, 0.0, 0.0])
+    y, rate, scratch = q.y0.copy(), np.zeros(n), np.zeros(compiled.SCRATCH)
+    peaks = np.empty((0, n))  # not asked for
     size, events = (256 + len(q.horizontal) + len(q.vertical) if keep else 0), 256
     code = _FULL
     chunks: list[tuple[np.ndarray, ...]] = []
     while code == _FULL:
         steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
         marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
-        status[6:] = 0
-        code = compiled.integrate(
-            status, clock, y, q.end, q.horizontal, q.vertical, q.vector, q.law, q.ratio,
-            options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
-            options.rest_tolerance, options.max_impacts, options.max_steps,
-            *steps, *marks, peaks,
-        )  # fmt: skip
-        chunks.append((*(a[: status[6]] for a in steps), *(a[: status[7]] for a in marks)))
+        status[7:] = 0
+        with compiling(compiled.integrate):
+            code = compiled.integrate(
+                status, clock, y, rate, q.end, q.horizontal, q.vertical, q.vector, q.law, q.ratio,
+                options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
+                options.rest_tolerance, options.max_impacts, options.max_steps,
+                *steps, *marks, peaks, scratch,
+            )  # fmt: skip
+        chunks.append((*(a[: status[7]] for a in steps), *(a[: status[8]] for a in marks)))
     span, contacts, powers, times, kinds, states = (
         np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks, strict=True)
     )

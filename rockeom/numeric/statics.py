@@ -30,7 +30,7 @@ def _force(structure: Structure, rotation: float) -> float:
         if m.SIDES[contact] * side < 0:
             continue
         force, y = _solve(structure, contact, rotation)
-        g = np.zeros(m.N_GUARDS)
+        g = np.zeros(m.N_GUARDS + m.N_PARTS)
         m.guards(contact, y, structure.vector, 0.0, 0.0, g)
         if np.isfinite(force) and g[:count].min() >= -1e-9 * max(1.0, np.abs(g[:count]).max()):
             return force

@@ -109,7 +109,7 @@ class Structure:
         direction = direction or np.sign(towards)
         best, reached = 0, -math.inf
         for number, (count, side) in enumerate(zip(m.GUARDS, m.SIDES, strict=True)):
-            g = np.zeros(m.N_GUARDS)
+            g = np.zeros(m.N_GUARDS + m.N_PARTS)
             m.guards(number, y, self.vector, 0.0, 0.0, g)
             lowest = g[:count].min()
             if side * direction >= 0 and (lowest >= 0) > (reached >= 0):

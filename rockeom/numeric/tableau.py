@@ -8,7 +8,9 @@ zero coefficients and keep the rest as constants.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache
+from math import comb
 
 import numpy as np
 from scipy import integrate
@@ -113,109 +115,172 @@ NODES = (1 - np.cos(np.pi * np.arange(8) / 7)) / 2
 """Where a guard is sampled in a step: 8 Chebyshev points, both ends among them."""
 
 
-def _bernstein_at(x: np.ndarray, degree: int) -> np.ndarray:
-    from scipy.special import comb
-
-    i = np.arange(degree + 1)
-    x = np.asarray(x, dtype=float)[:, None]
-    return comb(degree, i) * x**i * (1 - x) ** (degree - i)
+def bernstein_at(x: np.ndarray, degree: int) -> np.ndarray:
+    """(m, degree + 1): the Bernstein polynomials at x (m,)."""
+    powers = range(degree + 1)
+    return np.array([comb(degree, i) * x**i * (1 - x) ** (degree - i) for i in powers]).T
 
 
 def samples_to_bernstein() -> np.ndarray:
-    """(8, 8): values at NODES -> Bernstein coefficients of the interpolating polynomial."""
-    matrix = np.linalg.inv(_bernstein_at(NODES, 7))
-    matrix[0], matrix[-1] = np.eye(8)[0], np.eye(8)[-1]  # the ends are exact
-    return matrix
+    """(8, 8): values at NODES -> Bernstein coefficients of the interpolating polynomial.
+
+    Inverted exactly: an error in it is one in all guards.
+    """
+    nodes = [Fraction(x) for x in NODES.tolist()]
+    rows = [[comb(7, i) * x**i * (1 - x) ** (7 - i) for i in range(8)] for x in nodes]
+    for n, row in enumerate(rows):
+        row += [Fraction(int(n == j)) for j in range(8)]
+    for n in range(8):  # Gauss and Jordan; the diagonal of this matrix is never zero
+        rows[n] = [v / rows[n][n] for v in rows[n]]
+        for m in range(8):
+            if m != n:
+                rows[m] = [v - rows[m][n] * w for v, w in zip(rows[m], rows[n], strict=True)]
+    return np.array([[float(v) for v in row[8:]] for row in rows])
 
 
 def powers_to_bernstein() -> np.ndarray:
     """(8, 8): coefficients of 1, x, ... x^7 -> Bernstein coefficients."""
-    from scipy.special import comb
-
     return np.array([[comb(i, j) / comb(7, j) for j in range(8)] for i in range(8)])
 
 
 # -- the text of a step -------------------------------------------------------------------------
 
 
-def _sum(weights: np.ndarray, indent: str) -> str:
-    terms = [f"{w!r} * k[{i}, i]" for i, w in enumerate(weights.tolist()) if w]
+def _sum(weights: np.ndarray, name: str, indent: str) -> str:
+    """sum_j weights[j] * name(j), the latest stage last: the others need not wait for it."""
+    terms = [f"{w!r} * {name.format(j)}" for j, w in enumerate(weights.tolist()) if w]
     return f"\n{indent}+ ".join(terms)
 
 
-def _stage(i: int, row: np.ndarray, c: float) -> str:
-    return f"""    for i in range(N_STATES):
-        w[i] = y[i] + h * (
-            {_sum(row, " " * 12)}
-        )
-    tau = t + {c!r} * h
-    rates(contact, w, p, ground(gx, tau), ground(gy, tau), k[{i}])
-"""
+GROUND = "shaking(gx, tau), shaking(gy, tau)"
 
 
-def step_text(method: Tableau) -> str:
-    """Source of `take_step`, `dense_output` and the constants of a method."""
-    s = method.stages
-    stages = "".join(_stage(i, method.a[i], float(method.c[i])) for i in range(1, s))
-    extra = "".join(_stage(i, method.a[i], float(method.c[i])) for i in range(s + 1, len(method.c)))
-    sums = "".join(
-        f"""        e{n} = (
-            {_sum(e, " " * 12)}
-        ) / scale
-        s{n} += e{n} * e{n}
-"""
-        for n, e in enumerate(method.errors)
+def _rates(stage: int, states: list[str], time: str, n: int, ground: str) -> str:
+    found = ", ".join(f"a{stage}_{i}" for i in range(n))
+    tau = f"    tau = {time}\n" if "tau" in ground else ""
+    return f"""{tau}    ({found},) = accelerations(
+        contact, {", ".join(states)}, p, {ground}
     )
+"""
+
+
+def _moved(weights: np.ndarray, rate: str, start: str) -> str:
+    return f"""{start} + h * (
+        {_sum(weights, rate, " " * 8)}
+    )
+"""
+
+
+def _stage(j: int, row: np.ndarray, c: float, n: int, ground: str = GROUND) -> str:
+    """Velocities v, positions q and accelerations a of a stage."""
+    text = ""
+    for i in range(n):
+        text += f"    v{j}_{i} = " + _moved(row[:j], f"a{{}}_{i}", f"v0_{i}")
+        text += f"    q{j}_{i} = " + _moved(row[:j], f"v{{}}_{i}", f"q0_{i}")
+    states = [f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)]
+    return text + _rates(j, states, f"t + {c!r} * h", n, ground)
+
+
+def step_text(method: Tableau, n: int) -> str:
+    """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
+
+    Everything stands in plain numbers, stage by stage, each written out; the rates of all stages
+    are left in an array only for the dense output.
+    """
+    s, size = method.stages, 2 * n
+    start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
+    known = "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
+
+    def stage(j: int) -> str:
+        ground = f"at_stage(gx, tau, k[GROUND_X + {j}]), at_stage(gy, tau, k[GROUND_Y + {j}])"
+        return _stage(j, method.a[j], float(method.c[j]), n, ground)
+
+    stages = "".join(stage(j) for j in range(1, s + 1))
+    kept = "".join(
+        f"    k[{j * size + i}] = v{j}_{i}\n    k[{j * size + n + i}] = a{j}_{i}\n"
+        for j in range(s + 1)
+        for i in range(n)
+    )
+    ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
+    errors = ""
+    for i in range(size):
+        place, rate = f"q{{}}_{i}", f"v{{}}_{i}"
+        if i >= n:
+            place, rate = f"v{{}}_{i - n}", f"a{{}}_{i - n}"
+        largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
+        errors += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
+        for m, e in enumerate(method.errors):
+            errors += f"    e = scale * (\n        {_sum(e, rate, ' ' * 8)}\n    )\n"
+            errors += f"    s{m} += e * e\n"
     if len(method.errors) == 2:
         # Hairer's combination of the fifth- and third-order estimates
         norm = """    if s0 == 0.0 and s1 == 0.0:
         return 0.0
     return abs(h) * s0 / math.sqrt((s0 + 0.01 * s1) * N_STATES)
 """
-        start = "    s0 = s1 = 0.0\n"
+        zero = "    s0 = s1 = 0.0\n"
     else:
         norm = "    return abs(h) * math.sqrt(s0 / N_STATES)\n"
-        start = "    s0 = 0.0\n"
-    dense = "".join(
-        f"""        coefficients[{j + 1}, i] = h * (
-            {_sum(method.dense[:, j], " " * 12)}
-        )
-"""
-        for j in range(method.degree)
+        zero = "    s0 = 0.0\n"
+    total = len(method.c)
+    recalled = "".join(
+        f"    v{j}_{i} = k[{j * size + i}]\n    a{j}_{i} = k[{j * size + n + i}]\n"
+        for j in range(s + 1)
+        for i in range(n)
     )
+    extra = "".join(stage(j) for j in range(s + 1, total))
+    first = "".join(f"    q0_{i} = y[{i}]\n" for i in range(n))
+    powers = ""
+    for i in range(size):
+        rate, at = (f"v{{}}_{i}", f"q0_{i}") if i < n else (f"a{{}}_{i - n}", f"v0_{i - n}")
+        powers += f"    coefficients[{i}] = {at}\n"
+        for j in range(1, 8):
+            row = j * size + i
+            if j <= method.degree:
+                weights = _sum(method.dense[:, j - 1], rate, " " * 8)
+                powers += f"    coefficients[{row}] = h * (\n        {weights}\n    )\n"
+            else:
+                powers += f"    coefficients[{row}] = 0.0\n"
     return f'''
+
+# from here on a*b + c may be rounded once
+FUSED = OPTIONS | {{"fastmath": {{"contract"}}}}
+_compiled = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **FUSED)
+_inlined = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=True, **FUSED)
 
 METHOD = "{method.name}"
 N_STAGES = {s}
-N_ALL_STAGES = {len(method.c)}
+N_ALL_STAGES = {total}
 DEGREE = {method.degree}
+STAGE_TIMES = np.array({method.c.tolist()!r})  # in the length of a step
+GROUND_X = N_ALL_STAGES * N_STATES  # places behind the rates: the ground at each stage
+GROUND_Y = GROUND_X + N_ALL_STAGES
 ERROR_EXPONENT = {-1.0 / (method.error_order + 1)!r}
 SAMPLES_TO_BERNSTEIN = np.array({samples_to_bernstein().tolist()!r})
 POWERS_TO_BERNSTEIN = np.array({powers_to_bernstein().tolist()!r})
 NODES = np.array({NODES.tolist()!r})
+QUINTIC = np.array({bernstein_at(NODES, 5).tolist()!r})  # at the nodes: values of a quintic
+QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by coefficients
 
 
 @_compiled
-def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, w, y_new):
-    """One step from y at t; k[0] holds the rate there, k[N_STAGES] that at the new state.
+def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
+    """One step from y at t, into y_new. k: the rates of stage j begin at j * N.
 
+    The accelerations of stage 0 are known; those of stage N_STAGES are at the new state.
     Returns the norm of the estimated error, 1 at the tolerance.
     """
-{stages}    for i in range(N_STATES):
-        y_new[i] = y[i] + h * (
-            {_sum(method.b, " " * 12)}
-        )
-    tau = t + h
-    rates(contact, y_new, p, ground(gx, tau), ground(gy, tau), k[{s}])
-{start}    for i in range(N_STATES):
-        scale = atol[i] + rtol * max(abs(y[i]), abs(y_new[i]))
-{sums}{norm}
+    if gx[2] != 0.0:
+        shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
+    if gy[2] != 0.0:
+        shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+{start}{known}{stages}{ends}{kept}{zero}{errors}{norm}
 
 @_compiled
-def dense_output(contact, t, h, y, p, gx, gy, k, w, coefficients):
-    """Coefficients (8, N) of the powers of x = (time - t)/h over the step just taken."""
-{extra}    for i in range(N_STATES):
-        coefficients[0, i] = y[i]
-{dense}        for j in range(DEGREE + 1, 8):
-            coefficients[j, i] = 0.0
-'''
+def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
+    """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
+    if gx[2] != 0.0:
+        shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
+    if gy[2] != 0.0:
+        shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
+{first}{recalled}{extra}{powers}'''

@@ -135,7 +135,7 @@ class Transition:
         with which `target` would open turns positive; "switch": `guard` falls through zero and
         the state goes on unchanged.
     fallback : where an impact leads if its target could not open (the old foot does not lift).
-    guard : positive inside `source`.
+    guard : positive inside `source`; smooth, or the Max of two that are.
     """
 
     source: str

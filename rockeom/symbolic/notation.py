@@ -271,9 +271,9 @@ class Notation(LatexPrinter):
         power = f"^{exp}" if exp else ""
         return f"{name}{power} {argument}" if argument[0].isalpha() else f"{name}{power}{argument}"
 
-    def _print_Min(self, expr: sp.Expr, exp: str | None = None) -> str:
+    def _print_Max(self, expr: sp.Expr, exp: str | None = None) -> str:
         arguments = sorted(expr.args, key=sp.default_sort_key)
-        return rf"\min({', '.join(self._print(a) for a in arguments)})"
+        return rf"\max({', '.join(self._print(a) for a in arguments)})"
 
 
 def _symbols(expressions) -> list[sp.Symbol]:

@@ -83,9 +83,7 @@ def two_spring_structure() -> RockingModel:
 
     def lands(source: str, target: str, foot: str) -> Transition:
         # both the compression and the force must be positive: k d > 0 and k d + c d' > 0
-        closing = rate(compression[foot], (ROTATION, HEAVE))
-        pressed = k * compression[foot] + c * sp.Min(closing, 0)
-        return Transition(source, target, "switch", -pressed)
+        return Transition(source, target, "switch", sp.Max(-k * compression[foot], -force[foot]))
 
     return RockingModel(
         name="two_spring_structure",

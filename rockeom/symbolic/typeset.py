@@ -285,7 +285,7 @@ def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | N
 
 def _guard_lines(notation: Notation, guard: sp.Expr) -> list[str]:
     """A short form of the guard, and equations for what it names."""
-    parts = [a for m in _sorted(guard.atoms(sp.Min)) for a in _sorted(m.args)]
+    parts = [a for m in _sorted(guard.atoms(sp.Max)) for a in _sorted(m.args)]
     if not parts and width(notation.plain(guard)) < LINE / 3:
         return [notation.plain(guard)]
     names = {part: sp.Symbol(rf"\gamma_{i}") for i, part in enumerate(parts or [guard], 1)}

@@ -239,7 +239,7 @@ def test_guards(name):
         expected = phases(name)[sample.contact].guards(
             sample.y, sample.parameters, sample.ax, sample.ay
         )
-        found = sample.generated("guards", m.N_GUARDS, sample.ax, sample.ay)
+        found = sample.generated("guards", m.N_GUARDS + m.N_PARTS, sample.ax, sample.ay)
         leaving = [t for t in sample.model.transitions if t.source == sample.contact]
         assert [t.target for t in leaving] == [
             b for a, b, _ in m.TRANSITIONS if a == sample.contact
