@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
 
@@ -46,15 +46,32 @@ def test_two_events_in_a_step_leave_its_ends_alike():
 @settings(max_examples=100, deadline=None)
 @given(
     marks=st.lists(st.floats(1, 999), min_size=3, max_size=3, unique=True).filter(
-        lambda m: min(abs(a - b) for a, b in itertools.combinations(m, 2)) > 0.1
+        lambda m: min(abs(a - b) for a, b in itertools.combinations(m, 2)) > 10
     ),
     one_step=st.booleans(),
 )
+@example(marks=[1.0, 30.0, 15.0], one_step=True)
+@example(marks=[999.0, 988.5, 978.0], one_step=True)
 def test_marks_are_passed_in_order_wherever_they_are(marks, one_step):
     a, b, c = marks
     run = thrown("inside", a=a, b=b, c=c, options=ONE_STEP if one_step else None)
     assert passed(run) == ["outside", "inside", "outside"]
     # the guard itself is a difference of numbers near 1e9
+    assert times(run) == pytest.approx(sorted(marks), abs=1e-7)
+
+
+# Fails: beside the mark just passed all that is below 1e-8 of the guard's largest value in the
+# step, 1e9 here, is taken for noise, though it is the way to the next mark. The loop then passes
+# to and fro a hundred times (chatter), or finds the next mark 0.1 too late and says nothing.
+@STEPS
+@pytest.mark.parametrize(
+    "marks", [(1.0, 2.0, 1.5), (416.89, 416.72, 417.11), (643.22, 645.909, 646.93)]
+)
+def test_marks_close_together_for_the_length_of_a_step(options, marks):
+    a, b, c = marks
+    run = thrown("inside", a=a, b=b, c=c, options=options)
+    assert run.outcome is rk.Outcome.COMPLETED
+    assert passed(run) == ["outside", "inside", "outside"]
     assert times(run) == pytest.approx(sorted(marks), abs=1e-7)
 
 
@@ -195,3 +212,33 @@ def test_continued_at_any_event_is_the_whole():
         later = [t + event.time for t in times(rest) if t > 1e-12]
         assert later == pytest.approx(times(whole)[n + 1 :], abs=1e-12)
         assert rest.phase[-1] == whole.phase[-1]
+
+
+# -- a guard that is no polynomial
+
+
+# Fails with damping: the kink spoils the polynomial through eight samples of the guard.
+@pytest.mark.parametrize("damping", [0.0, 500.0, 3000.0, 20_000.0])
+@pytest.mark.parametrize("speed", [0.01, 0.05, 0.3])
+@pytest.mark.parametrize("flights", [1.05, 1.3, 2.0, 5.0])
+def test_guard_with_a_kink_in_the_step(damping, speed, flights):
+    """A damped foot presses when k d + c min(d', 0) > 0: its guard kinks at the top of a hop.
+
+    Both feet leave the ground with `speed`, and are back after 2 v/g; the step is the whole time.
+    """
+    gravity, stiffness, mass = 9.81, 550e3, 122.6 + 45.6
+    structure = rk.TwoSpringStructure(
+        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37,
+        half_width=0.285, foundation_stiffness=stiffness, foundation_damping=damping,
+        gravity=gravity,
+    )  # fmt: skip
+    flight = 2 * speed / gravity
+    run = rk.simulate(
+        structure,
+        rk.GroundMotion.none(flights * flight),
+        initial={"heave": mass * gravity / (2 * stiffness), "heave_dot": speed},
+        phase="flight",
+        options=ONE_STEP,
+    )
+    assert times(run)[:2] == pytest.approx([flight, flight], rel=1e-9)
+    assert passed(run)[1] == "both"

@@ -1,5 +1,7 @@
 """What no way of integrating may change: mirror, scale, cuts; and what an impact may not give."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -103,6 +105,80 @@ def test_scaling_by_p_is_exact_for_powers_of_two(power, seed, e):
     np.testing.assert_allclose(b.at(factor * t)["theta"], a.at(t)["theta"], atol=1e-8)
 
 
+# -- steps
+
+
+# Fails now and then for the two-spring structure: when a damped foot is found to land depends on
+# the steps, see test_guard_with_a_kink_in_the_step.
+@ALL
+@settings(max_examples=15, deadline=None)
+@given(
+    seed=seeds,
+    e=st.floats(0.0, 0.9),
+    tilt=st.sampled_from([0.0, 0.02]),
+    times=st.floats(0.3, 2.0),
+    shaken_up=st.booleans(),
+)
+def test_smaller_steps_change_no_event(structure, seed, e, tilt, times, shaken_up):
+    """An event that a long step misses, invents or misplaces is not in the run with short ones.
+
+    Up to the first rest, and no more than ten: from there on rounding errors may have grown.
+    """
+    motion = record(seed, structure).scaled(times)
+    vertical = record(seed + 1, structure).scaled(0.5 * times) if shaken_up else None
+    runs = [
+        rk.simulate(
+            structure,
+            motion,
+            vertical=vertical,
+            impact=law(structure, e),
+            initial={structure.states[0]: tilt},
+            options=options,
+        )
+        for options in (
+            None,
+            rk.SolverOptions(rtol=1e-12, atol=1e-14, max_step=motion.duration / 2000),
+        )
+    ]
+    # impacts just before a rest are followed or summed up, whichever comes first
+    ends = [
+        x.time for run in runs for x in run.events if x.kind != "switch" and x.phase_after == "both"
+    ]
+    end = min(ends, default=math.inf) - 1e-4
+    long, short = ([x for x in run.events if x.time < end][:10] for run in runs)
+    assert [x.phase_after for x in long] == [x.phase_after for x in short]
+    np.testing.assert_allclose(
+        [x.time for x in long], [x.time for x in short], atol=1e-6 * motion.duration
+    )
+    assert runs[0].outcome not in (
+        rk.Outcome.CHATTER, rk.Outcome.STALLED, rk.Outcome.NOT_FINITE
+    )  # fmt: skip
+
+
+@settings(max_examples=20, deadline=None)
+@given(seed=seeds, e=st.floats(0.3, 0.9), times=st.floats(0.3, 2.0))
+def test_both_methods_find_the_same_events(seed, e, times):
+    block = STRUCTURES["rigid_block"]
+    motion = record(seed, block).scaled(times)
+    high, low = (
+        rk.simulate(
+            block,
+            motion,
+            impact=rk.VelocityRatio(e),
+            initial={"theta": 0.05},
+            options=rk.SolverOptions(method=name, rtol=1e-12, atol=1e-14),
+        )
+        for name in ("DOP853", "RK45")
+    )
+    assert low.outcome is high.outcome
+    end = (high.rest_time or math.inf) - 1e-4
+    of_high, of_low = ([x for x in run.events if x.time < end][:10] for run in (high, low))
+    assert [x.phase_after for x in of_low] == [x.phase_after for x in of_high]
+    np.testing.assert_allclose(
+        [x.time for x in of_low], [x.time for x in of_high], rtol=1e-8, atol=1e-9
+    )
+
+
 # -- energy at impacts
 
 
@@ -155,6 +231,8 @@ def test_rest_of_a_motion_is_the_motion_later():
         )
 
 
+# Fails now and then for the two-spring structure: when a damped foot is found to land depends on
+# the steps, see test_guard_with_a_kink_in_the_step.
 @ALL
 @settings(max_examples=12, deadline=None)
 @given(seed=seeds, cut=st.floats(0.1, 0.9), smooth=st.booleans())
