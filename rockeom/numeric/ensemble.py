@@ -33,6 +33,7 @@ def simulate_many(
     threads: int | None = None,
     chunk: int = 256,
     progress: bool | None = None,
+    lanes: bool = False,
 ) -> xr.Dataset:
     """Simulate every combination of the values in `over`, labelled by them.
 
@@ -48,16 +49,25 @@ def simulate_many(
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time.
     progress : a line on stderr; if not given, where stderr is a terminal.
+    lanes : many motions at once in the vectors of the processor, several times as fast. For
+        structures on rigid ground under records, with the equal steps of
+        `SolverOptions(steps_per_law=n)`; results agree with those without lanes but for rounding,
+        and are the same to the last bit for any order of the cases.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
     final_time [s], final_phase, impacts, smallest, largest and final value of each state, and
     impact_time (nan where there was none). Memory is bounded by the dataset. A keyboard
     interrupt ends the work early: what is done is returned, `attrs["interrupted"]` is 1.
+
+    Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all.
     """
     options = options or SolverOptions()
     values = {name: list(v) for name, v in over.items()}
     if not values or not all(values.values()):
         raise ValueError("`over` is empty: give at least one name with at least one value")
+    for name, number in (("chunk", chunk), ("threads", threads)):
+        if number is not None and not number >= 1:
+            raise ValueError(f"{name} is {number}: give a whole number of at least 1")
     shape = tuple(len(v) for v in values.values())
     total = int(np.prod(shape))
 
@@ -66,15 +76,17 @@ def simulate_many(
         return [case(**dict(zip(values, point, strict=True))) for point in points]
 
     module = made(0, 1)[0].structure.module
-    compiled = program(module, options.method)
+    if lanes:
+        _check_lanes(module, options)
+    compiled = program(module, options.method, lanes)
     results = _Results.empty(total, module.N_STATES, impact_times)
     interrupted = False
     with _Progress(total, sys.stderr.isatty() if progress is None else progress) as shown:
         try:
             _in_threads(
                 threads or os.cpu_count() or 1,
-                _Source(case, values, chunk, module),
-                lambda first, batch: results.run(first, batch, compiled, options),
+                _Source(case, values, chunk, module, lanes),
+                lambda first, batch: results.run(first, batch, compiled, options, lanes),
                 shown.add,
             )
         except KeyboardInterrupt:
@@ -92,6 +104,7 @@ class _Source:
     values: Mapping[str, list[Any]]
     chunk: int
     module: ModuleType
+    lanes: bool
 
     def __iter__(self) -> Iterator[tuple[int, list[Problem]]]:
         points = itertools.product(*self.values.values())
@@ -110,10 +123,41 @@ class _Source:
                     f"a case is a {case.structure.module.NAME}, the first one a "
                     f"{self.module.NAME}: simulate each model by itself"
                 )
-            return case.problem()
+            problem = case.problem()
+            if self.lanes:
+                _check_linear(problem)
+            return problem
         except Exception as error:
             error.add_note(f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}")
             raise
+
+
+def _check_lanes(module: ModuleType, options: SolverOptions) -> None:
+    """Lanes know contact states that an impact ends, and full contact, and equal steps."""
+    impact, uplift = 0, 1
+    for side, guards, kinds in zip(module.SIDES, module.GUARDS, module.KINDS, strict=True):
+        known = (impact,) if side else (uplift,) * guards
+        if kinds[:guards] != known:
+            raise ValueError(
+                f"lanes are for structures on rigid ground, and {module.NAME} is none: leave "
+                f"lanes=True out"
+            )
+    if not options.steps_per_law:
+        raise ValueError(
+            "lanes take equal steps: give options=SolverOptions(steps_per_law=n), 1 for records "
+            "of 200 samples a second"
+        )
+
+
+def _check_linear(problem: Problem) -> None:
+    for table, word in ((problem.horizontal, "motion"), (problem.vertical, "vertical motion")):
+        if table[:, 2].any():
+            row = table[np.flatnonzero(table[:, 2])[0]]
+            raise ValueError(
+                f"the {word} is a pulse or harmonic between {row[0]:g} s and {row[1]:g} s: lanes "
+                f"know records only; make it one by GroundMotion.from_array, or leave lanes=True "
+                f"out"
+            )
 
 
 def _in_threads(
@@ -160,29 +204,44 @@ class _Results:
         )
 
     def run(
-        self, first: int, batch: list[Problem], compiled: ModuleType, options: SolverOptions
+        self,
+        first: int,
+        batch: list[Problem],
+        compiled: ModuleType,
+        options: SolverOptions,
+        lanes: bool = False,
     ) -> int:
         """Run a chunk and write its rows; returns the number of cases."""
         rows = slice(first, first + len(batch))
         start = np.array([q.y0 for q in batch])
+        n, width = start.shape
         self.final[rows] = start
         self.peaks[rows] = start[:, None, :]
-        self.contact[rows] = [q.contact for q in batch]
+        status = np.zeros((n, 9), np.int64)  # as `integrate` wants it at the start of a motion
+        status[:, 0] = [q.contact for q in batch]
+        status[:, 1] = -1
+        status[:, 5:7] = 1
+        clock = np.zeros((n, 3))
+        state = status, clock, self.final[rows], np.zeros((n, width))
         horizontal, h_rows = _stacked([q.horizontal for q in batch])
         vertical, v_rows = _stacked([q.vertical for q in batch])
-        outcome = np.empty(len(batch), np.int64)
-        compiled.integrate_many(
-            self.contact[rows], self.final[rows], np.array([q.end for q in batch]),
-            np.array([q.quiet_from for q in batch]), horizontal, h_rows, vertical, v_rows,
-            np.array([q.vector for q in batch]), np.array([q.law for q in batch]),
-            np.array([q.ratio for q in batch]), options.rtol,
-            np.full(start.shape[1], options.atol), options.max_step, options.steps_per_law,
+        outcome = np.full(n, len(_OUTCOMES))  # not ended
+        ends = np.array([q.end for q in batch])
+        others = (
+            horizontal, h_rows, vertical, v_rows, np.array([q.vector for q in batch]),
+            np.array([q.law for q in batch]), np.array([q.ratio for q in batch]), options.rtol,
+            np.full(width, options.atol), options.max_step, options.steps_per_law,
             np.array([q.fallen for q in batch]), options.rest_tolerance, options.max_impacts,
-            options.max_steps, outcome, self.final_time[rows], self.contact[rows],
-            self.impacts[rows], self.peaks[rows], self.times[rows],
+            options.max_steps, outcome, self.peaks[rows], self.times[rows],
         )  # fmt: skip
+        if lanes:
+            records = [np.append(q.horizontal[-1:, 1], q.vertical[-1:, 1]).max() for q in batch]
+            compiled.integrate_lanes(*state, np.minimum(ends, records), *others)
+        compiled.integrate_many(*state, ends, np.array([q.quiet_from for q in batch]), *others)
+        self.final_time[rows] = clock[:, 0]
+        self.contact[rows], self.impacts[rows] = status[:, 0], status[:, 2]
         self.outcome[rows] = outcome
-        return len(batch)
+        return n
 
     def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> xr.Dataset:
         dims = tuple(values)

@@ -1,25 +1,28 @@
 """One compiled program for each structure and method, kept on disk between processes.
 
 The generated module, the text of a step and the loop are joined into one self-contained file in
-the user's cache. Its name contains the hash of its content: a changed structure, method or loop
-gives another file, so what was compiled for an old text is never used for a new one, and no
-file is ever overwritten.
+the user's cache. Its name contains the hash of all that its text follows from: a changed
+structure, method or loop gives another file, so what was compiled for an old text is never used
+for a new one, and no file is ever overwritten.
 """
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import importlib.util
 import inspect
 import os
 import sys
 import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
+from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
-
-from rockeom.numeric.tableau import step_text, tableau
+from typing import Any
 
 _PREAMBLE = '''"""{name} with {method}: equations, step and loop in one text. Made by rockeom."""
 
@@ -45,7 +48,15 @@ def cache_folder() -> Path:
 
 def load_text(name: str, text: str) -> ModuleType:
     """Import a module from its text, through a file of the cache named by its content."""
-    digest = hashlib.sha256(text.encode()).hexdigest()[:20]
+    return _load(name, _digest(text), lambda: text)
+
+
+def _digest(*sources: str) -> str:
+    return hashlib.sha256("\0".join(sources).encode()).hexdigest()[:20]
+
+
+def _load(name: str, digest: str, text: Callable[[], str]) -> ModuleType:
+    """The same by the digest of what a text is made of; it is asked for if there is no file yet."""
     module_name = f"rockeom_{name}_{digest}"
     if module_name in sys.modules:
         return sys.modules[module_name]
@@ -68,31 +79,74 @@ def load_text(name: str, text: str) -> ModuleType:
     return module
 
 
-def _store(path: Path, text: str) -> Path:
+def _store(path: Path, text: Callable[[], str]) -> Path:
     """Write the file whole or not at all, so that processes may race for it."""
     if not path.exists():
         handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
         with os.fdopen(handle, "w", encoding="utf-8") as f:
-            f.write(text)
+            f.write(text())
         os.replace(temporary, path)
     return path
 
 
 @cache
-def _loop_text() -> str:
-    return (files("rockeom.numeric") / "loop.py").read_text(encoding="utf-8")
+def _own(name: str) -> str:
+    """Text of a file beside this one."""
+    return (files("rockeom.numeric") / name).read_text(encoding="utf-8")
 
 
 @cache
-def program(generated: ModuleType, method: str) -> ModuleType:
-    """The module with `integrate` and `evaluate` for a generated module and a method's name."""
-    # only the entries of the loop are stored: what they call is part of their code
-    equations = inspect.getsource(generated).replace("njit(cache=True, ", "njit(")
-    parts = (
-        _PREAMBLE.format(name=generated.NAME, method=method),
-        equations,
-        step_text(tableau(method)),
-        "\n\n",
-        _loop_text(),
-    )
-    return load_text(f"{generated.NAME}_{method.lower()}", "".join(parts))
+def program(generated: ModuleType, method: str, lanes: bool = False) -> ModuleType:
+    """The module with `integrate` and `evaluate` for a generated module and a method's name.
+
+    lanes : with `integrate_lanes`, too.
+    """
+    if lanes and method == "Radau":
+        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
+    equations = inspect.getsource(generated)
+    # all that the joined text follows from; SciPy holds the coefficients of the methods
+    digest = _digest(
+        equations, method, _own("loop.py"), _own("tableau.py"), _own("specialise.py"),
+        version("scipy"), *(_own(name) for name in ("lanes.py", "lanes_text.py") if lanes),
+        *(_own(name) for name in ("implicit.py",) if method == "Radau"),
+    )  # fmt: skip
+
+    def text() -> str:
+        from rockeom.numeric.tableau import step_text, tableau  # SciPy takes a while to import
+
+        # only the entries of the loop are called from Python and stored
+        n = generated.N_STATES // 2
+        if method == "Radau":
+            from rockeom.numeric.implicit import implicit_step_text
+
+            step = implicit_step_text(n)
+        else:
+            step = step_text(tableau(method), n)
+        inner = "njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, "
+        parts: tuple[str, ...] = (
+            _PREAMBLE.format(name=generated.NAME, method=method),
+            equations.replace("njit(cache=True, **", "njit(**").replace("njit(", inner),
+            step,
+            "\n\n",
+            _own("loop.py"),
+        )
+        if lanes:
+            from rockeom.numeric.lanes_text import lanes_text
+
+            parts += (lanes_text(tableau(method), generated), "\n\n", _own("lanes.py"))
+        return "".join(parts)
+
+    return _load(f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}", digest, text)
+
+
+@contextmanager
+def compiling(entry: Any) -> Iterator[None]:
+    """Around the first call of an entry: garbage, of which a compiler makes much, waits."""
+    if entry.signatures or not gc.isenabled():
+        yield
+        return
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()

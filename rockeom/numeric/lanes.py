@@ -1,0 +1,449 @@
+"""Many motions as lanes of one stream of instructions: the loop of `simulate_many(lanes=True)`.
+
+This file is not imported. `rockeom.numeric.specialise` joins it to the text of the scalar loop and
+to that of a step of many lanes (step_lanes, judge_lanes, judge_held_lanes, accept_lanes).
+
+Each lane has a time and a step of its own. All lanes take their next step together, whatever it is
+to each of them: an ordinary one, or one that is to end at an impact. The quintic of the gap through
+both ends of a step says what becomes of it: it stands, it is repeated to end at the impact, or it
+has ended there. In all other cases, an uplift, a fall, a doubt, the lane is taken out, and
+`integrate` carries it to the end of the ground's law.
+
+No lane's numbers depend on another's, nor on its place: so the results are the same to the last
+bit for any order and number of motions.
+"""
+
+# Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
+# constants, leave the compiler no doubt that lanes are independent.
+(
+    Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
+    Z_LAST,  # end of the present laws of the ground
+    Z_START_X, Z_END_X, Z_X0, Z_X1,  # horizontal: acceleration X0 + X1 (t - START_X)
+    Z_START_Y, Z_END_Y, Z_Y0, Z_Y1,
+    Z_CONTACT, Z_SIDE, Z_TOUCHING,  # as in the loop
+    Z_FALLEN,  # bound of the rotation
+    Z_TAKEN,  # steps taken
+    Z_LANDING,  # how often the step was repeated to end at an impact
+    Z_VERDICT,  # what becomes of the step
+) = (i * LANES for i in range(19))  # fmt: skip
+Z_Q = 19 * LANES  # positions
+Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
+Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
+Z_MOST = Z_LEAST + N_STATES * LANES
+Z_P = Z_MOST + N_STATES * LANES
+Z_K = Z_P + N_PARAMETERS * LANES  # rates of the states at the start of a step, and at its end
+Z_K_NEW = Z_K + N_STATES * LANES
+Z_SIZE = Z_K_NEW + N_STATES * LANES
+
+# Rows of whole numbers: the case of a lane (-1: none), the rows of its two tables
+W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
+
+DOUBTFUL, REPEATED, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0
+"""Verdicts on a step; what has landed stands, too."""
+
+
+@_inlined
+def ground_x(z, lane):
+    return z[Z_START_X + lane], np.inf, 0.0, z[Z_X0 + lane], z[Z_X1 + lane], 0.0, 0.0
+
+
+@_inlined
+def ground_y(z, lane):
+    return z[Z_START_Y + lane], np.inf, 0.0, z[Z_Y0 + lane], z[Z_Y1 + lane], 0.0, 0.0
+
+
+@_inlined
+def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
+    """(verdict, length of the step when repeated) by the quintic through both ends of a step.
+
+    Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
+    gap stays open. If they change their sign once, it closes once, where Newton's method finds;
+    the step repeated to there corrects the place by what is left of the gap.
+    """
+    q0, v0, a0 = side * q0, side * h * v0, side * h * h * a0
+    q1, v1, a1 = side * q1, side * h * v1, side * h * h * a1
+    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+    least = 1e-3 * max(q0, q1)
+    open_ = (q0 > least) | touching
+    open_ &= (b1 > least) & (b2 > least) & (b3 > least) & (b4 > least) & (q1 > least)
+
+    # positive ones, then doubtful ones, then negative ones
+    doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    closes = ((q0 > 0.0) | (touching & (b1 > 0.0))) & (q1 < -doubt)
+    closes &= (b1 > doubt) | (b2 <= doubt) | touching
+    closes &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
+    closes &= ((b1 >= -doubt) | (b2 < -doubt)) & ((b2 >= -doubt) | (b3 < -doubt))
+    closes &= (b3 >= -doubt) | (b4 < -doubt)
+
+    # the quintic, or its quotient by x where it begins at zero, from the root of a parabola on
+    c3 = 10.0 * (q1 - q0) - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1
+    c4 = -15.0 * (q1 - q0) + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1
+    c5 = 6.0 * (q1 - q0) - 3.0 * (v0 + v1) - 0.5 * a0 + 0.5 * a1
+    bend = q1 - q0 - v0
+    x = 2.0 * q0 / (math.sqrt(max(v0 * v0 - 4.0 * q0 * bend, 0.0)) - v0)
+    x = -v0 / bend if touching else x
+    e0, e1, e2 = v0 if touching else q0, 0.5 * a0 if touching else v0, c3 if touching else 0.5 * a0
+    e3, e4, e5 = c4 if touching else c3, c5 if touching else c4, 0.0 if touching else c5
+    move = 0.0
+    for _ in range(3):
+        value = e0 + x * (e1 + x * (e2 + x * (e3 + x * (e4 + x * e5))))
+        slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
+        move = value / slope
+        x = x - move
+    closes &= (abs(move) < 1e-4) & (x > 0.0) & (x < 1.0) & (x * h > 8.0 * EPS * max(t, h))
+
+    # what is left of the gap at the end of a step that is to end at the impact
+    left = -h * q1 / v1
+    falls = (v1 < 0.0) & (abs(left) < 0.01 * h)
+    landed = falls & ((abs(left) <= 2.0 * EPS * (t + h)) | (landing >= 4.0)) & within
+    again = falls & (landing < 4.0) & ~landed
+
+    first = landing == 0.0
+    repeated = (first & closes & ~open_) | (~first & again)
+    verdict = STANDS if first & open_ & within else DOUBTFUL
+    verdict = REPEATED if repeated else verdict
+    verdict = LANDED if ~first & landed else verdict
+    new_h = x * h if first else h + left
+    return verdict, new_h if repeated else h
+
+
+@_inlined
+def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known):
+    """The opposite of `widens` for one coordinate."""
+    v0, v1 = h * v0, h * v1
+    a0, a1 = h * h * a0, h * h * a1
+    up = (v0 >= 0.0) & (v0 + a0 / 3.0 >= 0.0) & (v1 - a1 / 3.0 >= 0.0) & (v1 >= 0.0)
+    down = (v0 <= 0.0) & (v0 + a0 / 3.0 <= 0.0) & (v1 - a1 / 3.0 <= 0.0) & (v1 <= 0.0)
+    b1, b2 = q0 + v0 / 5.0, q0 + 2.0 * v0 / 5.0 + a0 / 20.0
+    b4, b3 = q1 - v1 / 5.0, q1 - 2.0 * v1 / 5.0 + a1 / 20.0
+    least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
+    margin = 1e-3 * (most - least)
+    return up | down | ((least - margin >= least_known) & (most + margin <= most_known))
+
+
+@_compiled
+def plan_lanes(z, fixed, h_max):
+    """The next step of each lane; that of a lane which is landing is known."""
+    for lane in range(LANES):
+        t, last, planned = z[Z_T + lane], z[Z_LAST + lane], z[Z_LANDING + lane] > 0.0
+        span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
+        h = min(span / fixed, h_max)
+        cut = t + 1.1 * h >= last
+        z[Z_H + lane] = z[Z_H + lane] if planned else (last - t if cut else h)
+        z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
+
+
+# -- one lane ------------------------------------------------------------------------------------
+
+
+@_compiled
+def take_in(lane, z, w, home, fallen):
+    """A case's own state into its lane."""
+    status, clock, states, rates_, peaks, _, _ = home
+    case, n = w[W_CASE + lane], N_STATES // 2
+    z[Z_T + lane], z[Z_H + lane] = clock[case, 0], clock[case, 1]
+    z[Z_CONTACT + lane] = status[case, 0]
+    z[Z_SIDE + lane] = SIDES[status[case, 0]]
+    z[Z_TOUCHING + lane] = status[case, 1]
+    z[Z_TAKEN + lane] = status[case, 3]
+    z[Z_FALLEN + lane] = fallen[case]
+    z[Z_LANDING + lane] = 0.0
+    for i in range(n):
+        z[Z_Q + i * LANES + lane] = states[case, i]
+        z[Z_K + i * LANES + lane] = states[case, n + i]
+        z[Z_K + (n + i) * LANES + lane] = rates_[case, n + i]
+    for i in range(N_STATES):
+        z[Z_LEAST + i * LANES + lane] = peaks[case, 0, i]
+        z[Z_MOST + i * LANES + lane] = peaks[case, 1, i]
+
+
+@_compiled
+def take_out(lane, z, w, home):
+    """A lane's state back into its case's own arrays."""
+    status, clock, states, rates_, peaks, _, _ = home
+    case, n = w[W_CASE + lane], N_STATES // 2
+    clock[case, 0], clock[case, 1], clock[case, 2] = z[Z_T + lane], z[Z_H + lane], 0.0
+    status[case, 0] = np.int64(z[Z_CONTACT + lane])
+    status[case, 1] = np.int64(z[Z_TOUCHING + lane])
+    status[case, 3] = np.int64(z[Z_TAKEN + lane])
+    for i in range(n):
+        states[case, i] = z[Z_Q + i * LANES + lane]
+        states[case, n + i] = rates_[case, i] = z[Z_K + i * LANES + lane]
+        rates_[case, n + i] = z[Z_K + (n + i) * LANES + lane]
+    for i in range(N_STATES):
+        peaks[case, 0, i] = z[Z_LEAST + i * LANES + lane]
+        peaks[case, 1, i] = z[Z_MOST + i * LANES + lane]
+
+
+@_compiled
+def alone(lane, z, w, home, ground, data, how, work):
+    """Carry a lane to the end of the ground's law by the scalar loop."""
+    status, clock, states, rates_, peaks, outcome, impact_times = home
+    horizontal, h_rows, vertical, v_rows, _ = ground
+    p, law, ratio, fallen = data
+    rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps = how
+    steps, step_contact, step_states, events, event_kinds, event_states, scratch = work
+    take_out(lane, z, w, home)
+    case = w[W_CASE + lane]
+    code = FULL
+    while code == FULL:
+        noted = status[case, 2]
+        status[case, 7] = status[case, 8] = 0
+        code = integrate(
+            status[case], clock[case], states[case], rates_[case], z[Z_LAST + lane],
+            horizontal[w[W_NX + lane] : h_rows[case, 1]],
+            vertical[w[W_NY + lane] : v_rows[case, 1]], p[case], law[case], ratio[case], rtol, atol,
+            h_max, fixed, fallen[case], rest_tolerance, max_impacts, max_steps,
+            steps, step_contact, step_states, events, event_kinds, event_states, peaks[case],
+            scratch,
+        )  # fmt: skip
+        for e in range(status[case, 8]):
+            if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
+                impact_times[case, noted] = events[e]
+                noted += 1
+    if code != COMPLETED:
+        outcome[case] = code
+    take_in(lane, z, w, home, fallen)
+
+
+@_compiled
+def impact(lane, z, w, home, data, how, work):
+    """Pass a lane that has landed into the contact state that follows, as the loop does."""
+    status, _, states, rates_, _, outcome, impact_times = home
+    p, law, ratio, _ = data
+    rest_tolerance, max_impacts, scratch = how[4], how[5], work[6]
+    case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
+    y, rate = states[case], rates_[case]
+    after, y_w = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW]
+    for i in range(n):
+        y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
+    if status[case, 2] < impact_times.shape[1]:
+        impact_times[case, status[case, 2]] = t
+    before = np.int64(z[Z_CONTACT + lane])
+    contact = jump(before, np.int64(0), law[case], ratio[case], y, p[case], after)
+    touching = np.int64(-1)
+    status[case, 2] += 1
+    status[case, 5] = status[case, 6] = 1
+    for i in range(N_STATES):
+        y[i] = after[i]
+    if status[case, 2] > max_impacts:
+        outcome[case] = TOO_MANY_IMPACTS
+    elif SIDES[contact] != 0.0:
+        touching = CLOSED[before][0]
+        ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+        rates(contact, y, p[case], ax, ay, rate)
+        status[case, 5] = status[case, 6] = 0
+        for i in range(n):
+            z[Z_K + (n + i) * LANES + lane] = rate[n + i]
+        # the flight to come, if short enough, is the first of those that time_to_rest adds up
+        a, v = -SIDES[contact] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+        rests, follows = np.inf, contact
+        if a > 0.0 and not 2.0 * v / a > rest_tolerance / math.sqrt(a):
+            rests, follows = time_to_rest(
+                contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after
+            )
+        if t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t:
+            z[Z_T + lane] = t + rests
+            contact, touching = follows, np.int64(-1)
+            status[case, 5] = status[case, 6] = 1
+            for i in range(N_STATES):
+                y[i] = after[i]
+    z[Z_CONTACT + lane], z[Z_SIDE + lane], z[Z_TOUCHING + lane] = contact, SIDES[contact], touching
+    for i in range(n):
+        z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
+
+
+@_compiled
+def fresh_rates(lane, z, case, home, p):
+    """The rates of a rocking lane at its time, found anew."""
+    status, _, states, rates_, _, _, _ = home
+    t, n = z[Z_T + lane], N_STATES // 2
+    y, rate = states[case], rates_[case]
+    for i in range(n):
+        y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
+    ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+    rates(np.int64(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
+    for i in range(n):
+        z[Z_K + (n + i) * LANES + lane] = rate[n + i]
+    status[case, 5] = status[case, 6] = 0
+
+
+@_inlined
+def next_laws(lane, z, w, case, ground):
+    """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
+    horizontal, h_rows, vertical, v_rows, stop = ground
+    t = z[Z_T + lane]
+    ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+    if t >= z[Z_END_X + lane]:
+        n, row = w[W_NX + lane] + 1, QUIET
+        while n < h_rows[case, 1] and t >= horizontal[n, 1]:
+            n += 1
+        if n < h_rows[case, 1]:
+            row = row_of(horizontal, n)
+        w[W_NX + lane] = n
+        z[Z_START_X + lane], z[Z_END_X + lane], z[Z_X0 + lane], z[Z_X1 + lane] = (
+            row[0],
+            row[1],
+            row[3],
+            row[4],
+        )
+    if t >= z[Z_END_Y + lane]:
+        n, row = w[W_NY + lane] + 1, QUIET
+        while n < v_rows[case, 1] and t >= vertical[n, 1]:
+            n += 1
+        if n < v_rows[case, 1]:
+            row = row_of(vertical, n)
+        w[W_NY + lane] = n
+        z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane] = (
+            row[0],
+            row[1],
+            row[3],
+            row[4],
+        )
+    z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
+    return jumps(ax, shaking(ground_x(z, lane), t)) or jumps(ay, shaking(ground_y(z, lane), t))
+
+
+@_compiled
+def pass_rest(lane, z, w, case, home, ground, p):
+    """Pass a structure that cannot move on both its feet over the laws in which it stays there.
+
+    The accelerations with which its feet would lift are linear in those of the ground, so that
+    both ends of a linear law decide.
+    """
+    status, y = home[0], home[2][case]
+    up = down = (0.0, 0.0, 0.0)
+    for c in range(len(SIDES)):
+        if SIDES[c] != 0.0:
+            still = opening_acceleration(c, y, p, 0.0, 0.0)
+            by_x = opening_acceleration(c, y, p, 1.0, 0.0) - still
+            by_y = opening_acceleration(c, y, p, 0.0, 1.0) - still
+            if SIDES[c] > 0.0:
+                up = (still, by_x, by_y)
+            else:
+                down = (still, by_x, by_y)
+    doubt = 1e-9 * (abs(up[0]) + abs(down[0]))
+    while z[Z_T + lane] < ground[4][case]:
+        if z[Z_T + lane] >= z[Z_LAST + lane]:
+            next_laws(lane, z, w, case, ground)
+        for end in range(2):
+            t = z[Z_LAST + lane] if end == 1 else z[Z_T + lane]
+            ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+            opens = max(up[0] + up[1] * ax + up[2] * ay, down[0] + down[1] * ax + down[2] * ay)
+            if not opens < -doubt:
+                return
+        z[Z_T + lane] = z[Z_LAST + lane]
+        z[Z_TOUCHING + lane] = -1.0
+        status[case, 5] = status[case, 6] = 1
+
+
+@_inlined
+def ready(lane, z, w, home, ground, data, how, work):
+    """Bring a lane to where it takes its next step with the others; False where its way ends."""
+    status, outcome, stop = home[0], home[5], ground[4]
+    case = w[W_CASE + lane]
+    while outcome[case] == FULL and z[Z_T + lane] < stop[case]:
+        if z[Z_TAKEN + lane] >= how[6]:
+            outcome[case] = STALLED
+            break
+        if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground):
+            status[case, 5] = status[case, 6] = 1
+        if z[Z_SIDE + lane] != 0.0:
+            if status[case, 6] == 1:
+                fresh_rates(lane, z, case, home, data[0][case])
+            return True
+        if N_STATES == 2:
+            t = z[Z_T + lane]
+            pass_rest(lane, z, w, case, home, ground, data[0][case])
+            if z[Z_T + lane] > t:
+                continue
+        elif status[case, 6] == 0 and z[Z_TOUCHING + lane] == -1.0:
+            return True
+        alone(lane, z, w, home, ground, data, how, work)
+    return False
+
+
+@_loop
+def run_lanes(z, w, home, ground, data, how, work):
+    """Run all cases to their times `stop`, or to the outcomes that end them.
+
+    z, w : the lanes. home : what each case is taken in from and out to. ground, data, how :
+    motions, structures and options, as in `integrate_lanes`. work : records and scratch of
+    `integrate`.
+    """
+    p, fallen = data[0], data[3]
+    h_rows, v_rows, stop = ground[1], ground[3], ground[4]
+    h_max, fixed = how[2], how[3]
+    waiting = 0
+    w[W_CASE : W_CASE + LANES] = -1
+    while True:
+        running, held = 0, False
+        for lane in range(LANES):
+            if w[W_CASE + lane] >= 0 and z[Z_VERDICT + lane] == REPEATED:
+                running += 1
+                continue
+            goes_on = False
+            if w[W_CASE + lane] >= 0:
+                if z[Z_VERDICT + lane] == LANDED:
+                    impact(lane, z, w, home, data, how, work)
+                elif z[Z_VERDICT + lane] == DOUBTFUL:
+                    alone(lane, z, w, home, ground, data, how, work)
+                goes_on = True
+            while True:
+                if goes_on:
+                    if ready(lane, z, w, home, ground, data, how, work):
+                        running += 1
+                        held = held or z[Z_SIDE + lane] == 0.0
+                        break
+                    take_out(lane, z, w, home)
+                w[W_CASE + lane] = -1
+                if waiting == len(stop):
+                    break
+                # the next case
+                w[W_CASE + lane] = waiting
+                w[W_NX + lane], w[W_NY + lane] = h_rows[waiting, 0] - 1, v_rows[waiting, 0] - 1
+                z[Z_LAST + lane] = z[Z_X0 + lane] = z[Z_X1 + lane] = z[Z_Y0 + lane] = z[
+                    Z_Y1 + lane
+                ] = 0.0
+                z[Z_START_X + lane] = z[Z_START_Y + lane] = z[Z_END_X + lane] = z[
+                    Z_END_Y + lane
+                ] = 0.0
+                for i in range(N_PARAMETERS):
+                    z[Z_P + i * LANES + lane] = p[waiting, i]
+                take_in(lane, z, w, home, fallen)
+                waiting += 1
+                goes_on = True
+        if running == 0:
+            return
+        plan_lanes(z, fixed, h_max)
+        step_lanes(z)
+        judge_lanes(z)
+        if held:
+            judge_held_lanes(z)
+        accept_lanes(z)
+
+
+@_entry
+def integrate_lanes(
+    status, clock, states, rates, stop, horizontal, h_rows, vertical, v_rows, p, law, ratio,
+    rtol, atol, h_max, fixed, fallen, rest_tolerance, max_impacts, max_steps,
+    outcome, peaks, impact_times,
+):  # fmt: skip
+    """Integrate n motions under linear laws of the ground, each to its time `stop`.
+
+    status (n, 9), clock (n, 3), states and rates (n, N) are those of `integrate`, so that it may
+    go on from there. outcome (n,) gets that of a motion that ends before, and is FULL at the start.
+    The rest as in `integrate_many`.
+    """
+    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
+    events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
+    event_states = np.empty((64, 2, N_STATES))
+    run_lanes(
+        np.zeros(Z_SIZE), np.zeros(3 * LANES, np.int64),
+        (status, clock, states, rates, peaks, outcome, impact_times),
+        (horizontal, h_rows, vertical, v_rows, stop),
+        (p, law, ratio, fallen),
+        (rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps),
+        (steps, step_contact, step_states, events, event_kinds, event_states, np.zeros(SCRATCH)),
+    )  # fmt: skip

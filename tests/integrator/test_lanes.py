@@ -1,0 +1,308 @@
+"""simulate_many with lanes: exact rocking, the scalar loop's results, bits that nothing changes."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import rockeom as rk
+
+STEP = rk.SolverOptions(steps_per_law=1)
+
+
+def record(n=1200, seed=1, dt=0.005):
+    """Harmonics of random phases under an envelope, of peak 1 m/s2."""
+    random = np.random.RandomState(seed)
+    t = dt * np.arange(n)
+    omega, phase = np.linspace(4.0, 30.0, 25), random.uniform(0.0, 2.0 * np.pi, 25)
+    a = (np.sin(np.outer(t, omega) + phase) / np.sqrt(omega)).sum(axis=1)
+    a *= np.sin(np.pi * t / t[-1]) ** 2
+    return rk.GroundMotion.from_array(np.round(a / np.abs(a).max(), 6), dt)
+
+
+RECORD = record().scaled(acceleration=4.0)
+HEIGHTS, ANGLES = [0.25, 0.5, 1.0, 2.0, 4.0], [0.12, 0.16, 0.2, 0.24, 0.28, 0.32, 0.36]
+OVER = {"height": HEIGHTS, "alpha": ANGLES}  # 35: no multiple of the lanes
+
+
+def block(height, alpha):
+    return rk.RigidBlock(half_width=height * math.tan(alpha), half_height=height)
+
+
+def column(**changes):
+    values = {
+        "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
+        "base_inertia": 1.37, "half_width": 0.285, "stiffness": 571.8e3, "damping": 502.4,
+    }  # fmt: skip
+    return rk.FlexibleStructure(**values | changes)
+
+
+def many(case, over, options=STEP, **others):
+    return rk.simulate_many(case, over, options=options, lanes=True, impact_times=40, **others)
+
+
+def both_ways(case, over, options=STEP):
+    return many(case, over, options), rk.simulate_many(case, over, options=options, impact_times=40)
+
+
+def assert_same(lanes, scalar, apart, final=1.0):
+    """The same course of events; times and extremes differ by rounding, and by what it grew to."""
+    for name in ("outcome", "final_phase", "impacts"):
+        np.testing.assert_array_equal(lanes[name], scalar[name])
+    np.testing.assert_allclose(lanes.impact_time, scalar.impact_time, rtol=0, atol=apart)
+    np.testing.assert_allclose(lanes.final_time, scalar.final_time, rtol=0, atol=apart)
+    for name in ("smallest", "largest", "final"):
+        size = np.abs(scalar[name]).max()
+        np.testing.assert_allclose(lanes[name], scalar[name], rtol=0, atol=final * apart * size)
+
+
+def reversed_(dataset, over):
+    return dataset.isel({name: slice(None, None, -1) for name in over})
+
+
+@pytest.fixture(scope="module")
+def blocks():
+    return many(lambda height, alpha: rk.Case(block(height, alpha), RECORD), OVER)
+
+
+# -- against exact solutions ---------------------------------------------------------------------
+
+
+def test_free_rocking_of_the_slender_block():
+    """Impact times of the linear equation, in inverse hyperbolic cosines (Housner, 1963)."""
+    p, alpha, ratio = 2.0, 0.2, 0.93
+    slender = rk.SlenderBlock.from_frequency(p=p, alpha=alpha)
+    quiet = rk.GroundMotion.from_array(np.zeros(8001), 0.005)
+    starts = np.linspace(0.1, 0.95, 21)
+    found = many(
+        lambda start: rk.Case(
+            slender, quiet, impact=rk.VelocityRatio(ratio), initial={"theta": start * alpha}
+        ),
+        {"start": starts},
+    )
+    phi, time = starts.copy(), np.zeros(len(starts))
+    for n in range(8):
+        quarter = np.arccosh(1.0 / (1.0 - phi)) / p
+        time += quarter if n == 0 else 2.0 * quarter
+        np.testing.assert_allclose(found.impact_time[:, n], time, rtol=1e-13)
+        phi = 1.0 - np.sqrt(1.0 - ratio**2 * (1.0 - (1.0 - phi) ** 2))
+    assert set(found.outcome.values.tolist()) == {"came to rest"}
+
+
+def test_uplift_where_the_ground_exceeds_g_tan_alpha():
+    """Ground acceleration rises in straight lines; a block stays until it is g tan(alpha)."""
+    limit = 9.81 * math.tan(0.2)
+    ramp = rk.GroundMotion.from_array(limit * np.linspace(0.0, 2.0, 41), 0.05)
+    found = many(
+        lambda duration: rk.Case(block(0.5, 0.2), ramp, duration=duration),
+        {"duration": [0.4, 0.99, 1.0 - 1e-9, 1.001, 1.1, 1.5]},
+    )
+    np.testing.assert_array_equal(found.final_phase, ["both"] * 3 + ["left"] * 3)
+    assert (found.final.values[:3] == 0.0).all()
+    # just after, the rotation is that of a moment that grows in proportion to time
+    rock = block(0.5, 0.2)
+    growth = rock.frequency_parameter**2 * limit * math.cos(0.2) / 9.81
+    np.testing.assert_allclose(found.final.values[3, 0], -growth * 1e-9 / 6.0, rtol=1e-3)
+
+
+# -- against the scalar loop ---------------------------------------------------------------------
+
+
+def test_blocks_as_one_by_one(blocks):
+    one_by_one = rk.simulate_many(
+        lambda height, alpha: rk.Case(block(height, alpha), RECORD),
+        OVER,
+        options=STEP,
+        impact_times=40,
+    )
+    outcomes = set(blocks.outcome.values.ravel().tolist())
+    assert {"overturned", "came to rest"} <= outcomes
+    assert blocks.impacts.values.max() > 100
+    assert_same(blocks, one_by_one, 1e-9)
+
+
+def test_amplitudes_up_to_overturning():
+    tall = block(1.0, 0.2)
+    over = {"times": np.linspace(0.2, 3.0, 29)}
+    lanes, scalar = both_ways(lambda times: rk.Case(tall, RECORD.scaled(times)), over)
+    fell = lanes.outcome == "overturned"
+    assert 3 < fell.sum() < 26
+    assert (lanes.final_time.values[fell] < 6.0).any()  # not only behind the record
+    assert_same(lanes, scalar, 1e-8)
+
+
+@pytest.mark.parametrize(
+    "impact",
+    [rk.AngularMomentum(), rk.Impulsive(), rk.VelocityRatio(0.8)],
+    ids=lambda law: type(law).__name__,
+)
+def test_flexible_structures(impact):
+    """They vibrate on both feet, and rock; the impulsive law may end rocking at once."""
+    over = {"half_width": [0.2, 0.25, 0.285], "stiffness": [2e5, 5.718e5, 1e6]}
+    lanes, scalar = both_ways(
+        lambda half_width, stiffness: rk.Case(
+            column(half_width=half_width, stiffness=stiffness), RECORD, impact=impact
+        ),
+        over,
+    )
+    assert (lanes.impacts > 10).any()
+    np.testing.assert_array_equal(lanes.outcome, scalar.outcome)
+    # in the first impacts nothing has grown
+    np.testing.assert_allclose(
+        lanes.impact_time[..., :15], scalar.impact_time[..., :15], rtol=0, atol=1e-9
+    )
+    np.testing.assert_allclose(lanes.largest[..., :2], scalar.largest[..., :2], rtol=1e-6)
+
+
+def test_every_argument_of_a_case():
+    """Vertical record, durations on both sides of the record's, start, phase and law."""
+    full = {
+        "impact": rk.VelocityRatio(0.85),
+        "initial": {"theta": 0.05, "theta_dot": 0.1},
+        "duration": 3.0025,
+        "vertical": record(seed=2, dt=0.007).scaled(acceleration=2.0),
+        "phase": "right",
+    }
+    cases = {"all": full, "longer": full | {"duration": 8.0}, "longest": full | {"duration": 20.0}}
+    cases |= {f"no {key}": {k: v for k, v in full.items() if k != key} for key in full}
+    weak = RECORD.scaled(0.6)
+    lanes, scalar = both_ways(
+        lambda which: rk.Case(block(0.6, 0.2), weak, **cases[which]), {"which": list(cases)}
+    )
+    assert_same(lanes, scalar, 1e-9)
+    # each argument but the phase, which the state tells, has changed something
+    parts = (lanes.final_time.values[:, None], lanes.final.values, lanes.impact_time.values)
+    assert len({row.tobytes() for row in np.hstack(parts)}) == len(cases) - 1
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        rk.SolverOptions(steps_per_law=3),
+        rk.SolverOptions(steps_per_law=1, max_step=0.002),
+        rk.SolverOptions(steps_per_law=2, method="RK45"),
+    ],
+    ids=["three steps", "max_step", "RK45"],
+)
+def test_options_of_steps(options):
+    """Behind an impact the scalar loop's steps begin anew; so only the method's error differs."""
+    lanes, scalar = both_ways(
+        lambda alpha: rk.Case(block(1.0, alpha), RECORD), {"alpha": ANGLES[1:]}, options
+    )
+    apart = 1e-4 if options.method == "RK45" else 1e-7
+    np.testing.assert_array_equal(lanes.outcome, scalar.outcome)
+    np.testing.assert_allclose(
+        lanes.impact_time[..., :8], scalar.impact_time[..., :8], rtol=0, atol=apart
+    )
+
+
+def test_too_many_impacts_and_steps():
+    quiet = rk.GroundMotion.from_array(np.zeros(2001), 0.005)
+    over = {"theta": np.linspace(0.02, 0.15, 18)}
+
+    def case(theta):
+        return rk.Case(block(0.5, 0.2), quiet, initial={"theta": theta})
+
+    few = many(case, over, rk.SolverOptions(steps_per_law=1, max_impacts=5))
+    assert set(few.outcome.values.tolist()) == {"too many impacts"}
+    assert (few.impacts == 6).all()
+    assert np.isfinite(few.impact_time.values).sum(axis=1).tolist() == [6] * 18
+    np.testing.assert_array_equal(few.final_time, few.impact_time[:, 5])
+    short = many(case, over, rk.SolverOptions(steps_per_law=1, max_steps=40))
+    assert set(short.outcome.values.tolist()) == {"stalled"}
+    assert (short.final_time < 0.21).all()
+
+
+# -- bits ----------------------------------------------------------------------------------------
+
+
+@settings(max_examples=10, deadline=None)
+@given(threads=st.integers(1, 4), chunk=st.integers(1, 40))
+def test_threads_and_chunks_change_no_bit(blocks, threads, chunk):
+    again = many(
+        lambda height, alpha: rk.Case(block(height, alpha), RECORD),
+        OVER,
+        threads=threads,
+        chunk=chunk,
+    )
+    assert blocks.identical(again)
+
+
+def test_order_and_neighbours_change_no_bit(blocks):
+    """Backwards, and one by one, each among others that have another record."""
+    over = {name: values[::-1] for name, values in OVER.items()}
+    backwards = many(lambda height, alpha: rk.Case(block(height, alpha), RECORD), over)
+    assert blocks.identical(reversed_(backwards, over))
+    other = record(n=700, seed=5, dt=0.01).scaled(acceleration=6.0)
+    for height in HEIGHTS[::2]:
+        for alpha in ANGLES[::3]:
+            mixed = many(
+                lambda place, height=height, alpha=alpha: rk.Case(
+                    block(height, alpha) if place == 2 else block(0.3 + 0.1 * place, 0.2),
+                    RECORD if place == 2 else other,
+                ),
+                {"place": range(5)},
+            )
+            alone = blocks.sel(height=height, alpha=alpha)
+            for name in ("outcome", "impacts", "final_time", "largest", "smallest", "final"):
+                np.testing.assert_array_equal(mixed[name][2], alone[name])
+            np.testing.assert_array_equal(mixed.impact_time[2], alone.impact_time)
+
+
+def test_order_of_flexible_structures_changes_no_bit():
+    over = {"half_width": np.linspace(0.2, 0.3, 19)}
+    forwards = many(lambda half_width: rk.Case(column(half_width=half_width), RECORD), over)
+    over = {"half_width": over["half_width"][::-1]}
+    backwards = many(lambda half_width: rk.Case(column(half_width=half_width), RECORD), over)
+    assert forwards.identical(reversed_(backwards, over))
+
+
+@pytest.mark.parametrize("make", [lambda x: block(1.0, x), lambda x: column(half_width=x + 0.1)],
+                         ids=["block", "flexible"])  # fmt: skip
+def test_mirror_changes_no_bit(make):
+    found = many(
+        lambda value, sign: rk.Case(make(value), RECORD.scaled(sign)),
+        {"value": np.linspace(0.12, 0.3, 9), "sign": [1.0, -1.0]},
+    )
+    right, left = found.sel(sign=1.0), found.sel(sign=-1.0)
+    assert (right.impacts > 10).any()
+    for name in ("outcome", "impacts", "final_time", "impact_time"):
+        np.testing.assert_array_equal(right[name], left[name])
+    np.testing.assert_array_equal(right.largest, -left.smallest)
+    np.testing.assert_array_equal(right.smallest, -left.largest)
+    np.testing.assert_array_equal(right.final, -left.final)
+
+
+# -- what lanes refuse ---------------------------------------------------------------------------
+
+
+def test_pulses_are_refused_and_named():
+    def case(motion):
+        made = RECORD if motion == "record" else rk.GroundMotion.single_sine(3.0, period=0.5)
+        return rk.Case(block(1.0, 0.2), made)
+
+    with pytest.raises(ValueError, match="records only") as caught:
+        many(case, {"motion": ["record", "pulse"]})
+    assert "motion = pulse" in " ".join(caught.value.__notes__)
+    with pytest.raises(ValueError, match="vertical motion is a pulse"):
+        many(
+            lambda n: rk.Case(
+                block(1.0, 0.2), RECORD, vertical=rk.GroundMotion.single_sine(3.0, period=0.5)
+            ),
+            {"n": [1]},
+        )
+
+
+def test_controlled_steps_are_refused():
+    with pytest.raises(ValueError, match="steps_per_law"):
+        many(lambda n: rk.Case(block(1.0, 0.2), RECORD), {"n": [1]}, rk.SolverOptions())
+
+
+def test_structures_on_springs_are_refused():
+    sprung = rk.TwoSpringStructure(
+        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37,
+        half_width=0.285, foundation_stiffness=1e6, foundation_damping=1e3,
+    )  # fmt: skip
+    with pytest.raises(ValueError, match="rigid ground"):
+        many(lambda n: rk.Case(sprung, RECORD), {"n": [1]})
