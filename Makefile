@@ -29,8 +29,8 @@ check: $(VENV)/.dev ## lint, format, types, import borders, generated/ up to dat
 	$(BIN)/lint-imports
 	$(BIN)/rockeom generate --check
 
-bench: $(VENV)/.test ## run the benchmarks
-	@if [ -f benchmarks/__main__.py ]; then $(BIN)/python -m benchmarks; else echo "There are no benchmarks yet."; fi
+bench: $(VENV)/.test ## speed and error beside C, heyoka and SciPy, side by side (minutes), into out/
+	$(BIN)/python -m benchmarks --out $(OUT)
 
 docs: ## say where the documentation stands
 	@echo "There is no manual yet: read README.md, and the derived equations in generated/*.md."

@@ -1,7 +1,12 @@
 """Speed and accuracy beside a hand-written C program, heyoka and SciPy, on the same work.
 
-python -m benchmarks                  all workloads: errors, times, ratios to C
+python -m benchmarks                  all workloads: errors, times, ratios; out/bench.md, bench.json
 python -m benchmarks W1 W4 --quick    some of them, with few repetitions
+python -m benchmarks --write docs/benchmarks.md
 python -m benchmarks.precision        error against time of each method, out/precision.png
+python -m benchmarks.convergence      orders of convergence through impacts
 python -m benchmarks.reference        the references of 30 digits anew (minutes)
+
+workloads says what is done, with_c, with_rockeom, with_heyoka and with_scipy do it, ways lists the
+settings that are tried.
 """

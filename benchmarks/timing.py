@@ -18,6 +18,10 @@ class Times:
     def median(self) -> float:
         return statistics.median(self.seconds)
 
+    @property
+    def fastest(self) -> float:
+        return min(self.seconds)
+
     def ratio_to(self, other: Times) -> float:
         """Median of the ratios turn by turn: what slows a whole turn down drops out."""
         turns = zip(self.seconds, other.seconds, strict=False)

@@ -12,18 +12,18 @@ import os
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from benchmarks import workloads as w
-from benchmarks.with_rockeom import options
-from rockeom import GroundMotion, VelocityRatio
-from rockeom.numeric.case import Case
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.tableau import (
     NODES,
     Tableau,
+    bernstein_at,
     powers_to_bernstein,
     samples_to_bernstein,
     tableau,
@@ -64,6 +64,8 @@ def header(method: Tableau) -> str:
         + f"\nstatic const double NODES[8] = {{{nodes}}};\n"
         + _matrix("SAMPLES_TO_BERNSTEIN", samples_to_bernstein())
         + _matrix("POWERS_TO_BERNSTEIN", powers_to_bernstein())
+        + _matrix("QUINTIC", bernstein_at(NODES, 5))
+        + _matrix("QUARTIC", bernstein_at(NODES, 4))
     )
 
 
@@ -112,7 +114,7 @@ def _state_type(n: int) -> type[ctypes.Structure]:
             ("y", ctypes.c_double * n),
             *(
                 (name, ctypes.c_long)
-                for name in ("contact", "touching", "impacts", "taken", "n_events")
+                for name in ("contact", "touching", "impacts", "taken", "accepted", "n_events")
             ),
         ]
 
@@ -124,7 +126,7 @@ class Problem:
 
     def __init__(
         self,
-        case: Case,
+        case: w.Case,
         options: SolverOptions,
         variant: str = "C",
         flags: tuple[str, ...] = FLAGS,
@@ -152,7 +154,7 @@ class Problem:
         )
 
     def run(self) -> tuple[int, np.ndarray, np.ndarray, int]:
-        """(outcome, state at the end (N,), events, steps taken)."""
+        """(outcome, state at the end (N,), events, steps)."""
         state = self.state_type(contact=self.contact, touching=-1)
         state.y[:] = self.y0.tolist()
         chunks = []
@@ -167,7 +169,7 @@ class Problem:
             )  # fmt: skip
             chunks.append(events[: state.n_events])
         events = np.concatenate(chunks) if len(chunks) > 1 else chunks[0]
-        return outcome, np.array(state.y[:]), events, state.taken
+        return outcome, np.array(state.y[:]), events, state.accepted
 
     def impacts(self) -> w.Impacts:
         events = self.run()[2]
@@ -184,6 +186,16 @@ class Problem:
         )  # fmt: skip
         return outcomes == OVERTURNED, peaks
 
+    def many(self, starts: np.ndarray, n: int) -> np.ndarray:
+        """Times (m, n) of the first n impacts from each start (m, N), nan where there are fewer."""
+        times = np.full((len(starts), n), np.nan)
+        self.library.many(
+            ctypes.c_long(len(starts)), _at(starts), ctypes.c_long(self.contact),
+            ctypes.c_double(self.end), _at(self.segments), ctypes.c_long(len(self.segments)),
+            _at(self.parameters), ctypes.byref(self.options), _at(times), ctypes.c_long(n),
+        )  # fmt: skip
+        return times
+
 
 def _at(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
@@ -192,26 +204,48 @@ def _at(array: np.ndarray) -> ctypes.c_void_p:
 # -- the workloads -------------------------------------------------------------------------------
 
 
-def free_decay(rtol: float, variant: str = "C"):
-    case = Case(w.BLOCK, GroundMotion.none(100.0), initial={"theta": w.RELEASE})
-    return Problem(case, options(rtol, max_impacts=w.N_IMPACTS - 1), variant).impacts
+def free_decay(options: SolverOptions, variant: str = "C") -> Callable[[], w.Impacts]:
+    options = replace(options, max_impacts=w.N_IMPACTS - 1)
+    return Problem(w.decay(w.RELEASE), options, variant).impacts
 
 
-def under_record(structure, rtol: float, variant: str = "C", **changes: float):
-    return Problem(Case(structure, w.record()), options(rtol, **changes), variant).impacts
+def decays(options: SolverOptions, variant: str = "C") -> Callable[[], w.Impacts]:
+    """Of all releases in one call; the impacts of the last."""
+    options = replace(options, max_impacts=w.N_IMPACTS - 1)
+    problem = Problem(w.decay(w.RELEASE), options, variant)
+    starts = np.array([[release, 0.0] for release in w.RELEASES])
+
+    def run() -> w.Impacts:
+        times = problem.many(starts, w.N_IMPACTS)[-1]
+        return w.Impacts(times, np.full(len(times), np.nan))
+
+    return run
 
 
-def pulses(rtol: float, variant: str = "C"):
-    motions = w.pulses()
-    problem = Problem(Case(w.BLOCK, motions[0]), options(rtol), variant)
+def under_record(structure) -> Callable:
+    def made(options: SolverOptions, variant: str = "C") -> Callable[[], w.Impacts]:
+        return Problem(w.Case(structure, w.record()), options, variant).impacts
+
+    return made
+
+
+def pulses(options: SolverOptions, variant: str = "C", stride: int = 1) -> Callable:
+    motions = w.pulses(stride)
+    problem = Problem(w.Case(w.BLOCK, motions[0]), options, variant)
     table = np.array([motion.segments for motion in motions])
     return lambda: problem.map(table)
 
 
-def bifurcation(rtol: float, variant: str = "C"):
-    law = VelocityRatio(w.DRIVEN_RATIO)
-    runs = {
-        float(a): Problem(Case(w.DRIVEN, w.shaking(a), impact=law), options(rtol), variant)
-        for a in w.AMPLITUDES
-    }
+def bifurcation(options: SolverOptions, variant: str = "C", amplitudes=w.AMPLITUDES) -> Callable:
+    runs = {float(a): Problem(w.driven(a), options, variant) for a in amplitudes}
     return lambda: {a: w.kept(problem.impacts()) for a, problem in runs.items()}
+
+
+RUNS = {
+    "W1": decays,
+    "W2": under_record(w.BLOCK),
+    "W3": under_record(w.COLUMN),
+    "W4": pulses,
+    "W5": bifurcation,
+}
+"""Workload -> (options, variant) -> what runs it."""

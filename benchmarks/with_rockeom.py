@@ -14,10 +14,10 @@ from rockeom.numeric.ensemble import _Results
 from rockeom.numeric.simulate import run
 from rockeom.numeric.specialise import program
 
-IMPACT = 0
+IMPACT, REST = 0, 3  # as in rockeom/numeric/loop.py
 
 
-def options(rtol: float, **changes: float) -> rk.SolverOptions:
+def options(rtol: float, **changes) -> rk.SolverOptions:
     return replace(rk.SolverOptions(rtol=rtol, atol=1e-2 * rtol), **changes)
 
 
@@ -27,61 +27,96 @@ def _impacts(events: tuple[np.ndarray, ...], rate_at: int) -> w.Impacts:
     return w.Impacts(times[chosen], states[chosen, 0, rate_at])
 
 
-def loop(structure, motion, solver: rk.SolverOptions, **case) -> Callable[[], w.Impacts]:
+def loop(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
     """The compiled loop by itself, without dense output kept."""
-    problem = Case(structure, motion, **case).problem()
-    compiled = program(structure.module, solver.method)
-    rate_at = structure.module.ROTATION_RATE
+    problem, module = case.problem(), case.structure.module
+    compiled = program(module, solver.method)
+    rate_at = module.ROTATION_RATE
     return lambda: _impacts(run(compiled, problem, solver, keep=False).events, rate_at)
 
 
-def response(structure, motion, solver: rk.SolverOptions, **case) -> Callable[[], w.Impacts]:
+def response(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
     """What a user calls: the response with all that belongs to it."""
 
     def call() -> w.Impacts:
-        found = rk.simulate(structure, motion, options=solver, **case)
-        return _impacts(found.passages, structure.module.ROTATION_RATE)
+        found = rk.simulate(
+            case.structure, case.motion, impact=case.impact, initial=case.initial, options=solver
+        )
+        return _impacts(found.passages, case.structure.module.ROTATION_RATE)
 
     return call
 
 
-def free_decay(rtol: float, entry=loop) -> Callable[[], w.Impacts]:
-    solver = options(rtol, max_impacts=w.N_IMPACTS - 1)
-    motion = rk.GroundMotion.none(100.0)
-    return entry(w.BLOCK, motion, solver, initial={"theta": w.RELEASE})
+def steps(case: Case, solver: rk.SolverOptions) -> int:
+    """Number of steps of a motion; a rest, which is recorded as one, is none."""
+    record = run(program(case.structure.module, solver.method), case.problem(), solver)
+    return len(record.steps.span) - int((record.events[1][:, 0] == REST).sum())
 
 
-def under_record(structure, rtol: float, entry=loop, **changes: float) -> Callable[[], w.Impacts]:
-    return entry(structure, w.record(), options(rtol, **changes))
+def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callable[[], _Results]:
+    """The compiled loop over prepared cases, as simulate_many calls it."""
+    problems = [case.problem() for case in cases]
+    module = cases[0].structure.module
+    compiled = program(module, solver.method)
 
-
-def pulses(rtol: float):
-    """Outcome and peak of every pulse: the compiled loop over prepared cases."""
-    problems = [Case(w.BLOCK, motion).problem() for motion in w.pulses()]
-    solver = options(rtol)
-    compiled = program(w.BLOCK.module, solver.method)
-
-    def call():
-        results = _Results.empty(len(problems), w.BLOCK.module.N_STATES, 0)
+    def call() -> _Results:
+        results = _Results.empty(len(problems), module.N_STATES, times)
         results.run(0, problems, compiled, solver)
-        fell = results.outcome == list(rk.Outcome).index(rk.Outcome.OVERTURNED)
-        return fell, np.abs(results.peaks[:, :, 0]).max(axis=1)
+        return results
 
     return call
 
 
-def pulse_map(rtol: float, threads: int = 1):
+# -- the workloads -------------------------------------------------------------------------------
+
+
+def free_decay(solver: rk.SolverOptions, entry=loop) -> Callable[[], w.Impacts]:
+    return entry(w.decay(w.RELEASE), replace(solver, max_impacts=w.N_IMPACTS - 1))
+
+
+def decays(solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
+    """Of all releases in one call; the impacts of the last."""
+    solver = replace(solver, max_impacts=w.N_IMPACTS - 1)
+    many = _many([w.decay(release) for release in w.RELEASES], solver, w.N_IMPACTS)
+
+    def call() -> w.Impacts:
+        times = many().times[-1]
+        return w.Impacts(times, np.full(len(times), np.nan))
+
+    return call
+
+
+def under_record(structure) -> Callable:
+    def made(solver: rk.SolverOptions, entry=loop) -> Callable[[], w.Impacts]:
+        return entry(Case(structure, w.record()), solver)
+
+    return made
+
+
+def pulses(solver: rk.SolverOptions, stride: int = 1) -> Callable:
+    """Outcome and peak of every pulse."""
+    many = _many([Case(w.BLOCK, motion) for motion in w.pulses(stride)], solver)
+    overturned = list(rk.Outcome).index(rk.Outcome.OVERTURNED)
+
+    def call() -> tuple[np.ndarray, np.ndarray]:
+        results = many()
+        return results.outcome == overturned, np.abs(results.peaks[:, :, 0]).max(axis=1)
+
+    return call
+
+
+def pulse_map(solver: rk.SolverOptions, threads: int = 1, stride: int = 1) -> Callable:
     """Outcome and peak of every pulse, from the numbers of the grid to a labelled dataset."""
-    frequencies, amplitudes = w.pulse_grid()
+    frequencies, amplitudes = w.pulse_grid(stride)
 
-    def case(frequency: float, amplitude: float) -> rk.Case:
-        return rk.Case(w.BLOCK, w.pulse(frequency, amplitude))
+    def case(frequency: float, amplitude: float) -> Case:
+        return Case(w.BLOCK, w.pulse(frequency, amplitude))
 
-    def call():
+    def call() -> tuple[np.ndarray, np.ndarray]:
         found = rk.simulate_many(
             case,
             {"frequency": frequencies, "amplitude": amplitudes},
-            options=options(rtol),
+            options=solver,
             threads=threads,
             progress=False,
         )
@@ -92,7 +127,19 @@ def pulse_map(rtol: float, threads: int = 1):
     return call
 
 
-def bifurcation(rtol: float) -> Callable[[], dict[float, np.ndarray]]:
-    law = rk.VelocityRatio(w.DRIVEN_RATIO)
-    runs = {float(a): loop(w.DRIVEN, w.shaking(a), options(rtol), impact=law) for a in w.AMPLITUDES}
+def bifurcation(solver: rk.SolverOptions, amplitudes=w.AMPLITUDES) -> Callable:
+    runs = {float(a): loop(w.driven(a), solver) for a in amplitudes}
     return lambda: {a: w.kept(call()) for a, call in runs.items()}
+
+
+RUNS = {
+    "W1": decays,
+    "W2": under_record(w.BLOCK),
+    "W3": under_record(w.COLUMN),
+    "W4": pulses,
+    "W5": bifurcation,
+}
+"""Workload -> options -> what runs it."""
+
+SINGLE = {"W1": free_decay, "W2": RUNS["W2"], "W3": RUNS["W3"]}
+"""Workload -> (options, entry) -> one motion by that entry."""

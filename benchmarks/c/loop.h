@@ -38,7 +38,7 @@ static inline double ground(const law *g, double t)
     double tau = t - g->start;
     if (g->kind == 0.0)
         return g->c0 + g->c1 * tau;
-    return g->c0 * sin(g->c1 * tau + g->c2);
+    return g->c0 * sine_of(g->c1 * tau + g->c2);
 }
 
 static inline const law *law_at(const law *motion, long n, long *i, double t)
@@ -127,14 +127,18 @@ static inline double dense_at(double (*poly)[N], double x, int i)
 
 /* -- first fall of a guard through zero -------------------------------------------------------- */
 
-static inline double bernstein_at(const double *b, double x)
+/* Value, and slope at x, of the polynomial with these Bernstein coefficients. */
+static inline double bernstein_at(const double *b, double x, double *slope)
 {
     double w[8];
     memcpy(w, b, sizeof w);
-    for (int n = 7; n > 0; --n)
+#pragma GCC unroll 8
+    for (int n = 7; n > 1; --n)
+#pragma GCC unroll 8
         for (int i = 0; i < n; ++i)
             w[i] += x * (w[i + 1] - w[i]);
-    return w[0];
+    *slope = 7.0 * (w[1] - w[0]);
+    return w[0] + x * (w[1] - w[0]);
 }
 
 static inline double size(const double *b)
@@ -145,28 +149,26 @@ static inline double size(const double *b)
     return largest;
 }
 
+/* The single fall through zero on [0, 1], by Newton's method within a bracket. */
 static double fall(const double *b)
 {
-    double low = 0.0, high = 1.0, at_low = b[0], at_high = b[7];
-    for (int n = 0; n < 200 && high - low > 2.0 * EPS; ++n) {
-        double x = 0.5 * (low + high);
-        if (n % 2 == 0 && at_low > 0.0 && 0.0 > at_high) {
-            double margin = 0.01 * (high - low);
-            x = low + (high - low) * at_low / (at_low - at_high);
-            x = fmin(fmax(x, low + margin), high - margin);
-        }
-        double value = bernstein_at(b, x);
-        if (value > 0.0) {
+    double low = 0.0, high = 1.0, x = 0.5;
+    if (b[0] > 0.0 && 0.0 > b[7])
+        x = b[0] / (b[0] - b[7]);
+    for (int n = 0; n < 200; ++n) {
+        double slope, value = bernstein_at(b, x, &slope);
+        if (value > 0.0)
             low = x;
-            at_low = value;
-        } else {
+        else
             high = x;
-            at_high = value;
-        }
-        if (value == 0.0)
-            return x;
+        double step = slope < 0.0 ? -value / slope : INFINITY;
+        x += step;
+        if (fabs(step) <= EPS || high - low <= 2.0 * EPS)
+            break;
+        if (!(low < x && x < high) || n % 8 == 7)
+            x = 0.5 * (low + high);
     }
-    return high;
+    return fmin(fmax(x, low), high);
 }
 
 /* Smallest x in (0, 1] at which the polynomial falls through zero, or NEVER: parts are halved until
@@ -236,6 +238,52 @@ static inline int stays_open(double s, double h, const double *y, const double *
            q1 - 2.0 * v1 + a1 > least && q1 - v1 > least && q1 > least;
 }
 
+/* Whether both feet clearly stay on the ground: their guards on the quintics through both ends. */
+static int stays_held(double t, double h, const double *y, const double *y_new, double (*k)[N],
+                      const constants *c, const law *g)
+{
+    double q[N / 2][6], b[2][8];
+    for (int i = 0; i < N / 2; ++i) {
+        double v0 = h * y[N / 2 + i] / 5.0, v1 = h * y_new[N / 2 + i] / 5.0;
+        double a0 = h * h * k[0][N / 2 + i] / 20.0, a1 = h * h * k[STAGES][N / 2 + i] / 20.0;
+        q[i][0] = y[i];
+        q[i][1] = y[i] + v0;
+        q[i][2] = y[i] + 2.0 * v0 + a0;
+        q[i][3] = y_new[i] - 2.0 * v1 + a1;
+        q[i][4] = y_new[i] - v1;
+        q[i][5] = y_new[i];
+    }
+    memset(b, 0, sizeof b);
+    for (int m = 0; m < 8; ++m) {
+        double w[N];
+        for (int i = 0; i < N / 2; ++i) {
+            double value = 0.0, slope = 0.0;
+            for (int j = 0; j < 6; ++j)
+                value += QUINTIC[m][j] * q[i][j];
+            for (int j = 0; j < 5; ++j)
+                slope += QUARTIC[m][j] * (q[i][j + 1] - q[i][j]);
+            w[i] = value;
+            w[N / 2 + i] = slope * (5.0 / h);
+        }
+        double a = ground(g, t + NODES[m] * h);
+        double left = -opening(-1.0, w, c, a), right = -opening(1.0, w, c, a);
+        for (int i = 0; i < 8; ++i) {
+            b[0][i] += SAMPLES_TO_BERNSTEIN[i][m] * left;
+            b[1][i] += SAMPLES_TO_BERNSTEIN[i][m] * right;
+        }
+    }
+    for (int side = 0; side < 2; ++side) {
+        double least = b[side][0], most = fabs(b[side][0]);
+        for (int i = 1; i < 8; ++i) {
+            least = fmin(least, b[side][i]);
+            most = fmax(most, fabs(b[side][i]));
+        }
+        if (!(least > 1e-3 * most))
+            return 0;
+    }
+    return 1;
+}
+
 /* Bernstein coefficients of the guards of a contact state over a step; returns their number. */
 static int guard_polynomials(int contact, double t, double h, const constants *c, const law *g,
                              double (*poly)[N], double (*b)[8])
@@ -272,6 +320,19 @@ static double rounding(int contact, double h, const double *y, const constants *
     double a = ground(g, t);
     double acceleration = fabs(opening(-1.0, y, c, a)) + fabs(opening(1.0, y, c, a));
     return fmax(1e-11 * size(b), 1e-10 * acceleration * h * h);
+}
+
+/* Whether |rotation| may turn inside a step above the largest so far: the quintic bounds it. */
+static inline int may_crest(double h, const double *y, const double *y_new, double (*k)[N],
+                            double peak)
+{
+    double v0 = h * y[RATE] / 5.0, v1 = h * y_new[RATE] / 5.0;
+    if (!(v0 * v1 < 0.0))
+        return 0;
+    double q0 = y[ROTATION], a0 = h * h * k[0][RATE] / 20.0;
+    double q1 = y_new[ROTATION], a1 = h * h * k[STAGES][RATE] / 20.0;
+    double b2 = fabs(q0 + 2.0 * v0 + a0), b3 = fabs(q1 - 2.0 * v1 + a1);
+    return 1.001 * fmax(fmax(fabs(q0 + v0), fabs(q1 - v1)), fmax(b2, b3)) > peak;
 }
 
 /* Largest |rotation| inside a step in which the rate changes its sign, by Newton's method on the
@@ -346,7 +407,7 @@ typedef struct {
 
 typedef struct {
     double t, h_next, peak, y[N];
-    long contact, touching, impacts, taken, n_events;
+    long contact, touching, impacts, taken, accepted, n_events;
 } state;
 
 static inline void record(event *e, double t, long kind, long before, long after, const double *y,
@@ -398,8 +459,9 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
 {
     double k[ALL_STAGES][N], y[N], y_new[N], after[N], poly[8][N], b[2][8];
     int contact = st->contact, touching = st->touching, fresh = 1, idle = 0, outcome = COMPLETED;
-    long taken = st->taken, impacts = st->impacts, n_events = st->n_events, i_law = 0;
-    double t = st->t, h_next = st->h_next, peak = st->peak, last_error = 1.0;
+    long taken = st->taken, accepted = st->accepted, impacts = st->impacts;
+    long n_events = st->n_events, i_law = 0;
+    double t = st->t, h_next = st->h_next, peak = st->peak, last_error = 0.0;
     const double rtol = o->rtol, atol = o->atol;
     memcpy(y, st->y, sizeof y);
     memset(k, 0, sizeof k);
@@ -411,8 +473,11 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             break;
         }
         if (t >= g->end) {
+            double before = ground(g, t), after;
             g = law_at(motion, n_laws, &i_law, t);
-            fresh = 1;
+            after = ground(g, t);
+            if (fabs(after - before) > 1e-10 * (fabs(before) + fabs(after)))
+                fresh = 1; /* the ground jumps: so do the rates */
         }
         double last = fmin(g->end, t_end);
         int landed = -1;
@@ -431,7 +496,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             double h = h_next, slope = 0.0;
             if (contact == UPRIGHT && g->kind != 0.0)
                 h = fmin(h, 1.0 / fabs(g->c1)); /* eight samples of a guard follow the sine */
-            int cut = t + 1.1 * h >= last, target = -1, corrections = 0;
+            int cut = t + 1.1 * h >= last, target = -1, corrections = 0, crested = 0;
             if (cut)
                 h = last - t;
             for (;;) {
@@ -454,25 +519,26 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                     else
                         left = (contact - 1.0) * y_new[ROTATION];
                     double move = slope < 0.0 ? -left / slope : 0.0;
-                    if (corrections < 3 && 2.0 * EPS * (t + h) < fabs(move) &&
-                        fabs(move) < 0.01 * h) {
+                    double least = fmax(2.0 * EPS * (t + h), 1e-5 * rtol * h);
+                    if (corrections < 3 && least < fabs(move) && fabs(move) < 0.01 * h) {
                         ++corrections;
                         h += move;
                         continue;
                     }
                     landed = target;
-                } else {
-                    /* proportional-integral control */
-                    double damped = pow(fmax(error, 1e-10), 0.05);
-                    double factor = 0.9 * last_error * pow(fmax(error, 1e-10), -0.0875);
-                    double growth = h * fmin(5.0, fmax(0.2, factor));
-                    last_error = damped;
-                    h_next = cut ? fmax(h_next, growth) : growth;
+                } else if (!cut) {
+                    /* proportional-integral control; errors by their logarithms */
+                    error = log(fmax(error, 1e-10));
+                    double factor = 0.9 * exp(-0.125 * (0.7 * error - 0.4 * last_error));
+                    last_error = error;
+                    h_next = h * fmin(5.0, fmax(0.2, factor));
                 }
-                int open = landed < 0 && contact != UPRIGHT &&
-                           stays_open(contact - 1.0, h, y, y_new, k, touching == 0);
-                int crested = with_peak && y[RATE] * y_new[RATE] < 0.0;
-                if (!open || crested || fabs(y_new[ROTATION]) >= o->fallen)
+                int open = landed < 0 &&
+                           (contact != UPRIGHT
+                                ? stays_open(contact - 1.0, h, y, y_new, k, touching == 0)
+                                : touching < 0 && stays_held(t, h, y, y_new, k, c, g));
+                crested = with_peak && may_crest(h, y, y_new, k, peak);
+                if ((!open && landed < 0) || crested || fabs(y_new[ROTATION]) >= o->fallen)
                     dense_output(contact, t, h, y, c, g, k, poly);
                 if (landed >= 0 || open)
                     break;
@@ -483,11 +549,10 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                         touching == i ? rounding(contact, h, y, c, g, t, b[i]) : 0.0;
                     double x = first_fall(b[i], touching == i, noise);
                     if (x < place) {
-                        double low = fmax(x - 1e-4, 0.0), high = fmin(x + 1e-4, 1.0);
                         place = x;
                         target = i;
-                        slope = bernstein_at(b[i], high) - bernstein_at(b[i], low);
-                        slope /= (high - low) * h;
+                        bernstein_at(b[i], x, &slope);
+                        slope /= h;
                     }
                 }
                 if (target < 0)
@@ -530,7 +595,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             if (h > 0.0) {
                 if (with_peak) {
                     peak = fmax(peak, fabs(y_new[ROTATION]));
-                    if (outcome == COMPLETED && y[RATE] * y_new[RATE] < 0.0)
+                    if (outcome == COMPLETED && crested)
                         peak = fmax(peak, crest(poly));
                 }
                 t = cut || t + h > last ? last : t + h;
@@ -538,6 +603,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                 memcpy(k[0], k[STAGES], sizeof y);
                 touching = -1;
                 idle = 0;
+                ++accepted;
             }
             if (outcome != COMPLETED)
                 break;
@@ -594,6 +660,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
     st->touching = touching;
     st->impacts = impacts;
     st->taken = taken;
+    st->accepted = accepted;
     st->n_events = n_events;
     return outcome;
 }
@@ -635,5 +702,27 @@ void map(long n, double t_end, const law *motions, long n_laws, const double *pa
                 outcome = OVERTURNED;
         }
         outcomes[m] = outcome;
+    }
+}
+
+/* Many starts under the same motion: times of the first n_times impacts of each. Peaks are followed
+ * as in a map. */
+void many(long n, const double *starts, long contact, double t_end, const law *motion, long n_laws,
+          const double *parameters, const options *o, double *times, long n_times)
+{
+    constants c = prepare(parameters);
+    event events[64];
+    for (long m = 0; m < n; ++m) {
+        state st = {.contact = contact, .touching = -1};
+        memcpy(st.y, starts + m * N, sizeof st.y);
+        long found = 0;
+        int outcome;
+        do {
+            st.n_events = 0;
+            outcome = integrate(&st, t_end, motion, n_laws, &c, o, events, 64, 1);
+            for (long e = 0; e < st.n_events && found < n_times; ++e)
+                if (events[e].kind == IMPACT)
+                    times[m * n_times + found++] = events[e].time;
+        } while (outcome == FULL);
     }
 }

@@ -37,3 +37,15 @@ static inline void sine_cosine(double x, double *sine, double *cosine)
     *cosine = cos(x);
 #endif
 }
+
+/* Of the ground's acceleration. */
+static inline double sine_of(double x)
+{
+#ifdef INLINE_SINE
+    double sine, cosine;
+    sine_cosine(x, &sine, &cosine);
+    return sine;
+#else
+    return sin(x);
+#endif
+}

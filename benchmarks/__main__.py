@@ -1,0 +1,237 @@
+"""Run the benchmarks side by side; see the package's docstring."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks import first_call, report, timing, ways, with_c, with_rockeom, workloads as w
+from benchmarks.ways import Way
+
+GOALS = {
+    "heyoka": {"W1": 2.0, "W2": 10.0, "W3": 10.0, "W4": 8.0},
+    "SciPy": {"W1": 300.0, "W2": 2000.0, "W3": 2000.0, "W4": 1000.0},
+}
+"""How many times as long as rockeom they were expected to take."""
+
+
+class Progress:
+    """One line on stderr that says what is being done; without a terminal, a line for each task."""
+
+    def __init__(self) -> None:
+        self.started = time.monotonic()
+        self.shown = sys.stderr.isatty()
+
+    def __call__(self, task: str = "", detail: str = "") -> None:
+        if self.shown:
+            line = f"{time.monotonic() - self.started:4.0f} s  {task} {detail}" if task else ""
+            sys.stderr.write(f"\r\033[K{line}")
+        elif task and not detail:
+            sys.stderr.write(f"{time.monotonic() - self.started:4.0f} s  {task}\n")
+        sys.stderr.flush()
+
+
+progress = Progress()
+
+
+def _error(workload: str, run: ways.Run) -> float:
+    return w.error(workload, run())
+
+
+def cheapest(who: str, workload: str) -> tuple[Way, ways.Run, float] | None:
+    """(way, its run, its error) of the cheapest setting that meets the workload's target."""
+    best = None
+    progress(f"{workload}: the cheapest setting of {who}")
+    for family in ways.families(who, workload):
+        for way in family:
+            progress(f"{workload}: the cheapest setting of {who}:", way.setting)
+            try:
+                run = way.make()
+                error = _error(workload, run)
+            except ArithmeticError:
+                continue
+            if error > ways.TARGETS[workload]:
+                continue
+            started = time.process_time()
+            run()
+            taken = time.process_time() - started
+            if best is None or taken < best[0]:
+                best = taken, (way, run, error)
+            break
+    return best[1] if best else None
+
+
+def one_motion(workload: str) -> w.Case | None:
+    """The case of which C and rockeom must take the same steps."""
+    return {
+        "W1": w.decay(w.RELEASE),
+        "W2": w.Case(w.BLOCK, w.record()),
+        "W3": w.Case(w.COLUMN, w.record()),
+        "W4": w.Case(w.BLOCK, w.pulses(w.PULSE_STRIDE)[50]),
+        "W5": w.driven(w.REFERENCE_AMPLITUDES[2]),
+    }[workload]
+
+
+def same_steps(workload: str) -> tuple[int, int, float]:
+    """Steps of rockeom and of C in one motion, and the largest difference of an impact time."""
+    case, solver = one_motion(workload), with_rockeom.options(1e-10)
+    problem = with_c.Problem(case, solver)
+    mine, theirs = with_rockeom.loop(case, solver)().times, problem.impacts().times
+    apart = float(np.abs(mine - theirs).max()) if len(mine) == len(theirs) else np.inf
+    return with_rockeom.steps(case, solver), problem.run()[3], apart
+
+
+def measure(workload: str, quick: bool, missing: dict[str, str]) -> dict:
+    """Everything about one workload."""
+    runs: dict[str, tuple[Way, ways.Run]] = {}
+    errors: dict[str, float] = {}
+
+    def add(label: str, way: Way, run: ways.Run | None = None, error: float | None = None):
+        progress(f"{workload}: {way.who}", way.setting)
+        run = run or way.make()
+        runs[label] = way, run
+        errors[label] = _error(workload, run) if error is None else error
+
+    # by the same method, to the same tolerances
+    progress(f"{workload}: rockeom and C")
+    ours = ways.rockeom(workload, thin=quick)
+    add("rockeom", ours)
+    if "C" not in missing:
+        for variant in with_c.VARIANTS:
+            add(variant, ways.c(workload, variant, thin=quick))
+    same = list(runs)
+    if single := with_rockeom.SINGLE.get(workload):
+        solver = with_rockeom.options(1e-10)
+        for label, entry in (
+            ("rockeom, one call", with_rockeom.loop),
+            ("rockeom, rk.simulate", with_rockeom.response),
+        ):
+            way = Way(label, ours.setting, lambda entry=entry: single(solver, entry))
+            add(label, way)
+        if "C" not in missing and workload == "W1":
+            add("C, one call", Way("C, one call", "", lambda: with_c.free_decay(solver)))
+    first = list(runs)
+
+    # at equal error
+    for who in ("rockeom", "heyoka", "SciPy"):
+        if who in missing:
+            continue
+        if found := cheapest(who, workload):
+            add(f"best {who}", *found)
+    if workload == "W2":
+        add("over samples", ways.over_samples())
+    second = [label for label in runs if label not in first]
+
+    progress(f"{workload}: timing {len(runs)} ways in turns")
+    turns = {True: 3, False: 9}[quick]
+    measured = timing.in_turns({label: run for label, (_, run) in runs.items()}, turns)
+
+    def row(label: str, ratio: float | None) -> dict:
+        way = runs[label][0]
+        return {
+            "who": way.who,
+            "setting": way.setting,
+            "error": errors[label],
+            "seconds": measured[label].median / way.pieces,
+            "ratio": ratio,
+        }
+
+    def ratio(of: str, to: str) -> float:
+        return measured[of].ratio_to(measured[to]) / runs[of][0].pieces * runs[to][0].pieces
+
+    found = {
+        "unit": ways.ERRORS[workload][1],
+        "piece": ways.PIECES[workload][0],
+        "target": ways.TARGETS[workload],
+        "goals": {who: goals[workload] for who, goals in GOALS.items() if workload in goals},
+        "same method": [
+            row(label, ratio("rockeom", label) if label in same[1:] else None) for label in first
+        ],
+        "equal error": [
+            row(label, None if label == "best rockeom" else ratio(label, "best rockeom"))
+            for label in second
+        ],
+    }
+    if "C" not in missing:
+        found["steps"] = same_steps(workload)
+    return found
+
+
+def others(quick: bool) -> list[dict]:
+    """Two threads against one, and the first call."""
+    rows = []
+    if (os.cpu_count() or 1) < 2:
+        rows.append({"what": "two threads", "how": "", "measured": "one core only", "goal": ""})
+    else:
+        progress("W4 by one thread and by two")
+        solver, stride = with_rockeom.options(1e-10), 2 if quick else 1
+        measured = timing.in_turns(
+            {str(n): with_rockeom.pulse_map(solver, n, stride) for n in (1, 2)},
+            3 if quick else 5,
+            clock=time.perf_counter,
+        )
+        rows.append(
+            {
+                "what": "one thread against two",
+                "how": f"W4 by rk.simulate_many, by the wall, fastest of each; {report.load()}",
+                "measured": report.times(measured["1"].fastest / measured["2"].fastest),
+                "goal": "1.8",
+            }
+        )
+    progress("first call in a new process")
+    how = "import and rk.simulate of a block under a pulse, by the wall (by the processor)"
+    taken = first_call.measure(4 if quick else 9)
+    for what, (wall, processor), goal in zip(
+        ("first call ever", "first call in a later process"), taken, ("6 s", "0.3 s"), strict=True
+    ):
+        measured_as = f"{report.seconds(wall)} ({report.seconds(processor)})"
+        rows.append({"what": what, "how": how, "measured": measured_as, "goal": goal})
+    return rows
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("workloads", nargs="*", help="W1 to W5; all if none is named")
+    parser.add_argument("--quick", action="store_true", help="few repetitions, thinned workloads")
+    parser.add_argument("--out", type=Path, default=Path("out"), help="folder of bench.json, .md")
+    parser.add_argument("--write", type=Path, help="write the report here too")
+    arguments = parser.parse_args()
+    if unknown := set(arguments.workloads) - set(w.WORKLOADS):
+        parser.error(f"unknown: {', '.join(sorted(unknown))}; there are {', '.join(w.WORKLOADS)}")
+    chosen = arguments.workloads or list(w.WORKLOADS)
+
+    missing = ways.missing()
+    for line in missing.values():
+        print(line)
+    found: dict = {"machine": report.machine(), "missing": missing, "workloads": {}}
+    found["ratios to C"] = {}
+    for name in chosen:
+        result = measure(name, arguments.quick, missing)
+        found["workloads"][name] = result
+        to_c = {r["who"]: r["ratio"] for r in result["same method"] if r["ratio"]}
+        if to_c:
+            found["ratios to C"][name] = to_c
+        progress()
+        print(report.workload(name, result))
+    if not arguments.workloads:
+        found["others"] = others(arguments.quick)
+        progress()
+        print(report.others(found["others"]) + "\n")
+    if found["ratios to C"]:
+        print(report.ratios(found))
+    text = report.whole(found)
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    (arguments.out / "bench.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+    (arguments.out / "bench.md").write_text(text, encoding="utf-8")
+    if arguments.write:
+        arguments.write.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

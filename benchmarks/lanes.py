@@ -1,0 +1,115 @@
+"""Maps of many structures under one record, on one core: lanes beside C and beside one by one.
+
+    python -m benchmarks.lanes
+
+400 blocks of different size and slenderness, and 100 flexible structures of different width and
+stiffness, under the record of W2. C and "one by one" take controlled steps, which end at every
+sample; lanes take one step a sample. All of order 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+import rockeom as rk
+from benchmarks import report, timing, with_c, with_rockeom, workloads as w
+from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.specialise import program
+
+RTOL = 1e-6
+"""Of the controlled steps: so loose that hardly one is shorter than a sample."""
+FIRST_IMPACTS = 20
+TURNS = 7
+HEAD = ("map", "way", "time per motion", "of C's", "median error", "motions that fell")
+
+HEIGHTS, SLENDERNESSES = np.linspace(0.3, 3.0, 20), np.linspace(0.12, 0.36, 20)  # m, rad
+WIDTHS, STIFFNESSES = np.linspace(0.16, 0.36, 10), np.linspace(2e5, 1e6, 10)  # m, N/m
+
+
+def blocks() -> list[w.Case]:
+    return [
+        w.Case(rk.RigidBlock(half_width=h * np.tan(alpha), half_height=h), w.record())
+        for h in HEIGHTS
+        for alpha in SLENDERNESSES
+    ]
+
+
+def columns() -> list[w.Case]:
+    values = w.COLUMN.parameters()
+    return [
+        w.Case(rk.FlexibleStructure(**values | {"half_width": b, "stiffness": k}), w.record())
+        for b in WIDTHS
+        for k in STIFFNESSES
+    ]
+
+
+def by_c(cases: list[w.Case], variant: str) -> Callable[[], list]:
+    problems = [with_c.Problem(case, with_rockeom.options(RTOL), variant) for case in cases]
+    return lambda: [problem.run() for problem in problems]
+
+
+def by_rockeom(cases: list[w.Case], solver: rk.SolverOptions, lanes: bool) -> Callable:
+    """As simulate_many runs a chunk of prepared cases."""
+    problems = [case.problem() for case in cases]
+    module = cases[0].structure.module
+    compiled = program(module, solver.method, lanes)
+
+    def call() -> _Results:
+        results = _Results.empty(len(problems), module.N_STATES, FIRST_IMPACTS)
+        results.run(0, problems, compiled, solver, lanes)
+        return results
+
+    return call
+
+
+def first_impacts(result: _Results | list) -> np.ndarray:
+    """Times (n, FIRST_IMPACTS) of the first impacts of each motion, nan where there are fewer."""
+    if isinstance(result, _Results):
+        return result.times
+    times = np.full((len(result), FIRST_IMPACTS), np.nan)
+    for row, (_, _, events, _) in zip(times, result, strict=True):
+        found = events["time"][events["kind"] == with_c.IMPACT][:FIRST_IMPACTS]
+        row[: len(found)] = found
+    return times
+
+
+def fallen(result: _Results | list) -> int:
+    if isinstance(result, _Results):
+        return int((result.outcome == with_c.OVERTURNED).sum())
+    return sum(outcome == with_c.OVERTURNED for outcome, *_ in result)
+
+
+def rows() -> list[report.Row]:
+    """Time and error of each way on each map, as cells under HEAD.
+
+    The error of a motion is the largest among the times of its first impacts, against steps of
+    tolerance 1e-13.
+    """
+    found = []
+    for name, cases in (("blocks", blocks()), ("flexible structures", columns())):
+        runs = {variant: by_c(cases, variant) for variant in with_c.VARIANTS}
+        runs["one by one"] = by_rockeom(cases, with_rockeom.options(RTOL), False)
+        runs["lanes"] = by_rockeom(cases, rk.SolverOptions(steps_per_law=1), True)
+        exact = first_impacts(by_rockeom(cases, with_rockeom.options(1e-13), False)())
+        times = timing.in_turns(runs, TURNS)
+        for way, run in runs.items():
+            result = run()
+            off = np.abs(first_impacts(result) - exact)
+            rocks = np.isfinite(off).any(axis=1)
+            found.append(
+                (
+                    name,
+                    way,
+                    report.seconds(times[way].median / len(cases)),
+                    report.times(times[way].ratio_to(times["C"])),
+                    report.scientific(np.median(np.nanmax(off[rocks], axis=1))),
+                    str(fallen(result)),
+                )
+            )
+    return found
+
+
+if __name__ == "__main__":
+    print(report.table(HEAD, rows()))
