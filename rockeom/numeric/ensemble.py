@@ -18,6 +18,7 @@ import xarray as xr
 from rockeom.numeric.case import Case, Problem
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome
+from rockeom.numeric.simulate import simulate
 from rockeom.numeric.specialise import program
 
 _OUTCOMES = tuple(Outcome)
@@ -34,6 +35,8 @@ def simulate_many(
     chunk: int = 256,
     progress: bool | None = None,
     lanes: bool = False,
+    quantities: Sequence[str] = (),
+    times: Sequence[float] | np.ndarray = (),
 ) -> xr.Dataset:
     """Simulate every combination of the values in `over`, labelled by them.
 
@@ -53,6 +56,10 @@ def simulate_many(
         structures on rigid ground under records, with the equal steps of
         `SolverOptions(steps_per_law=n)`; results agree with those without lanes but for rounding,
         and are the same to the last bit for any order of the cases.
+    quantities : what else to keep of each case, by the names of a response ("theta",
+        "displacement", "left_uplift", ...): smallest_quantity and largest_quantity over the samples
+        of the response, and, at the `times` [s] given, their history (nan behind the end). Each
+        case is then also simulated by itself, with its whole response, which takes much longer.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
     final_time [s], final_phase, impacts, smallest, largest and final value of each state, and
@@ -80,18 +87,24 @@ def simulate_many(
         _check_lanes(module, options)
     compiled = program(module, options.method, lanes)
     results = _Results.empty(total, module.N_STATES, impact_times)
+    asked = _Asked.empty(total, quantities, times, options)
+
+    def run(first: int, batch: list[tuple[Case, Problem]]) -> int:
+        asked.run(first, [c for c, _ in batch])
+        return results.run(first, [q for _, q in batch], compiled, options, lanes)
+
     interrupted = False
     with _Progress(total, sys.stderr.isatty() if progress is None else progress) as shown:
         try:
             _in_threads(
                 threads or os.cpu_count() or 1,
                 _Source(case, values, chunk, module, lanes),
-                lambda first, batch: results.run(first, batch, compiled, options, lanes),
+                run,
                 shown.add,
             )
         except KeyboardInterrupt:
             interrupted = True
-    dataset = results.dataset(values, module)
+    dataset = results.dataset(values, module).assign(asked.variables(values))
     dataset.attrs.update(model=module.NAME, method=options.method, interrupted=int(interrupted))
     return dataset
 
@@ -106,15 +119,15 @@ class _Source:
     module: ModuleType
     lanes: bool
 
-    def __iter__(self) -> Iterator[tuple[int, list[Problem]]]:
+    def __iter__(self) -> Iterator[tuple[int, list[tuple[Case, Problem]]]]:
         points = itertools.product(*self.values.values())
         first = 0
         while batch := list(itertools.islice(points, self.chunk)):
             yield first, [self.problem(point) for point in batch]
             first += len(batch)
 
-    def problem(self, point: tuple[Any, ...]) -> Problem:
-        """The numbers of one case; what goes wrong in making it says which one it was."""
+    def problem(self, point: tuple[Any, ...]) -> tuple[Case, Problem]:
+        """One case and its numbers; what goes wrong in making it says which one it was."""
         named = dict(zip(self.values, point, strict=True))
         try:
             case = self.case(**named)
@@ -126,7 +139,7 @@ class _Source:
             problem = case.problem()
             if self.lanes:
                 _check_linear(problem)
-            return problem
+            return case, problem
         except Exception as error:
             error.add_note(f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}")
             raise
@@ -163,7 +176,7 @@ def _check_linear(problem: Problem) -> None:
 def _in_threads(
     threads: int,
     source: _Source,
-    work: Callable[[int, list[Problem]], int],
+    work: Callable[[int, list[tuple[Case, Problem]]], int],
     done: Callable[[int], None],
 ) -> None:
     """Hand chunks to threads as these become free; an interrupt waits for those under way."""
@@ -274,6 +287,60 @@ class _Results:
         if self.times.shape[1]:
             over["impact_time"] = ((*dims, "impact"), shaped(self.times), {"units": "s"})
         return over
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """Extremes (n, 2, m) and histories (n, m, k) of m named quantities, from whole responses."""
+
+    quantities: tuple[str, ...]
+    times: np.ndarray
+    options: SolverOptions
+    extremes: np.ndarray
+    histories: np.ndarray
+
+    @classmethod
+    def empty(
+        cls, n: int, names: Sequence[str], times: Sequence[float] | np.ndarray, how: SolverOptions
+    ) -> _Asked:
+        if isinstance(names, str):
+            raise ValueError(f"quantities is the word {names!r}: give a list of names")
+        at, m = np.asarray(times, dtype=float), len(names)
+        if at.size and not m:
+            raise ValueError("`times` is given, but no `quantities` whose history is wanted")
+        if not np.all(at >= 0.0):
+            raise ValueError(f"times holds {at.min()}: give times from 0 on, in seconds")
+        extremes, histories = np.full((n, 2, m), np.nan), np.full((n, m, at.size), np.nan)
+        return cls(tuple(names), at, how, extremes, histories)
+
+    def run(self, first: int, cases: list[Case]) -> None:
+        for row, case in enumerate(cases if self.quantities else (), first):
+            response = simulate(
+                case.structure, case.motion, impact=case.impact, initial=case.initial,
+                duration=case.duration, vertical=case.vertical, phase=case.phase,
+                options=self.options,
+            )  # fmt: skip
+            known = self.times <= response.t[-1]
+            history = response.at(self.times[known], names=self.quantities)
+            for i, name in enumerate(self.quantities):
+                values = response[name]
+                self.extremes[row, :, i] = np.nanmin(values), np.nanmax(values)
+                self.histories[row, i, known] = history[name]
+
+    def variables(self, values: Mapping[str, list[Any]]) -> dict[str, Any]:
+        if not self.quantities:
+            return {}
+        dims, shape = tuple(values), tuple(len(v) for v in values.values())
+        found: dict[str, Any] = {
+            "quantity": list(self.quantities),
+            "smallest_quantity": ((*dims, "quantity"), self.extremes[:, 0].reshape(*shape, -1)),
+            "largest_quantity": ((*dims, "quantity"), self.extremes[:, 1].reshape(*shape, -1)),
+        }
+        if self.times.size:
+            found["time"] = "time", self.times, {"units": "s"}
+            history = self.histories.reshape(*shape, len(self.quantities), -1)
+            found["history"] = (*dims, "quantity", "time"), history
+        return found
 
 
 def _labels(values: list[Any]) -> list[Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -197,28 +197,35 @@ class Response:
 
     @cached_property
     def _outputs(self) -> Mapping[str, np.ndarray]:
+        return self._evaluated(self.t, self.y, self.contact)
+
+    def _evaluated(self, t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> dict[str, Any]:
+        """What follows from the states y (n, N), at times t (n,) that do not fall."""
         p = self.program
-        n = len(self.t)
+        n = len(t)
         tables = (p.ENERGIES, p.REACTIONS, p.KINEMATICS)
         values = [np.empty((n, len(names))) for names in tables]
-        p.evaluate(self.contact, self.t, self.y, *self.tables, self.structure.vector, *values)
+        p.evaluate(contact, t, y, *self.tables, self.structure.vector, *values)
         found = {
             name: value[:, i]
             for names, value in zip(tables, values, strict=True)
             for i, name in enumerate(names)
         }
         found["total_energy"] = values[0].sum(axis=1)
-        found["ground_acceleration"] = self.motion.acceleration(self.t)
+        found["ground_acceleration"] = self.motion.acceleration(t)
         found["vertical_ground_acceleration"] = (
-            np.zeros(n) if self.vertical is None else self.vertical.acceleration(self.t)
+            np.zeros(n) if self.vertical is None else self.vertical.acceleration(t)
         )
         return found
 
-    def at(self, times, side: str = "right") -> dict[str, np.ndarray]:
+    def at(
+        self, times, side: str = "right", names: Sequence[str] | None = None
+    ) -> dict[str, np.ndarray]:
         """States at the given times [s], each with the shape of `times`, from the dense output.
 
-        side : "left" or "right", which one where a velocity jumps.
-        Raises ValueError for times outside the response.
+        side : "left" or "right", which one where a velocity jumps. names : of the states, or of
+        any other quantities of the response.
+        Raises ValueError for times outside the response, KeyError for an unknown name.
         """
         if side not in ("left", "right"):
             raise ValueError(f"side is {side!r}: choose 'left' or 'right'")
@@ -229,8 +236,19 @@ class Response:
                 f"times reach from {flat.min()} to {flat.max()} s, the response from "
                 f"{self.t[0]} to {self.t[-1]} s"
             )
-        values, _ = self.steps.at(flat, side)
-        return {n: values[:, i].reshape(times.shape) for i, n in enumerate(self.states)}
+        names = self.states if names is None else names
+        for name in names:
+            if name not in self.names:
+                raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
+        values, contact = self.steps.at(flat, side)
+        found: dict[str, Any] = {n: values[:, i] for i, n in enumerate(self.states)}
+        if not set(names) <= set(self.states):
+            order = np.argsort(flat, kind="stable")
+            y = np.ascontiguousarray(values[order])
+            for name, row in self._evaluated(flat[order], y, contact[order]).items():
+                found[name] = np.empty(flat.size)
+                found[name][order] = row
+        return {name: found[name].reshape(times.shape) for name in names}
 
     @property
     def final(self) -> dict[str, float]:

@@ -1,5 +1,6 @@
 """simulate_many: labels, the same bits however the work is cut, interrupts, errors by name."""
 
+import itertools
 import os
 import signal
 import subprocess
@@ -288,3 +289,39 @@ def test_memory_holds_results_and_not_cases(threads):
     dataset, left, peak = (memory(3000) - memory(500)) / 2500
     assert left < 1.1 * dataset
     assert peak < 2 * dataset  # while the rows are put together
+
+
+def test_histories_and_peaks_of_named_quantities():
+    """They are those of the response of each case by itself."""
+    times = np.array([0.0, 0.5, 1.0, 1000.0])
+    asked = ["theta", "left_uplift"]
+    result = many(quantities=asked, times=times)
+    assert result.history.dims == (*OVER, "quantity", "time")
+    for place in itertools.product(*(range(len(v)) for v in OVER.values())):
+        named = {
+            name: list(values)[i] for (name, values), i in zip(OVER.items(), place, strict=True)
+        }
+        case = pulse(**named)
+        run = rk.simulate(case.structure, case.motion, impact=case.impact, initial=case.initial)
+        row = result.isel(dict(zip(OVER, place, strict=True)))
+        for name in asked:
+            of = row.sel(quantity=name)
+            assert float(of.largest_quantity) == run[name].max()
+            within = times[times <= run.t[-1]]
+            np.testing.assert_array_equal(
+                of.history[: len(within)], run.at(within, names=asked)[name]
+            )
+            np.testing.assert_allclose(
+                of.history[: len(within)], np.interp(within, run.t, run[name]), atol=1e-4
+            )
+            assert np.isnan(of.history[len(within) :]).all()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "word"),
+    [({"quantities": "theta"}, "list"), ({"times": [1.0]}, "quantities"),
+     ({"quantities": ["theta"], "times": [-1.0]}, "-1.0")],
+)  # fmt: skip
+def test_quantities_that_cannot_be_are_refused(wrong, word):
+    with pytest.raises(ValueError, match=word):
+        many(**wrong)
