@@ -618,14 +618,16 @@ def integrate(
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
-                if target < 0 and not error <= 1.0 and (controlled or not math.isfinite(error)):
+                finite = math.isfinite(error)
+                if not finite or (target < 0 and controlled and error > 1.0):
                     # refused: too inaccurate, or not finite
                     cut = False
-                    shrink = 0.9 * error**ERROR_EXPONENT if math.isfinite(error) else 0.1
+                    target = -1
+                    shrink = 0.9 * error**ERROR_EXPONENT if finite else 0.1
                     h *= max(0.1, shrink)
                     h_next = h
                     if h <= 4.0 * EPS * t or h < 1e-290 or taken >= max_steps:
-                        outcome = STALLED if math.isfinite(error) else NOT_FINITE
+                        outcome = STALLED if finite else NOT_FINITE
                         break
                     continue
                 if target >= 0:

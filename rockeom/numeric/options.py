@@ -10,7 +10,13 @@ from dataclasses import dataclass
 class SolverOptions:
     """How the motion is integrated; the defaults suit all shipped structures.
 
-    method : "DOP853" (order 8) or "RK45" (order 5).
+    method : "DOP853" (order 8) or "RK45" (order 5), explicit; or "Radau" (order 5), implicit, for
+        springs so stiff and so heavily damped that stability bounds an explicit step, to about 3
+        over the fastest rate of decay. A step of it costs about as much as one of DOP853, but
+        their number goes with rtol**(-1/4): at the default a rocking block takes 1300 of them
+        where DOP853 takes 50, a structure on springs of 1e9 N/m and 1e8 N s/m 5600 against
+        72 000. Vibrations that are not damped away it must follow, too, and gains nothing. On
+        stiff springs let atol be far below their settlement, or contact chatters.
     rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
         own unit.
     max_step : largest step [s].
@@ -36,8 +42,8 @@ class SolverOptions:
     output_step: float | None = None
 
     def __post_init__(self) -> None:
-        if self.method not in ("DOP853", "RK45"):
-            raise ValueError(f"method is {self.method!r}: choose 'DOP853' or 'RK45'")
+        if self.method not in ("DOP853", "RK45", "Radau"):
+            raise ValueError(f"method is {self.method!r}: choose 'DOP853', 'RK45' or 'Radau'")
         for name in ("rtol", "atol", "max_step", "rest_tolerance", "max_impacts", "max_steps"):
             value = getattr(self, name)
             if not value > 0:
