@@ -179,7 +179,14 @@ def _in_threads(
     work: Callable[[int, list[tuple[Case, Problem]]], int],
     done: Callable[[int], None],
 ) -> None:
-    """Hand chunks to threads as these become free; an interrupt waits for those under way."""
+    """Hand chunks to threads as these become free; an interrupt waits for those under way.
+
+    One thread is the caller's own.
+    """
+    if threads == 1:
+        for first, batch in source:
+            done(work(first, batch))
+        return
     with ThreadPoolExecutor(threads) as pool:
         pending: set[Future[int]] = set()
         for first, batch in source:
