@@ -467,8 +467,11 @@ def _pulse(
     a, t_p = _finite("amplitude", amplitude), _positive("period", period)
     end = periods * t_p
     law = (end, SegmentKind.SINE, a, 2.0 * math.pi / t_p, phase)
-    motion = _analytic(f"{shape}, {a:.4g} m/s2, {t_p:.4g} s", [law])
-    return motion.padded(end + QUIET_PERIODS * t_p if duration is None else duration)
+    name = f"{shape}, {a:.4g} m/s2, {t_p:.4g} s"
+    total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
+    if total > end:  # both at once: maps make many of them
+        return _analytic(name, [law, (total, SegmentKind.LINEAR)])
+    return _analytic(name, [law]).padded(total)
 
 
 def _from_record(record: Record) -> GroundMotion:
