@@ -26,7 +26,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "45f72ba658055c36"
+SOURCE_HASH = "18380aad1aa344ee"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -164,14 +164,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[1] = found[0]
 
 
-@_compiled
+@_inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, 0.0, p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_compiled
+@_inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -29,7 +29,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "e95561ab66827d95"
+SOURCE_HASH = "4ccd52d8e2c0e49c"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -166,14 +166,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[1] = found[0]
 
 
-@_compiled
+@_inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, 0.0, p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_compiled
+@_inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

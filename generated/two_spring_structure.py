@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "b693be03d65e1110"
+SOURCE_HASH = "1ac39f42b45e8b24"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -285,14 +285,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[3] = found[1]
 
 
-@_compiled
+@_inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_compiled
+@_inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -348,6 +348,7 @@ class _Module:
                 f"    found = accelerations(contact, {states}, p, ax, ay)",
                 f"    return SIDES[contact] * found[{self.index(rotation.name)}]",
             ],
+            "_inlined",
         )
 
     def guards(self) -> None:
@@ -375,6 +376,7 @@ class _Module:
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.""",
             body or ["    pass"],
+            "_inlined",
         )
 
     def parts(self, contact: str) -> list[dict[int, sp.Expr]]:

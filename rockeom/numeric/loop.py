@@ -246,9 +246,12 @@ def size(b, at):
 def fall(b, at):
     """The single fall through zero on [0, 1], by Newton's method within a bracket."""
     low, high = 0.0, 1.0
-    # a hop is concave: from its end Newton's method goes straight to where it lands
-    last = b[at + 6] - b[at + 7]
-    x = 1.0 + b[at + 7] / (7.0 * last) if last > 0.0 else 0.5
+    # start from the parabola with the same ends and slope: a hop is nearly one
+    rise = 7.0 * (b[at + 1] - b[at])
+    bend = b[at] + rise - b[at + 7]
+    x = 0.5
+    if bend > 0.0 and b[at] >= 0.0:
+        x = (rise + math.sqrt(rise * rise + 4.0 * bend * b[at])) / (2.0 * bend)
     if not 0.0 < x < 1.0:
         x = 0.5
     for n in range(200):
