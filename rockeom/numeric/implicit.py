@@ -21,13 +21,7 @@ from functools import cache
 
 import numpy as np
 
-from rockeom.numeric.tableau import (
-    NODES,
-    Tableau,
-    bernstein_at,
-    powers_to_bernstein,
-    samples_to_bernstein,
-)
+from rockeom.numeric.tableau import Tableau, exact_solution, method_header
 
 
 def _points() -> list[Fraction]:
@@ -39,17 +33,9 @@ def _points() -> list[Fraction]:
 
 
 def _weights(nodes: list[Fraction], values: list[Fraction]) -> list[Fraction]:
-    """Weights with sum_j weights[j] * nodes[j]**k = values[k], by Gauss and Jordan."""
-    size = len(nodes)
-    rows = [[x**k for x in nodes] + [values[k]] for k in range(size)]
-    for n in range(size):
-        pivot = next(m for m in range(n, size) if rows[m][n])
-        rows[n], rows[pivot] = rows[pivot], rows[n]
-        rows[n] = [v / rows[n][n] for v in rows[n]]
-        for m in range(size):
-            if m != n:
-                rows[m] = [v - rows[m][n] * w for v, w in zip(rows[m], rows[n], strict=True)]
-    return [row[-1] for row in rows]
+    """Weights with sum_j weights[j] * nodes[j]**k = values[k]."""
+    powers = [[x**k for x in nodes] for k in range(len(nodes))]
+    return [weight for (weight,) in exact_solution(powers, [[v] for v in values])]
 
 
 @cache
@@ -318,25 +304,10 @@ def implicit_step_text(n: int) -> str:
     # the rates of four stages and the new state, the ground, the rest as by the places below
     room = 4 * 2 * n + 6 + size * (size + 2) + 2 * n * n + 4 * 2 * n
     total = -(-room // (2 * n + 2))
-    return f'''
-
-# from here on a*b + c may be rounded once
-FUSED = OPTIONS | {{"fastmath": {{"contract"}}}}
-_compiled = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **FUSED)
-_inlined = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=True, **FUSED)
-
-METHOD = "{method.name}"
-N_STAGES = 3
-N_ALL_STAGES = {total}  # as many as give room for what stands in k
-DEGREE = {method.degree}
-STAGE_TIMES = np.array({method.c[:4].tolist()!r})  # in the length of a step
-ERROR_EXPONENT = {-1.0 / (method.error_order + 1)!r}
-SAMPLES_TO_BERNSTEIN = np.array({samples_to_bernstein().tolist()!r})
-POWERS_TO_BERNSTEIN = np.array({powers_to_bernstein().tolist()!r})
-NODES = np.array({NODES.tolist()!r})
-QUINTIC = np.array({bernstein_at(NODES, 5).tolist()!r})  # at the nodes: values of a quintic
-QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by coefficients
-
+    # N_ALL_STAGES : as many as give room for what stands in k
+    return (
+        method_header(method, 3, total)
+        + f"""
 # by stages and, in the dense output, powers of x from the first
 A = np.array({a.tolist()!r})
 A_SQUARED = np.array({(a @ a).tolist()!r})
@@ -363,4 +334,5 @@ OTHER_AT = RATE_AT + N_STATES
 ERROR_AT = OTHER_AT + N_STATES
 
 MOST_TURNS = 12  # of Newton's method
-{_STEP}'''
+{_STEP}"""
+    )

@@ -276,11 +276,7 @@ def next_laws(lane, z, w, case, ground):
     t = z[Z_T + lane]
     ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
     if t >= z[Z_END_X + lane]:
-        n, row = w[W_NX + lane] + 1, QUIET
-        while n < h_rows[case, 1] and t >= horizontal[n, 1]:
-            n += 1
-        if n < h_rows[case, 1]:
-            row = row_of(horizontal, n)
+        n, row = row_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
         w[W_NX + lane] = n
         z[Z_START_X + lane], z[Z_END_X + lane], z[Z_X0 + lane], z[Z_X1 + lane] = (
             row[0],
@@ -289,11 +285,7 @@ def next_laws(lane, z, w, case, ground):
             row[4],
         )
     if t >= z[Z_END_Y + lane]:
-        n, row = w[W_NY + lane] + 1, QUIET
-        while n < v_rows[case, 1] and t >= vertical[n, 1]:
-            n += 1
-        if n < v_rows[case, 1]:
-            row = row_of(vertical, n)
+        n, row = row_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
         w[W_NY + lane] = n
         z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane] = (
             row[0],

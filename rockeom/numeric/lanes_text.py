@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from math import comb
 from textwrap import indent
 from types import ModuleType
 
 import numpy as np
 
-from rockeom.numeric.tableau import NODES, Tableau, _stage, _sum, samples_to_bernstein
+from rockeom.numeric.tableau import (
+    NODES,
+    Tableau,
+    _stage,
+    _sum,
+    bernstein_at,
+    samples_to_bernstein,
+)
 
 LANES = 16
 """Motions that step together: two of the widest vectors that processors have."""
-
-
-def _bernstein(x: np.ndarray, degree: int) -> np.ndarray:
-    """(m, degree + 1): the Bernstein polynomials at x (m,)."""
-    powers = range(degree + 1)
-    return np.array([comb(degree, i) * x**i * (1 - x) ** (degree - i) for i in powers]).T
 
 
 def lanes_text(method: Tableau, generated: ModuleType) -> str:
@@ -65,7 +65,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
 
     # full contact: the guards sampled on the quintics through both ends
     quintics, sampled = "", ""
-    to_samples, to_slopes = _bernstein(NODES, 5), 5.0 * _bernstein(NODES, 4)
+    to_samples, to_slopes = bernstein_at(NODES, 5), 5.0 * bernstein_at(NODES, 4)
     for i in range(n):
         if i == r:
             continue

@@ -128,14 +128,24 @@ def samples_to_bernstein() -> np.ndarray:
     """
     nodes = [Fraction(x) for x in NODES.tolist()]
     rows = [[comb(7, i) * x**i * (1 - x) ** (7 - i) for i in range(8)] for x in nodes]
-    for n, row in enumerate(rows):
-        row += [Fraction(int(n == j)) for j in range(8)]
-    for n in range(8):  # Gauss and Jordan; the diagonal of this matrix is never zero
+    unit = [[Fraction(int(n == j)) for j in range(8)] for n in range(8)]
+    return np.array([[float(v) for v in row] for row in exact_solution(rows, unit)])
+
+
+def exact_solution(
+    matrix: list[list[Fraction]], right: list[list[Fraction]]
+) -> list[list[Fraction]]:
+    """The matrix x (n, m) with matrix x = right, by Gauss and Jordan."""
+    size = len(matrix)
+    rows = [[*row, *values] for row, values in zip(matrix, right, strict=True)]
+    for n in range(size):
+        pivot = next(m for m in range(n, size) if rows[m][n])
+        rows[n], rows[pivot] = rows[pivot], rows[n]
         rows[n] = [v / rows[n][n] for v in rows[n]]
-        for m in range(8):
+        for m in range(size):
             if m != n:
                 rows[m] = [v - rows[m][n] * w for v, w in zip(rows[m], rows[n], strict=True)]
-    return np.array([[float(v) for v in row[8:]] for row in rows])
+    return [row[size:] for row in rows]
 
 
 def powers_to_bernstein() -> np.ndarray:
@@ -179,6 +189,29 @@ def _stage(j: int, row: np.ndarray, c: float, n: int, ground: str = GROUND) -> s
         text += f"    q{j}_{i} = " + _moved(row[:j], f"v{{}}_{i}", f"q0_{i}")
     states = [f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)]
     return text + _rates(j, states, f"t + {c!r} * h", n, ground)
+
+
+def method_header(method: Tableau, stages: int, all_stages: int) -> str:
+    """The constants that the loop wants of every method, and how what follows is compiled."""
+    return f'''
+
+# from here on a*b + c may be rounded once
+FUSED = OPTIONS | {{"fastmath": {{"contract"}}}}
+_compiled = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **FUSED)
+_inlined = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=True, **FUSED)
+
+METHOD = "{method.name}"
+N_STAGES = {stages}
+N_ALL_STAGES = {all_stages}
+DEGREE = {method.degree}
+STAGE_TIMES = np.array({method.c.tolist()!r})  # in the length of a step
+ERROR_EXPONENT = {-1.0 / (method.error_order + 1)!r}
+SAMPLES_TO_BERNSTEIN = np.array({samples_to_bernstein().tolist()!r})
+POWERS_TO_BERNSTEIN = np.array({powers_to_bernstein().tolist()!r})
+NODES = np.array({NODES.tolist()!r})
+QUINTIC = np.array({bernstein_at(NODES, 5).tolist()!r})  # at the nodes: values of a quintic
+QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by coefficients
+'''
 
 
 def step_text(method: Tableau, n: int) -> str:
@@ -241,26 +274,11 @@ def step_text(method: Tableau, n: int) -> str:
                 powers += f"    coefficients[{row}] = h * (\n        {weights}\n    )\n"
             else:
                 powers += f"    coefficients[{row}] = 0.0\n"
-    return f'''
-
-# from here on a*b + c may be rounded once
-FUSED = OPTIONS | {{"fastmath": {{"contract"}}}}
-_compiled = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **FUSED)
-_inlined = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=True, **FUSED)
-
-METHOD = "{method.name}"
-N_STAGES = {s}
-N_ALL_STAGES = {total}
-DEGREE = {method.degree}
-STAGE_TIMES = np.array({method.c.tolist()!r})  # in the length of a step
-GROUND_X = N_ALL_STAGES * N_STATES  # places behind the rates: the ground at each stage
+    header = method_header(method, s, total)
+    return f'''{header}
+# places behind the rates: the ground at each stage
+GROUND_X = N_ALL_STAGES * N_STATES
 GROUND_Y = GROUND_X + N_ALL_STAGES
-ERROR_EXPONENT = {-1.0 / (method.error_order + 1)!r}
-SAMPLES_TO_BERNSTEIN = np.array({samples_to_bernstein().tolist()!r})
-POWERS_TO_BERNSTEIN = np.array({powers_to_bernstein().tolist()!r})
-NODES = np.array({NODES.tolist()!r})
-QUINTIC = np.array({bernstein_at(NODES, 5).tolist()!r})  # at the nodes: values of a quintic
-QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by coefficients
 
 
 @_compiled
