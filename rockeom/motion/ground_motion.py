@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,18 +16,22 @@ from rockeom.motion import library, readers
 from rockeom.motion.errors import MotionError
 from rockeom.motion.readers import Column, FilePath, Record
 from rockeom.motion.segments import (
+    ANTISYMMETRIC_RICKER,
     ANTISYMMETRIC_RICKER_PEAK,
     C0,
     C1,
     COLUMNS,
     END,
     KIND,
+    LINEAR,
+    RICKER,
+    SINE,
     START,
     SegmentKind,
     acceleration as _acceleration,
-    is_quiet as _is_quiet,
     peak as _peak,
     scaled as _scaled,
+    shaking_ends as _shaking_ends,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 
@@ -34,7 +39,6 @@ QUIET_PERIODS = 10
 """Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
 is often the answer sought."""
 
-_KINDS = tuple(int(kind) for kind in SegmentKind)
 _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
 
@@ -70,7 +74,7 @@ class GroundMotion:
         for field in ("segments", "samples"):
             if (values := getattr(self, field)) is not None:
                 values = np.asarray(values, dtype=float) + 0.0
-                values.flags.writeable = False
+                values.setflags(write=False)
                 object.__setattr__(self, field, values)
         _check_segments(self.segments)
         if (self.dt is None) != (self.samples is None):
@@ -81,7 +85,7 @@ class GroundMotion:
     @classmethod
     def none(cls, duration: float) -> GroundMotion:
         """No shaking, for free rocking; duration [s]."""
-        return _analytic("no shaking", [(_positive("duration", duration), SegmentKind.LINEAR)])
+        return _analytic("no shaking", [(_positive("duration", duration), LINEAR)])
 
     @classmethod
     def constant(
@@ -94,7 +98,7 @@ class GroundMotion:
         a, end = _finite("acceleration", acceleration), _positive("duration", duration)
         total = end if total_duration is None else total_duration
         name = f"constant, {a:.4g} m/s2, {end:.4g} s"
-        return _analytic(name, [(end, SegmentKind.LINEAR, a)]).padded(total)
+        return _analytic(name, [(end, LINEAR, a)]).padded(total)
 
     @classmethod
     def half_sine(
@@ -168,7 +172,7 @@ class GroundMotion:
             "period": 2.0 * math.pi / value,
         }[stated[0]]
         name = f"harmonic, {a:.4g} m/s2, {omega:.4g} rad/s"
-        return _analytic(name, [(end, SegmentKind.SINE, a, omega, phase)])
+        return _analytic(name, [(end, SINE, a, omega, phase)])
 
     @classmethod
     def ricker(
@@ -195,12 +199,12 @@ class GroundMotion:
         centre = _RICKER_HALF_WINDOW * t_p
         if antisymmetric:
             kind, c0, c1 = (
-                SegmentKind.ANTISYMMETRIC_RICKER,
+                ANTISYMMETRIC_RICKER,
                 a / ANTISYMMETRIC_RICKER_PEAK,
                 2.0 * math.pi / (math.sqrt(3.0) * t_p),
             )
         else:
-            kind, c0, c1 = SegmentKind.RICKER, a, math.pi / t_p
+            kind, c0, c1 = RICKER, a, math.pi / t_p
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
         motion = _analytic(f"{shape}, {a:.4g} m/s2, {t_p:.4g} s", [(end, kind, c0, c1, centre)])
@@ -338,8 +342,7 @@ class GroundMotion:
     @property
     def shaking_ends(self) -> float:
         """Time after which the acceleration is identically zero [s]; 0.0 if it always is."""
-        shaking = np.flatnonzero(~_is_quiet(self.segments))
-        return float(self.segments[shaking[-1], END]) if len(shaking) else 0.0
+        return _shaking_ends(self.segments)
 
     @property
     def breakpoints(self) -> np.ndarray:
@@ -399,7 +402,7 @@ class GroundMotion:
             )
         if wanted == self.duration:
             return self
-        quiet = [self.duration, wanted, SegmentKind.LINEAR, 0.0, 0.0, 0.0, 0.0]
+        quiet = [self.duration, wanted, LINEAR, 0.0, 0.0, 0.0, 0.0]
         return replace(self, segments=np.vstack([self.segments, quiet]))
 
     def __neg__(self) -> GroundMotion:
@@ -446,13 +449,12 @@ def _scaled_name(name: str, acceleration: float, time: float) -> str:
 
 def _analytic(name: str, laws: list[tuple[float, ...]]) -> GroundMotion:
     """Segments one after the other, each by its end, kind and constants."""
-    segments = np.zeros((len(laws), COLUMNS))
+    rows = []
     start = 0.0
-    for row, (end, *law) in zip(segments, laws, strict=True):
-        row[:KIND] = start, end
-        row[KIND : KIND + len(law)] = law
+    for end, *law in laws:
+        rows.append([start, end, *law, *[0.0] * (COLUMNS - KIND - len(law))])
         start = end
-    return GroundMotion(segments, name, "analytic")
+    return GroundMotion(np.array(rows, dtype=float), name, "analytic")
 
 
 def _pulse(
@@ -466,11 +468,11 @@ def _pulse(
     """A sine of `phase` for so many periods, and quiet time after it."""
     a, t_p = _finite("amplitude", amplitude), _positive("period", period)
     end = periods * t_p
-    law = (end, SegmentKind.SINE, a, 2.0 * math.pi / t_p, phase)
+    law = (end, SINE, a, 2.0 * math.pi / t_p, phase)
     name = f"{shape}, {a:.4g} m/s2, {t_p:.4g} s"
     total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
     if total > end:  # both at once: maps make many of them
-        return _analytic(name, [law, (total, SegmentKind.LINEAR)])
+        return _analytic(name, [law, (total, LINEAR)])
     return _analytic(name, [law]).padded(total)
 
 
@@ -499,14 +501,27 @@ def _from_record(record: Record) -> GroundMotion:
 def _check_segments(segments: np.ndarray) -> None:
     if segments.ndim != 2 or segments.shape[1] != COLUMNS or not len(segments):
         raise MotionError(f"segments have shape {segments.shape}: they must be (n, {COLUMNS})")
-    if not np.isfinite(segments).all():
+    if np.count_nonzero(np.isfinite(segments)) < segments.size:
         raise MotionError("segments hold NaN or infinity")
-    starts, ends, kinds = segments[:, START], segments[:, END], segments[:, KIND]
-    if starts[0] != 0.0 or (starts[1:] != ends[:-1]).any() or (ends <= starts).any():
+    if len(segments) > 50:
+        _check_rows(np.all, np.append(0.0, segments[:-1, END]), *segments.T)
+        return
+    before = 0.0
+    for row in segments.tolist():  # maps make many short tables, and arrays take longer for them
+        _check_rows(bool, before, *row)
+        before = row[END]
+
+
+def _check_rows(
+    every: Callable[[Any], Any], before: Any, start: Any, end: Any, kind: Any, *constants: Any
+) -> None:
+    """The rules of a table, for one row or for all at once; `before`: the end of the row before."""
+    if not every((start == before) & (end > start)):
         raise MotionError("segments must follow each other without gap from time 0 on")
-    if not ((kinds >= _KINDS[0]) & (kinds <= _KINDS[-1]) & (kinds == np.floor(kinds))).all():
+    linear = kind == LINEAR
+    if not every(linear | (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER)):
         raise MotionError(f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}")
-    if ((kinds != _KINDS[0]) & (segments[:, C1] <= 0.0)).any():
+    if not every(linear | (constants[1] > 0.0)):
         raise MotionError("c1, the rate of a sine or a wavelet, must be positive")
 
 

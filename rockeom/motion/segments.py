@@ -25,6 +25,8 @@ class SegmentKind(IntEnum):
     ANTISYMMETRIC_RICKER = 3  # c0 x (x^2 - 3) exp(-x^2 / 2), x = c1 (tau - c2)
 
 
+LINEAR, SINE, RICKER, ANTISYMMETRIC_RICKER = map(int, SegmentKind)  # an enum is slow to look up
+
 # Both wavelets are stationary where a quadratic in x^2 vanishes.
 _RICKER_EXTREMA = (0.0, math.sqrt(1.5))
 _ANTISYMMETRIC_EXTREMA = (math.sqrt(3.0 - math.sqrt(6.0)), math.sqrt(3.0 + math.sqrt(6.0)))
@@ -46,15 +48,13 @@ def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
     return found
 
 
-def _law(
-    kind: SegmentKind, c0: np.ndarray, c1: np.ndarray, c2: np.ndarray, tau: np.ndarray
-) -> np.ndarray:
-    if kind is SegmentKind.LINEAR:
+def _law(kind: int, c0: np.ndarray, c1: np.ndarray, c2: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    if kind == LINEAR:
         return c0 + c1 * tau
-    if kind is SegmentKind.SINE:
+    if kind == SINE:
         return c0 * np.sin(c1 * tau + c2)
     x = c1 * (tau - c2)
-    if kind is SegmentKind.RICKER:
+    if kind == RICKER:
         return c0 * (1.0 - 2.0 * x**2) * np.exp(-(x**2))
     return c0 * x * (x**2 - 3.0) * np.exp(-0.5 * x**2)
 
@@ -65,16 +65,12 @@ def peak(segments: np.ndarray) -> float:
     candidates = [np.zeros_like(length), length]
 
     kind, c1, c2 = segments[:, KIND], segments[:, C1], segments[:, C2]
-    rate = np.where(kind == SegmentKind.LINEAR, 1.0, c1)  # that of linear segments is not used
+    rate = np.where(kind == LINEAR, 1.0, c1)  # that of linear segments is not used
     first_crest = np.pi * (np.ceil(c2 / np.pi - 0.5) + 0.5)
-    stationary = [(SegmentKind.SINE, (first_crest - c2) / rate)]
+    stationary = [(SINE, (first_crest - c2) / rate)]
+    stationary += [(RICKER, c2 + s * x / rate) for x in _RICKER_EXTREMA for s in (1, -1)]
     stationary += [
-        (SegmentKind.RICKER, c2 + s * x / rate) for x in _RICKER_EXTREMA for s in (1, -1)
-    ]
-    stationary += [
-        (SegmentKind.ANTISYMMETRIC_RICKER, c2 + s * x / rate)
-        for x in _ANTISYMMETRIC_EXTREMA
-        for s in (1, -1)
+        (ANTISYMMETRIC_RICKER, c2 + s * x / rate) for x in _ANTISYMMETRIC_EXTREMA for s in (1, -1)
     ]
     for of_kind, tau in stationary:
         # A point beyond an end falls back on that end, which is a candidate anyway.
@@ -82,20 +78,23 @@ def peak(segments: np.ndarray) -> float:
     return float(max(np.abs(acceleration(segments, tau)).max() for tau in candidates))
 
 
-def is_quiet(segments: np.ndarray) -> np.ndarray:
-    """Whether each segment is identically zero, (n,) bool."""
-    rising = (segments[:, KIND] == SegmentKind.LINEAR) & (segments[:, C1] != 0.0)
-    return (segments[:, C0] == 0.0) & ~rising
+def shaking_ends(segments: np.ndarray) -> float:
+    """Time after which the acceleration is identically zero [s]; 0.0 if it always is."""
+    for row in segments[::-1]:  # one by one: few are quiet at the end
+        _, end, kind, c0, c1, _, _ = row.tolist()
+        if c0 != 0.0 or (kind == LINEAR and c1 != 0.0):
+            return end
+    return 0.0
 
 
 def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
-    linear = segments[:, KIND] == SegmentKind.LINEAR
+    linear = segments[:, KIND] == LINEAR
     found = segments.copy()
     found[:, [START, END]] *= time
     found[:, C0] *= amplitude
     found[:, C1] /= time
     found[linear, C1] *= amplitude
-    wavelet = segments[:, KIND] >= SegmentKind.RICKER
+    wavelet = segments[:, KIND] >= RICKER
     found[wavelet, C2] *= time  # the centre of a wavelet is a time, the c2 of a sine an angle
     return found

@@ -5,9 +5,10 @@ from __future__ import annotations
 import itertools
 import os
 import sys
+import threading
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable, Generator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -47,7 +48,8 @@ def simulate_many(
             over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
         )
 
-    case : makes one case from one value of each name in `over`. All cases are of one model.
+    case : makes one case from one value of each name in `over`. All cases are of one model. The
+        threads call it in turn, never two at a time.
     impact_times : how many impact times of each case to keep.
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time.
@@ -119,7 +121,7 @@ class _Source:
     module: ModuleType
     lanes: bool
 
-    def __iter__(self) -> Iterator[tuple[int, list[tuple[Case, Problem]]]]:
+    def __iter__(self) -> Generator[tuple[int, list[tuple[Case, Problem]]], None, None]:
         points = itertools.product(*self.values.values())
         first = 0
         while batch := list(itertools.islice(points, self.chunk)):
@@ -179,24 +181,35 @@ def _in_threads(
     work: Callable[[int, list[tuple[Case, Problem]]], int],
     done: Callable[[int], None],
 ) -> None:
-    """Hand chunks to threads as these become free; an interrupt waits for those under way.
+    """Threads make a chunk in turn, and run it; an interrupt waits for those under way.
 
-    One thread is the caller's own.
+    Making holds Python's lock and running does not: while one thread makes, the others run. One
+    thread is the caller's own.
     """
+    chunks = iter(source)
+    turn = threading.Lock()
+
+    def worker() -> None:
+        ran = 0
+        while True:
+            with turn:
+                if ran:
+                    done(ran)
+                made = next(chunks, None)
+            if made is None:
+                return
+            ran = work(*made)
+
     if threads == 1:
-        for first, batch in source:
-            done(work(first, batch))
+        worker()
         return
     with ThreadPoolExecutor(threads) as pool:
-        pending: set[Future[int]] = set()
-        for first, batch in source:
-            if len(pending) > threads:
-                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
-                for f in finished:
-                    done(f.result())
-            pending.add(pool.submit(work, first, batch))
-        for f in pending:
-            done(f.result())
+        try:
+            for finished in as_completed([pool.submit(worker) for _ in range(threads)]):
+                finished.result()
+        finally:
+            with turn:
+                chunks.close()  # no more work for the others
 
 
 @dataclass(frozen=True)

@@ -209,6 +209,42 @@ def test_error_in_a_case_names_the_case():
     assert str(AMPLITUDE[AMPLITUDE > 3][0])[:5] in text
 
 
+@pytest.mark.parametrize("threads", [1, 2, 3])
+@pytest.mark.parametrize("where", ["making", "running"])
+def test_an_error_ends_the_work_of_all_threads(threads, where):
+    """It reaches the caller, no thread goes on with the other cases, and none is left behind."""
+    made, inside = 0, threading.Lock()
+
+    class Breaks:
+        asked = 0
+
+        def resolve(self, velocity_ratio, has_impulsive, name):
+            self.asked += 1
+            if self.asked == (1 if where == "making" else 2):
+                raise ZeroDivisionError
+            return 0, velocity_ratio
+
+    def case(theta):
+        nonlocal made
+        assert inside.acquire(blocking=False)  # never two at a time
+        made += 1
+        inside.release()
+        impact = Breaks() if made == 20 else None
+        return rk.Case(BLOCK, rk.GroundMotion.none(1.0), impact, initial={"theta": theta})
+
+    started = threading.active_count()
+    with pytest.raises(ZeroDivisionError):
+        rk.simulate_many(
+            case,
+            over={"theta": np.linspace(0.01, 0.02, 2000)},
+            threads=threads,
+            chunk=10,
+            quantities=["theta"],
+        )
+    assert made < 1000
+    assert threading.active_count() == started
+
+
 def test_start_that_cannot_be_names_the_case():
     with pytest.raises(ValueError, match="lies on the ground") as caught:
         rk.simulate_many(

@@ -455,3 +455,27 @@ def test_motions_differ_by_acceleration_and_by_name():
 def test_bad_input_is_refused_with_the_value_and_the_remedy(call, message):
     with pytest.raises(MotionError, match=message):
         call()
+
+
+# Fails: a fault in the last of many rows is overlooked, or only that of a short table is seen.
+@pytest.mark.parametrize("rows", [1, 2, 50, 51, 1000])
+@pytest.mark.parametrize(
+    ("column", "value", "message"),
+    [
+        (0, -1.0, "without gap"),
+        (1, -1.0, "without gap"),
+        (2, 1.5, "kinds of segments"),
+        (2, -1.0, "kinds of segments"),
+        (2, 4.0, "kinds of segments"),
+        (4, 0.0, "c1, the rate"),
+        (6, math.inf, "NaN or infinity"),
+    ],
+)
+def test_a_fault_is_found_in_short_and_in_long_tables(rows, column, value, message):
+    table = np.zeros((rows, 7))
+    table[:, 0], table[:, 1] = np.arange(rows), np.arange(rows) + 1.0
+    table[:, 2], table[:, 4] = np.resize([2, 3, 1], rows), 5.0
+    assert GroundMotion(table).duration == rows
+    table[-1, column] = value
+    with pytest.raises(MotionError, match=message):
+        GroundMotion(table)
