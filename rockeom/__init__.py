@@ -25,6 +25,7 @@ _NAMES_OF = {
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
     "rockeom.numeric.simulate": ("simulate",),
     "rockeom.numeric.structures": (
+        "DiracDeltaBlock",
         "FlexibleStructure",
         "LumpedMassStructure",
         "NondimensionalBlock",
@@ -33,6 +34,7 @@ _NAMES_OF = {
         "Structure",
         "TwoSpringCart",
         "TwoSpringStructure",
+        "UpliftingOscillator",
         "structure",
     ),
     "rockeom.symbolic": ("Body", "Parameter", "Phase", "RockingModel", "derive", "models"),
@@ -60,6 +62,7 @@ if TYPE_CHECKING:
     )
     from rockeom.numeric.simulate import simulate as simulate
     from rockeom.numeric.structures import (
+        DiracDeltaBlock as DiracDeltaBlock,
         FlexibleStructure as FlexibleStructure,
         LumpedMassStructure as LumpedMassStructure,
         NondimensionalBlock as NondimensionalBlock,
@@ -68,6 +71,7 @@ if TYPE_CHECKING:
         Structure as Structure,
         TwoSpringCart as TwoSpringCart,
         TwoSpringStructure as TwoSpringStructure,
+        UpliftingOscillator as UpliftingOscillator,
         structure as structure,
     )
     from rockeom.symbolic import (
@@ -81,6 +85,8 @@ if TYPE_CHECKING:
 
 
 def __getattr__(name: str) -> Any:
+    if name == "analysis":  # a namespace of its own: its many formulas are no top-level names
+        return import_module("rockeom.analysis")
     home = _HOME_OF.get(name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -45,27 +45,34 @@ class Structure:
     def vector(self) -> np.ndarray:
         """What compiled functions take as p: the parameters and constants prepared of them."""
         values = self.parameters()
-        return self.module.prepare(np.array([float(values[n]) for n in self.module.PARAMETERS]))
+        parameters = np.array([float(values[n]) for n in self.module.PARAMETERS])
+        return self.module.prepare.py_func(parameters)  # once: to compile it takes two seconds
 
     @property
     def states(self) -> tuple[str, ...]:
         return self.module.STATES
 
-    @property
+    @functools.cached_property
     def rocks_on_rigid_ground(self) -> bool:
         """Whether the edges of the base are pivots, and full contact is a phase of its own."""
         m = self.module
         return "both" in m.CONTACTS and 1 in m.KINDS[m.CONTACTS.index("both")]
 
     @functools.cached_property
+    def has_impacts(self) -> bool:
+        """Whether an impact ends any contact state."""
+        m = self.module
+        return any(0 in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True))
+
+    @functools.cached_property
     def overturning_rotation(self) -> float:
         """Rotation at which the structure has fallen over, in the rotation's unit."""
-        return float(self.module.overturning(self.vector))
+        return float(self.module.overturning.py_func(self.vector))
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
         """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
-        return float(self.module.velocity_ratio(self.vector))
+        return float(self.module.velocity_ratio.py_func(self.vector))
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
         """(N,) state vector of named values; raises ValueError for unknown names or NaN."""
@@ -75,11 +82,11 @@ class Structure:
                 f"unknown state {', '.join(map(repr, unknown))}; {self.model} has "
                 f"{', '.join(self.states)}"
             )
-        y = np.array([float(values.get(name, 0.0)) for name in self.states])
+        y = [float(values.get(name, 0.0)) for name in self.states]
         for name, value in zip(self.states, y, strict=True):
             if not math.isfinite(value):
                 raise ValueError(f"state {name} is {value}: give a finite number")
-        return y
+        return np.array(y)
 
     def contact(self, y: np.ndarray, phase: str | None = None, towards: float = 0.0) -> int:
         """Number of the contact state of a state vector, or of the phase named.
@@ -87,7 +94,7 @@ class Structure:
         towards : sign of the rotation to come, where the state itself is upright and at rest.
         """
         m = self.module
-        rotation, rate = y[m.ROTATION], y[m.ROTATION_RATE]
+        rotation, rate = float(y[m.ROTATION]), float(y[m.ROTATION_RATE])
         if phase is not None:
             if phase not in m.CONTACTS:
                 raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.CONTACTS)}")
@@ -103,10 +110,12 @@ class Structure:
                     f"{name}_dot = {rate}: leave `phase` out, it follows from them"
                 )
             return number
-        direction = np.sign(rotation) or np.sign(rate)
+        direction = rotation or rate
         if self.rocks_on_rigid_ground:
-            return m.CONTACTS.index({-1.0: "left", 0.0: "both", 1.0: "right"}[float(direction)])
-        direction = direction or np.sign(towards)
+            return m.CONTACTS.index(
+                "left" if direction < 0.0 else "right" if direction > 0.0 else "both"
+            )
+        direction = direction or towards
         best, reached = 0, -math.inf
         for number, (count, side) in enumerate(zip(m.GUARDS, m.SIDES, strict=True)):
             g = np.zeros(m.N_GUARDS + m.N_PARTS)
@@ -156,11 +165,10 @@ class Structure:
         Raises ValueError where a law is given to a model without impacts.
         """
         m = self.module
-        if not any(0 in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True)):
+        if not self.has_impacts:
             if impact is not None:
                 raise ValueError(
-                    f"{self.model} has no impacts, its contacts are springs and dampers; "
-                    "leave `impact` out"
+                    f"{self.model} has no impacts, forces take their place; leave `impact` out"
                 )
             return 0, 1.0
         chosen = AngularMomentum() if impact is None else impact
@@ -373,6 +381,31 @@ class NondimensionalBlock(Structure):
 
 
 @_structure_class
+class DiracDeltaBlock(Structure):
+    """The slender block in x = theta/alpha and time p t, its impacts forces (thesis 2-29).
+
+    alpha [rad]; energy_ratio r, that of the kinetic energies after and before an impact, as in
+    `EnergyRatio`; regularisation n, the width in x over which an impact is spread. As n falls to
+    zero the response becomes that of `SlenderBlock`, with an error in proportion to n.
+    Accelerations are in units of g; alpha matters to shaking only. There are no jumps of the
+    velocity: `impacts` is empty, `events` holds the passages between "left_core" and "right_core".
+    Tolerances must be below n.
+    """
+
+    model: ClassVar[str] = "dirac_delta_block"
+    alpha: float
+    energy_ratio: float
+    regularisation: float
+
+    def __post_init__(self) -> None:
+        if self.energy_ratio > 1:
+            raise ValueError(
+                f"DiracDeltaBlock: energy_ratio is {self.energy_ratio}: above 1 impacts would "
+                "give energy"
+            )
+
+
+@_structure_class
 class _TwoMasses(Structure):
     """What the structures of a superstructure and a base share.
 
@@ -442,15 +475,63 @@ class FlexibleStructure(_TwoMasses):
     damping: float
 
 
+@_structure_class
+class UpliftingOscillator(Structure):
+    """Flexible structure of one mass on a massless base, small displacements (thesis 2-7).
+
+    The oscillator of Chopra and Yim (1985): mass [kg], a point at height [m]; half_width [m] half
+    of the distance between the feet; stiffness [N/m] and damping [N s/m] of the column; gravity
+    [m/s2]. Without P-delta it never overturns. By `Impulsive` each impact ends in full contact.
+    The base has no weight to keep it down: `lost_contact` says whether a foot would have jumped.
+    """
+
+    model: ClassVar[str] = "uplifting_oscillator"
+    may_vanish = frozenset({"damping"})
+    mass: float
+    height: float
+    half_width: float
+    stiffness: float
+    damping: float
+    gravity: float = STANDARD_GRAVITY
+
+    @classmethod
+    def from_frequency(
+        cls,
+        angular_frequency: float,
+        damping_ratio: float,
+        height: float,
+        half_width: float,
+        mass: float = 1.0,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> UpliftingOscillator:
+        """The one whose column on a fixed base has this angular frequency [rad/s] and damping.
+
+        damping_ratio : of critical damping; height, half_width [m]; mass [kg].
+        """
+        given = {"angular_frequency": angular_frequency, "damping_ratio": damping_ratio}
+        given["mass"] = mass
+        check_values("UpliftingOscillator", given, frozenset({"damping_ratio"}))
+        return cls(
+            mass=mass,
+            height=height,
+            half_width=half_width,
+            stiffness=mass * angular_frequency**2,
+            damping=2 * damping_ratio * angular_frequency * mass,
+            gravity=gravity,
+        )
+
+
 SHIPPED: dict[str, type[Structure]] = {
     cls.model: cls
     for cls in (
         RigidBlock,
         SlenderBlock,
         NondimensionalBlock,
+        DiracDeltaBlock,
         LumpedMassStructure,
         TwoSpringStructure,
         TwoSpringCart,
+        UpliftingOscillator,
         FlexibleStructure,
     )
 }

@@ -45,7 +45,7 @@ def draw_structure(
     springs = "foundation_stiffness" in values
     pivot = 0.0 if springs else math.copysign(b, rotation)
     turn = Affine2D().rotate_around(pivot, 0.0, -rotation).transform
-    if "base_mass" in values:
+    if "base_mass" in values or "stiffness" in values:
         _lumped(ax, values, turn, deformation)
     else:
         _block(ax, values, turn)
@@ -69,8 +69,8 @@ def _block(ax: Axes, values: dict[str, float], turn: Place) -> None:
 
 
 def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float) -> None:
-    """A base between the feet, a column, and the superstructure's mass."""
-    b, h, low = values["half_width"], values["height"], values["base_height"]
+    """A base between the feet, a column, and the superstructure's mass; the base may have none."""
+    b, h, low = values["half_width"], values["height"], values.get("base_height", 0.0)
     thick = max(2 * low, 0.04 * h)
     corners = turn(np.array([[-b, 0.0], [b, 0.0], [b, thick], [-b, thick]]))
     ax.fill(*corners.T, facecolor="#dbe9f6", edgecolor=style.LINES[0], lw=1.2)
@@ -80,7 +80,8 @@ def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float)
     flexible = "stiffness" in values
     ax.plot(*column.T, color=style.LINES[0], lw=1.3 if flexible else 4.0, solid_capstyle="butt")
     _mass(ax, turn, (deformation, h), "mass", size=13)
-    _mass(ax, turn, (0.0, low), "base")
+    if "base_mass" in values:
+        _mass(ax, turn, (0.0, low), "base")
 
 
 def _mass(ax: Axes, turn: Place, at: tuple[float, float], name: str, size: float = 6.0) -> None:

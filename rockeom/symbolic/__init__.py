@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from rockeom.symbolic.dirac_delta import dirac_delta_block
 from rockeom.symbolic.flexible import flexible_structure
 from rockeom.symbolic.lumped_mass import lumped_mass_structure
 from rockeom.symbolic.model import (
@@ -22,6 +23,7 @@ from rockeom.symbolic.model import (
 )
 from rockeom.symbolic.rigid_block import nondimensional_block, rigid_block, slender_block
 from rockeom.symbolic.two_spring import two_spring_cart, two_spring_structure
+from rockeom.symbolic.uplifting_oscillator import uplifting_oscillator
 
 SHIPPED: dict[str, Callable[[], RockingModel]] = {
     build.__name__: build
@@ -29,9 +31,11 @@ SHIPPED: dict[str, Callable[[], RockingModel]] = {
         rigid_block,
         slender_block,
         nondimensional_block,
+        dirac_delta_block,
         lumped_mass_structure,
         two_spring_structure,
         two_spring_cart,
+        uplifting_oscillator,
         flexible_structure,
     )
 }

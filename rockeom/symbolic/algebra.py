@@ -33,9 +33,11 @@ def angles_in(expr: sp.Expr) -> list[sp.Expr]:
 def tidy(expr: sp.Expr) -> sp.Expr:
     """Expand, use s**2 = 1 and, for each angle, sin**2 + cos**2 = 1; the shorter of both ways.
 
+    Hyperbolic sines are written as tanh cosh: the slope of log(cosh) comes out as tanh.
     On the polynomials in sines and cosines that positions of bodies give this is a normal
     form: an expression that is identically zero comes out as zero.
     """
+    expr = sp.sympify(expr).replace(sp.sinh, lambda a: sp.tanh(a) * sp.cosh(a))
     expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
     for angle in angles_in(expr):
         sin, cos = sp.sin(angle), sp.cos(angle)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Equations:
-    """M q'' + velocity + gravity + stiffness + damping = excitation; vectors are (n, 1).
+    """M q'' + velocity + gravity + stiffness + damping = excitation + force; vectors are (n, 1).
 
     `kinetic_energy`, `gravitational_energy` and `elastic_energy` are those from which the
     equations were derived.
@@ -34,6 +34,7 @@ class Equations:
     stiffness: sp.Matrix
     damping: sp.Matrix
     excitation: sp.Matrix
+    force: sp.Matrix
     kinetic_energy: sp.Expr
     gravitational_energy: sp.Expr
     elastic_energy: sp.Expr
@@ -41,7 +42,8 @@ class Equations:
     @property
     def forcing(self) -> sp.Matrix:
         """The right-hand side of M q'' = forcing."""
-        return self.excitation - self.velocity - self.gravity - self.stiffness - self.damping
+        given = self.excitation + self.force
+        return given - self.velocity - self.gravity - self.stiffness - self.damping
 
     def at_side(self, side: int) -> Equations:
         return self.map(lambda expr: at_side(expr, side))
@@ -123,6 +125,7 @@ def derive_equations(phase: Phase) -> Equations:
         stiffness=gradient(elastic, q),
         damping=gradient(phase.dissipation, qd),
         excitation=-gradient(shaking, q),
+        force=sp.Matrix(phase.forces or [0] * len(q)).reshape(len(q), 1),
         kinetic_energy=kinetic,
         gravitational_energy=tidy(weight),
         elastic_energy=elastic,

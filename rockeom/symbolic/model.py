@@ -94,6 +94,8 @@ class Phase:
         serves two, {"left": -1, "right": +1}, written once with the side s = sgn(theta).
     coordinates : those free to move; all others are held at zero.
     dissipation : Rayleigh's function, half the power lost.
+    forces : generalised force on each coordinate, in their order, for what neither potential nor
+        dissipation gives; its virtual work is forces . dq. Empty for none.
     feet : the "left" and the "right" foot.
     small : symbols taken as small of first order; energies are then truncated at second
         order, which gives the linearised equations. Impacts keep the exact geometry.
@@ -108,6 +110,7 @@ class Phase:
     feet: dict[str, Foot] = field(default_factory=dict)
     load_point: tuple[sp.Expr, sp.Expr] | None = None
     small: tuple[sp.Symbol, ...] = ()
+    forces: tuple[sp.Expr, ...] = ()
 
     @cached_property
     def equations(self) -> Equations:
@@ -250,6 +253,7 @@ def _check_symbols(model: RockingModel) -> None:
             for e in (body.mass, body.inertia, body.rotation, *body.position):
                 used |= sp.sympify(e).free_symbols
         used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
+        used |= sp.Tuple(*phase.forces).free_symbols
         unknown = sorted(str(x) for x in used - known)
         if unknown:
             raise ValueError(

@@ -72,6 +72,8 @@ class Notation(LatexPrinter):
         base = factor.base if factor.is_Pow else factor
         if base.is_Symbol:
             rank = self._rank(base)
+        elif base.is_number:
+            rank = (0, 0)
         elif base.is_Function:
             rank = (ANGLE, 0)
         elif base.has(sp.Function) or not (self._weighed(base) or self._constant(base)):

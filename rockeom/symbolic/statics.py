@@ -13,16 +13,18 @@ LOAD = sp.Symbol("P", real=True)
 
 
 def equilibrium(phase: Phase) -> sp.Matrix:
-    """dV/dq - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point.
+    """dV/dq - Q - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point.
 
-    Without a load point, dV/dq.
+    Q are the declared forces at rest. Without a load point, dV/dq - Q.
     """
     eq = phase.equations
+    at_rest = {c.velocity: 0 for c in phase.coordinates}
+    lacking = eq.gravity + eq.stiffness - eq.force.subs(at_rest)
     if phase.load_point is None:
-        return eq.gravity + eq.stiffness
+        return lacking
     x = phase.approximated(phase.load_point[0])
     lever = [sp.diff(x, c.position) for c in phase.coordinates]
-    return eq.gravity + eq.stiffness - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
+    return lacking - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
 
 
 def pushover(model: RockingModel, contact: str) -> sp.Expr:

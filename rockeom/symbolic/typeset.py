@@ -38,7 +38,7 @@ def equation_lines(phase: Phase, form: str = "width") -> list[str]:
     """One line of LaTeX an equation of motion, in the order of the phase's coordinates.
 
     Left: accelerations, velocities, damping, gravity, stiffness; right: excitation, horizontal
-    then vertical. `form` is "width" (B, H) or "polar" (R, alpha).
+    then vertical, and declared forces. `form` is "width" (B, H) or "polar" (R, alpha).
     Raises ValueError if `form` is neither or the phase has no polar form.
     """
     _check(form)
@@ -85,7 +85,8 @@ def _equation_lines(
             statics = [sum(statics)]
         parts = [*accelerations, equations.velocity[i], equations.damping[i], *statics]
         left = notation.sum([notation.write(part) for part in parts if part != 0])
-        lines.append(f"{left} = {notation.write(equations.excitation[i])}")
+        given = [part for part in (equations.excitation[i], equations.force[i]) if part != 0]
+        lines.append(f"{left} = {notation.sum([notation.write(part) for part in given])}")
     return lines
 
 

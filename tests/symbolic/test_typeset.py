@@ -62,7 +62,7 @@ def values_of(phase, seed=0) -> dict[sp.Symbol, float]:
     for body in phase.bodies:
         used |= {x for e in (body.mass, body.inertia, *body.position) for x in e.free_symbols}
     used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
-    used |= phase.gravity.free_symbols
+    used |= phase.gravity.free_symbols | sp.Tuple(*phase.forces).free_symbols
     values = {x: rng.uniform(0.2, 1.2) for x in sorted(used, key=str)}
     values[SIDE] = rng.choice([-1.0, 1.0])
     for body in phase.bodies:
@@ -74,14 +74,17 @@ def values_of(phase, seed=0) -> dict[sp.Symbol, float]:
     return values
 
 
-FUNCTIONS = {r"\sin": math.sin, r"\cos": math.cos, r"\tan": math.tan}
+FUNCTIONS = {
+    rf"\{n}": getattr(math, n) for n in ("sin", "cos", "tan", "tanh", "cosh", "log", "sqrt")
+}
+NUMBERS = {"e": math.e, r"\pi": math.pi}
 
 
 class Reader:
     """Evaluates the LaTeX of an expression: what a person would compute from the page."""
 
     def __init__(self, notation: Notation, values: dict[sp.Symbol, float]) -> None:
-        self.values = {notation.plain(x): v for x, v in values.items()}
+        self.values = NUMBERS | {notation.plain(x): v for x, v in values.items()}
         names = sorted(map(re.escape, self.values), key=len, reverse=True)
         skipped = r"(?P<skip>\s+|\\thinspace|\\left(?![a-z])|\\right(?![a-z])|\\bigl|\\bigr)"
         known = "|".join(rf"{n}(?![A-Za-z_])" for n in names)
@@ -184,7 +187,7 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
 
 
 @pytest.mark.parametrize(
-    ("name", "form"), [d for d in DOCUMENTS if not d[0].startswith("two_spring")]
+    ("name", "form"), [d for d in DOCUMENTS if not d[0].startswith(("two_spring", "dirac_delta"))]
 )
 def test_reading_typeset_impact_maps_gives_the_derived_velocities(name, form):
     model = structure(name)

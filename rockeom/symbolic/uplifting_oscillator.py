@@ -1,0 +1,41 @@
+"""Chopra and Yim's flexible structure of one mass on a massless base (thesis 2.4.1)."""
+
+from __future__ import annotations
+
+from rockeom.symbolic.algebra import truncated
+from rockeom.symbolic.flexible import DAMPING, DEFORMATION, STIFFNESS
+from rockeom.symbolic.lumped_mass import HALF_WIDTH
+from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
+from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
+
+MASS = parameter("m", "mass", "kg", "mass, a point")
+HEIGHT = parameter("H", "height", "m", "height of the mass above the base")
+
+
+def uplifting_oscillator() -> RockingModel:
+    """An elastic, damped column with a point mass; the base has none. Small displacements.
+
+    Positions are those of the flexible structure to first order in the rotation and the
+    deformation: statics is that of the undeformed shape, without P-delta.
+    """
+    theta, u = ROTATION, DEFORMATION
+    small = (theta.position, u.position)
+
+    def bodies(pivot):
+        exact = turned((u.position, HEIGHT.symbol), pivot, theta.position)
+        x, y = (truncated(e, small, 1) for e in exact)
+        return [Body("mass", MASS.symbol, (x, y))]
+
+    return rocking_structure(
+        name="uplifting_oscillator",
+        title="Uplifting oscillator: a flexible structure on a massless base, small displacements",
+        parameters=(MASS, HEIGHT, HALF_WIDTH, STIFFNESS, DAMPING, GRAVITY),
+        coordinates=(theta, u),
+        bodies=bodies,
+        half_width=HALF_WIDTH.symbol,
+        gravity=GRAVITY.symbol,
+        elastic_energy=STIFFNESS.symbol * u.position**2 / 2,
+        dissipation=DAMPING.symbol * u.velocity**2 / 2,
+        small=(*small, theta.velocity, u.velocity),
+        reference="Chopra and Yim (1985); thesis 2-7, 2-8",
+    )
