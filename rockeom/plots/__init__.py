@@ -1,12 +1,22 @@
 """Figures of responses and structures, for papers and notebooks.
 
 Every function returns a matplotlib figure and never opens a window: save it with
-``figure.savefig("name.png")``, or leave it as the last line of a notebook's cell.
+``figure.savefig("name.png")``, or leave it as the last line of a notebook's cell. `free_body`
+holds the pieces of a drawing of your own, and `use_style` gives pyplot the look of these figures.
 """
 
+from rockeom.plots import free_body
 from rockeom.plots.comparison import plot_comparison
 from rockeom.plots.portrait import plot_phase_portrait
 from rockeom.plots.response import plot_response
 from rockeom.plots.sketch import draw_structure
+from rockeom.plots.style import use_style
 
-__all__ = ["draw_structure", "plot_comparison", "plot_phase_portrait", "plot_response"]
+__all__ = [
+    "draw_structure",
+    "free_body",
+    "plot_comparison",
+    "plot_phase_portrait",
+    "plot_response",
+    "use_style",
+]

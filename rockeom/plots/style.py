@@ -12,6 +12,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
+from matplotlib.rcsetup import cycler
 
 from rockeom.motion import STANDARD_GRAVITY
 
@@ -60,6 +61,11 @@ def styled(draw: Callable[P, R]) -> Callable[P, R]:
             return draw(*args, **kwargs)
 
     return inner
+
+
+def use_style() -> None:
+    """Draw all figures that follow, of pyplot too, in the style of these figures."""
+    mpl.rcParams.update(_RC | {"axes.prop_cycle": cycler(color=LINES)})
 
 
 class NotebookFigure(Figure):

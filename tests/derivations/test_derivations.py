@@ -1,0 +1,93 @@
+"""The notebooks of derivations/: each runs, its assertions hold, and Jupyter can open it."""
+
+import ast
+import re
+import runpy
+from pathlib import Path
+
+import jupytext
+import matplotlib as mpl
+import matplotlib.pyplot as plt
+import nbformat
+import pytest
+
+FOLDER = Path(__file__).parents[2] / "derivations"
+NOTEBOOKS = pytest.mark.parametrize("path", sorted(FOLDER.glob("*.py")), ids=lambda path: path.stem)
+
+
+def test_there_are_notebooks():
+    assert FOLDER.is_dir()
+    assert list(FOLDER.glob("*.py"))
+
+
+@NOTEBOOKS
+@pytest.mark.filterwarnings("error::RuntimeWarning")  # a nan drawn or compared by oversight
+def test_runs_and_draws(path, monkeypatch, capsys):
+    shown = []
+
+    def show(*args, **kwargs):
+        for number in plt.get_fignums():
+            figure = plt.figure(number)
+            figure.canvas.draw()
+            shown.append(figure)
+        plt.close("all")
+
+    monkeypatch.setattr(plt, "show", show)
+    monkeypatch.chdir(FOLDER)
+    backend = mpl.get_backend()
+    plt.switch_backend("Agg")
+    try:
+        with mpl.rc_context():
+            runpy.run_path(str(path))
+            assert not plt.get_fignums(), "a figure is drawn and not shown"
+    finally:
+        plt.close("all")
+        plt.switch_backend(backend)
+    assert shown
+    assert all(figure.axes for figure in shown)
+
+
+@NOTEBOOKS
+def test_jupyter_can_open_it(path):
+    notebook = jupytext.read(path)
+    nbformat.validate(notebook)
+    kinds = {cell.cell_type for cell in notebook.cells}
+    assert kinds == {"markdown", "code"}
+    assert notebook.metadata.kernelspec.language == "python"
+    assert jupytext.writes(notebook, fmt="py:percent").endswith(
+        path.read_text().split("\n\n", 1)[1]
+    )
+
+
+@NOTEBOOKS
+def test_teaches(path):
+    """A title, aims, exercises with hints, captions, and a check of its own."""
+    notebook = jupytext.read(path)
+    prose = [cell.source for cell in notebook.cells if cell.cell_type == "markdown"]
+    headings = re.findall(r"^(#+ .+)$", "\n".join(prose), re.MULTILINE)
+    assert headings[0].startswith("# ")
+    assert sum(heading.startswith("# ") for heading in headings) == 1
+    assert headings[1] == "## Aims"
+    assert headings[-1] == "## Exercises"
+    exercises = "\n".join(prose).split("## Exercises")[1]
+    assert len(re.findall(r"^\d+\. ", exercises, re.MULTILINE)) >= 3
+    assert exercises.count("*Hint:") >= 3
+
+    code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
+    tree = list(ast.walk(ast.parse(code)))
+    assert any(isinstance(node, ast.Assert) for node in tree)
+    figures = sum(isinstance(n, ast.Attribute) and n.attr == "show" for n in tree)
+    captions = re.findall(r"^\*Figure (\d+)\.", "\n".join(prose), re.MULTILINE)
+    assert captions == [str(n + 1) for n in range(figures)]
+
+
+@NOTEBOOKS
+def test_numbered_equations_and_links(path):
+    """Numbers rise from 1 without gaps, and every link leads to a notebook that exists."""
+    notebook = jupytext.read(path)
+    prose = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    tags = re.findall(r"\\tag\{(\d+)\}", prose)
+    assert tags == [str(n + 1) for n in range(len(tags))]
+    assert prose.count("$$") % 2 == 0
+    for target in re.findall(r"\]\(([^)#]+)\)", prose):
+        assert target.startswith("http") or (FOLDER / target).exists(), target
