@@ -1,0 +1,781 @@
+"""A wall that rocks on its base and is held by tendons (thesis chapter 4, appendix B).
+
+    from rockeom import analysis
+
+    wall = analysis.Wall.thesis()
+    wall.restoring_force(0.03), wall.tendon_force(0.03)  # N, at 30 mm
+
+The wall is rigid. Its displacement D [m] is that of a point of the centreline at the height H, and
+positive to the right; the rotation theta is clockwise, D = H sin(theta) (4-33). The rotation centre
+is the point of the base whose vertical displacement is zero. It lies at the distance b(D) from the
+centreline, towards the pressed edge, so that the base has lifted over the length d with
+d cos(theta) = B + b (4-7). A position along the base is measured from the centreline and is
+positive to the right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import brentq
+from scipy.special import erf
+
+from rockeom.analysis.arguments import not_negative, numbers, positive, require
+from rockeom.motion.units import STANDARD_GRAVITY
+
+# --- the rotation centre and the tendon
+
+
+@dataclass(frozen=True)
+class RotationCentre:
+    """How the rotation centre moves out from the centreline; thesis 4-7 and 4-8.
+
+    b(D) = C1 (1 - exp(-(D/epsilon)**2)): on the centreline at rest, C2 inside the edge when
+    rocking is developed, so that the half-width of the base is B = C1 + C2.
+    C1, C2, epsilon [m]. C2 may be zero.
+    """
+
+    C1: float
+    C2: float
+    epsilon: float
+
+    def __post_init__(self) -> None:
+        positive("RotationCentre", C1=self.C1, epsilon=self.epsilon)
+        not_negative("RotationCentre", C2=self.C2)
+
+    @classmethod
+    def thesis_gauge(cls) -> RotationCentre:
+        """As printed in 4-7, and used ever after: fitted to distances from the uplift gauge."""
+        return cls(C1=0.412, C2=0.096, epsilon=3.551e-3)
+
+    @classmethod
+    def thesis_edge(cls) -> RotationCentre:
+        """The same referred to the edge of the wall, 30 mm inside the gauge."""
+        return cls(C1=0.442, C2=0.066, epsilon=3.551e-3)
+
+    @property
+    def half_width(self) -> float:
+        """B of the base [m]."""
+        return self.C1 + self.C2
+
+    def distance(self, displacement: ArrayLike) -> np.ndarray:
+        """b, from the centreline to the rotation centre [m]; displacement [m], any shape."""
+        (size,) = numbers("RotationCentre.distance", displacement=displacement)
+        return -self.C1 * np.expm1(-((size / self.epsilon) ** 2))
+
+    def distance_from_edge(self, displacement: ArrayLike) -> np.ndarray:
+        """B - b, from the pressed edge to the rotation centre [m]; the right side of 4-7."""
+        return self.half_width - self.distance(displacement)
+
+    def slope(self, displacement: ArrayLike) -> np.ndarray:
+        """db/dD [-]; displacement [m], any shape."""
+        (size,) = numbers("RotationCentre.slope", displacement=displacement)
+        ratio = size / self.epsilon
+        return 2 * self.C1 / self.epsilon * ratio * np.exp(-(ratio**2))
+
+
+class TendonPath(NamedTuple):
+    """What a tendon does along a path of extensions: its force [N] and permanent extension [m]."""
+
+    force: np.ndarray
+    permanent_extension: np.ndarray
+
+
+@dataclass(frozen=True)
+class Tendon:
+    """An unbonded tendon, elastic up to its yield force; thesis B.3.
+
+    stiffness k = E A/L_T, L_T the unstressed length [N/m]. initial_force P0 and yield_force F_y
+    [N]. eccentricity e : its position along the base, from the centreline, positive to the right
+    [m]. Extensions are counted from the initial state, in which the force is P0.
+    """
+
+    stiffness: float
+    initial_force: float
+    yield_force: float
+    eccentricity: float = 0.0
+
+    def __post_init__(self) -> None:
+        positive("Tendon", stiffness=self.stiffness, yield_force=self.yield_force)
+        not_negative("Tendon", initial_force=self.initial_force)
+        numbers("Tendon", eccentricity=self.eccentricity)
+        rule = "it must be below yield_force"
+        require(
+            self.initial_force < self.yield_force,
+            "Tendon",
+            "initial_force",
+            self.initial_force,
+            rule,
+        )
+
+    @classmethod
+    def between_anchors(
+        cls,
+        distance: float,
+        modulus: float,
+        area: float,
+        yield_stress: float,
+        initial_force: float,
+        eccentricity: float = 0.0,
+    ) -> Tendon:
+        """The tendon that has the force P0 between two anchors; thesis B-11.
+
+        distance of the anchors [m]; modulus [Pa]; area [m2]; yield_stress [Pa]; else as the class.
+        Its unstressed length is distance/(1 + P0/(E A)), less than the distance: the 3106.6 mm
+        of 4-16 add the extension to 3100 mm, where appendix B takes it off.
+        """
+        positive(
+            "Tendon.between_anchors",
+            distance=distance,
+            modulus=modulus,
+            area=area,
+            yield_stress=yield_stress,
+        )
+        rigidity = modulus * area
+        stiffness = (rigidity + initial_force) / distance
+        return cls(stiffness, initial_force, yield_stress * area, eccentricity)
+
+    @classmethod
+    def thesis(cls, initial_force: float = 75.6e3) -> Tendon:
+        """The tendon of chapter 4; 111 kN is its other initial force (4.9.2).
+
+        The thesis states x1 = 6.4564 mm at 75.6 kN between anchors 3100 mm apart, a yield
+        extension of 13.5814 mm and F_y = 159.03 kN. E = 205 GPa and A = 176.7 mm2 are inferred:
+        they give all of these, the 177 mm2 of 4.2 does not. The stiffness is that at 75.6 kN for
+        any initial force, as 4-44 has it.
+        """
+        known = cls.between_anchors(3.1, 205e9, 176.7e-6, 900e6, 75.6e3)
+        return cls(known.stiffness, initial_force, known.yield_force)
+
+    @property
+    def initial_extension(self) -> float:
+        """x1, from the unstressed to the initial state [m]; thesis B-11."""
+        return self.initial_force / self.stiffness
+
+    @property
+    def initial_energy(self) -> float:
+        """P0**2/(2 k), what the initial state has stored [J]: the 244.05 J of B-12."""
+        return self.initial_force**2 / (2 * self.stiffness)
+
+    @property
+    def yield_extension(self) -> float:
+        """From the unstressed state to yield [m]."""
+        return self.yield_force / self.stiffness
+
+    def force(self, extension: ArrayLike) -> np.ndarray:
+        """Force while the extension grows or the tendon has not yielded [N]; thesis 4-16.
+
+        extension [m], any shape. Not below zero, the tendon is slack, nor above F_y.
+        """
+        (extension,) = numbers("Tendon.force", extension=extension)
+        elastic = self.initial_force + self.stiffness * extension
+        return np.clip(elastic, 0.0, self.yield_force)
+
+    def energy(self, extension: ArrayLike) -> np.ndarray:
+        """Work done on the tendon since the initial state [J]; thesis 4-20, B-12, B-13.
+
+        extension [m], any shape. Up to yield (P**2 - P0**2)/(2 k); after it
+        F_y extension - (F_y - P0)**2/(2 k), part of which is lost.
+        """
+        (extension,) = numbers("Tendon.energy", extension=extension)
+        force, k = self.force(extension), self.stiffness
+        elastic = np.clip(extension, -self.initial_extension, self._reserve)
+        work = elastic * (self.initial_force + k * elastic / 2)
+        return work + force * (extension - elastic)
+
+    def energy_at_force(self, force: ArrayLike) -> np.ndarray:
+        """(P**2 - P0**2)/(2 k), from a measured force of a tendon that has not yielded [J]; B-12.
+
+        force P [N], any shape. Raises ValueError below zero and above the yield force.
+        """
+        (force,) = not_negative("Tendon.energy_at_force", force=force)
+        rule = "above yield_force the force does not tell the energy: use `energy`"
+        require(force <= self.yield_force, "Tendon.energy_at_force", "force", force, rule)
+        return (force - self.initial_force) * (force + self.initial_force) / (2 * self.stiffness)
+
+    def along(self, extension: ArrayLike) -> TendonPath:
+        """Forces along a path that may turn back after yield, elastic and perfectly plastic.
+
+        extension : in the order in which it happens [m], shape (n,). Unloading is elastic; what
+        yield has added stays, and the tendon is slack where that exceeds the elastic extension.
+        """
+        (extension,) = numbers("Tendon.along", extension=extension)
+        permanent = np.maximum.accumulate(np.maximum(extension - self._reserve, 0.0))
+        return TendonPath(self.force(extension - permanent), permanent)
+
+    @property
+    def _reserve(self) -> float:
+        """From the initial state to yield [m]."""
+        return (self.yield_force - self.initial_force) / self.stiffness
+
+
+# --- the wall
+
+
+class DissipationLimit(NamedTuple):
+    """Where on its way back to upright a wall begins to lose energy: D [m] and |dD/dt| [m/s]."""
+
+    displacement: np.ndarray
+    speed: np.ndarray
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A rocking wall with tendons; thesis Figures 4-4, 4-19 and 4-22.
+
+    rotation_centre : its half_width is that of the wall. tendons : a tuple of `Tendon`, may be
+    empty. height H of the point whose displacement is D [m]. centroid_height H_c [m].
+    panel_mass, added_mass [kg], added_height [m] of the mass at the top, own_inertia [kg m2] : the
+    terms of B-9. fixed_base_period [s], for 4-17 alone. gravity [m/s2].
+    p_delta : whether the centroid's descent H_c (1 - cos(theta)) counts in the energy of gravity.
+    4-18 leaves it out; at 30 mm it is 3.3 J out of 102 J. inertia I_o [kg m2] : a constant, which
+    then takes the place of B-9.
+
+    Displacements [m] have any shape, which the result has too; one that reaches H is a ValueError.
+    Loading is monotonic: a tendon that yields follows F_y and is not unloaded (see `Tendon.along`).
+    """
+
+    rotation_centre: RotationCentre
+    tendons: tuple[Tendon, ...]
+    height: float
+    centroid_height: float
+    panel_mass: float
+    added_mass: float
+    added_height: float
+    own_inertia: float
+    fixed_base_period: float = 0.0
+    gravity: float = STANDARD_GRAVITY
+    p_delta: bool = False
+    inertia: float | None = None
+
+    def __post_init__(self) -> None:
+        positive(
+            "Wall",
+            height=self.height,
+            centroid_height=self.centroid_height,
+            panel_mass=self.panel_mass,
+            gravity=self.gravity,
+        )
+        not_negative(
+            "Wall",
+            added_mass=self.added_mass,
+            added_height=self.added_height,
+            own_inertia=self.own_inertia,
+            fixed_base_period=self.fixed_base_period,
+        )
+        if self.inertia is not None:
+            positive("Wall", inertia=self.inertia)
+
+    @classmethod
+    def thesis(cls, initial_force: float = 75.6e3) -> Wall:
+        """The wall of chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N].
+
+        The height of 2.438 m is inferred: with it the energies under Figure 4-29, the drifts of
+        4.5 and the restitution 0.835 of 4.9.2.1 agree.
+        """
+        return cls(
+            rotation_centre=RotationCentre.thesis_gauge(),
+            tendons=(Tendon.thesis(initial_force),),
+            height=2.438,
+            centroid_height=2.173,
+            panel_mass=577.56,
+            added_mass=1438.5,
+            added_height=2.537,
+            own_inertia=686.0 + 442.0,
+            fixed_base_period=0.0428,
+        )
+
+    # - masses
+
+    @property
+    def mass(self) -> float:
+        """m of wall and added mass [kg]."""
+        return self.panel_mass + self.added_mass
+
+    @property
+    def half_width(self) -> float:
+        """B of the base [m]."""
+        return self.rotation_centre.half_width
+
+    def moment_of_inertia(self, detached_length: ArrayLike) -> np.ndarray:
+        """I_o about the rotation centre [kg m2]; thesis B-9, put right, or the constant `inertia`.
+
+        detached_length d of the base [m], any shape; 2 B for the inertia about the corner.
+        The added mass stands at the distance d - B from the centre. B-9 prints d there, which
+        denies the 3 % by which I_o is said to change.
+        """
+        (d,) = not_negative("Wall.moment_of_inertia", detached_length=detached_length)
+        if self.inertia is not None:
+            return np.full_like(d, self.inertia)
+        panel = self.panel_mass / 3 * (self.height**2 + d**2)
+        added = self.added_mass * (self.added_height**2 + (d - self.half_width) ** 2)
+        return self.own_inertia + panel + added
+
+    @property
+    def corner_inertia(self) -> float:
+        """I_o about a corner of the base [kg m2]."""
+        return float(self.moment_of_inertia(2 * self.half_width))
+
+    @property
+    def corner_radius(self) -> float:
+        """R, from a corner of the base to the centroid [m]."""
+        return float(np.hypot(self.half_width, self.centroid_height))
+
+    # - geometry
+
+    def rotation(self, displacement: ArrayLike) -> np.ndarray:
+        """theta = asin(D/H) [rad]; thesis 4-33."""
+        return np.arcsin(self._sine("Wall.rotation", displacement))
+
+    def detached_length(self, displacement: ArrayLike) -> np.ndarray:
+        """d, from the lifted edge to the rotation centre, along the base [m]; thesis 4-7."""
+        q = self._sine("Wall.detached_length", displacement)
+        return self.half_width + self._lever(displacement, q)
+
+    def uplift(self, displacement: ArrayLike, position: float | None = None) -> np.ndarray:
+        """Upward displacement of a point of the base [m]; thesis 4-6, 4-9, B-1 to B-3.
+
+        position of the point along the base, from the centreline, positive to the right [m]; the
+        lifted edge if none is given, where it is d sin|theta|. Beyond the rotation centre the
+        uplift is negative.
+        """
+        q = self._sine("Wall.uplift", displacement)
+        if position is None:
+            return self.detached_length(displacement) * np.abs(q)
+        (at,) = numbers("Wall.uplift", position=position)
+        return self._lever(displacement, q) * np.abs(q) - at * q
+
+    def tendon_extension(self, displacement: ArrayLike, tendon: int = 0) -> np.ndarray:
+        """Extension since the initial state, the uplift at the tendon over cos(theta) [m]; 4-15.
+
+        tendon : which of `tendons`. The tendon in its duct would grow by 2 (d - B) sin(theta/2),
+        less by 6e-5 of it at 30 mm.
+        """
+        q = self._sine("Wall.tendon_extension", displacement)
+        return self.uplift(displacement, self.tendons[tendon].eccentricity) / np.sqrt(1 - q**2)
+
+    def tendon_force(self, displacement: ArrayLike, tendon: int = 0) -> np.ndarray:
+        """Force of one of `tendons` [N]; thesis 4-16."""
+        return self.tendons[tendon].force(self.tendon_extension(displacement, tendon))
+
+    def yield_displacement(self, tendon: int = 0) -> float:
+        """Displacement D > 0 at which one of `tendons` yields [m].
+
+        Raises ValueError where none below H/2 does.
+        """
+        goal = self.tendons[tendon].yield_extension - self.tendons[tendon].initial_extension
+
+        def missing(displacement: float) -> float:
+            return float(self.tendon_extension(displacement, tendon)) - goal
+
+        far = self.height / 2
+        if missing(far) < 0:
+            raise ValueError(
+                f"Wall.yield_displacement: tendon {tendon} does not yield below {far} m, H/2"
+            )
+        return float(brentq(missing, 0.0, far, xtol=1e-14, rtol=1e-14))
+
+    # - energies and the force of a pushover
+
+    def gravity_energy(self, displacement: ArrayLike) -> np.ndarray:
+        """U, the weight times the centroid's rise [J]; thesis 4-18, B-4; see p_delta."""
+        rise = self.uplift(displacement, 0.0)
+        if self.p_delta:
+            rise = rise - self.centroid_height * (1 - np.cos(self.rotation(displacement)))
+        return self.mass * self.gravity * rise
+
+    def elastic_energy(self, displacement: ArrayLike) -> np.ndarray:
+        """U_E, the work done on all tendons since the initial state [J]; thesis 4-20."""
+        return sum(
+            (
+                tendon.energy(self.tendon_extension(displacement, index))
+                for index, tendon in enumerate(self.tendons)
+            ),
+            start=np.zeros(np.shape(displacement)),
+        )
+
+    def potential_energy(self, displacement: ArrayLike) -> np.ndarray:
+        """U + U_E [J]; thesis 4-21."""
+        return self.gravity_energy(displacement) + self.elastic_energy(displacement)
+
+    def kinetic_energy(self, displacement: ArrayLike, velocity: ArrayLike) -> np.ndarray:
+        """I_o v**2/(2 H**2) [J]; thesis 4-19, B-8.
+
+        velocity v = dD/dt [m/s]; shapes broadcast. I_o is that about the rotation centre at D.
+        cos(theta)**2 is taken as 1.
+        """
+        (velocity,) = numbers("Wall.kinetic_energy", velocity=velocity)
+        return self._mass_at(displacement) * velocity**2 / 2
+
+    def restoring_force(self, displacement: ArrayLike) -> np.ndarray:
+        """F_k, the horizontal force at H that holds the wall at D [N]; thesis 4-29, 4-30.
+
+        The exact derivative of U + U_E. Zero at D = 0 for tendons on the centreline.
+        """
+        q = self._sine("Wall.restoring_force", displacement)
+        cosine, side = np.sqrt(1 - q**2), np.sign(q)
+        centre, (size,) = self.rotation_centre, numbers("Wall", displacement=np.abs(displacement))
+        reach = self.half_width + centre.distance(size)
+        # the uplift is lever |q| - position q
+        lever = self._lever(size, q)
+        lever_slope = centre.slope(size) / cosine + reach * q * side / (self.height * cosine**3)
+        rise_slope = side * (lever_slope * np.abs(q) + lever / self.height)
+
+        gravity = rise_slope
+        if self.p_delta:
+            gravity = gravity - self.centroid_height * q / (self.height * cosine)
+        force = self.mass * self.gravity * gravity
+        for index, tendon in enumerate(self.tendons):
+            uplift_slope = rise_slope - tendon.eccentricity / self.height
+            uplift = self.uplift(displacement, tendon.eccentricity)
+            slope = uplift_slope / cosine + uplift * q / (self.height * cosine**3)
+            force = force + self.tendon_force(displacement, index) * slope
+        return force
+
+    def uplift_acceleration(self) -> float:
+        """Ground acceleration that starts rocking about a corner, statically [m/s2]; 4.8.2.
+
+        (m g + P0) B/(m H_c), each tendon with its own lever arm, towards the weaker side: the
+        11.1 m/s2 of 4.8.2. A wall that rocks about its centreline at first resists no force.
+        """
+        weight, b = self.mass * self.gravity, self.half_width
+        moments = (
+            weight * b + sum(t.initial_force * (b - side * t.eccentricity) for t in self.tendons)
+            for side in (-1, 1)
+        )
+        return min(moments) / (self.mass * self.centroid_height)
+
+    # - free motion from rest, without losses
+
+    def phase_trajectory(
+        self, initial_displacement: ArrayLike, displacement: ArrayLike
+    ) -> np.ndarray:
+        """Velocity dD/dt on the way from rest to upright and beyond [m/s]; thesis 4-23.
+
+        initial_displacement D0, displacement D [m]; shapes broadcast. Its sign is that of the
+        motion away from D0. I_o is that at D.
+
+        Raises ValueError for a displacement that the energy at D0 does not reach.
+        """
+        where = "Wall.phase_trajectory"
+        initial, now = numbers(
+            where, initial_displacement=initial_displacement, displacement=displacement
+        )
+        spare = self.potential_energy(initial) - self.potential_energy(now)
+        rule = "the wall does not come there from rest at initial_displacement"
+        require(spare >= 0, where, "displacement", now, rule)
+        return -np.sign(initial) * np.sqrt(2 * spare / self._mass_at(now))
+
+    def time_along_trajectory(
+        self, initial_displacement: ArrayLike, displacement: ArrayLike
+    ) -> np.ndarray:
+        """Time from rest at D0 to D, without losses [s]; thesis 4-24.
+
+        initial_displacement D0, not zero, displacement D [m]; shapes broadcast. With
+        D = D0 cos(phi) the integrand D0 sin(phi)/v is smooth at the release. Found to 1e-10 of it.
+
+        Raises ValueError for a displacement beyond upright, D/D0 < 0, and for one beyond D0.
+        """
+        where = "Wall.time_along_trajectory"
+        initial, now = numbers(
+            where, initial_displacement=initial_displacement, displacement=displacement
+        )
+        require(initial != 0, where, "initial_displacement", initial, "a wall at rest stays")
+        ratio = now / initial
+        rule = "give one between initial_displacement and 0"
+        require((ratio >= 0) & (ratio <= 1), where, "displacement", now, rule)
+        self._sine(where, initial)
+
+        def time(d0: float, angle: float) -> float:
+            def integrand(phi: np.ndarray) -> np.ndarray:
+                d = d0 * np.cos(phi)
+                spare = self.potential_energy(d0) - self.potential_energy(d)
+                return abs(d0) * np.sin(phi) / np.sqrt(2 * spare / self._mass_at(d))
+
+            return _integral(integrand, 0.0, angle, tolerance=1e-10)
+
+        return np.vectorize(time, otypes=[float])(initial, np.arccos(ratio))
+
+    def quarter_period_exact(self, displacement: ArrayLike) -> np.ndarray:
+        """Time from rest at a displacement, not zero, to upright, without losses [s]; 4-24."""
+        (displacement,) = numbers("Wall.quarter_period_exact", displacement=displacement)
+        return self.time_along_trajectory(displacement, np.zeros_like(displacement))
+
+    def quarter_period_substitute_gravity(self, displacement: ArrayLike) -> np.ndarray:
+        """Quarter period from a peak D, the tendon's force taken as weight [s]; thesis 4-17.
+
+        sqrt(I_o/(R (m g + P(D)))) acosh(1/(1 - |D|/(d cos(theta)))) + T_fixed/4, with I_o and R
+        about the corner.
+        """
+        where = "Wall.quarter_period_substitute_gravity"
+        (size,) = numbers(where, displacement=np.abs(displacement))
+        self._sine(where, size)
+        load = self.mass * self.gravity * np.ones_like(size)
+        for index in range(len(self.tendons)):
+            load = load + self.tendon_force(displacement, index)
+        reach = self.half_width + self.rotation_centre.distance(size)
+        rule = "4-17 ends where the displacement is the length of base that has lifted"
+        require(size < reach, where, "displacement", size, rule)
+        pace = np.sqrt(self.corner_inertia / (self.corner_radius * load))
+        return pace * np.arccosh(1 / (1 - size / reach)) + self.fixed_base_period / 4
+
+    def dissipation_limit(self, peak: ArrayLike, fraction: float = 0.25) -> DissipationLimit:
+        """Where the loss of energy begins on the way back from a peak; thesis 4-25 and 4-26.
+
+        peak [m], any shape. Both equations are missing from the text; these follow its words:
+        the wall keeps its energy until D is a `fraction`, a quarter, of the peak (4-25), and its
+        speed there is that of 4-23 (4-26). That energy is lost below about 4 mm whatever the
+        speed, as Figure 4-27 suggests, is not in them.
+        """
+        (peak,) = numbers("Wall.dissipation_limit", peak=peak)
+        rule = "it lies between 0 and 1"
+        require(0 <= fraction <= 1, "Wall.dissipation_limit", "fraction", fraction, rule)
+        limit = fraction * peak
+        return DissipationLimit(limit, np.abs(self.phase_trajectory(peak, limit)))
+
+    def _lever(self, displacement: ArrayLike, q: np.ndarray) -> np.ndarray:
+        """d - B [m], without cancellation near upright; q = sin(theta)."""
+        cosine = np.sqrt(1 - q**2)
+        b = self.rotation_centre.distance(displacement)
+        return b / cosine + self.half_width * q**2 / (cosine * (1 + cosine))
+
+    def _mass_at(self, displacement: ArrayLike) -> np.ndarray:
+        """I_o/H**2 [kg]."""
+        return self.moment_of_inertia(self.detached_length(displacement)) / self.height**2
+
+    def _sine(self, where: str, displacement: ArrayLike) -> np.ndarray:
+        (displacement,) = numbers(where, displacement=displacement)
+        rule = f"it must be less than the height, {self.height} m; give metres"
+        require(np.abs(displacement) < self.height, where, "displacement", displacement, rule)
+        return displacement / self.height
+
+
+# --- measured walls
+
+
+class EdgeUplifts(NamedTuple):
+    """Uplifts at both edges, and where the base has none, from the left gauge; all [m]."""
+
+    left: np.ndarray
+    right: np.ndarray
+    centre_from_left_gauge: np.ndarray
+
+
+def corrected_uplifts(
+    left: ArrayLike, right: ArrayLike, spacing: float = 1.076, overhang: float = 0.030
+) -> EdgeUplifts:
+    """Uplifts at the edges of a wall whose gauges stand outside it; thesis 4-1 to 4-4.
+
+    left, right : readings u_L, u_R, positive upward [m]; shapes broadcast. spacing of the gauges,
+    overhang of each beyond the edge [m]; those of the thesis if none are given.
+    The base stays straight, so that x = spacing u_L/(u_L - u_R) and
+    u'_L = u_L (x - overhang)/x = u_L - overhang (u_L - u_R)/spacing. 4-1 has the absolute values
+    instead, the same for readings of opposite signs; for two of the same sign the base has no
+    point without uplift, and x lies outside. Without a rotation x is NaN.
+    """
+    where = "corrected_uplifts"
+    left, right = numbers(where, left=left, right=right)
+    positive(where, spacing=spacing)
+    not_negative(where, overhang=overhang)
+    require(2 * overhang < spacing, where, "overhang", overhang, "less than half the spacing")
+    difference = left - right
+    centre = np.full(np.shape(difference), np.nan)
+    np.divide(spacing * left, difference, out=centre, where=difference != 0)
+    change = difference * overhang / spacing
+    return EdgeUplifts(left - change, right + change, centre)
+
+
+def quarter_period_fit(displacement: ArrayLike):
+    """Quarter period of the wall of chapter 4, fitted to Table A-1 [s]; thesis 4-5.
+
+    displacement of the peak [m], any shape. 0.505 acosh(1/(1 - |D|/5.155 m)) + 0.01 s.
+    Raises ValueError from 5.155 m on.
+    """
+    (size,) = numbers("quarter_period_fit", displacement=np.abs(displacement))
+    require(size < 5.155, "quarter_period_fit", "displacement", size, "the fit ends at 5.155 m")
+    return 0.505 * np.arccosh(1 / (1 - size / 5.155)) + 0.01
+
+
+def back_calculated_force(
+    mass: ArrayLike, acceleration: ArrayLike, ground_acceleration: ArrayLike = 0.0
+):
+    """Restoring force at an instant without velocity, -M_e (a_g + a) [N]; thesis 4-42.
+
+    mass M_e [kg]; acceleration a relative to the ground, ground_acceleration a_g [m/s2]; shapes
+    broadcast.
+    """
+    where = "back_calculated_force"
+    (mass,) = positive(where, mass=mass)
+    a, a_g = numbers(where, acceleration=acceleration, ground_acceleration=ground_acceleration)
+    return -mass * (a_g + a)
+
+
+def harmonic_force(
+    time: ArrayLike, mass: ArrayLike, amplitude: ArrayLike, frequency: ArrayLike = 8.0
+):
+    """Effective force of a harmonic ground acceleration, -M_e Z sin(2 pi f t) [N]; thesis 4-43.
+
+    time [s]; mass M_e [kg]; amplitude Z [m/s2], from 5.7 to 6.3 in Figure 4-73; frequency f [Hz],
+    whose 16 pi t is 8 Hz; shapes broadcast.
+    """
+    where = "harmonic_force"
+    time, amplitude = numbers(where, time=time, amplitude=amplitude)
+    mass, frequency = positive(where, mass=mass, frequency=frequency)
+    return -mass * amplitude * np.sin(2 * np.pi * frequency * time)
+
+
+# --- the ratio of kinetic energies after and before a passage, as a function of the speed
+
+
+def energy_ratio_4_31(velocity: ArrayLike):
+    """r of the equivalent oscillator, fitted cycle by cycle [-]; thesis 4-31.
+
+    velocity [m/s], either sign, any shape. It jumps at 0.3, 0.47 and 0.78 m/s, where the thesis
+    leaves it open; there the value of the faster band is taken.
+    """
+    (speed,) = numbers("energy_ratio_4_31", velocity=np.abs(velocity))
+    slow = 0.01 / 0.45 * speed + 0.85
+    return _by_speed(speed, (0.3, 0.47, 0.78), (slow, 0.81, 0.852, 0.95))
+
+
+def energy_ratio_4_36(velocity: ArrayLike):
+    """r of the substitute-gravity wall that rocks about its corners [-]; thesis 4-36, as printed.
+
+    velocity [m/s], either sign, any shape: 0.0441 |v| + 0.865. The text wants 0.88 for large and
+    0.91 for small speeds, which is the other way round. Raises ValueError where r exceeds 1.
+    """
+    (speed,) = numbers("energy_ratio_4_36", velocity=np.abs(velocity))
+    r = 0.0441 * speed + 0.865
+    rule = "the fit would add energy, r > 1: it is for speeds up to 1 m/s"
+    require(r <= 1, "energy_ratio_4_36", "velocity", speed, rule)
+    return r
+
+
+def energy_ratio_4_38(velocity: ArrayLike):
+    """r of the substitute-gravity wall whose centre of rotation moves [-]; thesis 4-38.
+
+    velocity before the passage [m/s], either sign, any shape. It jumps at 0.47 and 0.78 m/s; there
+    the value of the faster band is taken.
+    """
+    (speed,) = numbers("energy_ratio_4_38", velocity=np.abs(velocity))
+    return _by_speed(speed, (0.365, 0.47, 0.78), (speed + 0.445, 0.81, 0.85, 0.94))
+
+
+def _by_speed(speed: np.ndarray, limits: tuple, values: tuple) -> np.ndarray:
+    slower = [speed < limit for limit in limits]
+    return np.select(slower, list(values[:-1]), default=values[-1])
+
+
+# --- the equivalent oscillator with Dirac-delta damping
+
+
+def peak_sequence(
+    restoring_force: Callable[[np.ndarray], np.ndarray],
+    first_peak: float,
+    energy_ratio: ArrayLike,
+    width: float,
+    passages: int | None = None,
+) -> np.ndarray:
+    """Successive peaks of the oscillator with Dirac-delta damping [m]; thesis 4-27 with 4-28.
+
+    restoring_force : F_k [N] as a function of an array of displacements [m], such as
+    `Wall.restoring_force`; it pulls towards zero. first_peak : displacement at rest, not zero [m].
+    energy_ratio r, 0 < r <= 1 : one for all passages or one for each, shape (passages,). width n
+    [m]. Returns shape (passages + 1,), first_peak first.
+
+    The oscillator is M x'' + F_k(x) + F_D = 0 with
+    F_D = -M ln(sqrt(r))/(n sqrt(pi)) v**2 exp(-(x/n)**2) sgn(v); since ln(sqrt(r)) < 0 it opposes
+    the motion, which 4-28, without the minus, does not. For v > 0, with w = v**2 and the Gaussian
+    delta(x) = exp(-(x/n)**2)/(n sqrt(pi)) of unit area, x'' = (dw/dx)/2 makes this linear in w,
+
+        dw/dx - ln(r) delta(x) w = -2 F_k(x)/M.
+
+    Phi(x) = (1 + erf(x/n))/2, the integral of delta up to x, gives the integrating factor
+    r**(-Phi): d(w r**(-Phi))/dx = -(2/M) F_k r**(-Phi). Between two peaks w goes from 0 to 0, so
+    that the next peak x1 after x0 < 0 satisfies
+
+        integral from x0 to x1 of F_k(x) r**(-Phi(x)) dx = 0.
+
+    No mass is in it. The way back is its mirror image, with Phi(-x). Without F_k, w would be
+    multiplied by r on the whole: r is the ratio of the kinetic energies of a passage.
+
+    The integral is found to 1e-13 of its size. Raises ValueError where the force does not pull
+    towards zero.
+    """
+    where = "peak_sequence"
+    (start,) = numbers(where, first_peak=first_peak)
+    require(start != 0, where, "first_peak", start, "an oscillator at rest stays: give a peak")
+    (n,) = positive(where, width=width)
+    (ratios,) = positive(where, energy_ratio=energy_ratio)
+    require(ratios <= 1, where, "energy_ratio", ratios, "more than 1 would add energy")
+    if passages is not None and passages < 0:
+        raise ValueError(f"{where}: passages is {passages}: give 0 or more")
+    if passages is None and not ratios.ndim:
+        raise ValueError(f"{where}: passages is missing: give how many, or one r for each")
+    if ratios.ndim > 1 or (ratios.ndim and passages not in (None, len(ratios))):
+        raise ValueError(
+            f"{where}: energy_ratio has the shape {ratios.shape}: give one number, or one for "
+            "each of the passages"
+        )
+    peaks = [float(start)]
+    for r in np.broadcast_to(ratios, ratios.shape or (passages,)):
+        peaks.append(_next_peak(restoring_force, peaks[-1], float(r), float(n)))
+    return np.array(peaks)
+
+
+def _next_peak(force: Callable, start: float, r: float, n: float) -> float:
+    towards = -np.sign(start)
+
+    def integrand(s: np.ndarray) -> np.ndarray:
+        """Along the motion, s = x sgn(v)."""
+        return towards * force(towards * s) * r ** (-(1 + erf(s / n)) / 2)
+
+    # the Gaussian is spent within the core, so that panels of its size are not needed outside
+    core = min(6 * n, abs(start))
+    gained = _integral(integrand, -abs(start), -core) + _integral(integrand, -core, 0.0)
+    through = gained + _integral(integrand, 0.0, core)
+
+    def balance(s: float) -> float:
+        if s < core:
+            return gained + _integral(integrand, 0.0, s)
+        return through + _integral(integrand, core, s)
+
+    far = abs(start)
+    if not gained < 0 or not force(np.array(-start)) * towards > 0:
+        raise ValueError(
+            f"peak_sequence: restoring_force does not pull from {start} m towards zero: give a "
+            "force of the sign of the displacement"
+        )
+    while balance(far) < 0:  # only a force that is no odd function lets a peak grow
+        far *= 2
+        if far > 1e3 * abs(start):
+            raise ValueError(f"peak_sequence: the motion from {start} m is not turned back")
+    return float(towards * brentq(balance, 0.0, far, xtol=1e-15, rtol=1e-14))
+
+
+# --- quadrature
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
+
+
+def _integral(
+    function: Callable[[np.ndarray], np.ndarray], a: float, b: float, tolerance: float = 1e-13
+) -> float:
+    """Integral from a to b by Gauss-Legendre panels, halved until it stays.
+
+    tolerance : of the integral of the absolute value.
+    """
+    previous, panels = np.inf, 4
+    while panels <= 2**14:
+        edges = np.linspace(a, b, panels + 1)
+        half = np.diff(edges)[:, None] / 2
+        terms = function(edges[:-1, None] + half * (1 + _NODES)) * half * _WEIGHTS
+        value = float(terms.sum())
+        if abs(value - previous) <= tolerance * np.abs(terms).sum():
+            return value
+        previous, panels = value, 2 * panels
+    raise ArithmeticError(f"the integral from {a} to {b} does not settle: is the integrand finite?")

@@ -1,0 +1,307 @@
+"""Equivalent viscous damping: of rocking, of hysteresis, and of a measured decay.
+
+Damping ratios are fractions of the critical damping: 0.05 is 5 %. A ductility is the largest
+displacement over that at yield, 1 or more; a stiffness_ratio is k_p/k_i, the stiffness after
+yield over the initial one.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import not_negative, numbers, positive, require
+
+# --- rocking
+
+
+def fema_356_damping(energy_ratio: ArrayLike):
+    """Damping ratio of rocking after FEMA 356, 0.4 (1 - sqrt(r)); thesis 2-15.
+
+    energy_ratio : r of an impact (thesis 2-6), any shape. An empirical fit, and 40 to 50 % below
+    `priestley_damping`. Raises ValueError outside 0 < r <= 1.
+    """
+    return 0.4 * (1 - np.sqrt(_energy_ratio("fema_356_damping", energy_ratio)))
+
+
+def priestley_damping(energy_ratio: ArrayLike):
+    """Damping ratio of rocking after Priestley et al. (1978), -0.34 ln(r); thesis 2-16.
+
+    energy_ratio : r of an impact (thesis 2-6), any shape; not the velocity ratio, which Table 2-3
+    took for it. The decrement of small rocking is -ln(r)/pi = -0.318 ln(r).
+    Raises ValueError outside 0 < r <= 1.
+    """
+    return -0.34 * np.log(_energy_ratio("priestley_damping", energy_ratio))
+
+
+def _energy_ratio(where: str, value: ArrayLike) -> np.ndarray:
+    (r,) = numbers(where, energy_ratio=value)
+    rule = "the ratio of kinetic energies after and before an impact lies in (0, 1]"
+    require((r > 0) & (r <= 1), where, "energy_ratio", r, rule)
+    return r
+
+
+# --- hysteresis
+
+
+def recentring_ratio(
+    restoring_moment: ArrayLike, axial_moment: ArrayLike, dissipating_moment: ArrayLike
+):
+    """lambda = (M_AE + M_N)/M_ED of a controlled rocking system; thesis 2-30.
+
+    restoring_moment M_AE of an added elastic element (a tendon), axial_moment M_N of the weight,
+    dissipating_moment M_ED of the dissipaters: contributions to the design moment [N m], any
+    shapes, broadcast. Above 1 the system returns upright.
+    Source: Palermo et al. (2005).
+    """
+    where = "recentring_ratio"
+    restoring, axial = not_negative(
+        where, restoring_moment=restoring_moment, axial_moment=axial_moment
+    )
+    (dissipating,) = positive(where, dissipating_moment=dissipating_moment)
+    return (restoring + axial) / dissipating
+
+
+def equivalent_damping(elastic_damping: ArrayLike, hysteretic_damping: ArrayLike):
+    """Total damping ratio: the sum of the elastic and the hysteretic one; thesis 2-31.
+
+    elastic_damping xi_el, hysteretic_damping xi_hyst; any shapes, broadcast.
+    Source: Jacobsen (1930).
+    """
+    elastic, hysteretic = not_negative(
+        "equivalent_damping",
+        elastic_damping=elastic_damping,
+        hysteretic_damping=hysteretic_damping,
+    )
+    return elastic + hysteretic
+
+
+def bilinear_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike):
+    """Hysteretic damping ratio of the bilinear rule; thesis 2-32a.
+
+    ductility mu, stiffness_ratio k_p/k_i in [0, 1]; any shapes, broadcast. As of all three rules,
+    the area of a cycle over 2 pi F_m u_m: the damping goes with the secant stiffness at the
+    largest displacement, although chapter 2 introduces it with the initial one.
+    Source: Priestley and Grant (2005).
+    """
+    mu, ratio = _rule_arguments("bilinear_damping", ductility, stiffness_ratio)
+    return 2 * (mu - 1) * (1 - ratio) / (np.pi * mu * (1 + ratio * (mu - 1)))
+
+
+def takeda_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike, unloading_exponent: ArrayLike):
+    """Hysteretic damping ratio of the Takeda rule; thesis 2-32b.
+
+    ductility mu, stiffness_ratio k_p/k_i in [0, 1]; unloading_exponent alpha_T in [0, 1): the rule
+    unloads with k_i mu**-alpha_T and reloads towards the last peak of the other side. Any shapes,
+    broadcast. Source: Priestley and Grant (2005).
+
+    Raises ValueError where such an unloading would reach zero force beyond the origin.
+    """
+    where = "takeda_damping"
+    mu, ratio = _rule_arguments(where, ductility, stiffness_ratio)
+    (exponent,) = not_negative(where, unloading_exponent=unloading_exponent)
+    rule = "alpha_T lies in [0, 1)"
+    require(exponent < 1, where, "unloading_exponent", exponent, rule)
+    residual = 1 - (1 - ratio) * mu ** (exponent - 1) - ratio * mu**exponent  # u_r/u_m
+    rule = "the unloading is so soft that it passes the origin: give a smaller alpha_T or ductility"
+    require(residual >= -1e-12, where, "unloading_exponent", exponent, rule)
+    return np.maximum(residual, 0.0) / np.pi
+
+
+def flag_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike, flag_height: ArrayLike):
+    """Hysteretic damping ratio of the flag-shaped rule; thesis 2-32c.
+
+    ductility mu, stiffness_ratio k_p/k_i in [0, 1); flag_height beta_FS: the gap between the
+    loading and the unloading branch at the same displacement, over the force at yield. Any shapes,
+    broadcast. Source: Priestley and Grant (2005).
+
+    Where beta_FS is measured along the elastic branch instead, the damping is 1 - k_p/k_i times
+    as large. Raises ValueError for a flag_height above 1 - k_p/k_i: the flag would not return to
+    the origin.
+    """
+    where = "flag_damping"
+    mu, ratio = _rule_arguments(where, ductility, stiffness_ratio)
+    (height,) = not_negative(where, flag_height=flag_height)
+    rule = "above 1 - stiffness_ratio the unloading does not return to the origin; it is no flag"
+    require(height <= 1 - ratio, where, "flag_height", height, rule)
+    return height * (mu - 1) / (np.pi * mu * (1 + ratio * (mu - 1)))
+
+
+def _rule_arguments(where: str, ductility: ArrayLike, stiffness_ratio: ArrayLike):
+    (ratio,) = not_negative(where, stiffness_ratio=stiffness_ratio)
+    require(ratio <= 1, where, "stiffness_ratio", ratio, "k_p/k_i lies in [0, 1]")
+    return _ductility(where, ductility), ratio
+
+
+def _ductility(where: str, value: ArrayLike) -> np.ndarray:
+    (mu,) = numbers(where, ductility=value)
+    require(mu >= 1, where, "ductility", mu, "below 1 nothing yields: give 1 or more")
+    return mu
+
+
+# --- empirical fits for displacement-based design
+
+
+@dataclass(frozen=True)
+class DesignFactors:
+    """Factors of thesis 2-35 for a rule of hysteresis: damping a, b; periods c [s], d."""
+
+    a: float
+    b: float
+    c: float
+    d: float
+
+
+@dataclass(frozen=True)
+class GrantFactors(DesignFactors):
+    """Factors of thesis 2-33: those of 2-35, and the exponents e, f of the elastic damping."""
+
+    e: float
+    f: float
+
+
+GRANT_FACTORS: Mapping[str, GrantFactors] = MappingProxyType(
+    {
+        "elastic_perfectly_plastic": GrantFactors(0.224, 0.336, -0.002, 0.250, 0.127, -0.341),
+        "bilinear": GrantFactors(0.262, 0.655, 0.813, 4.890, 0.193, -0.808),  # k_p/k_i = 0.2
+        "takeda_thin": GrantFactors(0.215, 0.642, 0.824, 6.444, 0.340, -0.378),
+        "takeda_fat": GrantFactors(0.305, 0.492, 0.790, 4.463, 0.312, -0.313),
+        "flag": GrantFactors(0.251, 0.148, 3.015, 0.511, 0.387, -0.430),  # beta 0.35, k_p/k_i 0.05
+        "ramberg_osgood": GrantFactors(0.289, 0.622, 0.856, 6.460, -0.060, -0.647),
+    }
+)
+"""Table 2-4 of the thesis, by rule of hysteresis; Grant et al. (2005)."""
+
+DESIGN_FACTORS: Mapping[str, DesignFactors] = MappingProxyType(
+    {
+        "elastic_perfectly_plastic": DesignFactors(0.222, 0.397, 0.287, 1.295),
+        "bilinear": DesignFactors(0.161, 0.952, 0.945, 2.684),
+        "takeda_thin": DesignFactors(0.183, 0.588, 0.848, 3.607),
+        "takeda_fat": DesignFactors(0.249, 0.527, 0.761, 3.250),
+        # b has one digit, and only a b ln(ductility) counts: good to 8 %
+        "flag": DesignFactors(3566.0, 6e-6, 0.223, 0.8405),  # beta 0.35, k_p/k_i 0.05
+        "ramberg_osgood": DesignFactors(0.156, 1.049, 0.781, 2.106),
+    }
+)
+"""Table 2-5 of the thesis, by rule of hysteresis; Grant et al. (2005)."""
+
+
+def grant_damping(
+    rule: str | GrantFactors,
+    ductility: ArrayLike,
+    effective_period: ArrayLike,
+    *,
+    constant_damping: ArrayLike,
+    tangent_damping: ArrayLike,
+):
+    """Damping ratio by the "analysis" expression of Grant et al. (2005); thesis 2-33.
+
+    rule : a name of GRANT_FACTORS, or factors of your own. ductility mu; effective_period T_e, of
+        the secant stiffness [s].
+    constant_damping, tangent_damping : elastic damping ratio, whichever of the two the structure
+        is taken to have: with a constant coefficient, or proportional to the tangent stiffness.
+        The other is 0.
+    Any shapes, broadcast: a (1 - mu**-b)(1 + (T_e + c)**-d) + mu**e xi_const + mu**f xi_tang.
+
+    Raises ValueError for an unknown rule, a ductility below 1, and a period of -c or less.
+    """
+    where = "grant_damping"
+    factors = _factors(where, rule, GRANT_FACTORS)
+    mu = _ductility(where, ductility)
+    constant, tangent = not_negative(
+        where, constant_damping=constant_damping, tangent_damping=tangent_damping
+    )
+    elastic = mu**factors.e * constant + mu**factors.f * tangent
+    return _hysteretic(where, factors, mu, effective_period) + elastic
+
+
+def simplified_damping(viscous_damping: ArrayLike, coefficient: ArrayLike, ductility: ArrayLike):
+    """Damping ratio without the period: xi_v + C (mu - 1)/(pi mu); thesis 2-34.
+
+    viscous_damping xi_v; coefficient C of the rule of hysteresis; ductility mu; any shapes,
+    broadcast. Sources: Dwairi et al. (2007), Priestley et al. (2007).
+    """
+    where = "simplified_damping"
+    viscous, coefficient = not_negative(
+        where, viscous_damping=viscous_damping, coefficient=coefficient
+    )
+    mu = _ductility(where, ductility)
+    return viscous + coefficient * (mu - 1) / (np.pi * mu)
+
+
+def design_damping(rule: str | DesignFactors, ductility: ArrayLike, effective_period: ArrayLike):
+    """Damping ratio by the "design" expression of Grant et al. (2005); thesis 2-35.
+
+    rule : a name of DESIGN_FACTORS, or factors of your own; the others as in `grant_damping`.
+    The elastic damping of 5 % is contained: 0.05 + a (1 - mu**-b)(1 + (T_e + c)**-d).
+
+    Raises ValueError as `grant_damping` does.
+    """
+    where = "design_damping"
+    factors = _factors(where, rule, DESIGN_FACTORS)
+    mu = _ductility(where, ductility)
+    return 0.05 + _hysteretic(where, factors, mu, effective_period)
+
+
+def _hysteretic(where: str, factors: DesignFactors, mu: np.ndarray, period: ArrayLike):
+    """The term that 2-33 and 2-35 share."""
+    (period,) = positive(where, effective_period=period)
+    rule = f"this rule's fit needs more than {-factors.c} s"
+    require(period + factors.c > 0, where, "effective_period", period, rule)
+    # 1 - mu**-b, exact for the flag's tiny b
+    grown = -np.expm1(-factors.b * np.log(mu))
+    return factors.a * grown * (1 + (period + factors.c) ** -factors.d)
+
+
+F = TypeVar("F", bound=DesignFactors)
+
+
+def _factors(where: str, rule: str | F, table: Mapping[str, F]) -> F:
+    if not isinstance(rule, str):
+        return rule
+    if rule not in table:
+        near = difflib.get_close_matches(rule, table, n=1)
+        hint = f" (did you mean {near[0]!r}?)" if near else ""
+        raise ValueError(
+            f"{where}: rule is {rule!r}, which is unknown{hint}; there are {', '.join(table)}"
+        )
+    return table[rule]
+
+
+# --- a measured decay
+
+
+def damping_from_decrement(peak: ArrayLike, next_peak: ArrayLike):
+    """Damping ratio of a cycle for small damping, ln(peak/next_peak)/(2 pi); thesis 5-7.
+
+    peak, next_peak : peaks a whole cycle apart, so of the same sign, in any unit; any shapes,
+    broadcast: `damping_from_decrement(peaks[:-2], peaks[2:])` where peaks are of both sides in
+    turn. Negative where the motion grew.
+
+    Raises ValueError where a peak is zero or the two are of opposite sides.
+    """
+    return _decrement("damping_from_decrement", peak, next_peak) / (2 * np.pi)
+
+
+def damping_from_decrement_exact(peak: ArrayLike, next_peak: ArrayLike):
+    """Damping ratio of a cycle of a linear oscillator, delta/sqrt(4 pi**2 + delta**2).
+
+    delta = ln(peak/next_peak), which thesis 5-7 divides by 2 pi; arguments and errors as in
+    `damping_from_decrement`.
+    """
+    delta = _decrement("damping_from_decrement_exact", peak, next_peak)
+    return delta / np.hypot(2 * np.pi, delta)
+
+
+def _decrement(where: str, peak: ArrayLike, next_peak: ArrayLike):
+    peak, following = numbers(where, peak=peak, next_peak=next_peak)
+    require(peak != 0, where, "peak", peak, "a peak is not zero")
+    rule = "it must be on the same side as the peak before: the two are a whole cycle apart"
+    require(peak * following > 0, where, "next_peak", following, rule)
+    return np.log(peak / following)

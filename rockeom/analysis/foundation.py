@@ -1,0 +1,206 @@
+"""Foundation mats that may lift: their springs, and the moment that they bear (thesis 2.4).
+
+A mat is rigid and carries a weight at its centre. Rotations are small: a point at the distance x
+from the centre line moves down by x times the rotation. The moment is that of the ground on the
+mat; the overturning moment of the weight on a structure that leans (P-delta) is no part of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import numbers, positive, require
+
+# --- springs of a mat on an elastic half-space
+
+
+@dataclass(frozen=True)
+class TwoSprings:
+    """Two springs with dampers that stand for an elastic half-space under a mat; Table 2-2.
+
+    vertical_stiffness K_z [N/m], vertical_damping C_z [N s/m] : of the mat on the half-space.
+    stiffness [N/m], damping [N s/m] : of each spring and damper, half of these.
+    half_spacing : distance of each from the centre line [m].
+    """
+
+    vertical_stiffness: np.ndarray
+    vertical_damping: np.ndarray
+    half_spacing: np.ndarray
+
+    @property
+    def stiffness(self) -> np.ndarray:
+        return self.vertical_stiffness / 2
+
+    @property
+    def damping(self) -> np.ndarray:
+        return self.vertical_damping / 2
+
+    @property
+    def rotational_stiffness(self) -> np.ndarray:
+        """Moment over rotation while both springs press [N m]."""
+        return 2 * self.stiffness * self.half_spacing**2
+
+
+def circular_mat(
+    radius: ArrayLike, shear_modulus: ArrayLike, poisson_ratio: ArrayLike, density: ArrayLike
+) -> TwoSprings:
+    """Springs of a circular mat on an elastic half-space; thesis Table 2-2.
+
+    radius [m]; shear_modulus [Pa], poisson_ratio, density [kg/m3] of the ground; any shapes,
+    broadcast. K_z = 4 G R/(1 - nu), C_z = 0.85 K_z R sqrt(rho/G), springs at sqrt(2/3) R: they
+    have the half-space's rotational stiffness 8 G R**3/(3 (1 - nu)).
+    Sources: Timoshenko and Goodier (1951), Richart et al. (1970), Yim and Chopra (1983).
+    """
+    where = "circular_mat"
+    radius, modulus, density = positive(
+        where, radius=radius, shear_modulus=shear_modulus, density=density
+    )
+    stiffness = 4 * modulus * radius / (1 - _poisson(where, poisson_ratio))
+    damping = 0.85 * stiffness * radius * np.sqrt(density / modulus)
+    return TwoSprings(stiffness, damping, np.sqrt(2 / 3) * radius)
+
+
+def rectangular_mat(
+    half_width: ArrayLike,
+    half_length: ArrayLike,
+    shape_factor: ArrayLike,
+    shear_modulus: ArrayLike,
+    poisson_ratio: ArrayLike,
+    density: ArrayLike,
+) -> TwoSprings:
+    """Springs of a rectangular mat on an elastic half-space; thesis Table 2-2, put right.
+
+    half_width [m] at right angles to the axis of rotation, half_length [m] along it;
+    shape_factor beta_z, a chart of Richart et al. (1970) over the ratio of the sides;
+    shear_modulus [Pa], poisson_ratio, density [kg/m3] of the ground; any shapes, broadcast.
+
+    With half-width b and half-length l, K_z = G beta_z sqrt(4 b l)/(1 - nu) and
+    C_z = 13.6 b l sqrt(rho G)/(pi (1 - nu)), and the springs of K_z/2 each stand at b/sqrt(3):
+    they have the rotational stiffness K_z b**2/3 of the Winkler bed with the same K_z. The table
+    has K_z B_f and C_z B_f for each spring, which have another dimension than the stiffness that
+    is named beside them. B_f and L_f are the whole sides in its K_z, but the halves in its C_z,
+    which is that of the circle of equal area, and in its place of the springs.
+    Sources: Barkan (1962), Richart et al. (1970), Yim and Chopra (1983).
+    """
+    where = "rectangular_mat"
+    half_width, half_length, factor, modulus, density = positive(
+        where,
+        half_width=half_width,
+        half_length=half_length,
+        shape_factor=shape_factor,
+        shear_modulus=shear_modulus,
+        density=density,
+    )
+    rest = 1 - _poisson(where, poisson_ratio)
+    stiffness = modulus / rest * factor * np.sqrt(4 * half_width * half_length)
+    damping = 13.6 * half_width * half_length / (np.pi * rest) * np.sqrt(density * modulus)
+    return TwoSprings(stiffness, damping, half_width / np.sqrt(3))
+
+
+def _poisson(where: str, value: ArrayLike) -> np.ndarray:
+    (ratio,) = numbers(where, poisson_ratio=value)
+    rule = "Poisson's ratio of the ground lies between 0 and 0.5"
+    require((ratio >= 0) & (ratio <= 0.5), where, "poisson_ratio", ratio, rule)
+    return ratio
+
+
+def winkler_stiffness(vertical_stiffness: ArrayLike, half_width: ArrayLike):
+    """Stiffness per unit width of the bed of springs with a vertical stiffness [N/m2].
+
+    vertical_stiffness of the mat [N/m]; half_width b of the mat [m]; any shapes, broadcast.
+    K_z/(2 b). See `winkler_stiffness_from_rotation`.
+    """
+    stiffness, half_width = positive(
+        "winkler_stiffness", vertical_stiffness=vertical_stiffness, half_width=half_width
+    )
+    return stiffness / (2 * half_width)
+
+
+def winkler_stiffness_from_rotation(rotational_stiffness: ArrayLike, half_width: ArrayLike):
+    """Stiffness per unit width of the bed of springs with a rotational stiffness [N/m2].
+
+    rotational_stiffness of the mat [N m]; half_width b of the mat [m]; any shapes, broadcast.
+    3 K/(2 b**3). A half-space asks for more of it than `winkler_stiffness` gives: no bed has
+    both of its stiffnesses. Source: Jennings and Bielak (1973).
+    """
+    stiffness, half_width = positive(
+        "winkler_stiffness_from_rotation",
+        rotational_stiffness=rotational_stiffness,
+        half_width=half_width,
+    )
+    return 3 * stiffness / (2 * half_width**3)
+
+
+# --- moment and rotation of the three interfaces
+
+
+def rigid_moment(rotation: ArrayLike, weight: ArrayLike, half_width: ArrayLike):
+    """Moment of a mat on rigid ground, W b sgn(rotation) [N m]; thesis Figure 2-8.
+
+    rotation [rad], weight W [N], half_width b [m]; any shapes, broadcast. At rest the ground
+    bears any moment up to W b; the 0 returned there is that of the weight alone.
+    """
+    (rotation,) = numbers("rigid_moment", rotation=rotation)
+    weight, half_width = positive("rigid_moment", weight=weight, half_width=half_width)
+    return weight * half_width * np.sign(rotation)
+
+
+def two_spring_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_spacing: ArrayLike):
+    """Rotation at which a mat lifts off one of two springs, W/(2 k d) [rad].
+
+    weight W [N]; stiffness k of each spring [N/m]; half_spacing d, the distance of each from the
+    centre line [m]; any shapes, broadcast.
+    """
+    weight, stiffness, half_spacing = positive(
+        "two_spring_uplift_rotation", weight=weight, stiffness=stiffness, half_spacing=half_spacing
+    )
+    return weight / (2 * stiffness * half_spacing)
+
+
+def two_spring_moment(
+    rotation: ArrayLike, weight: ArrayLike, stiffness: ArrayLike, half_spacing: ArrayLike
+):
+    """Moment of a mat on two springs that only press [N m]; thesis Figure 2-8.
+
+    rotation [rad]; else as `two_spring_uplift_rotation`. 2 k d**2 times the rotation until a
+    spring is free, W d from there on.
+    """
+    (rotation,) = numbers("two_spring_moment", rotation=rotation)
+    weight, stiffness, half_spacing = positive(
+        "two_spring_moment", weight=weight, stiffness=stiffness, half_spacing=half_spacing
+    )
+    uplift = two_spring_uplift_rotation(weight, stiffness, half_spacing)
+    return weight * half_spacing * np.clip(rotation / uplift, -1.0, 1.0)
+
+
+def winkler_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_width: ArrayLike):
+    """Rotation at which an edge lifts off a bed of springs, W/(2 k_w b**2) [rad].
+
+    weight W [N]; stiffness k_w of the bed per unit width [N/m2]; half_width b [m]; any shapes,
+    broadcast. The moment is then W b/3, a third of the largest.
+    """
+    weight, stiffness, half_width = positive(
+        "winkler_uplift_rotation", weight=weight, stiffness=stiffness, half_width=half_width
+    )
+    return weight / (2 * stiffness * half_width**2)
+
+
+def winkler_moment(
+    rotation: ArrayLike, weight: ArrayLike, stiffness: ArrayLike, half_width: ArrayLike
+):
+    """Moment of a mat on a bed of springs that only press [N m]; thesis Figure 2-8.
+
+    rotation [rad]; else as `winkler_uplift_rotation`. W b/3 times rotation/uplift rotation until
+    an edge lifts; from there on W b (1 - (2/3) sqrt(uplift rotation/rotation)): the part of the
+    mat that presses shrinks towards its edge.
+    """
+    (rotation,) = numbers("winkler_moment", rotation=rotation)
+    weight, stiffness, half_width = positive(
+        "winkler_moment", weight=weight, stiffness=stiffness, half_width=half_width
+    )
+    ratio = np.abs(rotation) / winkler_uplift_rotation(weight, stiffness, half_width)
+    part = np.where(ratio <= 1, ratio / 3, 1 - 2 / (3 * np.sqrt(np.maximum(ratio, 1.0))))
+    return weight * half_width * np.sign(rotation) * part

@@ -1,0 +1,295 @@
+"""A free vibration, measured or computed: peaks, quarter periods, losses, rotation centre.
+
+from rockeom import analysis
+
+measured = analysis.FreeVibration.table_a1()
+measured.restitution(analysis.Wall.thesis())  # of each passage through upright
+
+record = analysis.FreeVibration.from_samples(t, displacement, acceleration=a)
+record.quarter_periods()
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass, fields
+from importlib.resources import files
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.interpolate import CubicSpline
+
+from rockeom.analysis.arguments import numbers, positive, require
+from rockeom.analysis.controlled_wall import Wall
+
+
+class QuarterPeriods(NamedTuple):
+    """From a peak to the next crossing: the peak [m], signed, and the time between them [s]."""
+
+    peak: np.ndarray
+    time: np.ndarray
+
+
+class Energies(NamedTuple):
+    """Of gravity, of the tendons and of the motion [J]."""
+
+    gravity: np.ndarray
+    elastic: np.ndarray
+    kinetic: np.ndarray
+
+    @property
+    def total(self) -> np.ndarray:
+        """Their sum [J]."""
+        return self.gravity + self.elastic + self.kinetic
+
+
+class Restitution(NamedTuple):
+    """Of each passage: the ratio of energies after and before it, the speed [m/s], the peak [m]."""
+
+    energy_ratio: np.ndarray
+    speed: np.ndarray
+    peak_before: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class FreeVibration:
+    """The peaks of a free vibration and the crossings between them, as in thesis Table A-1.
+
+    Each array has the shape (n,), in the order of time; peaks and crossings alternate. at_peak :
+    which are peaks. time [s]; displacement [m]; velocity [m/s]; acceleration [m/s2]. Not each
+    record has: tendon_force [N]; left_uplift, right_uplift of the edges of the base, positive
+    upward [m]; centre_from_edge, the distance of the rotation centre as a table states it [m];
+    reading, how legible the row of a table was.
+    """
+
+    at_peak: np.ndarray
+    time: np.ndarray
+    displacement: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    tendon_force: np.ndarray | None = None
+    left_uplift: np.ndarray | None = None
+    right_uplift: np.ndarray | None = None
+    centre_from_edge: np.ndarray | None = None
+    reading: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        shape = np.shape(self.time)
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is not None and np.shape(value) != shape:
+                raise ValueError(
+                    f"FreeVibration: {field.name} has the shape {np.shape(value)}, time has "
+                    f"{shape}: give one value for each peak and crossing"
+                )
+        if np.any(self.at_peak[1:] == self.at_peak[:-1]):
+            raise ValueError("FreeVibration: peaks and crossings do not alternate in at_peak")
+        require(
+            np.diff(self.time) > 0, "FreeVibration", "time", self.time[1:], "times must increase"
+        )
+
+    @classmethod
+    def table_a1(cls) -> FreeVibration:
+        """Thesis Table A-1: test run 5 of the wall of chapter 4, 23 peaks and 22 crossings.
+
+        Crossings are the instants without acceleration. centre_from_edge is the distance from the
+        uplift gauge, 30 mm outside the edge. `reading` tells the rows apart: "clean" as scanned;
+        "repaired", of a single possible reading, in which the scan has a slash for a 7; "guessed",
+        where a cell is put back from the rows around it. rockeom/analysis/data/table_a1.csv has
+        what was scanned.
+        """
+        text = files("rockeom.analysis").joinpath("data/table_a1.csv").read_text("utf-8")
+        rows = list(csv.DictReader(text.splitlines()))
+
+        def column(name: str, unit: float = 1.0) -> np.ndarray:
+            return np.array([float(row[name]) for row in rows]) * unit
+
+        return cls(
+            at_peak=np.array([row["event"] == "peak" for row in rows]),
+            time=column("time [s]"),
+            displacement=column("displacement [mm]", 1e-3),
+            velocity=column("velocity [m/s]"),
+            acceleration=column("acceleration [m/s2]"),
+            tendon_force=column("tendon force [kN]", 1e3),
+            left_uplift=column("left uplift [mm]", 1e-3),
+            right_uplift=column("right uplift [mm]", 1e-3),
+            centre_from_edge=column("rotation centre [mm]", 1e-3),
+            reading=np.array([row["reading"] for row in rows]),
+        )
+
+    @classmethod
+    def from_samples(
+        cls,
+        time: ArrayLike,
+        displacement: ArrayLike,
+        velocity: ArrayLike | None = None,
+        acceleration: ArrayLike | None = None,
+        tendon_force: ArrayLike | None = None,
+        left_uplift: ArrayLike | None = None,
+        right_uplift: ArrayLike | None = None,
+        *,
+        smallest: float = 0.0,
+        crossing: str = "displacement",
+    ) -> FreeVibration:
+        """Peaks and crossings of a sampled record, between samples by cubic splines.
+
+        time [s], increasing; displacement [m]; velocity [m/s] and acceleration [m/s2], if not
+        given the derivatives of the displacement's spline; tendon_force [N]; left_uplift,
+        right_uplift [m]; all of the shape (samples,). The displacement counts from upright.
+        smallest : the record swings to the other side once it is this far there [m]; noise about
+        upright is below it. A half-cycle with a smaller peak is not one.
+        crossing : "displacement", where that is zero, or "acceleration", as in the thesis, whose
+        wall slid: its displacement does not tell when it is upright. With losses spread over the
+        displacement the acceleration vanishes up to some mm before upright.
+
+        A record that begins at rest has its first peak there, within one sample; a last half-cycle
+        that does not turn back, by more than `smallest`, has none.
+
+        Raises ValueError where nothing turns back, for times that do not increase, and for a gap in
+        the samples (NaN).
+        """
+        where = "FreeVibration.from_samples"
+        offered = {
+            "time": time,
+            "displacement": displacement,
+            "velocity": velocity,
+            "acceleration": acceleration,
+            "tendon_force": tendon_force,
+            "left_uplift": left_uplift,
+            "right_uplift": right_uplift,
+        }
+        given = {name: value for name, value in offered.items() if value is not None}
+        channels = dict(zip(given, numbers(where, **given), strict=True))
+        t, x = channels.pop("time"), channels["displacement"]
+        for name, values in channels.items():
+            if values.shape != t.shape or t.ndim != 1 or len(t) < 4:
+                raise ValueError(
+                    f"{where}: {name} has the shape {values.shape}, time has {t.shape}: give one "
+                    "value for each of at least 4 instants"
+                )
+        rule = "times must increase: of an instant that is there twice, drop one"
+        require(np.diff(t) > 0, where, "time", t[1:], rule)
+        (floor,) = numbers(where, smallest=smallest)
+        require(floor >= 0, where, "smallest", floor, "it must be zero or positive")
+        if crossing not in ("displacement", "acceleration"):
+            raise ValueError(f"{where}: crossing is {crossing!r}: displacement or acceleration")
+
+        splines = {name: CubicSpline(t, values) for name, values in channels.items()}
+        path = splines["displacement"]
+        splines.setdefault("velocity", path.derivative())
+        splines.setdefault("acceleration", path.derivative(2))
+
+        peaks = _peaks(t, x, path, float(floor))
+        if not peaks:
+            raise ValueError(f"{where}: displacement has no peak above smallest = {smallest} m")
+        instants = [peaks[0]]
+        signal = splines[crossing]
+        zeros = signal.roots(discontinuity=False, extrapolate=False)
+        for before, after in pairwise(peaks):
+            between = zeros[(zeros > before) & (zeros < after)]
+            if not len(between):
+                raise ValueError(
+                    f"{where}: {crossing} has no zero between the peaks at {before} and {after} s"
+                )
+            instants += [float(between[len(between) // 2]), after]  # of several, noise, the middle
+        at = np.array(instants)
+        return cls(
+            at_peak=np.arange(len(at)) % 2 == 0,
+            time=at,
+            **{name: spline(at) for name, spline in splines.items()},
+        )
+
+    def quarter_periods(self) -> QuarterPeriods:
+        """From each peak to the crossing after it; thesis Figure 4-13."""
+        starts = np.flatnonzero(self.at_peak[:-1])
+        return QuarterPeriods(self.displacement[starts], np.diff(self.time)[starts])
+
+    def energies(self, wall: Wall) -> Energies:
+        """Of `wall` at each peak and crossing; thesis 4-18 to 4-20, Figure 4-29.
+
+        Where the record has the force of the wall's only tendon, the elastic energy is that of the
+        measured force; else that of the displacement.
+        Raises ValueError for a measured force beyond yield and for several tendons.
+        """
+        if self.tendon_force is None:
+            elastic = wall.elastic_energy(self.displacement)
+        elif len(wall.tendons) == 1:
+            elastic = wall.tendons[0].energy_at_force(self.tendon_force)
+        else:
+            raise ValueError(
+                f"FreeVibration.energies: one tendon_force does not tell the energies of "
+                f"{len(wall.tendons)} tendons: leave it out of the record"
+            )
+        return Energies(
+            wall.gravity_energy(self.displacement),
+            elastic,
+            wall.kinetic_energy(self.displacement, self.velocity),
+        )
+
+    def restitution(self, wall: Wall) -> Restitution:
+        """Apparent coefficients of restitution, between successive peaks; thesis Figure 4-30.
+
+        wall : whose energies they are. energy_ratio r is that of the total energies at the peaks
+        after and before each crossing, speed that at the crossing.
+        """
+        peaks = np.flatnonzero(self.at_peak)
+        total = self.energies(wall).total[peaks]
+        speed = np.abs(self.velocity[peaks[:-1] + 1])
+        return Restitution(total[1:] / total[:-1], speed, self.displacement[peaks[:-1]])
+
+    def rotation_centre(self, half_width: float) -> np.ndarray:
+        """Distance of the rotation centre from the pressed edge, from the uplifts [m]; 4-1, 4-2.
+
+        half_width B of the base [m]. Where the base is straight, 2 B u/(u - u'), u the uplift of
+        the pressed edge, mostly negative, and u' that of the other; negative where both are
+        positive. NaN where they are equal. The pressed edge is that of the smaller uplift.
+        """
+        if self.left_uplift is None or self.right_uplift is None:
+            raise ValueError("FreeVibration.rotation_centre: the record has no uplifts: give both")
+        (b,) = positive("FreeVibration.rotation_centre", half_width=half_width)
+        pressed = np.minimum(self.left_uplift, self.right_uplift)
+        difference = pressed - np.maximum(self.left_uplift, self.right_uplift)
+        centre = np.full(difference.shape, np.nan)
+        return np.divide(2 * b * pressed, difference, out=centre, where=difference != 0)
+
+
+def _peaks(t: np.ndarray, x: np.ndarray, path: CubicSpline, floor: float) -> list[float]:
+    """Times of the extremes between changes of side, until a half-cycle stays below `floor`."""
+    away = np.abs(x) > floor
+    index = np.flatnonzero(away)
+    if not len(index):
+        return []
+    sides = np.sign(x[index])
+    starts = np.concatenate(([0], np.flatnonzero(np.diff(sides)) + 1, [len(index)]))
+    turning = path.derivative().roots(discontinuity=False, extrapolate=False)
+    peaks = []
+    for i, j in pairwise(starts):
+        first, last = index[i], index[j - 1]
+        k = first + int(np.argmax(np.abs(x[first : last + 1])))
+        if k == 0:
+            # released there, or else it began on its way back
+            if np.abs(path(t[0], 1)) <= np.abs(path(t[0], 2)) * (t[1] - t[0]):
+                peaks.append(float(t[0]))
+            continue
+        if j == len(index) and np.abs(x[k]) - np.abs(x[-1]) <= floor:
+            break  # it has not turned back
+        near = turning[(turning >= t[k - 1]) & (turning <= t[k + 1])]
+        values = np.abs(path(near))
+        peaks.append(float(near[np.argmax(values)]) if len(near) else float(t[k]))
+    return peaks
+
+
+def coefficient_of_determination(measured: ArrayLike, predicted: ArrayLike) -> float:
+    """R**2 of a prediction, 1 - sum((y - f)**2)/sum((y - mean(y))**2) [-].
+
+    measured y, predicted f : shape (n,). Negative where the mean predicts better.
+    Raises ValueError where all that was measured is the same.
+    """
+    where = "coefficient_of_determination"
+    measured, predicted = numbers(where, measured=measured, predicted=predicted)
+    spread = float(np.sum((measured - np.mean(measured)) ** 2))
+    if not spread:
+        raise ValueError(f"{where}: measured has one value only: there is no spread to explain")
+    return 1 - float(np.sum((measured - predicted) ** 2)) / spread

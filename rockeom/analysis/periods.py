@@ -1,0 +1,75 @@
+"""How long a free block takes to fall back: the slender block, and the block of any rotation.
+
+Both start from rest. p = sqrt(m g R/I_o) is the frequency parameter [rad/s],
+`RigidBlock.frequency_parameter`; alpha is the rotation at which the block balances [rad].
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.special import elliprf
+
+from rockeom.analysis.arguments import not_negative, positive, require, slenderness
+
+
+def quarter_period(amplitude_ratio: ArrayLike, p: ArrayLike):
+    """Time from rest at a rotation to the impact, of the slender block [s]; thesis 2-5 over 4.
+
+    amplitude_ratio : theta_0/alpha, any shape; at least 0 and below 1.
+    p : frequency parameter [rad/s].
+    Returns acosh(1/(1 - theta_0/alpha))/p in the shape of both, broadcast.
+
+    Raises ValueError for a rotation at or beyond alpha: the block does not fall back.
+    Source: Housner (1963); Muto et al. (1960).
+    """
+    where = "quarter_period"
+    (p,) = positive(where, p=p)
+    (ratio,) = not_negative(where, amplitude_ratio=amplitude_ratio)
+    require(ratio < 1, where, "amplitude_ratio", ratio, _BALANCE)
+    # acosh(1/(1 - x)) without its cancellation at small x
+    return (np.log1p(np.sqrt(ratio * (2 - ratio))) - np.log1p(-ratio)) / p
+
+
+def exact_quarter_period(theta_0: ArrayLike, alpha: ArrayLike, p: ArrayLike):
+    """Time from rest at a rotation to the impact, of the block of any rotation [s].
+
+    theta_0 : rotation at rest, at least 0 and below alpha [rad]. alpha [rad]. p [rad/s].
+    Returns the time in the shape of all three, broadcast.
+
+    This is what thesis 2-5 approximates: the exact time of theta'' = -p**2 sin(alpha - theta),
+    thesis 2-2. With a = sin((alpha - theta_0)/2) and b = sin(alpha/2) it is the elliptic integral
+
+        (1/p) int_a^b ds/sqrt((1 - s**2)(s**2 - a**2))
+            = (K(k) - F(asin(cos(alpha/2)/k), k))/p,  k = cos((alpha - theta_0)/2),
+
+    which is evaluated in Carlson's symmetric form, where nothing cancels.
+
+    Raises ValueError for a rotation at or beyond alpha: the block does not fall back.
+    """
+    where = "exact_quarter_period"
+    alpha = slenderness(where, alpha)
+    (p,) = positive(where, p=p)
+    (theta,) = not_negative(where, theta_0=theta_0)
+    require(theta < alpha, where, "theta_0", theta, _BALANCE)
+    lean = (alpha - theta) / 2
+    a2, b2 = np.sin(lean) ** 2, np.sin(alpha / 2) ** 2
+    difference = np.sin(alpha - theta / 2) * np.sin(theta / 2)  # b2 - a2
+    c2 = np.cos(lean) ** 2  # 1 - a2
+    root = elliprf(a2 * c2, b2 * c2, a2 * np.cos(alpha / 2) ** 2)
+    return np.sqrt(difference) * root / p
+
+
+def rocking_period(amplitude_ratio: ArrayLike, p: ArrayLike):
+    """Period of a cycle of the slender block whose impacts lose nothing [s]; thesis 2-5.
+
+    Four quarter periods; arguments and errors are those of `quarter_period`. With losses each
+    half cycle starts from a smaller rotation and is shorter.
+    """
+    return 4 * quarter_period(amplitude_ratio, p)
+
+
+_BALANCE = (
+    "at alpha the block balances and beyond it falls over, so there is no period: "
+    "give a rotation below alpha"
+)

@@ -1,0 +1,230 @@
+"""What an impact leaves: ratios r of kinetic energies, predicted and measured.
+
+The literature calls r as well as e = sqrt(r), the ratio of rates of rotation, "coefficient of
+restitution". Here a name says which it is; all of thesis 2-6, 3-3, 3-16, 5-4, 5-14 are r.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import not_negative, numbers, positive, require, slenderness
+from rockeom.motion.units import STANDARD_GRAVITY
+
+# --- energies and velocities
+
+
+def velocity_ratio_from_energy_ratio(energy_ratio: ArrayLike):
+    """e = sqrt(r), the ratio of the rates of rotation after and before an impact; thesis 2-4.
+
+    energy_ratio : r, any shape. Raises ValueError outside 0 (no rebound) to 1 (no loss).
+    """
+    (r,) = numbers("velocity_ratio_from_energy_ratio", energy_ratio=energy_ratio)
+    require((r >= 0) & (r <= 1), "velocity_ratio_from_energy_ratio", "energy_ratio", r, _RANGE)
+    return np.sqrt(r)
+
+
+def energy_ratio_from_velocity_ratio(velocity_ratio: ArrayLike):
+    """r = e**2, the ratio of the kinetic energies after and before an impact; thesis 2-4.
+
+    velocity_ratio : e, any shape. Raises ValueError outside 0 (no rebound) to 1 (no loss).
+    """
+    (e,) = numbers("energy_ratio_from_velocity_ratio", velocity_ratio=velocity_ratio)
+    require((e >= 0) & (e <= 1), "energy_ratio_from_velocity_ratio", "velocity_ratio", e, _RANGE)
+    return np.square(e)
+
+
+# --- predicted: angular momentum about the new pivot is conserved
+
+
+def energy_ratio_of_block(
+    alpha: ArrayLike,
+    *,
+    inertia: ArrayLike | None = None,
+    mass: ArrayLike | None = None,
+    radius: ArrayLike | None = None,
+):
+    """r of a symmetric block that rolls from edge to edge; thesis 2-6, Housner (1963).
+
+    alpha : angle of the line from an edge to the centroid, from the vertical [rad].
+    inertia : about the centroid [kg m2]; with it mass [kg] and radius R [m], the distance from an
+        edge to the centroid. Without the three, those of a homogeneous rectangle: I = m R**2/3.
+    Returns (1 - (m R**2/I_o)(1 - cos(2 alpha)))**2 with I_o = I + m R**2, broadcast.
+
+    Raises ValueError where only some of the three are given, and for a block so squat that the
+    rate after the impact would be reversed: it does not roll on, both edges stay down.
+    """
+    where = "energy_ratio_of_block"
+    alpha = slenderness(where, alpha)
+    given = {"inertia": inertia, "mass": mass, "radius": radius}
+    missing = [name for name, value in given.items() if value is None]
+    if inertia is None or mass is None or radius is None:
+        if len(missing) < 3:
+            raise ValueError(
+                f"{where}: {', '.join(missing)} is missing: give inertia, mass and radius "
+                "together, or none of them for a homogeneous rectangle"
+            )
+        radius_ratio = np.asarray(0.75)  # m R**2/I_o
+    else:
+        (inertia,) = not_negative(where, inertia=inertia)
+        mass, radius = positive(where, mass=mass, radius=radius)
+        radius_ratio = mass * radius**2 / (inertia + mass * radius**2)
+    e = 1 - 2 * radius_ratio * np.sin(alpha) ** 2
+    require(e >= 0, where, "alpha", alpha, _SQUAT)
+    return e**2
+
+
+def energy_ratio_of_lumped_mass(
+    *,
+    mass: ArrayLike,
+    height: ArrayLike,
+    inertia: ArrayLike,
+    base_mass: ArrayLike,
+    base_height: ArrayLike,
+    base_inertia: ArrayLike,
+    half_width: ArrayLike,
+):
+    """r of a rigid structure of two lumped masses on two feet; thesis 5-14.
+
+    mass, base_mass [kg] at height, base_height [m] above the ground; inertia, base_inertia about
+    their own centroids [kg m2]; half_width [m] half of the distance between the feet. The names
+    are those of LumpedMassStructure. Any shapes, broadcast.
+
+    Raises ValueError for a structure so squat that the rate would be reversed: it does not roll
+    on, both feet stay down.
+    """
+    where = "energy_ratio_of_lumped_mass"
+    mass, height, half_width = positive(where, mass=mass, height=height, half_width=half_width)
+    inertia, base_mass, base_height, base_inertia = not_negative(
+        where,
+        inertia=inertia,
+        base_mass=base_mass,
+        base_height=base_height,
+        base_inertia=base_inertia,
+    )
+    upright = mass * height**2 + inertia + base_mass * base_height**2 + base_inertia
+    across = (mass + base_mass) * half_width**2
+    require(upright >= across, where, "half_width", half_width, _SQUAT)
+    return ((upright - across) / (upright + across)) ** 2
+
+
+# --- measured: successive peaks of free rocking
+
+
+def gravitational_energy(
+    theta: ArrayLike,
+    *,
+    mass: ArrayLike,
+    radius: ArrayLike,
+    alpha: ArrayLike,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+):
+    """Potential energy of a tilted mass, above that upright [J]; thesis 3-2, a term of 5-3.
+
+    theta : rotation [rad], either sign. mass [kg]; radius [m] and alpha [rad] of the line from
+    the pivot to it; gravity [m/s2]. Any shapes, broadcast. Source: thesis 3-2.
+    """
+    where = "gravitational_energy"
+    (theta,) = numbers(where, theta=theta)
+    mass, radius, gravity = positive(where, mass=mass, radius=radius, gravity=gravity)
+    return mass * gravity * radius * _rise(np.abs(theta), slenderness(where, alpha))
+
+
+def spring_energy(theta: ArrayLike, rotational_stiffness: ArrayLike):
+    """Energy of a rotational spring [J]; thesis 3-4.
+
+    theta [rad]; rotational_stiffness [N m/rad]; any shapes, broadcast.
+    """
+    (theta,) = numbers("spring_energy", theta=theta)
+    (stiffness,) = not_negative("spring_energy", rotational_stiffness=rotational_stiffness)
+    return stiffness * theta**2 / 2
+
+
+def energy_ratios_from_peaks(
+    peaks: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    rotational_stiffness: float = 0.0,
+    mass: ArrayLike | None = None,
+    radius: ArrayLike | None = None,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+):
+    """r of each impact between successive peaks of a rocking block; thesis 3-3 and 3-16.
+
+    peaks : (..., n) peak rotations, one on each side in turn [rad]; the signs do not count.
+    alpha : as in `energy_ratio_of_block` [rad]; for several blocks (..., 1), as the others.
+    rotational_stiffness : of a spring that gives back all it takes [N m/rad], thesis 3-16; with it
+        mass [kg] and radius [m]. Without it thesis 3-3, for which neither counts.
+    Returns (..., n - 1).
+
+    A measured r may exceed 1, where a peak is higher than the one before.
+    Raises ValueError for fewer than two peaks, and for a peak that is zero or at or beyond alpha.
+    """
+    where = "energy_ratios_from_peaks"
+    alpha = slenderness(where, alpha)
+    sizes = _sizes(where, peaks, alpha)
+    energies = _rise(sizes, alpha)
+    if rotational_stiffness:
+        if mass is None or radius is None:
+            raise ValueError(
+                f"{where}: mass or radius is missing: with a rotational_stiffness the energy of "
+                "gravity counts in joules, so give both"
+            )
+        energies = gravitational_energy(
+            sizes, mass=mass, radius=radius, alpha=alpha, gravity=gravity
+        ) + spring_energy(sizes, rotational_stiffness)
+    return energies[..., 1:] / energies[..., :-1]
+
+
+def energy_ratios_from_peaks_of_lumped_mass(
+    peaks: ArrayLike,
+    *,
+    mass: ArrayLike,
+    height: ArrayLike,
+    base_mass: ArrayLike,
+    base_height: ArrayLike,
+    half_width: ArrayLike,
+):
+    """r of each impact between successive peaks of a structure of two lumped masses; thesis 5-4.
+
+    peaks : (..., n) peak rotations [rad], as in `energy_ratios_from_peaks`; the others as in
+    `energy_ratio_of_lumped_mass`. Returns (..., n - 1).
+
+    Raises ValueError for fewer than two peaks, and for a peak that is zero or at or beyond the
+    rotation at which the structure balances.
+    """
+    where = "energy_ratios_from_peaks_of_lumped_mass"
+    mass, height, half_width = positive(where, mass=mass, height=height, half_width=half_width)
+    base_mass, base_height = not_negative(where, base_mass=base_mass, base_height=base_height)
+    total = mass + base_mass
+    centroid = (mass * height + base_mass * base_height) / total
+    # the weight of both masses acts at their centroid
+    alpha = np.arctan2(half_width, centroid)
+    energies = _rise(_sizes(where, peaks, alpha), alpha)
+    return energies[..., 1:] / energies[..., :-1]
+
+
+def _rise(size, alpha):
+    """cos(alpha - size) - cos(alpha), without cancellation."""
+    return 2 * np.sin(alpha - size / 2) * np.sin(size / 2)
+
+
+def _sizes(where: str, peaks: ArrayLike, alpha) -> np.ndarray:
+    """Sizes of the peaks, (..., n), checked."""
+    (peaks,) = numbers(where, peaks=peaks)
+    if peaks.ndim == 0 or peaks.shape[-1] < 2:
+        raise ValueError(
+            f"{where}: peaks has the shape {peaks.shape}: give at least two successive peaks"
+        )
+    sizes = np.abs(peaks)
+    rule = f"a free structure turns back between 0 and its balance at {alpha} rad; give radians"
+    require((sizes > 0) & (sizes < alpha), where, "peaks", peaks, rule)
+    return sizes
+
+
+_RANGE = "it must lie between 0 (no rebound) and 1 (no loss)"
+_SQUAT = (
+    "so squat that an impact would reverse the rotation: it does not roll from edge to edge; "
+    "make it more slender"
+)

@@ -1,0 +1,174 @@
+"""Forces of the ground on a rocking block, from its motion; thesis section 3.2.3.
+
+theta > 0 is clockwise, about the right foot; horizontal to the right and vertical up are positive.
+R is the distance from a foot to the centroid, alpha the angle of that line from the vertical.
+`RigidBlock.reactions` gives the same forces from the state alone; these serve where the motion was
+measured. Between impacts they are finite; of the impact itself they say nothing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import numbers, positive, require, side_of, slenderness
+from rockeom.analysis.restitution import gravitational_energy
+from rockeom.motion.units import STANDARD_GRAVITY
+
+RECTANGLE = 0.75
+"""m R**2/I_o of a homogeneous rectangle."""
+
+
+def centroid_acceleration(
+    theta: ArrayLike,
+    theta_dot: ArrayLike,
+    theta_ddot: ArrayLike,
+    *,
+    alpha: ArrayLike,
+    radius: ArrayLike,
+    ground_acceleration: ArrayLike = 0.0,
+    side: ArrayLike | None = None,
+):
+    """(horizontal, vertical) absolute acceleration of the centroid [m/s2]; thesis 3-5 to 3-7.
+
+    theta [rad], theta_dot [rad/s], theta_ddot [rad/s2]; alpha [rad]; radius [m];
+    ground_acceleration, horizontal [m/s2]; any shapes, broadcast.
+    side : 1 on the right foot, -1 on the left; needed only where theta is zero.
+
+    Raises ValueError where theta is zero and no side is given, or the side contradicts theta.
+    """
+    where = "centroid_acceleration"
+    theta, rate, second, ground = numbers(
+        where,
+        theta=theta,
+        theta_dot=theta_dot,
+        theta_ddot=theta_ddot,
+        ground_acceleration=ground_acceleration,
+    )
+    (radius,) = positive(where, radius=radius)
+    s = side_of(where, theta, side)
+    lean = slenderness(where, alpha) - np.abs(theta)
+    towards, along = radius * rate**2, radius * second  # centripetal, tangential
+    horizontal = ground + s * towards * np.sin(lean) + along * np.cos(lean)  # 3-6
+    vertical = -towards * np.cos(lean) + s * along * np.sin(lean)  # 3-7
+    return horizontal, vertical
+
+
+def block_reactions(
+    theta: ArrayLike,
+    theta_dot: ArrayLike,
+    theta_ddot: ArrayLike,
+    *,
+    mass: ArrayLike,
+    alpha: ArrayLike,
+    radius: ArrayLike,
+    ground_acceleration: ArrayLike = 0.0,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+    side: ArrayLike | None = None,
+):
+    """(horizontal, vertical) force of the ground on the block [N]; thesis 3-8 and 3-9.
+
+    mass [kg], gravity [m/s2]; the others, and the errors, as in `centroid_acceleration`.
+    A negative vertical force means that the foot would have left the ground.
+    """
+    mass, gravity = positive("block_reactions", mass=mass, gravity=gravity)
+    horizontal, vertical = centroid_acceleration(
+        theta,
+        theta_dot,
+        theta_ddot,
+        alpha=alpha,
+        radius=radius,
+        ground_acceleration=ground_acceleration,
+        side=side,
+    )
+    return mass * horizontal, mass * (gravity + vertical)
+
+
+def impact_speed(
+    theta_0: ArrayLike,
+    *,
+    alpha: ArrayLike,
+    radius: ArrayLike,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+    radius_ratio: ArrayLike = RECTANGLE,
+):
+    """Rate of rotation at the impact of a block released at rest [rad/s], positive; thesis 3-13.
+
+    theta_0 : rotation at the release [rad], either sign, at most alpha; at alpha it is 3-13, the
+        largest speed that free rocking can have.
+    alpha [rad], radius [m], gravity [m/s2].
+    radius_ratio : m R**2/I_o, that of a homogeneous rectangle if not given. Any shapes, broadcast.
+
+    Raises ValueError beyond alpha, where a released block falls over.
+    """
+    where = "impact_speed"
+    alpha = slenderness(where, alpha)
+    (theta_0,) = numbers(where, theta_0=theta_0)
+    rule = "beyond alpha a released block falls over: give a smaller rotation, in radians"
+    require(np.abs(theta_0) <= alpha, where, "theta_0", theta_0, rule)
+    energy = gravitational_energy(theta_0, mass=1.0, radius=radius, alpha=alpha, gravity=gravity)
+    return np.sqrt(2 * energy * _radius_ratio(where, radius_ratio)) / radius  # I_o = R**2/ratio
+
+
+def acceleration_at_impact(
+    side: ArrayLike,
+    *,
+    alpha: ArrayLike,
+    radius: ArrayLike,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+    radius_ratio: ArrayLike = RECTANGLE,
+    slender: bool = False,
+):
+    """Angular acceleration of a free block upright on one foot [rad/s2]; thesis 3-10.
+
+    side : 1 on the right foot, -1 on the left. alpha [rad], radius [m], gravity [m/s2].
+    radius_ratio : m R**2/I_o, that of a homogeneous rectangle if not given.
+    slender : write alpha for sin(alpha), as thesis 3-10 does; 0.7 % too much for 0.2 rad.
+    """
+    where = "acceleration_at_impact"
+    alpha = slenderness(where, alpha)
+    radius, gravity = positive(where, radius=radius, gravity=gravity)
+    s = side_of(where, np.zeros(()), side)
+    return -s * _radius_ratio(where, radius_ratio) * gravity / radius * _moment_arm(alpha, slender)
+
+
+def block_reactions_at_impact(
+    theta_dot: ArrayLike,
+    side: ArrayLike,
+    *,
+    mass: ArrayLike,
+    alpha: ArrayLike,
+    radius: ArrayLike,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+    radius_ratio: ArrayLike = RECTANGLE,
+    slender: bool = False,
+):
+    """(horizontal, vertical) force just before or after an impact [N]; thesis 3-11 and 3-12.
+
+    theta_dot : rate of rotation [rad/s]; zero gives the limits 3-14 and 3-15, between which the
+        force chatters as rocking dies out. mass [kg]; the others as in `acceleration_at_impact`.
+
+    The last term of 3-12 is printed with a sgn(theta) that cancels against that of 3-10; it is
+    left out here, as 3-15 does.
+    """
+    (rate,) = numbers("block_reactions_at_impact", theta_dot=theta_dot)
+    (side,) = numbers("block_reactions_at_impact", side=side)
+    acceleration = acceleration_at_impact(
+        side, alpha=alpha, radius=radius, gravity=gravity, radius_ratio=radius_ratio,
+        slender=slender,
+    )  # fmt: skip
+    return block_reactions(
+        0.0, rate, acceleration, mass=mass, alpha=alpha, radius=radius, gravity=gravity, side=side
+    )
+
+
+def _moment_arm(alpha, slender: bool):
+    """Moment arm of the weight of the block upright on one foot, over R."""
+    return alpha if slender else np.sin(alpha)
+
+
+def _radius_ratio(where: str, value: ArrayLike) -> np.ndarray:
+    (ratio,) = positive(where, radius_ratio=value)
+    rule = "m R**2/I_o is at most 1, that of a point mass, and 3/4 for a homogeneous rectangle"
+    require(ratio <= 1, where, "radius_ratio", ratio, rule)
+    return ratio

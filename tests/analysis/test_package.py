@@ -1,0 +1,51 @@
+"""What all formulas share: documented, re-exported, and free of SymPy."""
+
+import importlib
+import inspect
+import pkgutil
+import subprocess
+import sys
+
+import pytest
+
+import rockeom
+from rockeom import analysis
+
+FORMULAS = [name for name in analysis.__all__ if inspect.isfunction(getattr(analysis, name))]
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_formula_says_what_it_takes_and_where_it_is_from(name):
+    text = inspect.getdoc(getattr(analysis, name))
+    assert text
+    # each parameter is named, or the reader is sent to the function that names it
+    parameters = inspect.signature(getattr(analysis, name)).parameters
+    if not any(f"`{other}`" in text for other in FORMULAS):
+        assert [p for p in parameters if p not in text] == []
+
+
+def test_everything_public_is_re_exported():
+    for module in pkgutil.iter_modules(analysis.__path__):
+        if module.name == "arguments":
+            continue
+        source = importlib.import_module(f"rockeom.analysis.{module.name}")
+        assert getattr(analysis, module.name) is source  # no formula hides a module
+        public = [
+            name
+            for name, value in vars(source).items()
+            if (inspect.isfunction(value) or inspect.isclass(value))
+            and value.__module__ == source.__name__
+            and not name.startswith("_")
+        ]
+        assert public
+        assert [name for name in public if name not in analysis.__all__] == []
+
+
+def test_package_is_an_attribute_and_its_names_are_not():
+    code = (
+        "import sys, rockeom as rk; rk.analysis.quarter_period(0.5, 1.0); "
+        "print(sorted({'sympy', 'numba', 'matplotlib'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+    assert not set(analysis.__all__) & set(rockeom.__all__)
