@@ -104,7 +104,8 @@ class _Module:
 
     def plain(self, expr: sp.Expr) -> sp.Expr:
         """The expression in Python names, derived constants written out."""
-        return sp.sympify(expr).xreplace(self.model.constants).xreplace(self.names)
+        expr = self.model.written_out(sp.sympify(expr))
+        return expr.xreplace(self.model.constants).xreplace(self.names)
 
     def index(self, name: str) -> int:
         return self.model.states.index(name)
@@ -118,6 +119,8 @@ class _Module:
     def side(self, phase: Phase, indent: str) -> list[str]:
         if not phase.has_side:
             return []
+        if len(phase.contacts) > 2:
+            return [f"{indent}s = SIDES[contact]"]
         right = next(c for c, side in phase.contacts.items() if side == 1)
         return [f"{indent}s = 1.0 if contact == {right.upper()} else -1.0"]
 
@@ -284,8 +287,10 @@ class _Module:
         model = self.model
         states = ", ".join(model.states)
         chosen: list[str] = []
-        for phase in model.phases:
-            name = "_".join(["accelerations", *phase.contacts])
+        for i, phase in enumerate(model.phases):
+            several = phase.has_side and len(phase.contacts) > 2
+            name = "_".join(["accelerations", *([str(i)] if several else phase.contacts)])
+            which = f"of phase {i}" if several else f"with contact {' or '.join(phase.contacts)}"
             free = [c.name for c in phase.coordinates]
             out = [f"{n}_ddot" for n in free]
             body = []
@@ -298,7 +303,7 @@ class _Module:
             side = "s, " if phase.has_side else ""
             self.function(
                 f"{name}({side}{states}, p, ax, ay)",
-                f"Accelerations of the coordinates with contact {' or '.join(phase.contacts)}.",
+                f"Accelerations of the coordinates {which}.",
                 [*body, f"    return ({', '.join(found)},)"],
                 "_inlined",
             )
@@ -359,7 +364,9 @@ class _Module:
                 continue
             body.append(f"    {'elif' if body else 'if'} contact == {contact.upper()}:")
             expressions = {
-                f"g[{i}]": t.guard for i, t in enumerate(transitions) if t.guard is not None
+                f"g[{i}]": self.model.in_contact(t.guard, contact)
+                for i, t in enumerate(transitions)
+                if t.guard is not None
             }
             for parts in self.parts(contact):
                 expressions |= {f"g[{i}]": e for i, e in parts.items()}
@@ -385,7 +392,8 @@ class _Module:
         place = self.longest
         for t in self.outgoing(contact):
             if isinstance(t.guard, sp.Max):
-                found.append(dict(zip((place, place + 1), t.guard.args, strict=True)))
+                parts = (self.model.in_contact(e, contact) for e in t.guard.args)
+                found.append(dict(zip((place, place + 1), parts, strict=True)))
                 place += 2
             else:
                 found.append({})
@@ -420,7 +428,12 @@ class _Module:
 
     def passage(self, t: Transition, theta: int, theta_dot: int, indent: str) -> list[str]:
         if t.kind != "impact":
-            return [f"{indent}return {t.target.upper()}"]
+            sets = {
+                f"out[{self.index(str(self.names[x]))}]": self.model.in_contact(e, t.source)
+                for x, e in t.sets.items()
+            }
+            lines = self.evaluate("jump", sets, indent) if sets else []
+            return [*lines, f"{indent}return {t.target.upper()}"]
         side = self.model.phase(t.target).side_of(t.target)
         opens = f"{'' if side == 1 else '-'}out[{theta_dot}] > 0.0 and y[{theta_dot}] != 0.0"
         lines = [f"{indent}out[{theta}] = 0.0"]
@@ -519,7 +532,7 @@ class _Module:
             values["displacement"] = moved(phase.load_point[0])
         for foot in sorted(phase.feet):
             values[f"{foot}_uplift"] = moved(phase.feet[foot].position[1])
-        return values
+        return values | phase.quantities_in("m")
 
     def prepare(self) -> None:
         """The function that appends the constants of rates and impacts to the parameters."""
@@ -586,7 +599,7 @@ class _Module:
             "reactions",
             "contact, y, p, ax, ay, out",
             "Forces of the ground [N] into out, in the order of REACTIONS.",
-            lambda phase: reactions(model, phase),
+            lambda phase: reactions(model, phase) | phase.quantities_in("N"),
         )
         motions = self.outputs(
             "kinematics",
@@ -685,7 +698,7 @@ class _Module:
             returning = [
                 i
                 for i, other in enumerate(self.outgoing(t.target))
-                if other.target == contact or other.fallback == contact
+                if t.reversible and contact in (other.target, other.fallback)
             ]
             back.append(returning[0] if returning else -1)
         return _row(back, length)

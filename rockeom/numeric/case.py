@@ -26,7 +26,8 @@ class Problem(NamedTuple):
     """A case as the compiled loop takes it.
 
     contact : number of the contact state at the start; y0 (N,) the state there.
-    vector : the parameters p; law, ratio : of the impacts; fallen : bound of the rotation.
+    vector : the parameters; table : what a law of impact adds to them; law, ratio : of the
+        impacts; fallen : bound of the rotation.
     horizontal, vertical : tables (m, 7) of the ground's motion; end [s];
     quiet_from : when the ground has come to stand still [s].
     """
@@ -34,6 +35,7 @@ class Problem(NamedTuple):
     contact: int
     y0: np.ndarray
     vector: np.ndarray
+    table: list[float]
     law: int
     ratio: float
     fallen: float
@@ -41,6 +43,15 @@ class Problem(NamedTuple):
     vertical: np.ndarray
     end: float
     quiet_from: float
+
+    def p(self, width: int = 0) -> np.ndarray:
+        """The parameters with the table behind them, which is read from its end.
+
+        width : of the widest table of several cases, so that all have rows of one length.
+        """
+        if not (self.table or width):
+            return self.vector
+        return np.concatenate([self.vector, np.zeros(max(width - len(self.table), 0)), self.table])
 
 
 @dataclass(frozen=True)
@@ -75,6 +86,7 @@ class Case:
             contact=structure.contact(y0, self.phase, towards),
             y0=y0,
             vector=structure.vector,
+            table=structure.impact_table(self.impact),
             law=law,
             ratio=ratio,
             fallen=fallen,

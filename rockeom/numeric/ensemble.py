@@ -260,8 +260,9 @@ class _Results:
         vertical, v_rows = _stacked([q.vertical for q in batch])
         outcome = np.full(n, len(_OUTCOMES))  # not ended
         ends = np.array([q.end for q in batch])
+        widest = max(len(q.table) for q in batch)
         others = (
-            horizontal, h_rows, vertical, v_rows, np.array([q.vector for q in batch]),
+            horizontal, h_rows, vertical, v_rows, np.array([q.p(widest) for q in batch]),
             np.array([q.law for q in batch]), np.array([q.ratio for q in batch]), options.rtol,
             np.full(width, options.atol), options.max_step, options.steps_per_law,
             np.array([q.fallen for q in batch]), options.rest_tolerance, options.max_impacts,

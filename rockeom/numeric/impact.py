@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Protocol
 
-RATIO, IMPULSIVE = 0, 1  # as in the generated modules
+RATIO, IMPULSIVE, AT_SPEED = 0, 1, 2  # as in the generated modules and in the loop
 
 
 class ImpactLaw(Protocol):
@@ -72,6 +72,79 @@ class Impulsive:
                 "use AngularMomentum(), EnergyRatio(r) or VelocityRatio(e)"
             )
         return IMPULSIVE, math.nan
+
+
+@dataclass(frozen=True)
+class EnergyRatioAtSpeed:
+    """Energy ratio r that depends on the speed at the impact, in straight pieces.
+
+    pieces : of increasing speed, each (limit, r at no speed, slope [s/m]); r is theirs below the
+        limit [m/s], which for the last one is infinite. At a limit the faster piece holds.
+    height : of the point whose speed it is, above the base [m]. None: the height that the structure
+        names, as walls do; without one the law is refused.
+
+    Where r would exceed 1, an impact would give energy; such a motion ends as not finite.
+    """
+
+    pieces: tuple[tuple[float, float, float], ...]
+    height: float | None = None
+
+    def __post_init__(self) -> None:
+        limits = [limit for limit, _, _ in self.pieces]
+        if not limits or limits[-1] != math.inf or limits != sorted(set(limits)):
+            raise ValueError(
+                f"energy ratio in pieces with the limits {limits} m/s: they must increase, and the "
+                "last one be infinite"
+            )
+        start = 0.0
+        for limit, r, slope in self.pieces:
+            _check(f"energy ratio r at {start} m/s", r + slope * start)
+            if limit < math.inf:
+                _check(f"energy ratio r below {limit} m/s", r + slope * limit)
+                start = limit
+        if limits[0] <= 0 or (self.height is not None and not self.height > 0):
+            raise ValueError("limits and the height of an energy ratio in pieces must be positive")
+
+    @classmethod
+    def equation_4_31(cls) -> EnergyRatioAtSpeed:
+        """Thesis 4-31, of the equivalent oscillator of a controlled wall."""
+        return cls(
+            ((0.3, 0.85, 0.01 / 0.45), (0.47, 0.81, 0.0), (0.78, 0.852, 0.0), (math.inf, 0.95, 0.0))
+        )
+
+    @classmethod
+    def equation_4_36(cls) -> EnergyRatioAtSpeed:
+        """Thesis 4-36, of the simplified substitute gravity; as printed."""
+        return cls(((math.inf, 0.865, 0.0441),))
+
+    @classmethod
+    def equation_4_38(cls) -> EnergyRatioAtSpeed:
+        """Thesis 4-38, of the substitute gravity with a rotation centre that moves."""
+        return cls(
+            ((0.365, 0.445, 1.0), (0.47, 0.81, 0.0), (0.78, 0.85, 0.0), (math.inf, 0.94, 0.0))
+        )
+
+    def at(self, speed: float) -> float:
+        """r at a speed [m/s], of either sign."""
+        speed = abs(speed)
+        return next(r + slope * speed for limit, r, slope in self.pieces if speed < limit)
+
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        return AT_SPEED, math.nan
+
+    def table(self, height: float | None, name: str) -> list[float]:
+        """What the compiled loop reads behind the parameters: the pieces by the rate of rotation.
+
+        height : the structure's own [m], or None.
+        """
+        lever = self.height if self.height is not None else height
+        if lever is None:
+            raise ValueError(
+                f"the energy ratio depends on a speed, and {name} does not tell of which point: "
+                "give EnergyRatioAtSpeed(..., height=...)"
+            )
+        rows = [(limit / lever, r, slope * lever) for limit, r, slope in self.pieces]
+        return [*(number for row in rows for number in row), float(len(rows))]
 
 
 def _check(what: str, value: float) -> None:

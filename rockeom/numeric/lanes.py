@@ -221,7 +221,8 @@ def impact(lane, z, w, home, data, how, work):
     if status[case, 2] < impact_times.shape[1]:
         impact_times[case, status[case, 2]] = t
     before = np.int64(z[Z_CONTACT + lane])
-    contact = jump(before, np.int64(0), law[case], ratio[case], y, p[case], after)
+    passed = ratio_at(law[case], ratio[case], y, p[case])
+    contact = jump(before, np.int64(0), law[case], passed, y, p[case], after)
     touching = np.int64(-1)
     status[case, 2] += 1
     status[case, 5] = status[case, 6] = 1

@@ -19,6 +19,8 @@ _entry = njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True
 """What is called from Python, and may allocate."""
 _loop = njit(cache=True, nogil=True, **FUSED)
 
+AT_SPEED = 2  # the law of impact besides RATIO and IMPULSIVE, see `ratio_at`
+
 # Places in the loop's scratch array
 _K = 0
 _W = _K + N_ALL_STAGES * (N_STATES + 2)
@@ -409,6 +411,29 @@ def rounding(contact, index, h, y, p, ax, ay, b):
     return max(1e-11 * scale, 1e-10 * acceleration * h * h)
 
 
+# -- impacts -------------------------------------------------------------------------------------
+
+
+@_inlined
+def ratio_at(law, ratio, y, p):
+    """Ratio of the rates of rotation at an impact from the state y; `ratio`, unless AT_SPEED.
+
+    Then the end of p holds the energy ratio in pieces of the rate: rows of limit, value at zero and
+    slope, and their number.
+    """
+    if law != AT_SPEED:
+        return ratio
+    speed = abs(y[ROTATION_RATE])
+    rows = np.int64(p[-1])
+    row = p.shape[0] - 1 - 3 * rows
+    for _ in range(rows - 1):
+        if speed < p[row]:
+            break
+        row += 3
+    energy = p[row + 1] + p[row + 2] * speed
+    return math.sqrt(energy) if energy <= 1.0 else np.nan
+
+
 # -- infinitely many impacts ---------------------------------------------------------------------
 
 
@@ -443,7 +468,7 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
         if v <= EPS * start or turn == 999:
             total += flight * (1.0 - loss) / loss  # what a constant loss leaves of the series
             w[ROTATION_RATE] = 0.0
-        contact = jump(contact, np.int64(0), law, ratio, w, p, out)
+        contact = jump(contact, np.int64(0), law, ratio_at(law, ratio, w, p), w, p, out)
         if SIDES[contact] == 0.0:
             return total, contact
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
@@ -747,7 +772,7 @@ def integrate(
             break
         before = contact
         kind = KINDS[contact][landed]
-        contact = jump(before, landed, law, ratio, y, p, after)
+        contact = jump(before, landed, law, ratio_at(law, ratio, y, p), y, p, after)
         record_event(
             n_events, t, kind, before, contact, y, after, events, event_kinds, event_states
         )

@@ -82,7 +82,7 @@ def run(
     compiled: ModuleType, problem: Problem, options: SolverOptions, keep: bool = True
 ) -> Record:
     """Run the compiled loop to its end, emptying its records whenever they are full."""
-    n, q = len(problem.y0), problem
+    n, q, p = len(problem.y0), problem, problem.p()
     atol = np.full(n, options.atol)
     status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0])
     clock = np.array([0.0, 0.0, 0.0])
@@ -97,7 +97,7 @@ def run(
         status[7:] = 0
         with compiling(compiled.integrate):
             code = compiled.integrate(
-                status, clock, y, rate, q.end, q.horizontal, q.vertical, q.vector, q.law, q.ratio,
+                status, clock, y, rate, q.end, q.horizontal, q.vertical, p, q.law, q.ratio,
                 options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
                 options.rest_tolerance, options.max_impacts, options.max_steps,
                 *steps, *marks, peaks, scratch,
@@ -114,10 +114,10 @@ def run(
     if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
         contact, reach = int(status[0]), 0.1 * q.end
         if compiled.falls(
-            contact, y, STILL, q.vector, q.law, q.ratio, options.rtol, atol, q.fallen,
+            contact, y, STILL, p, q.law, q.ratio, options.rtol, atol, q.fallen,
             options.max_impacts, options.max_steps, reach,
         ):  # fmt: skip
             outcome = Outcome.OVERTURNED
-        elif compiled.at_rest(contact, y, q.vector):
+        elif compiled.at_rest(contact, y, p):
             outcome = Outcome.CAME_TO_REST
     return Record(outcome, y, Steps(span, contacts, powers), (times, kinds, states))

@@ -10,12 +10,15 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any, ClassVar, TypeVar, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transform
 
 import numpy as np
 
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.impact import AngularMomentum, ImpactLaw
+from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw
+
+if TYPE_CHECKING:
+    from rockeom.analysis import Wall
 
 
 class Structure:
@@ -27,6 +30,8 @@ class Structure:
 
     model: ClassVar[str] = ""
     may_vanish: ClassVar[frozenset[str]] = frozenset()
+    may_be_negative: ClassVar[frozenset[str]] = frozenset()
+    not_numbers: ClassVar[frozenset[str]] = frozenset()
 
     # -- what a subclass gives --------------------------------------------------------------
 
@@ -155,6 +160,10 @@ class Structure:
         if m.KINDS[contact][0] != 0 or m.GUARDS[contact] == 0:
             raise ValueError(f"no impact ends the phase {phase!r} of {self.model}")
         law, ratio = self.law(impact)
+        if isinstance(impact, EnergyRatioAtSpeed):
+            height = self.speed_height if impact.height is None else impact.height
+            impact.table(height, self.model)
+            ratio = math.sqrt(impact.at(float(y[m.ROTATION_RATE]) * (height or math.nan)))
         out = np.empty_like(y)
         follows = m.jump(contact, 0, law, ratio, y, self.vector, out)
         return dict(zip(self.states, out.tolist(), strict=True)), m.CONTACTS[follows]
@@ -173,6 +182,17 @@ class Structure:
             return 0, 1.0
         chosen = AngularMomentum() if impact is None else impact
         return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
+
+    @property
+    def speed_height(self) -> float | None:
+        """Height of the point whose speed a law of impact means [m]; None if there is none."""
+        return None
+
+    def impact_table(self, impact: ImpactLaw | None) -> list[float]:
+        """What the compiled loop reads behind the parameters, for a law that needs a table."""
+        if isinstance(impact, EnergyRatioAtSpeed) and self.has_impacts:
+            return impact.table(self.speed_height, self.model)
+        return []
 
     def energies(self, state: Mapping[str, float], phase: str | None = None) -> dict[str, float]:
         """Kinetic, gravitational and elastic energy [J]; heights count from the ground."""
@@ -236,8 +256,16 @@ def check_names(what: str, required: set[str], known: set[str], given: set[str])
     )
 
 
-def check_values(what: str, values: Mapping[str, float | None], may_vanish: frozenset[str]) -> None:
-    """Raise ValueError for a parameter that is not a positive (or, where allowed, zero) number."""
+def check_values(
+    what: str,
+    values: Mapping[str, float | None],
+    may_vanish: frozenset[str],
+    may_be_negative: frozenset[str] = frozenset(),
+) -> None:
+    """Raise ValueError for a parameter that is not a positive number.
+
+    Where allowed it may be zero, or any finite number.
+    """
     for name, value in values.items():
         if value is None:
             continue
@@ -246,7 +274,10 @@ def check_values(what: str, values: Mapping[str, float | None], may_vanish: froz
         except (TypeError, ValueError):
             raise ValueError(f"{what}: {name} is {value!r}: give a number in SI units") from None
         allowed = number >= 0 if name in may_vanish else number > 0
-        if not (math.isfinite(number) and allowed):
+        if name in may_be_negative:
+            if not math.isfinite(number):
+                raise ValueError(f"{what}: {name} is {value}: it must be finite")
+        elif not (math.isfinite(number) and allowed):
             wanted = "zero or positive" if name in may_vanish else "positive"
             raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
 
@@ -263,7 +294,8 @@ def _structure_class(cls: type[S]) -> type[S]:
     @functools.wraps(plain)
     def init(self: Structure, **values: Any) -> None:
         check_names(cls.__name__, required, known, set(values))
-        check_values(cls.__name__, values, cls.may_vanish)
+        numbers = {name: v for name, v in values.items() if name not in cls.not_numbers}
+        check_values(cls.__name__, numbers, cls.may_vanish, cls.may_be_negative)
         plain(self, **values)
 
     setattr(cls, "__init__", init)  # noqa: B010
@@ -521,6 +553,279 @@ class UpliftingOscillator(Structure):
         )
 
 
+@_structure_class
+class _ControlledWall(Structure):
+    """What the models of a controlled rocking wall share; see `ControlledWall`."""
+
+    may_vanish = frozenset({"edge_distance", "initial_force"})
+    may_be_negative = frozenset({"eccentricity"})
+    mass: float
+    height: float
+    half_width: float
+    edge_distance: float
+    transition: float
+    tendon_stiffness: float
+    initial_force: float
+    yield_force: float
+    eccentricity: float = 0.0
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        what = type(self).__name__
+        if not self.initial_force < self.yield_force:
+            raise ValueError(
+                f"{what}: initial_force is {self.initial_force}: it must be below yield_force, "
+                f"{self.yield_force}"
+            )
+        if not self.edge_distance < self.half_width:
+            raise ValueError(
+                f"{what}: edge_distance is {self.edge_distance}: it must be below half_width, "
+                f"{self.half_width}"
+            )
+
+    @classmethod
+    def _of_wall(cls, wall: Wall) -> dict[str, float]:
+        """The shared parameters of a wall of `rockeom.analysis`."""
+        if len(wall.tendons) != 1:
+            raise ValueError(
+                f"{cls.__name__} has one tendon, the wall has {len(wall.tendons)}: for several "
+                "derive a model, rockeom.symbolic.controlled_wall"
+            )
+        (tendon,) = wall.tendons
+        return {
+            "mass": wall.mass,
+            "height": wall.height,
+            "half_width": wall.half_width,
+            "edge_distance": wall.rotation_centre.C2,
+            "transition": wall.rotation_centre.epsilon,
+            "tendon_stiffness": tendon.stiffness,
+            "initial_force": tendon.initial_force,
+            "yield_force": tendon.yield_force,
+            "eccentricity": tendon.eccentricity,
+            "gravity": wall.gravity,
+        }
+
+    @property
+    def speed_height(self) -> float:
+        return self.height
+
+    def pushover(self, rotations) -> np.ndarray:
+        """Force at the load point that holds the wall at each rotation, or displacement [N].
+
+        rotations : any shape, in the unit of the model's first state. Each is reached from upright
+        by a growing rotation: a tendon that yields has its yield force.
+        """
+        m, p = self.module, self.vector
+        rotations = np.asarray(rotations, dtype=float)
+        forces = np.empty(rotations.shape)
+        y, lacking = np.zeros(m.N_STATES), np.empty((2, m.N_STATES // 2))
+        for index in np.ndindex(rotations.shape):
+            y[m.ROTATION] = rotations[index]
+            side = "left" if rotations[index] < 0 else "right"
+            contact = m.CONTACTS.index(side)
+            told = np.empty(len(m.REACTIONS))
+            m.reactions(contact, y, p, 0.0, 0.0, told)
+            elastic = told[m.REACTIONS.index("tendon_force")]
+            state = "_yield" if elastic > self.yield_force else "_slack" if elastic < 0 else ""
+            contact = m.CONTACTS.index(side + state)
+            for load, row in enumerate(lacking):
+                m.statics(contact, y, p, float(load), row)
+            zero, one = lacking[:, m.ROTATION]
+            forces[index] = zero / (zero - one)
+        return forces
+
+
+def _thesis_wall(initial_force: float) -> Wall:
+    return importlib.import_module("rockeom.analysis").Wall.thesis(initial_force)
+
+
+@_structure_class
+class ControlledWall(_ControlledWall):
+    """A rigid wall held by an unbonded tendon, by Lagrange's equations with no term dropped.
+
+    mass [kg] of all that moves; height H [m] of the point whose displacement Delta counts;
+    half_width B of the base [m]. The rotation centre moves out
+    with Delta to edge_distance [m] from the edge, over the displacement transition epsilon [m]:
+    b = (B - edge_distance) (1 - exp(-(Delta/epsilon)**2)), thesis 4-8. tendon_stiffness [N/m],
+    initial_force and yield_force [N]; eccentricity [m] of the tendon from the centreline, positive
+    to the right; gravity [m/s2].
+
+    The tendon is elastic, yields, or is slack: a contact state each. The state
+    `permanent_extension` is put to its new value when yielding ends. A wall that starts at rest
+    beyond yield has been pulled there. `tendon_force`, `tendon_extension` and `rotation_centre` are
+    quantities of a response.
+
+    centroid_height [m]; inertia [kg m2] about the centroid; anchor_height [m] of the tendon's
+    anchor in the wall above its base, anchor_depth [m] of that in the foundation below it; the
+    tendon is straight between them.
+
+    The rotation centre passes the centreline with the wall upright, so that no velocity jumps
+    there: without a law of impact no energy is lost.
+    """
+
+    model: ClassVar[str] = "controlled_wall"
+    may_vanish = _ControlledWall.may_vanish | {"inertia", "anchor_depth"}
+    centroid_height: float
+    inertia: float
+    anchor_height: float
+    anchor_depth: float
+
+    @classmethod
+    def from_wall(cls, wall: Wall, anchor_distance: float = 3.1) -> ControlledWall:
+        """The wall of `rockeom.analysis`; anchor_distance of the tendon's anchors [m].
+
+        The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when
+        the wall turns about its centreline.
+        """
+        about_base = float(wall.moment_of_inertia(wall.half_width))
+        return cls(
+            **cls._of_wall(wall),
+            centroid_height=wall.centroid_height,
+            inertia=about_base - wall.mass * wall.centroid_height**2,
+            anchor_height=anchor_distance,
+            anchor_depth=0.0,
+        )
+
+    @classmethod
+    def thesis(cls, initial_force: float = 75.6e3) -> ControlledWall:
+        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        return cls.from_wall(_thesis_wall(initial_force))
+
+
+@_structure_class
+class SubstituteGravityWall(_ControlledWall):
+    """The wall as Housner's block, its tendon's force a weight (thesis 4-37, 4-40).
+
+    centroid_height [m]; pivot_inertia I_o [kg m2] about the rotation centre, taken as constant.
+    The moments are about B (1 - exp(-(Delta/epsilon)**2)) from the centreline (4-37); the extension
+    of the tendon is that of b (4-16). The work of its weight is no stored energy, and
+    `elastic_energy` is zero. Else as ControlledWall.
+    """
+
+    model: ClassVar[str] = "substitute_gravity_wall"
+    centroid_height: float
+    pivot_inertia: float
+
+    @classmethod
+    def from_wall(cls, wall: Wall) -> Self:
+        """The wall of `rockeom.analysis`, its inertia that about a corner."""
+        return cls(
+            **cls._of_wall(wall),
+            centroid_height=wall.centroid_height,
+            pivot_inertia=wall.corner_inertia,
+        )
+
+    @classmethod
+    def thesis(cls, initial_force: float = 75.6e3) -> Self:
+        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        return cls.from_wall(_thesis_wall(initial_force))
+
+
+@_structure_class
+class SimplifiedSubstituteGravityWall(SubstituteGravityWall):
+    """The same, but the moments are about the edges of the base (thesis 4-32).
+
+    Only the tendon's extension knows of the rotation centre that moves (4-16). The wall lifts off
+    when the ground acceleration exceeds (m g + P) B/(m H_c).
+    """
+
+    model: ClassVar[str] = "simplified_substitute_gravity_wall"
+
+
+@_structure_class
+class ControlledWallOscillator(_ControlledWall):
+    """The wall as an elastic oscillator whose losses are a force (thesis 4-27 to 4-31, 4-39).
+
+    regularisation n [m], the width in Delta of a passage; energy_ratio r, that of the kinetic
+    energies after and before a passage: a number, or an `EnergyRatioAtSpeed`. held : whether its
+    speed is, for a whole passage, that with which the wall would come upright without losses from
+    where it turned back; else it is the speed of the instant, and r changes within a passage.
+    effective_mass M_e [kg], `mass` if not given; the 6 % by which 4.8.1 raises F_k are those of
+    effective_mass = mass/1.06. The energies are those of 4-18 and 4-20, without P-delta. Else as
+    ControlledWall.
+
+    The state `u` is Delta [m]; there are no jumps of the velocity and `impacts` is empty. The
+    elastic energy holds that of gravity. Tolerances must be below n.
+    """
+
+    model: ClassVar[str] = "controlled_wall_oscillator"
+    not_numbers = frozenset({"energy_ratio", "held"})
+    regularisation: float
+    energy_ratio: float | EnergyRatioAtSpeed
+    held: bool = True
+    effective_mass: float | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not isinstance(self.energy_ratio, EnergyRatioAtSpeed):
+            if not 0 < self.energy_ratio <= 1:
+                raise ValueError(
+                    f"ControlledWallOscillator: energy_ratio is {self.energy_ratio}: it must lie "
+                    "between 0 and 1"
+                )
+        elif len(self.energy_ratio.pieces) > 4:
+            raise ValueError(
+                f"ControlledWallOscillator: energy_ratio has {len(self.energy_ratio.pieces)} "
+                "pieces: at most 4"
+            )
+
+    @classmethod
+    def from_wall(
+        cls,
+        wall: Wall,
+        energy_ratio: float | EnergyRatioAtSpeed,
+        held: bool = True,
+        regularisation: float | None = None,
+        effective_mass: float | None = None,
+    ) -> ControlledWallOscillator:
+        """The wall of `rockeom.analysis`; regularisation is its epsilon if not given, as in 4.8."""
+        return cls(
+            **cls._of_wall(wall),
+            regularisation=regularisation or wall.rotation_centre.epsilon,
+            energy_ratio=energy_ratio,
+            held=held,
+            effective_mass=effective_mass,
+        )
+
+    @classmethod
+    def thesis(
+        cls,
+        energy_ratio: float | EnergyRatioAtSpeed,
+        initial_force: float = 75.6e3,
+        held: bool = True,
+    ) -> ControlledWallOscillator:
+        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        return cls.from_wall(_thesis_wall(initial_force), energy_ratio, held)
+
+    def parameters(self) -> dict[str, float]:
+        values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
+        law = values.pop("energy_ratio")
+        pieces = law.pieces if isinstance(law, EnergyRatioAtSpeed) else ((math.inf, law, 0.0),)
+        for i, (limit, r, slope) in enumerate((*pieces, *pieces[-1:] * (4 - len(pieces))), 1):
+            values[f"energy_ratio_{i}" if i > 1 else "energy_ratio"] = r
+            values[f"energy_ratio_slope_{i}"] = slope
+            values[f"speed_limit_{i}"] = limit
+        mass = values["effective_mass"]
+        values["held"] = float(self.held)
+        return values | {"effective_mass": self.mass if mass is None else mass}
+
+    def state(self, values: Mapping[str, float]) -> np.ndarray:
+        """(N,) state vector; a passage_speed that is not given is that of the energy there is."""
+        y = super().state(values)
+        if "passage_speed" not in values:
+            upright = np.zeros_like(y)
+            upright[1] = y[1]
+            m = self.module
+            energy = np.empty((2, len(m.ENERGIES)))
+            for at, row in zip((y, upright), energy, strict=True):
+                m.energies(self.contact(at), at, self.vector, row)
+            kinetic = max(float(energy[0].sum() - energy[1].sum()), 0.0)
+            y[m.STATES.index("passage_speed")] = math.sqrt(
+                2 * kinetic / self.parameters()["effective_mass"]
+            )
+        return y
+
+
 SHIPPED: dict[str, type[Structure]] = {
     cls.model: cls
     for cls in (
@@ -533,6 +838,10 @@ SHIPPED: dict[str, type[Structure]] = {
         TwoSpringCart,
         UpliftingOscillator,
         FlexibleStructure,
+        ControlledWall,
+        ControlledWallOscillator,
+        SubstituteGravityWall,
+        SimplifiedSubstituteGravityWall,
     )
 }
 
@@ -582,5 +891,6 @@ def structure(model, **parameters: float) -> Structure:
     if "gravity" in names:
         parameters.setdefault("gravity", STANDARD_GRAVITY)
     check_names(model.name, names, names, set(parameters))
-    check_values(model.name, parameters, frozenset(names))
+    signed = frozenset(p.name for p in model.parameters if not p.symbol.is_nonnegative)
+    check_values(model.name, parameters, frozenset(names), signed)
     return DeclaredStructure(module, dict(parameters))

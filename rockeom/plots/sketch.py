@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import Affine2D
 
-from rockeom.plots import style
+from rockeom.plots import free_body, style
 
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
@@ -45,17 +45,20 @@ def draw_structure(
     springs = "foundation_stiffness" in values
     pivot = 0.0 if springs else math.copysign(b, rotation)
     turn = Affine2D().rotate_around(pivot, 0.0, -rotation).transform
-    if "base_mass" in values or "stiffness" in values:
+    if "tendon_stiffness" in values:
+        _wall(ax, values, turn)
+    elif "base_mass" in values or "stiffness" in values:
         _lumped(ax, values, turn, deformation)
     else:
         _block(ax, values, turn)
     feet = turn(np.array([[-b, 0.0], [b, 0.0]]))
     depth = 0.35 * b if springs else 0.0
     for foot in feet:
-        if springs:
-            _spring(ax, foot, -depth)
+        if springs:  # from the foot, or from its place if it has lifted
+            top = min(float(foot[1]), 0.0)
+            free_body.spring(ax, (foot[0], top), (foot[0], -depth), 0.36 * depth)
         ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
-    _ground(ax, 1.9 * b, -depth, 0.09 * values["height"])
+    free_body.ground(ax, -1.9 * b, 1.9 * b, -depth, 0.09 * values["height"])
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)
@@ -63,9 +66,17 @@ def draw_structure(
 
 def _block(ax: Axes, values: dict[str, float], turn: Place) -> None:
     b, h = values["half_width"], values["height"]
-    corners = turn(np.array([[-b, 0.0], [b, 0.0], [b, 2 * h], [-b, 2 * h]]))
-    ax.fill(*corners.T, facecolor="#dbe9f6", edgecolor=style.LINES[0], lw=1.2)
-    _mass(ax, turn, (0.0, h), "")
+    free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, 2 * h], [-b, 2 * h]])))
+    _mass(ax, turn, (0.0, h), "", 6)
+
+
+def _wall(ax: Axes, values: dict[str, float], turn: Place) -> None:
+    """A wall up to the point whose displacement counts, and its tendon."""
+    b, h, e = values["half_width"], values["height"], values["eccentricity"]
+    free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, h], [-b, h]])))
+    ((x, y),) = turn(np.array([[e, h]]))
+    ax.plot([e, x], [0.0, y], color=style.INK, lw=1.6)
+    _mass(ax, turn, (0.0, values.get("centroid_height", h)), "", 6)
 
 
 def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float) -> None:
@@ -73,7 +84,7 @@ def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float)
     b, h, low = values["half_width"], values["height"], values.get("base_height", 0.0)
     thick = max(2 * low, 0.04 * h)
     corners = turn(np.array([[-b, 0.0], [b, 0.0], [b, thick], [-b, thick]]))
-    ax.fill(*corners.T, facecolor="#dbe9f6", edgecolor=style.LINES[0], lw=1.2)
+    free_body.body(ax, corners)
     z = np.linspace(0.0, 1.0, 40)
     bent = deformation * z**2 * (3.0 - z) / 2.0  # a cantilever under a force at its end
     column = turn(np.column_stack([bent, thick + (h - thick) * z]))
@@ -86,22 +97,4 @@ def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float)
 
 def _mass(ax: Axes, turn: Place, at: tuple[float, float], name: str, size: float = 6.0) -> None:
     (point,) = turn(np.array([at]))
-    ax.plot(*point, "o", color=style.LINES[1], mec=style.INK, mew=0.7, ms=size, zorder=5)
-    ax.annotate(
-        name, point, xytext=(5 + size / 2, 0), textcoords="offset points", va="center", fontsize=8
-    )
-
-
-def _spring(ax: Axes, foot: np.ndarray, bottom: float) -> None:
-    """A zigzag from the foot, or from its place if it has lifted, down to the ground."""
-    top = min(float(foot[1]), 0.0)
-    t = np.linspace(0.0, 1.0, 10)
-    sway = np.array([0, 0, 1, -1, 1, -1, 1, -1, 0, 0]) * 0.18 * abs(bottom)
-    ax.plot(foot[0] + sway, bottom + (top - bottom) * t, color=style.INK, lw=1.0)
-
-
-def _ground(ax: Axes, half: float, level: float, depth: float) -> None:
-    ax.fill_between(
-        [-half, half], level - depth, level, facecolor="0.92", hatch="////", ec="0.7", lw=0
-    )
-    ax.plot([-half, half], [level, level], color=style.INK, lw=1.2)
+    free_body.mass(ax, point, name, (5 + size / 2, 0), size)

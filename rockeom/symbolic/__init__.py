@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from rockeom.symbolic.controlled_wall import (
+    controlled_wall,
+    controlled_wall_oscillator,
+    simplified_substitute_gravity_wall,
+    substitute_gravity_wall,
+)
 from rockeom.symbolic.dirac_delta import dirac_delta_block
 from rockeom.symbolic.flexible import flexible_structure
 from rockeom.symbolic.lumped_mass import lumped_mass_structure
@@ -12,6 +18,7 @@ from rockeom.symbolic.model import (
     Coordinate,
     Definition,
     Foot,
+    Law,
     Parameter,
     Phase,
     RockingModel,
@@ -37,6 +44,10 @@ SHIPPED: dict[str, Callable[[], RockingModel]] = {
         two_spring_cart,
         uplifting_oscillator,
         flexible_structure,
+        controlled_wall,
+        controlled_wall_oscillator,
+        substitute_gravity_wall,
+        simplified_substitute_gravity_wall,
     )
 }
 
@@ -62,6 +73,7 @@ __all__ = [
     "Coordinate",
     "Definition",
     "Foot",
+    "Law",
     "Parameter",
     "Phase",
     "RockingModel",

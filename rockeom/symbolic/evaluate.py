@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 import numpy as np
 import sympy as sp
 
-from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel, Transition
 
@@ -33,8 +32,7 @@ class NumpyPhase:
 
     def __init__(self, model: RockingModel, contact: str) -> None:
         phase = model.phase(contact)
-        side = phase.side_of(contact)
-        equations = model.equations(contact)
+        equations = phase.equations.map(lambda e: model.in_contact(e, contact))
         self.contact = contact
         self.states = model.states
         self.parameters = tuple(p.name for p in model.parameters)
@@ -49,7 +47,8 @@ class NumpyPhase:
         moving = [*given, *(c.acceleration for c in phase.coordinates)]
 
         def table(named: Mapping[str, sp.Expr], arguments: list[sp.Symbol] = given):
-            return tuple(named), _function(arguments, (at_side(e, side) for e in named.values()))
+            exact = (model.in_contact(e, contact) for e in named.values())
+            return tuple(named), _function(arguments, exact)
 
         self._mass_matrix = _function(given, equations.mass_matrix)
         self._forcing = _function(given, equations.forcing)
@@ -60,7 +59,7 @@ class NumpyPhase:
                 "elastic_energy": equations.elastic_energy,
             }
         )
-        self._reactions = table(reactions(model, phase), moving)
+        self._reactions = table(reactions(model, phase) | phase.quantities_in("N"), moving)
         places = {body.name: body.position for body in phase.bodies}
         places |= {f"{name}_foot": foot.position for name, foot in phase.feet.items()}
         self._positions = table(
@@ -152,6 +151,7 @@ class _Opening:
         rotation, target = model.rotation, transition.target
         phase, equations = model.phase(target), model.equations(target)
         closed = {rotation.position: 0, rotation.velocity: 0}
+        equations = equations.map(lambda e: model.in_contact(e, target))
         self._side = phase.side_of(target)
         self._row = [c.name for c in phase.coordinates].index(rotation.name)
         self._mass_matrix = _function(given, equations.mass_matrix.subs(closed))

@@ -65,7 +65,11 @@ def derive_impulse_map(model: RockingModel, source: str, target: str) -> Impulse
         weights = sp.diag(body.mass, body.mass, body.inertia)
         mass_matrix += jacobian.T * weights * jacobian
         momentum += jacobian.T * weights * arriving
-    return ImpulseMap(after.coordinates, mass_matrix.applyfunc(tidy), momentum.applyfunc(tidy))
+
+    def written(m: sp.Matrix) -> sp.Matrix:
+        return m.applyfunc(lambda e: tidy(model.written_out(e).subs(closed)))
+
+    return ImpulseMap(after.coordinates, written(mass_matrix), written(momentum))
 
 
 def rigid_velocity_ratio(model: RockingModel) -> sp.Expr:

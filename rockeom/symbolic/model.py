@@ -7,7 +7,7 @@ motion, impact maps, reactions and statics from them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -39,6 +39,22 @@ class Definition:
     """A constant that follows from the parameters; equations are written with its symbol."""
 
     symbol: sp.Symbol
+    name: str
+    unit: str
+    meaning: str
+    value: sp.Expr
+
+
+@dataclass(frozen=True)
+class Law:
+    """A function of the coordinates that equations name instead of writing it out.
+
+    symbol : a function such as b(theta), whose derivatives are then those of `value`; or a plain
+        symbol, which Lagrange's equations take as a constant. `value` may contain the side, the
+        parameters, and laws that stand before it.
+    """
+
+    symbol: sp.Expr
     name: str
     unit: str
     meaning: str
@@ -92,13 +108,15 @@ class Phase:
 
     contacts : side of each contact state that this mechanism serves. A rocking mechanism
         serves two, {"left": -1, "right": +1}, written once with the side s = sgn(theta).
-    coordinates : those free to move; all others are held at zero.
+    coordinates : those free to move; all others are held where they are.
     dissipation : Rayleigh's function, half the power lost.
     forces : generalised force on each coordinate, in their order, for what neither potential nor
         dissipation gives; its virtual work is forces . dq. Empty for none.
     feet : the "left" and the "right" foot.
     small : symbols taken as small of first order; energies are then truncated at second
         order, which gives the linearised equations. Impacts keep the exact geometry.
+    quantities : what a response tells besides, by name: (unit, value) in "m" or "N". The names are
+        the same in each phase.
     """
 
     contacts: dict[str, int]
@@ -111,6 +129,7 @@ class Phase:
     load_point: tuple[sp.Expr, sp.Expr] | None = None
     small: tuple[sp.Symbol, ...] = ()
     forces: tuple[sp.Expr, ...] = ()
+    quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
 
     @cached_property
     def equations(self) -> Equations:
@@ -121,6 +140,9 @@ class Phase:
     def approximated(self, expr: sp.Expr) -> sp.Expr:
         """The expression to second order in what this phase takes as small; else as it is."""
         return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
+
+    def quantities_in(self, unit: str) -> dict[str, sp.Expr]:
+        return {name: e for name, (u, e) in self.quantities.items() if u == unit}
 
     @property
     def has_side(self) -> bool:
@@ -139,6 +161,8 @@ class Transition:
         the state goes on unchanged.
     fallback : where an impact leads if its target could not open (the old foot does not lift).
     guard : positive inside `source`; smooth, or the Max of two that are.
+    sets : positions of coordinates that a switch puts to a new value, a function of the state.
+    reversible : whether the guard of the passage back is zero where this one happens.
     """
 
     source: str
@@ -147,6 +171,8 @@ class Transition:
     guard: sp.Expr | None = None
     fallback: str | None = None
     reference: str = ""
+    sets: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    reversible: bool = True
 
 
 @dataclass(frozen=True)
@@ -164,6 +190,7 @@ class RockingModel:
     definitions: tuple[Definition, ...] = ()
     rigid_velocity_ratio: sp.Expr | None = None
     reference: str = ""
+    laws: tuple[Law, ...] = ()
 
     def __post_init__(self) -> None:
         _check_symbols(self)
@@ -172,6 +199,25 @@ class RockingModel:
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
         """Derived constants, each in terms of the parameters."""
         return {d.symbol: d.value for d in self.definitions}
+
+    def written_out(self, expr: sp.Expr) -> sp.Expr:
+        """The expression with all laws and their derivatives in place of their names."""
+        expr = sp.sympify(expr)
+        for law in reversed(self.laws):
+            if law.symbol.is_Symbol:
+                expr = expr.xreplace({law.symbol: law.value})
+                continue
+            (of,) = law.symbol.args
+            rates = [d for d in expr.atoms(sp.Derivative) if d.expr == law.symbol]
+            put = {d: sp.diff(law.value, *d.variables) for d in rates}
+            for at in expr.atoms(law.symbol.func):
+                put[at] = law.value.subs(of, at.args[0])
+            expr = expr.xreplace(put)
+        return expr.doit() if expr.has(sp.Subs) else expr
+
+    def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
+        """The expression written out for a contact state, its side put in as a number."""
+        return at_side(self.written_out(expr), self.phase(contact).side_of(contact))
 
     @property
     def contacts(self) -> tuple[str, ...]:
@@ -244,7 +290,7 @@ class RockingModel:
 def _check_symbols(model: RockingModel) -> None:
     """Every symbol of the declaration must be a parameter, a coordinate or the side."""
     known = {p.symbol for p in model.parameters} | set(model.constants)
-    known |= {SIDE, GROUND_X, GROUND_Y}
+    known |= {SIDE, GROUND_X, GROUND_Y} | {x.symbol for x in model.laws if x.symbol.is_Symbol}
     for c in model.coordinates:
         known |= {c.position, c.velocity, c.acceleration}
     for phase in model.phases:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
@@ -263,9 +264,20 @@ class Notation(LatexPrinter):
         name = GROUND.get(expr) or super()._print_Symbol(expr)
         return re.sub(r"_\{(\w)\}", r"_\1", name)
 
+    def _law(self, function: sp.Expr, primes: int = 0) -> str:
+        """A law of the coordinate by its name, with a prime for each derivative."""
+        return self._print(sp.Symbol(function.func.__name__)) + "'" * primes
+
+    def _print_Derivative(self, expr: sp.Derivative) -> str:
+        if isinstance(expr.expr, AppliedUndef):
+            return self._law(expr.expr, expr.derivative_count)
+        return super()._print_Derivative(expr)
+
     def _print_Function(self, expr: sp.Function, exp: str | None = None) -> str:
         name = {"atan": r"\arctan"}.get(expr.func.__name__, rf"\{expr.func.__name__}")
         if len(expr.args) > 1 or name[1:] not in ("sin", "cos", "tan", "arctan"):
+            if isinstance(expr, AppliedUndef):
+                return self._law(expr) + (f"^{exp}" if exp else "")
             return super()._print_Function(expr, exp)
         argument = self._print(expr.args[0])
         if not expr.args[0].is_Symbol:
@@ -273,9 +285,13 @@ class Notation(LatexPrinter):
         power = f"^{exp}" if exp else ""
         return f"{name}{power} {argument}" if argument[0].isalpha() else f"{name}{power}{argument}"
 
+    def _print_Abs(self, expr: sp.Expr, exp: str | None = None) -> str:
+        return f"|{self._print(expr.args[0])}|" + (f"^{exp}" if exp else "")
+
     def _print_Max(self, expr: sp.Expr, exp: str | None = None) -> str:
         arguments = sorted(expr.args, key=sp.default_sort_key)
-        return rf"\max({', '.join(self._print(a) for a in arguments)})"
+        power = f"^{exp}" if exp else ""
+        return rf"\max({', '.join(self._print(a) for a in arguments)}){power}"
 
 
 def _symbols(expressions) -> list[sp.Symbol]:

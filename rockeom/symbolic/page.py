@@ -66,16 +66,16 @@ def width(tex: str) -> float:
     return len(re.sub(r"[{}_^\s]", "", tex)) - 0.25 * small + 0.4 * wide
 
 
-_MARKS = re.compile(r"\\left|\\right|[\[({\])}]| [-+=/] ")
+_MARKS = re.compile(r"\\left|\\right|\\begin|\\end|[\[({\])}]| [-+=/] ")
 
 
 def _cuts(tex: str) -> Iterator[tuple[int, int]]:
     """(depth of brackets, index) of each sign before which a line may be broken."""
     depth = closed = 0
     for mark in _MARKS.finditer(tex):
-        if mark[0] in ("{", r"\left"):
+        if mark[0] in ("{", r"\left", r"\begin"):
             closed += 1
-        elif mark[0] in ("}", r"\right"):
+        elif mark[0] in ("}", r"\right", r"\end"):
             closed -= 1
         elif mark[0] in "[(":
             depth += 1

@@ -14,6 +14,7 @@ from rockeom.symbolic.model import (
     GROUND_X,
     GROUND_Y,
     Coordinate,
+    Law,
     Phase,
     RockingModel,
     Transition,
@@ -130,6 +131,7 @@ def _symbols(model: RockingModel, polar: bool) -> list[Block]:
         Table(header, tuple(rows)),
         "Dots denote derivatives with respect to time.",
     ]
+    blocks += _laws(model, notation)
     derived = [(d.symbol, d.name, d.unit, d.meaning, d.value) for d in model.definitions]
     if polar:
         derived += [(p.symbol, "", p.unit, p.meaning, e) for p, e in polar_parameters(model)]
@@ -142,6 +144,36 @@ def _symbols(model: RockingModel, polar: bool) -> list[Block]:
         table = Table(header, tuple(row(*words) for *words, _ in derived))
         blocks += ["Constants that follow from these:", table, Display(tuple(lines))]
     return blocks
+
+
+def _laws(model: RockingModel, notation: Notation) -> list[Block]:
+    """What the equations name of the coordinates, written out."""
+    if not model.laws:
+        return []
+    rows = tuple(
+        (f"${notation.plain(x.symbol)}$", f"`{x.name}`", x.unit, x.meaning) for x in model.laws
+    )
+    q = notation.plain(model.rotation.position)
+    held = [law for law in model.laws if law.symbol.is_Symbol and law.unit == "m"]  # in positions
+    text = f"Functions that the equations name; a prime is a derivative with respect to ${q}$."
+    for law in held:
+        symbol = notation.plain(law.symbol)
+        text += f" Lagrange's equations take ${symbol}$ as a constant at each instant."
+    table = Table(("Symbol", "Name", "Unit", "Meaning"), rows)
+    whole = [law for law in model.laws if not isinstance(law.value, sp.Piecewise)]
+    lines = (f"{notation.plain(x.symbol)} = {notation.plain(x.value)}" for x in whole)
+    pieces = [_pieces(law, notation) for law in model.laws if law not in whole]
+    return [text, table, Display(tuple(lines)), *pieces]
+
+
+def _pieces(law: Law, notation: Notation) -> str:
+    """A law in pieces, each below a limit and the last one beyond all, as a sentence."""
+    words = []
+    for value, holds in law.value.args:
+        limit = "beyond" if holds == True else f"for ${notation.plain(holds.lhs)}$ below "  # noqa: E712
+        limit += "" if holds == True else f"${notation.plain(holds.rhs)}$"  # noqa: E712
+        words.append(f"${notation.plain(value)}$ {limit}")
+    return f"${notation.plain(law.symbol)}$ is {', '.join(words)}."
 
 
 def _in_terms_of(known: dict[sp.Symbol, sp.Expr], expr: sp.Expr) -> sp.Expr:
@@ -273,6 +305,9 @@ def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | N
     go_on = "" if first.kind == "impact" else "; velocities go on unchanged"
     blocks.append(f"{ends} when ${short}$ falls through zero{go_on}{':' if lines else '.'}")
     blocks += [Display(tuple(lines))] if lines else []
+    for t in alike if first.sets else ():
+        put = tuple(f"{notation.plain(x)} = {notation.plain(e)}" for x, e in t.sets.items())
+        blocks += [f"From `{t.source}` to `{t.target}` this is put to a new value:", Display(put)]
     if first.kind != "impact":
         return blocks
     if model.rigid_velocity_ratio is not None:

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import given, strategies as st
+from sympy.core.function import AppliedUndef
 
 from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
@@ -63,6 +64,11 @@ def values_of(phase, seed=0) -> dict[sp.Symbol, float]:
         used |= {x for e in (body.mass, body.inertia, *body.position) for x in e.free_symbols}
     used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
     used |= phase.gravity.free_symbols | sp.Tuple(*phase.forces).free_symbols
+    residual = phase.equations.residual(phase.coordinates)
+    for law in residual.atoms(AppliedUndef) | phase.elastic_energy.atoms(AppliedUndef):
+        used |= {law, law.diff(*law.args), law.diff(*law.args, 2)}
+        used |= law.free_symbols
+    used |= sp.Tuple(*(phase.load_point or ())).free_symbols
     values = {x: rng.uniform(0.2, 1.2) for x in sorted(used, key=str)}
     values[SIDE] = rng.choice([-1.0, 1.0])
     for body in phase.bodies:
@@ -187,7 +193,12 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
 
 
 @pytest.mark.parametrize(
-    ("name", "form"), [d for d in DOCUMENTS if not d[0].startswith(("two_spring", "dirac_delta"))]
+    ("name", "form"),
+    [
+        d
+        for d in DOCUMENTS
+        if not d[0].startswith(("two_spring", "dirac_delta")) and "wall" not in d[0]
+    ],
 )
 def test_reading_typeset_impact_maps_gives_the_derived_velocities(name, form):
     model = structure(name)
