@@ -71,6 +71,12 @@ from rockeom.analysis.measured import (
     stiffness_from_period,
     viscous_coefficient,
 )
+from rockeom.analysis.orbits import (
+    PeriodicOrbit,
+    StroboscopicMap,
+    bifurcation_value,
+    continued_orbits,
+)
 from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
 from rockeom.analysis.restitution import (
     energy_ratio_from_velocity_ratio,
@@ -105,21 +111,25 @@ __all__ = [
     "Energies",
     "FreeVibration",
     "GrantFactors",
+    "PeriodicOrbit",
     "QuarterPeriods",
     "Restitution",
     "RotationCentre",
+    "StroboscopicMap",
     "Tendon",
     "TendonPath",
     "TwoSprings",
     "Wall",
     "acceleration_at_impact",
     "back_calculated_force",
+    "bifurcation_value",
     "bilinear_damping",
     "block_reactions",
     "block_reactions_at_impact",
     "centroid_acceleration",
     "circular_mat",
     "coefficient_of_determination",
+    "continued_orbits",
     "corrected_uplifts",
     "damping_from_decrement",
     "damping_from_decrement_exact",

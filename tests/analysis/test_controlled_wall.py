@@ -235,6 +235,17 @@ def test_time_to_upright_against_integration(d0):
     assert wall.phase_trajectory(d0, d) == pytest.approx(v, rel=1e-7)
 
 
+def test_wall_leaves_its_release_under_the_constant_force_there():
+    """D0 - D = F t**2 / 2M for a short way, however short; at the release no time has passed."""
+    d0 = 0.03
+    assert WALL.time_along_trajectory(d0, d0) == 0
+    acceleration = WALL.restoring_force(d0) / WALL._mass_at(d0)
+    for way in (1e-6, 1e-9, 1e-12):
+        fallen = d0 - (d0 - way)  # as far as the difference is exact
+        found = WALL.time_along_trajectory(d0, d0 - way)
+        assert found == pytest.approx(np.sqrt(2 * fallen / acceleration), rel=1e-3)
+
+
 def test_boundary_of_the_energy_loss():
     """4-25 and 4-26 from their words: at a quarter of the peak, the speed without losses."""
     corner = dataclasses.replace(WALL, inertia=WALL.corner_inertia)
