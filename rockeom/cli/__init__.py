@@ -1,4 +1,7 @@
-"""The command line: ``rockeom models | derive | generate | simulate``."""
+"""The command line.
+
+``rockeom models | derive | simulate | equations | verify | figure | generate``
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ import warnings
 from collections.abc import Sequence
 
 from rockeom import __version__
-from rockeom.cli import derive, generate, models, simulate
+from rockeom.cli import derive, equations, figure, generate, models, simulate, verify
 from rockeom.cli.errors import UsageError
 
 _DESCRIPTION = """\
@@ -19,6 +22,9 @@ through every impact.
   rockeom models                    which structures there are, and their parameters
   rockeom derive rigid_block        the equations of motion of one of them
   rockeom simulate rigid_block ...  its response to a ground motion
+  rockeom equations 5-34            an equation of the thesis, as printed and as it should be
+  rockeom verify                    every equation of the thesis, derived and compared
+  rockeom figure 2-16               a figure of the thesis, drawn anew
   rockeom generate                  rewrite generated/ from the symbolic models (developers)
 
 Each command explains itself: rockeom simulate --help
@@ -70,7 +76,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (models, derive, generate, simulate):
+    for module in (models, derive, simulate, equations, verify, figure, generate):
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(
             name,

@@ -12,6 +12,10 @@ _COMBINING = {"dot": "\u0307", "ddot": "\u0308"}
 _RAISED = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
 _FUNCTIONS = ("sin", "cos", "tan", "arctan", "min", "max", "sgn")
 _SILENT = ("left", "right", "bigl", "bigr", "displaystyle")
+_SIGNS = {
+    "pm": "±", "mp": "∓", "infty": "∞", "partial": "∂", "int": "∫", "cdot": "·", "to": "→",
+    "leq": "≤", "geq": "≥", "neq": "≠", "ln": "ln ", "exp": "exp", "limits": "", "prime": "′",
+}  # fmt: skip
 _TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|[{}^_]|\s+|.")
 
 
@@ -118,8 +122,12 @@ class _Reader:
             return _quotient(above, below)
         if name == "sqrt":
             return f"√({self.group()})"
-        if name in ("mathrm", "operatorname"):
+        if name in ("mathrm", "operatorname", "text", "mathcal"):
             return self.group()
+        if name == "begin":
+            return self.environment(self.group())
+        if name in _SIGNS:
+            return _SIGNS[name]
         if name in _FUNCTIONS:
             return self.function(name)
         if name in _SILENT:
@@ -127,6 +135,18 @@ class _Reader:
         if name in ("thinspace", "quad", ",", ";", " "):
             return " "
         return _greek(name)
+
+    def environment(self, name: str) -> str:
+        """Cases and columns in one line: { a if x; b if y }, (a; b)."""
+        end = ["\\end", "{", *name, "}"]
+        inside: list[str] = []
+        while self.tokens and self.tokens[-len(end) :][::-1] != end:
+            inside.append(self.tokens.pop())
+        del self.tokens[-len(end) :]
+        rows = [mathematics(row) for row in "".join(inside).split(r"\\")]
+        joined = "; ".join(row.replace("&", " for " if name == "cases" else ", ") for row in rows)
+        left, right = "{}" if name == "cases" else "()"
+        return f"{left}{' '.join(joined.split())}{right}"
 
     def function(self, name: str) -> str:
         """sin θ, sin²θ or sin(α - s θ)."""

@@ -17,6 +17,8 @@ from rockeom.codegen.write import write_generated
 from rockeom.numeric.structures import SHIPPED
 from rockeom.symbolic.typeset import content
 
+COMMANDS = ("models", "derive", "simulate", "equations", "verify", "figure", "generate")
+
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     """The command in a process of its own."""
@@ -36,11 +38,11 @@ def test_alone_it_explains_itself(capsys):
     assert main([]) == 2
     text = capsys.readouterr().out
     assert text.startswith("usage: rockeom")
-    for name in ("models", "derive", "generate", "simulate"):
+    for name in COMMANDS:
         assert f"rockeom {name}" in text
 
 
-@pytest.mark.parametrize("name", ["models", "derive", "generate", "simulate"])
+@pytest.mark.parametrize("name", COMMANDS)
 def test_help_of_each_command_says_what_it_does_and_gives_examples(name, capsys):
     with pytest.raises(SystemExit) as stopped:
         main([name, "--help"])

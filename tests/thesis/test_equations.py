@@ -1,27 +1,47 @@
-"""Each equation of the thesis, corrected where it is wrong, is what the engine derives.
+"""Every equation of the thesis is decided by its checks.
 
 Where the thesis is wrong, what is printed differs from what is derived, and by the stated term.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 from sympy import Rational, atan, cos, sign, sin
 
-from . import printed as th
-from .compare import differences, in_engine_notation, normal_form
-from .derived import DERIVED, disagreement, evaluate
-from .printed import EQUATIONS
+from rockeom.thesis import (
+    CHECKS,
+    EQUATIONS,
+    Verdict,
+    decide,
+    entry,
+    equation,
+    notation as th,
+    verification,
+)
+from rockeom.thesis.checks.engine import DERIVED, evaluate
+from rockeom.thesis.comparison import differences, in_engine_notation, normal_form
+from rockeom.thesis.equation import Kind, says
 
 s = sign(th.theta)
 
 
-@pytest.mark.parametrize("number", DERIVED)
-def test_equation_is_derived(number):
-    equation = EQUATIONS[number]
-    for side in equation.sides:
-        assert all(term == 0 for term in disagreement(number, equation.right, side))
+@pytest.mark.parametrize("number", EQUATIONS)
+def test_equation_is_decided(number):
+    decision = decide(number)
+    assert decision.verdict.passes, decision.why
+    assert decision.findings
+
+
+@pytest.mark.parametrize("number", EQUATIONS)
+def test_every_symbol_has_its_entry(number):
+    one = EQUATIONS[number]
+    for symbol in one.symbols:
+        found = entry(symbol, one.chapter)
+        assert found.unit
+        assert found.meaning
 
 
 EXCESS: dict[str, list[sp.Expr]] = {
@@ -92,34 +112,86 @@ def test_printed_form_is_wrong_by_the_stated_term(number):
         assert wrong is (AGREES_ON_ONE_SIDE.get(number) != side)
 
 
-def test_every_erratum_is_proved():
-    assert set(EXCESS) == {n for n, equation in EQUATIONS.items() if equation.is_erratum}
+def test_every_erratum_of_the_engine_states_its_term():
+    assert set(EXCESS) == {n for n in DERIVED if EQUATIONS[n].is_erratum}
 
 
-ELSEWHERE = {
-    "2-10": "test_block",
-    "2-11": "test_block",
-    "2-12": "test_block",
-    "3-13": "test_block",
-    "5-19": "test_approximations",
-    "5-20": "test_approximations",
-    "5-21": "test_approximations",
-    "D-5": "test_appendix_d",
-    "D-9": "test_appendix_d",
-    "D-10": "test_appendix_d",
-}
-"""Equations that are compared, but not by the rule of this module, and where."""
+# --- the framework itself
 
 
-def test_every_equation_is_compared():
-    assert set(EQUATIONS) == set(DERIVED) | set(ELSEWHERE)
-    assert not set(DERIVED) & set(ELSEWHERE)
+def test_printed_form_that_passes_its_checks_is_not_an_erratum(monkeypatch):
+    """Nothing may be called wrong that no check finds wrong."""
+    one = EQUATIONS["2-6"]
+    (relation,) = one.printed
+    same = says(relation.lhs, sp.expand(relation.rhs))
+    harmless = replace(one, corrected=same, reason="the same, expanded")
+    monkeypatch.setattr(verification, "equation", lambda number: harmless)
+    assert decide("2-6").verdict is Verdict.FAILED
+
+
+def test_wrong_correction_is_noticed(monkeypatch):
+    one = EQUATIONS["2-9"]
+    (relation,) = one.corrected
+    wrong = replace(one, corrected=says(relation.lhs + th.I_o, 0))
+    monkeypatch.setattr(verification, "equation", lambda number: wrong)
+    decision = decide("2-9")
+    assert decision.verdict is Verdict.FAILED
+    assert "I_b" in decision.why or "theta" in decision.why
+
+
+def test_form_that_cannot_be_compared_fails_and_does_not_hide_the_others(monkeypatch):
+    """Nor is a printed form proved wrong by a check that breaks."""
+    one = EQUATIONS["2-9"]
+    foreign = says(one.printed[0].lhs * sp.Symbol("z"), 0)
+    for broken in (replace(one, corrected=foreign), replace(one, printed=foreign)):
+        monkeypatch.setattr(verification, "equation", lambda number, broken=broken: broken)
+        decision = decide("2-9")
+        assert decision.verdict is Verdict.FAILED
+        assert "not translated: ['z']" in decision.why
+
+
+def test_equation_without_check_does_not_pass(monkeypatch):
+    monkeypatch.setitem(CHECKS, "2-6", ())
+    assert decide("2-6").verdict is Verdict.UNCHECKED
+    assert not verification.verify(["2-6", "2-9"]).passes
+
+
+def test_order_is_that_of_the_thesis():
+    def place(number: str) -> tuple[str, int, str]:
+        chapter, _, rest = number.partition("-")
+        digits = rest.rstrip("abcd")
+        return chapter, int(digits), rest[len(digits) :]
+
+    assert sorted(EQUATIONS, key=place) == list(EQUATIONS)
+
+
+def test_number_that_is_not_there_is_told_with_those_that_are():
+    with pytest.raises(ValueError, match=r"no equation '5-99': chapter 5 has 5-1 to 5-37"):
+        equation("5-99")
+    with pytest.raises(ValueError, match="chapters are"):
+        equation("7-1")
+
+
+@pytest.mark.parametrize("written", ["D-23", "d-23", " D-23 ", "2-8A"])
+def test_number_is_found_as_people_write_it(written):
+    assert equation(written).number in ("D-23", "2-8a")
+
+
+def test_form_that_is_not_there_is_refused():
+    with pytest.raises(ValueError, match="has no corrected form"):
+        equation("2-6").latex("corrected")
+    with pytest.raises(ValueError, match="has no printed form"):
+        equation("5-9").latex("printed")
+    with pytest.raises(ValueError, match="choose one of right, printed, corrected"):
+        equation("2-6").latex("left")
 
 
 @pytest.mark.parametrize("number", EQUATIONS)
-def test_entry_is_complete(number):
-    equation = EQUATIONS[number]
-    assert equation.meaning
-    assert equation.printed or equation.corrected
-    assert bool(equation.reason) == (equation.corrected is not None)
-    assert equation.corrected != equation.printed
+def test_equation_typesets(number):
+    one = EQUATIONS[number]
+    assert isinstance(one.kind, Kind)
+    assert one.section
+    for form in ("right", *(["printed"] if one.printed else [])):
+        text = one.latex(form)
+        assert text.count("{") == text.count("}")
+        assert "Piecewise" not in text

@@ -16,10 +16,9 @@ import sympy as sp
 
 from rockeom.symbolic import RockingModel
 from rockeom.symbolic.impulse import derive_impulse_map
-
-from .compare import PIER, in_engine_notation, normal_form
-from .derived import CONTACT, shipped
-from .printed import VELOCITY_RATIO
+from rockeom.thesis.chapter_5 import VELOCITY_RATIO
+from rockeom.thesis.checks.engine import CONTACT, shipped
+from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 
 M_E, M_B = PIER["mass"], PIER["base_mass"]
 H_E, H_B, B = PIER["height"], PIER["base_height"], PIER["half_width"]

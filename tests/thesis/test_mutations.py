@@ -10,11 +10,9 @@ import sympy as sp
 
 from rockeom.symbolic import SHIPPED, RockingModel, impulse, lagrange
 from rockeom.symbolic.model import GROUND_X, Body, Phase
-
-from . import printed as th
-from .compare import PIER, in_engine_notation, normal_form
-from .derived import THETA, B, disagreement
-from .printed import EQUATIONS
+from rockeom.thesis import EQUATIONS, Verdict, decide, notation as th
+from rockeom.thesis.checks.engine import THETA, B, disagreement, shipped
+from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 
 U, H_E, H_B = PIER["u"], PIER["height"], PIER["base_height"]
 
@@ -150,6 +148,74 @@ def test_wrong_structure_is_noticed(name):
 def test_unchanged_copy_raises_no_alarm():
     copy = phases(bodies(SHIPPED[FLEXIBLE](), lambda body: placed(body, {})), replace)
     assert [n for n in ("5-34", "5-35", "5-37", "D-1", "D-13", "D-18") if notices(n, copy)] == []
+
+
+# --- as `verify` sees it, for every shipped structure
+
+
+def _twice(name: str) -> Callable[[RockingModel], RockingModel]:
+    """One of the energies of every phase, or its declared force, doubled."""
+
+    def change(phase: Phase) -> Phase:
+        now = getattr(phase, name)
+        return replace(phase, **{name: tuple(2 * f for f in now) if name == "forces" else 2 * now})
+
+    return lambda model: phases(model, change)
+
+
+def _backwards(model: RockingModel) -> RockingModel:
+    return phases(model, lambda p: replace(p, forces=tuple(-f for f in p.forces)))
+
+
+def _upwards(model: RockingModel) -> RockingModel:
+    return phases(model, lambda p: replace(p, gravity=-p.gravity))
+
+
+def _heavier(model: RockingModel) -> RockingModel:
+    """The first mass, 1 % more."""
+    name = model.phases[0].bodies[0].name
+    more = sp.Rational(101, 100)
+    return bodies(model, lambda b: replace(b, mass=more * b.mass), name)
+
+
+DECIDED = {
+    "rigid_block, gravity upwards": ("rigid_block", _upwards, "2-9"),
+    "rigid_block, mass but not inertia 1 % more": ("rigid_block", _heavier, "2-6"),
+    "slender_block, gravity upwards": ("slender_block", _upwards, "2-3"),
+    "nondimensional_block, gravity upwards": ("nondimensional_block", _upwards, "2-13"),
+    "dirac_delta_block, printed sign of the force": ("dirac_delta_block", _backwards, "2-29"),
+    "dirac_delta_block, twice the force": ("dirac_delta_block", _twice("forces"), "2-29"),
+    "lumped_mass_structure, gravity upwards": ("lumped_mass_structure", _upwards, "5-10"),
+    "lumped_mass_structure, mass 1 % more": ("lumped_mass_structure", _heavier, "5-14"),
+    "two_spring_structure, twice the stiffness": (
+        "two_spring_structure", _twice("elastic_energy"), "5-22",
+    ),
+    "two_spring_cart, mass 1 % more": ("two_spring_cart", _heavier, "5-15"),
+    "uplifting_oscillator, gravity upwards": ("uplifting_oscillator", _upwards, "2-7"),
+    "uplifting_oscillator, twice the damping": (
+        "uplifting_oscillator", _twice("dissipation"), "2-8b",
+    ),
+    "flexible_structure, mass 1 % more": ("flexible_structure", _heavier, "5-34"),
+    "flexible_structure, twice the stiffness": (
+        "flexible_structure", _twice("elastic_energy"), "5-35",
+    ),
+}  # fmt: skip
+
+
+@pytest.fixture
+def derived_anew():
+    """Models are kept once derived: forget them before and after."""
+    shipped.cache_clear()
+    yield
+    shipped.cache_clear()
+
+
+@pytest.mark.parametrize("name", DECIDED)
+def test_wrong_structure_fails_the_verification(name, monkeypatch, derived_anew):
+    structure, change, number = DECIDED[name]
+    wrong = change(SHIPPED[structure]())
+    monkeypatch.setitem(SHIPPED, structure, lambda: wrong)
+    assert decide(number).verdict is Verdict.FAILED
 
 
 # --- the engine itself

@@ -13,9 +13,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from . import printed as th
-from .compare import at_side
-from .printed import EQUATIONS
+from rockeom.thesis import EQUATIONS, notation as th
+from rockeom.thesis.comparison import at_side
 
 STATES = 20
 TOLERANCE = 1e-10

@@ -9,12 +9,11 @@ import pytest
 import sympy as sp
 
 from rockeom.symbolic import RockingModel
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Foot
+from rockeom.symbolic.model import Body, Foot
 from rockeom.symbolic.statics import pushover
-
-from .compare import CART, PIER, in_engine_notation, normal_form
-from .derived import THETA, B, lift_off_sine, shipped
-from .printed import EQUATIONS
+from rockeom.thesis import EQUATIONS
+from rockeom.thesis.checks.engine import THETA, B, lift_off_sine, shipped
+from rockeom.thesis.comparison import CART, PIER, in_engine_notation, normal_form
 
 H_E, G = PIER["height"], PIER["gravity"]
 K_F = CART["foundation_stiffness"]
@@ -142,51 +141,3 @@ def test_moments_about_the_base_centre_balance():
         ]
         assert abs(sum((z.conjugate() * f).imag for z, f in pushes)) < 1e-9
         assert abs(sum(f.imag for _, f in pushes)) < 1e-9
-
-
-def test_straight_line_5_33_stays_close_to_the_curve_5_31():
-    """At both its ends exact, in between within 1.3 % of the force at lift-off."""
-    force = sp.lambdify(THETA, numbers(FOOT_GUIDED["right"]))  # 5-31, see above
-    lift_off = np.arcsin(float(numbers(W / (2 * K_F * B))))
-    theta = np.linspace(lift_off, float(numbers(sp.atan(W * B / (G * S)))), 2001)
-    h, b = S1["height"], S1["half_width"]
-    displacement = b + h * np.sin(theta) - b * np.cos(theta)
-    top = b + h * np.sin(theta[-1]) - b * np.cos(theta[-1])
-    start = h * np.sin(lift_off)
-    line = force(lift_off) * (displacement - top) / (start - top)
-    error = np.abs(line - force(theta)) / force(lift_off)
-    assert force(theta[-1]) == pytest.approx(0, abs=1e-9)
-    assert error[-1] == pytest.approx(0, abs=1e-12)
-    assert error[0] < 2e-5  # u = H_e sin(theta) leaves out B (1 - cos(theta))
-    assert 0.0120 < error.max() < 0.0130
-    assert 0.135 < displacement[error.argmax()] < 0.145
-
-
-def test_cart_5_15_is_driven_and_inert_unlike_the_structure():
-    """Small rotations with both springs pressed, u = H_e theta, the moments divided by H_e.
-
-    The inertia is I_C / H_e**2 and the load (m_e + m_b H_b / H_e) a_g; the cart has the total
-    mass in both, and the stiffness alone agrees.
-    """
-    model = shipped("two_spring_structure")
-    exact = model.phase("both").equations.map(lambda e: sp.diff(e, THETA).subs(THETA, 0))
-    upright = model.phase("both").equations.map(
-        lambda e: sp.sympify(e).subs({THETA: 0, GROUND_Y: 0})
-    )
-    about_centre = (
-        PIER["inertia"]
-        + PIER["mass"] * H_E**2
-        + PIER["base_inertia"]
-        + PIER["base_mass"] * PIER["base_height"] ** 2
-    )
-    assert normal_form(upright.mass_matrix[0, 0] - about_centre) == 0
-    assert normal_form(upright.excitation[0] + S * GROUND_X) == 0
-    static = (exact.gravity + exact.stiffness)[0].subs(HEAVE, 0)
-    cart = shipped("two_spring_cart")
-    (relation,) = EQUATIONS["5-25"].right
-    per_displacement = in_engine_notation(relation.rhs, 1) / PIER["u"]
-    assert normal_form(static / H_E**2 - per_displacement) == 0
-    total = cart.equations("both_right").mass_matrix[0, 0]
-    assert normal_form(total - W / G) == 0
-    assert normal_form(total - about_centre / H_E**2) != 0
-    assert float(numbers(total * H_E / S)) == pytest.approx(1.325, abs=5e-4)

@@ -7,9 +7,10 @@ minus right side of an equation of motion otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
+from typing import Any
 
 import sympy as sp
 
@@ -20,15 +21,27 @@ from rockeom.symbolic.lagrange import body_velocity, kinetic_energy, rate
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium, pushover
 from rockeom.symbolic.two_spring import BilinearPushover, bilinear_pushover
-
-from . import printed as th
-from .compare import ALPHA, BLOCK, PIER, SCALED, TO_ENGINE, R, differences, normal_form
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks.check import Check, Finding, Means, vanishes
+from rockeom.thesis.comparison import (
+    ALPHA,
+    BLOCK,
+    PIER,
+    SCALED,
+    TO_ENGINE,
+    R,
+    differences,
+    normal_form,
+)
+from rockeom.thesis.equation import Equation, Relations
 
 CONTACT = {1: "right", -1: "left"}
 THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_d"], PIER["theta_dd"]
 G, B = PIER["gravity"], PIER["half_width"]
 
-Value = sp.Expr | sp.MatrixBase
+Value = Any
+"""An expression, or a column of them."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +63,7 @@ def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple
     entry = DERIVED[number]
     model = model or shipped(entry.structure)
     value = entry.value(model, side)
-    relations = len(th.EQUATIONS[number].right)
+    relations = len(EQUATIONS[number].right)
     return (value if isinstance(value, list) else [value] * relations), entry.known(model, side)
 
 
@@ -163,6 +176,7 @@ def momentum_after(model: RockingModel, side: int) -> sp.Expr:
 
 
 def energy_ratio(model: RockingModel, side: int) -> sp.Expr:
+    assert model.velocity_ratio is not None  # all that rock on rigid ground have one
     return model.velocity_ratio**2
 
 
@@ -180,8 +194,9 @@ def settled(model: RockingModel) -> sp.Expr:
     turning, heaving = (row.subs({**upright, LOAD: 0}) for row in equilibrium(phase))
     (heave,) = (c.position for c in phase.coordinates if c is not model.rotation)
     (at,) = sp.solve(heaving, heave)
+    foot = phase.feet["right"].position
     assert turning.subs(heave, at) == 0
-    return -phase.feet["right"].position[1].subs({**upright, heave: at})
+    return -foot[1].subs({**upright, heave: at})
 
 
 def foot_force(model: RockingModel, foot: str) -> sp.Expr:
@@ -191,7 +206,9 @@ def foot_force(model: RockingModel, foot: str) -> sp.Expr:
     row = [c.name for c in phase.coordinates].index(heave.name)
     (at,) = sp.solve(equilibrium(phase)[row], heave.position)
     still = {c.velocity: 0 for c in phase.coordinates}
-    return phase.feet[foot].force.subs({**still, heave.position: at})
+    force = phase.feet[foot].force
+    assert force is not None
+    return force.subs({**still, heave.position: at})
 
 
 def lift_off_sine(model: RockingModel) -> sp.Expr:
@@ -215,7 +232,9 @@ def linear_lift_off_force(model: RockingModel, side: int) -> sp.Expr:
 
 
 def displacement(model: RockingModel, side: int) -> sp.Expr:
-    return model.phase("both").load_point[0]
+    point = model.phase("both").load_point
+    assert point is not None
+    return point[0]
 
 
 def centroid(model: RockingModel, side: int) -> list[sp.Expr]:
@@ -369,3 +388,34 @@ DERIVED: dict[str, Derived] = {
     "D-25": _of(MODEL_C, residual, 0),
     "D-26": _of(MODEL_C, residual, 1),
 }
+
+_ROUTES = {
+    "equation of motion by Lagrange's equations": (
+        "2-2 2-3 2-9 2-13 2-14 5-9 5-10 5-11 5-15 5-34 5-35 D-19 D-20 D-23 D-24 D-25 D-26"
+    ),
+    "impact by the impulsive form of Lagrange's equations": "2-6 5-12 5-13 5-14",
+    "positions of the masses, differentiated": "3-6 3-7 5-18 5-30 5-37 D-1 D-2 D-3 D-4 D-21 D-22",
+    "force of the ground on the accelerated masses": "3-8 3-9 3-10 3-11 3-12 3-14 3-15",
+    "equilibrium, the vertical motion condensed": (
+        "5-16 5-17 5-22 5-23 5-24 5-25 5-26 5-27 5-28 5-29 5-31 5-32 5-33"
+    ),
+    "energies and generalised forces of the positions": (
+        "5-8 D-6 D-7 D-8 D-11 D-12 D-13 D-14 D-15 D-16 D-17 D-18"
+    ),
+}
+
+
+def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    for side in equation.sides:
+        for rest in disagreement(equation.number, relations, side):
+            yield vanishes(f"thesis minus engine, theta {'>' if side > 0 else '<'} 0", rest)
+
+
+def _checks() -> Iterator[tuple[str, Check]]:
+    route_of = {n: route for route, numbers in _ROUTES.items() for n in numbers.split()}
+    for number, derived in DERIVED.items():
+        route = f"{route_of[number]}: {derived.structure}"
+        yield number, Check(Means.DERIVED, route, _find)
+
+
+CHECKS: dict[str, Check] = dict(_checks())

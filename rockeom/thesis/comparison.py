@@ -24,13 +24,13 @@ from rockeom.symbolic import (
 )
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import LOAD
-
-from . import printed as th
+from rockeom.thesis import notation as th
 
 
 def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
     """Parameters, constants, and coordinates with derivatives, by name."""
-    found = {p.name: p.symbol for p in (*model.parameters, *model.definitions)}
+    found = {p.name: p.symbol for p in model.parameters}
+    found |= {d.name: d.symbol for d in model.definitions}
     for c in model.coordinates:
         found |= {c.name: c.position, f"{c.name}_d": c.velocity, f"{c.name}_dd": c.acceleration}
     return found
@@ -124,7 +124,7 @@ def in_engine_notation(
     """
     expr = spread(at_side(sp.sympify(expr), side).doit())
     half_width = PIER["half_width"]
-    polar = {}
+    polar: dict[sp.Expr, sp.Expr] = {}
     for radius, angle, height in POLAR:
         polar |= {sp.sin(angle): half_width / radius, sp.cos(angle): height / radius}
     known = known or {}

@@ -1,0 +1,159 @@
+"""``rockeom equations``: the equations of the thesis."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import textwrap
+from typing import TYPE_CHECKING
+
+from rockeom.cli.errors import UsageError
+
+if TYPE_CHECKING:
+    from rockeom.thesis import Decision, Equation
+
+HELP = "look up the equations of the thesis, as printed and as they should be"
+DESCRIPTION = """\
+List the numbered equations of Ma's thesis (2010), or show some of them: as printed, as corrected
+where that is wrong, what it means, how it is derived, and the verdict of its checks.
+"""
+EPILOG = """\
+examples:
+  rockeom equations                          all of them, a line each
+  rockeom equations --chapter 5 --verdict wrong
+  rockeom equations 5-34                     one, with its checks run
+  rockeom equations 2-9 D-23 --latex         for a paper: the forms that are right
+
+rockeom verify runs the checks of all equations.
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "numbers", nargs="*", metavar="NUMBER", help="such as 5-34; all if left out"
+    )
+    parser.add_argument("--chapter", metavar="N", help="list those of chapter 2, 3, 4, 5, B or D")
+    parser.add_argument(
+        "--kind", metavar="WORDS", help='list those of a kind: "equation of motion"'
+    )
+    parser.add_argument("--verdict", metavar="WORDS", help='list those of a verdict: "wrong"')
+    parser.add_argument("--latex", action="store_true", help="LaTeX, with the right forms only")
+
+
+def run(args: argparse.Namespace) -> int:
+    from rockeom.thesis import decide, equation
+
+    filters = [n for n in ("chapter", "kind", "verdict") if getattr(args, n)]
+    if args.numbers and filters:
+        raise UsageError(f"numbers and --{filters[0]} do not go together: leave one out")
+    chosen = [equation(n) for n in args.numbers] or _filtered(args)
+    if args.latex:
+        for one in chosen:
+            print(_latex(one))
+    elif args.numbers:
+        width = _width()
+        print("\n\n".join(_shown(decide(one.number), width) for one in chosen))
+    else:
+        print(_list(chosen))
+    return 0
+
+
+def _filtered(args: argparse.Namespace) -> list[Equation]:
+    from rockeom.thesis import EQUATIONS, Kind, Verdict, claim
+
+    found = list(EQUATIONS.values())
+    if args.chapter:
+        chapters = sorted({e.chapter for e in found})
+        if args.chapter.upper() not in chapters:
+            raise UsageError(f"--chapter {args.chapter}: there are {', '.join(chapters)}")
+        found = [e for e in found if e.chapter == args.chapter.upper()]
+    for name, members, value in (
+        ("kind", Kind, lambda e: e.kind),
+        ("verdict", Verdict, claim),
+    ):
+        words = (getattr(args, name) or "").lower()
+        if words:
+            known = [m.value for m in members]
+            if not any(words in k for k in known):
+                raise UsageError(f"--{name} {words}: there are {'; '.join(known)}")
+            found = [e for e in found if words in value(e).value]
+    if not found:
+        raise UsageError("no equation is all of that: leave one of the filters out")
+    return found
+
+
+def _list(chosen: list[Equation]) -> str:
+    from rockeom.thesis import claim
+
+    rows = [("", "VERDICT", "WHAT IT STATES")]
+    rows += [(e.number, claim(e).value, e.meaning) for e in chosen]
+    wide = [max(len(row[i]) for row in rows) for i in (0, 1)]
+    room = max(_width() - sum(wide) - 4, 30)
+    lines = [
+        f"{a:{wide[0]}}  {b:{wide[1]}}  {textwrap.shorten(c, room, placeholder=' ...')}"
+        for a, b, c in rows
+    ]
+    return "\n".join([*lines, "", f"{len(chosen)} equations; rockeom equations NUMBER shows one."])
+
+
+def _shown(decision: Decision, width: int) -> str:
+    from rockeom.cli.plain import to_text
+    from rockeom.symbolic.page import Block, Display, Heading, Table
+
+    one = decision.equation
+    blocks: list[Block] = [Heading(1, f"{one.number}  {one.meaning}")]
+    where = one.section if one.section.startswith("App") else f"section {one.section}"
+    blocks.append(f"{one.kind.value.capitalize()}, {where}: {decision.verdict.value}.")
+    if one.printed:
+        blocks += ["As printed:", Display(tuple(one.lines("printed")))]
+    if one.corrected is not None:
+        blocks += ["As it should be:", Display(tuple(one.lines("corrected"))), one.reason]
+    blocks += [text for text in (one.remark, one.undetermined) if text]
+    blocks += ["Symbols:", Table(("", "", ""), _symbols(one))]
+    blocks.append("What decides it:")
+    text = to_text(blocks, width)
+    lines = []
+    for check in decision.checks:
+        error = f" Error: {check.error}." if check.error else ""
+        lines.append(_point(f"{check.means.value}: {check.route}.{error}", width))
+    passed = sum(f.holds for f in decision.findings)
+    lines.append(_point(f"{passed} of {len(decision.findings)} comparisons hold.", width))
+    for failed in (f for f in decision.against if not f.holds):
+        lines.append(_point(f"the printed form fails: {failed.what}: {_rest(failed.rest)}", width))
+    if decision.why:
+        lines.append(_point(f"FAILED: {decision.why}", width))
+    return text + "\n" + "\n".join(lines)
+
+
+def _rest(rest: object) -> str:
+    text = str(rest)
+    return text if len(text) <= 160 else f"{text[:150]} ..."
+
+
+def _symbols(one: Equation) -> tuple[tuple[str, ...], ...]:
+    from rockeom.thesis import entry
+    from rockeom.thesis.typeset import written
+
+    rows = []
+    for symbol in one.symbols:
+        found = entry(symbol, one.chapter)
+        unit = "" if found.unit == "1" else found.unit
+        rows.append((f"${written(symbol)}$", unit, found.meaning))
+    return tuple(rows)
+
+
+def _point(text: str, width: int) -> str:
+    return textwrap.fill(text, width, initial_indent="  ", subsequent_indent="    ")
+
+
+def _latex(one: Equation) -> str:
+    row = r" \\" + "\n  "
+    body = row.join(one.lines())
+    inside = body if len(one.right) == 1 else f"\\begin{{gathered}}\n  {body}\n\\end{{gathered}}"
+    return (
+        f"\\begin{{equation}} % {one.meaning}\n  {inside} \\tag{{{one.number}}}\n\\end{{equation}}"
+    )
+
+
+def _width() -> int:
+    return min(max(shutil.get_terminal_size((100, 24)).columns, 60), 110)

@@ -1,0 +1,173 @@
+"""Appendix B: the energies of the controlled rocking wall.
+
+Typed by hand from the thesis, in its own symbols; see chapter_4.py for the units.
+"""
+
+from __future__ import annotations
+
+from sympy import Abs, Add, Expr, Float, Integral, Mul, Pow, Rational, cos, sin
+
+from rockeom.thesis.chapter_4 import LEVEL, REACH
+from rockeom.thesis.equation import POSITIVE, Equation, Kind, Relations, says
+from rockeom.thesis.notation import (
+    L_T,
+    A_tendon,
+    B,
+    Delta,
+    Delta_d,
+    E_k_of,
+    E_tendon,
+    H,
+    I_o,
+    P_tendon,
+    U_E_of,
+    U_of,
+    d_lifted,
+    energy_stored,
+    extension,
+    g,
+    k,
+    m_T,
+    theta,
+    theta_d,
+    u_edge,
+    u_tendon,
+    x,
+    x_1,
+    x_2,
+)
+
+RISE = Abs(Delta) / LEVEL * REACH - B * Abs(Delta) / H
+STIFFNESS = E_tendon * A_tendon / L_T
+BEFORE, AT_YIELD = Float("6.4564"), Float("13.5814")
+"""Extension of the tendon at 75.6 kN, and at yield [mm]."""
+
+
+def _kept(kind: type[Expr], *parts: Expr) -> Expr:
+    """A sum, product or power that SymPy leaves as it is printed."""
+    return kind(*parts, evaluate=False)
+
+
+def inertia(added_mass_from: Expr) -> Relations:
+    """B-9, with the horizontal distance of the added mass from O."""
+    wall = _kept(Mul, Float("577.56"), (H**2 + d_lifted**2) / 3)
+    height = _kept(Pow, Float("2.537"), 2)
+    added = _kept(Mul, Float("1438.5"), _kept(Add, height, added_mass_from**2))
+    return says(I_o, _kept(Add, _kept(Add, 686, wall), _kept(Add, 442, added)))
+
+
+APPENDIX_B: tuple[Equation, ...] = (
+    Equation(
+        "B-1",
+        "B.1",
+        Kind.CLOSED_FORM,
+        "uplift of the base at the tendon, on the centreline",
+        says(u_tendon, u_edge - B * sin(theta)),
+        sides=POSITIVE,
+    ),
+    Equation(
+        "B-2",
+        "B.1",
+        Kind.CLOSED_FORM,
+        "B-1 by the displacement",
+        says(u_tendon, u_edge - B * Abs(Delta) / H),
+    ),
+    Equation(
+        "B-3",
+        "B.1",
+        Kind.CLOSED_FORM,
+        "B-2 with 4-9",
+        says(u_tendon, RISE),
+    ),
+    Equation(
+        "B-4",
+        "B.1",
+        Kind.APPROXIMATION,
+        "gravitational energy, as 4-18",
+        says(U_of, m_T * g * RISE),
+        remark="In mJ where lengths are in mm.",
+    ),
+    Equation(
+        "B-5",
+        "B.2",
+        Kind.DEFINITION,
+        "rotation by the displacement",
+        says(sin(theta), Delta / H),
+    ),
+    Equation(
+        "B-6",
+        "B.2",
+        Kind.CLOSED_FORM,
+        "its rate",
+        says(theta_d, Delta_d / (H * cos(theta)), Delta_d / LEVEL),
+    ),
+    Equation(
+        "B-7",
+        "B.2",
+        Kind.APPROXIMATION,
+        "the same for a small rotation",
+        says(theta_d, Delta_d / H),
+    ),
+    Equation(
+        "B-8",
+        "B.2",
+        Kind.APPROXIMATION,
+        "kinetic energy, as 4-19",
+        says(E_k_of, Rational(1, 2) / H**2 * I_o * Delta_d**2),
+    ),
+    Equation(
+        "B-9",
+        "B.2",
+        Kind.DEFINITION,
+        "moment of inertia about the centre of rotation, of the wall and of the added mass",
+        inertia(d_lifted),
+        inertia(d_lifted - B),
+        "The added mass stands on the centreline, at the distance d - B from O. As printed the "
+        "migration would change I_o by 7 %, and I_o/R by 8 %, where the text says 3 % and less "
+        "than 2 %; and r of 2-6 would not be the 0.835 of section 4.9.2.1.",
+        remark="Lengths in m. The text does not say what the 686 kg m2 are.",
+    ),
+    Equation(
+        "B-10",
+        "B.3",
+        Kind.DEFINITION,
+        "elastic energy stored between two extensions",
+        says(energy_stored, Integral(k * x, (x, x_1, x_2))),
+    ),
+    Equation(
+        "B-11",
+        "B.3",
+        Kind.CLOSED_FORM,
+        "extension of the tendon by its force",
+        says(x_2, P_tendon * L_T / (E_tendon * A_tendon)),
+    ),
+    Equation(
+        "B-12",
+        "B.3",
+        Kind.CLOSED_FORM,
+        "elastic energy of the tendon before it yields",
+        says(
+            U_E_of,
+            Integral(STIFFNESS * x, (x, BEFORE, P_tendon * L_T / (E_tendon * A_tendon))),
+            L_T / (2 * E_tendon * A_tendon) * P_tendon**2 - Float("244.050"),
+        ),
+        remark="The line between the two has 6.4564E-03, which is the same in metres.",
+    ),
+    Equation(
+        "B-13",
+        "B.3",
+        Kind.CLOSED_FORM,
+        "elastic energy of the tendon after it has yielded",
+        says(
+            U_E_of,
+            _kept(
+                Add,
+                Integral(STIFFNESS * x, (x, BEFORE, AT_YIELD)),
+                _kept(Mul, Float("159.03"), extension - (AT_YIELD - BEFORE)),
+            ),
+            Float("159.03") * extension - Float("297.22"),
+        ),
+        remark="For a displacement that grows. 159.03 kN are 900 MPa on 176.7 mm2; section 4.2 "
+        "has 160 kN and 177 mm2.",
+    ),
+)

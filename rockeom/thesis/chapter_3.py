@@ -1,0 +1,258 @@
+"""Chapter 3: the rigid block of the free rocking tests, its energy and its support forces.
+
+Typed by hand from the thesis, in its own symbols.
+"""
+
+from __future__ import annotations
+
+from sympy import Abs, Float, Rational, cos, sin, sqrt
+
+from rockeom.thesis.equation import POSITIVE, Equation, Kind, says
+from rockeom.thesis.notation import (
+    F_H,
+    F_V,
+    PM,
+    E_after,
+    E_before,
+    E_k,
+    FH_impact,
+    FH_limit,
+    FV_impact,
+    FV_limit,
+    I_o,
+    R,
+    U,
+    U_after,
+    U_before,
+    U_rot,
+    a_g,
+    a_gx,
+    alpha,
+    energy_change,
+    g,
+    k_rot,
+    m,
+    r,
+    s,
+    theta,
+    theta_after,
+    theta_before,
+    theta_d,
+    theta_d_impact,
+    theta_d_max,
+    theta_d_peak,
+    theta_dd,
+    theta_dd_impact,
+    u_c_dd,
+    u_cg_dd,
+    u_cx_dd,
+    u_cy_dd,
+)
+
+PEAK_BEFORE = m * g * R * (cos(alpha - Abs(theta_before)) - cos(alpha))
+PEAK_AFTER = m * g * R * (cos(alpha - Abs(theta_after)) - cos(alpha))
+"""3-2 at the peaks before and after an impact."""
+
+ENERGIES = (
+    Equation(
+        "3-1",
+        "3.2.2",
+        Kind.DEFINITION,
+        "kinetic energy of the block",
+        says(E_k, Rational(1, 2) * I_o * theta_d**2),
+    ),
+    Equation(
+        "3-2",
+        "3.2.2",
+        Kind.DEFINITION,
+        "gravitational energy above that of the upright block",
+        says(U, m * g * R * (cos(alpha - Abs(theta)) - cos(alpha))),
+    ),
+    Equation(
+        "3-3",
+        "3.2.2",
+        Kind.RESTITUTION,
+        "ratio of kinetic energies at an impact from the peaks before and after it",
+        says(
+            r,
+            E_after / E_before,
+            U_after / U_before,
+            (cos(alpha - Abs(theta_after)) - cos(alpha))
+            / (cos(alpha - Abs(theta_before)) - cos(alpha)),
+        ),
+    ),
+    Equation(
+        "3-4",
+        "3.2.2",
+        Kind.DEFINITION,
+        "energy of a hypothetical rotational spring",
+        says(U_rot, Rational(1, 2) * k_rot * theta**2),
+    ),
+)
+
+SUPPORT_FORCES = (
+    Equation(
+        "3-5",
+        "3.2.3",
+        Kind.DEFINITION,
+        "acceleration of the centroid: of the ground, and of the turn about the pivot",
+        says(u_c_dd, a_g + u_cg_dd),
+    ),
+    Equation(
+        "3-6",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "horizontal acceleration of the centroid",
+        says(
+            u_cx_dd,
+            a_gx
+            + s * R * theta_d**2 * sin(alpha - Abs(theta))
+            + R * theta_dd * cos(alpha - Abs(theta)),
+        ),
+    ),
+    Equation(
+        "3-7",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "vertical acceleration of the centroid",
+        says(
+            u_cy_dd,
+            -R * theta_d**2 * cos(alpha - Abs(theta)) + s * R * theta_dd * sin(alpha - Abs(theta)),
+        ),
+    ),
+    Equation(
+        "3-8",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "horizontal force of the support",
+        says(
+            F_H,
+            m
+            * (
+                a_gx
+                + s * R * theta_d**2 * sin(alpha - Abs(theta))
+                + R * theta_dd * cos(alpha - Abs(theta))
+            ),
+        ),
+    ),
+    Equation(
+        "3-9",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "vertical force of the support",
+        says(
+            F_V,
+            m
+            * (
+                g
+                - R * theta_d**2 * cos(alpha - Abs(theta))
+                + s * R * theta_dd * sin(alpha - Abs(theta))
+            ),
+        ),
+    ),
+    Equation(
+        "3-10",
+        "3.2.3",
+        Kind.APPROXIMATION,
+        "angular acceleration beside an impact, rectangular block, from 2-3",
+        says(theta_dd_impact, -s * 3 * g / (4 * R) * alpha),
+    ),
+    Equation(
+        "3-11",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "horizontal force beside an impact",
+        says(
+            FH_impact,
+            m
+            * (
+                s * R * theta_d_impact**2 * sin(alpha) - s * Rational(3, 4) * g * alpha * cos(alpha)
+            ),
+        ),
+    ),
+    Equation(
+        "3-12",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "vertical force beside an impact",
+        says(
+            FV_impact,
+            m
+            * (
+                g - R * theta_d_impact**2 * cos(alpha) - s * Rational(3, 4) * g * alpha * sin(alpha)
+            ),
+        ),
+        says(
+            FV_impact,
+            m * (g - R * theta_d_impact**2 * cos(alpha) - Rational(3, 4) * g * alpha * sin(alpha)),
+        ),
+        "sgn(theta) in the last term is too much: that of 3-9 and that of 3-10 cancel, as in 3-15.",
+    ),
+    Equation(
+        "3-13",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "largest speed at an impact, after release at alpha",
+        says(theta_d_max, PM * sqrt(3 * g / (2 * R) * (1 - cos(alpha)))),
+    ),
+    Equation(
+        "3-14",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "horizontal force beside an impact as the speed vanishes",
+        says(FH_limit, 3 * m * g / 4 * alpha * cos(alpha)),
+        says(FH_limit, -s * 3 * m * g / 4 * alpha * cos(alpha)),
+        "Printed is the magnitude; the force of 3-11 points against the side of theta.",
+    ),
+    Equation(
+        "3-15",
+        "3.2.3",
+        Kind.CLOSED_FORM,
+        "vertical force beside an impact as the speed vanishes",
+        says(FV_limit, m * g * (1 - Rational(3, 4) * alpha * sin(alpha))),
+    ),
+)
+
+DISSIPATION = (
+    Equation(
+        "3-16",
+        "3.2.4",
+        Kind.RESTITUTION,
+        "3-3 with the energy of the rotational spring",
+        says(
+            r,
+            (PEAK_AFTER + Rational(1, 2) * k_rot * theta_after**2)
+            / (PEAK_BEFORE + Rational(1, 2) * k_rot * theta_before**2),
+        ),
+    ),
+    Equation(
+        "3-17",
+        "3.2.4",
+        Kind.FIT,
+        "change of the energy at an impact, in J, fitted to the impacts of both edges",
+        says(
+            energy_change,
+            Float("5.525") * theta_d_peak**3
+            - Float("9.661") * theta_d_peak**2
+            - Float("0.6663") * theta_d_peak,
+        ),
+        remark="For the block of chapter 3 and speeds up to 0.8 rad/s. Negative is a loss; the "
+        "velocity is that before the impact.",
+    ),
+    Equation(
+        "3-18",
+        "3.2.4",
+        Kind.FIT,
+        "the same for the second trend, impacts on the right edge",
+        says(
+            energy_change,
+            Float("7.144") * theta_d_peak**3
+            - Float("7.576") * theta_d_peak**2
+            - Float("0.0381") * theta_d_peak,
+        ),
+        remark="For positive velocities; impacts on the right edge follow either 3-17 or 3-18.",
+        sides=POSITIVE,
+    ),
+)
+
+CHAPTER_3: tuple[Equation, ...] = (*ENERGIES, *SUPPORT_FORCES, *DISSIPATION)

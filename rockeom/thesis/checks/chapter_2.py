@@ -1,0 +1,565 @@
+"""Checks of the equations of chapter 2 that the engine alone does not decide; not of 2.6."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+from scipy.integrate import quad
+from sympy import Rational, cosh, pi, sqrt
+
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks.approximations import taylor
+from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.engine import (
+    CONTACT,
+    THETA,
+    THETA_D,
+    acceleration,
+    in_polar,
+    residual,
+    shipped,
+)
+from rockeom.thesis.comparison import (
+    ALPHA,
+    BLOCK,
+    PIER,
+    R,
+    in_engine_notation,
+    normal_form,
+    symbols_of,
+)
+from rockeom.thesis.equation import Equation, Relations
+
+# --- the rigid block
+
+
+def _uplift(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-1: the acceleration with which a foot of the resting block would lift."""
+    (relation,) = relations
+    whole = {th.B: 2 * BLOCK["half_width"], th.H: 2 * BLOCK["height"]}
+    threshold = in_engine_notation(relation.rhs, 1, whole)
+    for side in equation.sides:
+        # it turns about the right foot, theta > 0, under an acceleration to the left
+        lifts = side * acceleration(shipped("rigid_block"), side).subs(THETA, 0)
+        at_threshold = lifts.subs(GROUND_X, -side * threshold)
+        yield vanishes("acceleration of the rotation there", normal_form(at_threshold))
+        gain = sp.cancel(-side * sp.diff(lifts, GROUND_X))
+        beyond = bool(gain.is_positive) and isinstance(relation, sp.Gt)
+        yield Finding("a foot lifts where the relation holds, above the threshold", gain, beyond)
+
+
+def _kinetic_energies(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-4: upright, about one edge with the rate before and about the other with that after."""
+    (relation,) = relations
+    block = shipped("rigid_block")
+    for side in equation.sides:
+        before, after = (
+            block.equations(CONTACT[about]).kinetic_energy.subs({THETA: 0, THETA_D: rate})
+            for about, rate in ((side, th.theta_d1), (-side, th.theta_d2))
+        )
+        yield vanishes("kinetic energies' ratio minus r", sp.cancel(after / before - relation.rhs))
+
+
+def _period(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-5: the motion from rest, put into the engine's slender block, is upright at T/4."""
+    period, frequency = relations
+    turning = acceleration(shipped("slender_block"), 1)
+    stated = in_engine_notation(frequency.rhs**2, 1)
+    yield vanishes("growth of a rotation minus p**2", normal_form(sp.diff(turning, THETA) - stated))
+    motion = th.alpha - (th.alpha - th.theta_0) * cosh(th.p * th.t)
+    inertia = BLOCK["mass"] * R * PIER["gravity"] / th.p**2 - BLOCK["mass"] * R**2
+    turning = turning.subs({BLOCK["inertia"]: inertia, GROUND_X: 0})
+    turning = turning.subs({THETA: motion, ALPHA: th.alpha}, simultaneous=True)
+    yield vanishes("acceleration", sp.simplify(sp.diff(motion, th.t, 2) - turning))
+    yield vanishes("rotation at the start", sp.expand(motion.subs(th.t, 0)) - th.theta_0)
+    yield vanishes("its rate", sp.diff(motion, th.t).subs(th.t, 0))
+    yield vanishes("rotation at T/4", sp.simplify(motion.subs(th.t, period.rhs / 4)))
+
+
+SLENDERNESS = math.radians(11.8)
+"""alpha of the block of chapter 3."""
+
+
+def exact_quarter(ratio: float, alpha: float) -> float:
+    """p times the time in which the block of 2-2 falls from rest at ratio * alpha.
+
+    By energy, theta_d**2 = 2 p**2 (cos(alpha - theta_0) - cos(alpha - theta)); integrated over v,
+    theta = theta_0 (1 - v**2), in which the start is no singularity.
+    """
+    start = ratio * alpha
+
+    def time(v):
+        mean = start * (1 - v**2 / 2)
+        squared = 4 * math.sin(alpha - mean) * math.sin(start * v**2 / 2)
+        return 2 * start * v / math.sqrt(squared)
+
+    return quad(time, 0, 1)[0]
+
+
+def _period_error(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    stated = sp.lambdify((th.theta_0, th.alpha), relations[0].rhs.subs(th.p, 1) / 4, "math")
+
+    def excess(ratio: float, alpha: float) -> float:
+        return stated(ratio * alpha, alpha) / exact_quarter(ratio, alpha) - 1
+
+    for ratio in (0.001, 0.1, 0.3, 0.6, 0.9, 0.999):
+        found = excess(ratio, SLENDERNESS)
+        yield Finding(
+            f"too short from {ratio} alpha, by at most 0.36 %", found, -0.0036 < found < 0
+        )
+        order = math.log2(abs(found / excess(ratio, SLENDERNESS / 2)))
+        yield close("order of the error in alpha", order, 2, 0.02)
+    limit = math.sqrt(math.sin(SLENDERNESS) / SLENDERNESS) - 1
+    yield close("error for small rotations", excess(1e-4, SLENDERNESS), limit, 1e-5)
+
+
+# --- scaling of the block
+
+
+def _scaling(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-10 to 2-12, one of them as given, put into the engine's 2-9, give 2-13."""
+    given = {n: EQUATIONS[n].right for n in ("2-10", "2-11", "2-12")} | {equation.number: relations}
+    (rotation,), (frequency,), (time,) = given.values()
+    (angle,) = sp.solve(rotation.lhs - rotation.rhs, th.theta)
+    (excitation,) = sp.solve(frequency.lhs - frequency.rhs, th.Omega)
+    (clock,) = sp.solve(time.lhs - time.rhs, th.tau)
+    angular = sp.diff(angle, th.x) * th.x_dd / sp.diff(clock, th.t) ** 2
+    ground = th.alpha * th.beta * th.g * sp.cos(sp.simplify(excitation * clock))
+    (scaled,) = EQUATIONS["2-13"].right
+    for side in equation.sides:
+        put = {THETA: angle, BLOCK["theta_dd"]: angular, GROUND_X: ground}
+        put = {symbol: in_engine_notation(value, side) for symbol, value in put.items()}
+        moments = in_polar(residual(shipped("rigid_block"), side)).subs(put, simultaneous=True)
+        moments /= BLOCK["mass"] * PIER["gravity"] * R
+        stated = in_engine_notation(scaled.lhs - scaled.rhs, side)
+        yield vanishes("scaled moments minus 2-13", normal_form(moments - stated))
+
+
+# --- the flexible structure that uplifts
+
+OSCILLATOR = symbols_of(shipped("uplifting_oscillator"))
+FIGURE_2_6 = {
+    OSCILLATOR["mass"]: 1,
+    OSCILLATOR["height"]: 1,
+    OSCILLATOR["half_width"]: Rational(3, 10),
+    OSCILLATOR["gravity"]: Rational(981, 100),
+    OSCILLATOR["stiffness"]: Rational("56.10") ** 2,
+    OSCILLATOR["damping"]: 2 * Rational("0.03") * Rational("56.10"),
+}
+"""Figure 2-6, for a mass of 1 kg."""
+
+
+def deformation(side: int) -> sp.Expr:
+    """Second derivative of u of the engine's oscillator."""
+    equations = shipped("uplifting_oscillator").equations(CONTACT[side])
+    solved = equations.mass_matrix.LUsolve(equations.forcing)[1]
+    return sp.expand(sp.cancel(solved.subs(GROUND_Y, 0)))
+
+
+def uplifted() -> tuple[sp.Expr, sp.Expr]:
+    """lambda_r**2 and 2 zeta_r lambda_r, by the engine."""
+    free = deformation(1)
+    return sp.factor(-sp.diff(free, PIER["u"])), sp.factor(-sp.diff(free, PIER["u_d"]))
+
+
+def _fixed_base() -> dict[sp.Symbol, sp.Expr]:
+    """Symbols of 2-7 and 2-8 by the oscillator's parameters."""
+    mass, stiffness = OSCILLATOR["mass"], OSCILLATOR["stiffness"]
+    width, height = OSCILLATOR["half_width"], OSCILLATOR["height"]
+    squared, twice = uplifted()
+    return {
+        th.omega_n: sqrt(stiffness / mass),
+        th.xi: OSCILLATOR["damping"] / (2 * sqrt(stiffness * mass)),
+        th.R: sqrt(width**2 + height**2),
+        th.H: height,
+        th.lambda_r: sqrt(squared),
+        th.zeta_r: twice / (2 * sqrt(squared)),
+    }
+
+
+def _uplifted_motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    for side in equation.sides:
+        stated = in_engine_notation(relation.lhs - relation.rhs, side, _fixed_base())
+        derived = PIER["u_dd"] - deformation(side)
+        yield vanishes("thesis minus engine", sp.simplify(stated - derived))
+
+
+def _uplifted_frequency(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    stated = in_engine_notation(relations[0].rhs, 1, _fixed_base())
+    yield vanishes("lambda_r**2 minus the engine's", sp.simplify(stated**2 - uplifted()[0]))
+
+
+def _uplifted_damping(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    squared, twice = uplifted()
+    stated = in_engine_notation(relations[0].rhs, 1, _fixed_base())
+    yield vanishes("damping minus the engine's", sp.simplify(2 * stated * sqrt(squared) - twice))
+
+
+SMALL = sp.Dummy("small", positive=True)
+
+
+def stiff_column(side: int) -> sp.Expr:
+    """Second derivative of u of the exact flexible structure on a base without mass.
+
+    Displacements are small of first order, and the column so stiff that its force is not.
+    """
+    equations = shipped("flexible_structure").equations(CONTACT[side])
+    light = dict.fromkeys((PIER["base_mass"], PIER["base_inertia"], PIER["inertia"], GROUND_Y), 0)
+    mass_matrix, forcing = equations.mass_matrix.subs(light), equations.forcing.subs(light)
+    exact = sp.cancel(mass_matrix.LUsolve(forcing)[1])
+    small = {x: SMALL * x for x in (PIER[n] for n in ("theta", "theta_d", "u", "u_d"))}
+    stiff = {x: x / SMALL for x in (PIER["stiffness"], PIER["damping"])}
+    same = {PIER["mass"]: OSCILLATOR["mass"], PIER["height"]: OSCILLATOR["height"]}
+    return sp.cancel(exact.subs(small | stiff | same, simultaneous=True))
+
+
+def _uplifted_error(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-7 is what is left of the exact structure; the first term left out is P-delta."""
+    (relation,) = relations
+    width, height, g = (OSCILLATOR[n] for n in ("half_width", "height", "gravity"))
+    mass = OSCILLATOR["mass"]
+    u, theta = PIER["u"], PIER["theta"]
+    column = (OSCILLATOR["stiffness"] * u + OSCILLATOR["damping"] * PIER["u_d"]) / mass
+    for side in equation.sides:
+        limit, error = taylor(stiff_column(side), (SMALL,), 1)
+        stated = in_engine_notation(relation.lhs - relation.rhs, side, _fixed_base())
+        stated = sp.solve(stated, PIER["u_dd"])[0]
+        yield vanishes("limit of the exact structure minus 2-7", sp.simplify(limit - stated))
+        p_delta = g * theta + g * height * u / width**2
+        turned = side * height / width * (GROUND_X * theta - 2 * height / width**2 * column * u)
+        left_out = sp.simplify(error.subs(SMALL, 1) - p_delta - turned)
+        yield vanishes("its first-order term minus the stated error", left_out)
+        start = {theta: side * 0.05 * sp.atan(width / height), GROUND_X: 0}
+        for sway in (-1, 0, 1):  # at -u_c, 0 and u_c
+            deformed = sway * g * width * mass / (height * OSCILLATOR["stiffness"])
+            at = {**start, u: deformed, PIER["u_d"]: 0}
+            size = (p_delta + turned).subs(at).subs(FIGURE_2_6) / (g * height / width)
+            size = abs(float(size.subs(FIGURE_2_6)))
+            what = f"left out at {sway} u_c in Figure 2-6, over g H/B, below 1 %"
+            yield Finding(what, size, 0 < size < 0.01)
+
+
+# --- damping of rocking
+
+
+def peak_after(ratio: float, start: float, impacts: int) -> float:
+    """theta/alpha of the peak after so many impacts of the slender block, from `start`.
+
+    The energy of a peak is start (2 - start), in units of m g R alpha**2/2.
+    """
+    energy = ratio**impacts * start * (2 - start)
+    return energy / (1 + math.sqrt(1 - energy))
+
+
+def _against(function, stated, points) -> Iterator[Finding]:
+    for point in points:
+        name = ", ".join(f"{x:g}" for x in point)
+        yield close(f"{function.__name__} at {name}", function(*point), stated(*point), 1e-12)
+
+
+RATIOS = [(0.49,), (0.723,), (0.831,), (0.888,), (0.954,), (1.0,)]
+"""The r of Table 2-1 and no loss."""
+
+
+def _fema(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    from rockeom.analysis import fema_356_damping
+
+    stated = sp.lambdify(th.r, relations[0].rhs, "math")
+    yield from _against(fema_356_damping, stated, RATIOS)
+    yield close("without loss", stated(1.0), 0, 1e-15)
+    decay = sp.lambdify(th.r, EQUATIONS["2-16"].right[0].rhs, "math")
+    for (r,) in RATIOS[:-1]:
+        less = decay(r) - stated(r)
+        what = f"below 2-16 at r = {r}, by at most 12.5 percentage points"
+        yield Finding(what, less, 0 < less < 0.125)
+
+
+def _priestley(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    from rockeom.analysis import priestley_damping
+
+    yield from _against(priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS)
+
+
+def _table_2_3(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    from rockeom.thesis.tables import TABLES
+
+    table = TABLES["2-3"]
+    for r, percent in zip(table.column("r by 2-6"), table.column("damping by 2-16"), strict=True):
+        assert isinstance(percent, float)
+        found = 100 * relations[0].rhs.subs(th.r, r)
+        yield close("damping of a wall in per cent", found, percent, 0.005)
+
+
+def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-16 lies between the decrements of small rocking and of rocking from 0.3 alpha."""
+    stated = sp.lambdify(th.r, relations[0].rhs, "math")
+    for (r,) in RATIOS[1:-1]:
+
+        def decrement(start: float, r=r) -> float:
+            return math.log(start / peak_after(r, start, 2)) / (2 * math.pi)  # two impacts a cycle
+
+        small = -math.log(r) / math.pi
+        yield close("damping of small rocking, by its peaks", decrement(1e-6), small, 1e-6)
+        what = f"between the decrements from 0 and from 0.3 alpha, r = {r}"
+        yield Finding(what, stated(r), small < stated(r) < decrement(0.3))
+        excess = stated(r) / small - 1
+        yield Finding("above that of small rocking by at most 7 %", excess, 0 < excess < 0.07)
+
+
+# --- re-centring and hysteresis
+
+
+def _recentring(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-30: what is left to close the gap once the dissipaters are reversed."""
+    closing = th.M_AE + th.M_N - th.M_ED
+    rest = sp.expand((relations[0].rhs - 1) * th.M_ED - closing)
+    yield vanishes("lambda - 1, times M_ED, minus the moment that closes the gap", rest)
+
+
+def _sum_of_dampings(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-31: one cycle at resonance of a damper and a hysteresis, by the work of both."""
+    k, w, u, time = sp.symbols("k w u time", positive=True)
+
+    def loss(ratio: sp.Expr) -> sp.Expr:
+        """Work per cycle of the damper of a damping ratio, at the natural frequency."""
+        rate = sp.diff(u * sp.sin(w * time), time)
+        return sp.integrate(2 * ratio * k / w * rate**2, (time, 0, 2 * pi / w))
+
+    loop = 4 * pi * th.xi_hyst * (k * u**2 / 2)  # Jacobsen's xi_hyst of a loop, as in 2-32
+    rest = sp.simplify(loss(relations[0].rhs) - loss(th.xi_el) - loop)
+    yield vanishes("work of the equivalent damper minus that of both", rest)
+
+
+Loop = Sequence[tuple[sp.Expr, sp.Expr]]
+RATIO = sp.Symbol("rho", positive=True)
+PEAK = 1 + RATIO * (th.mu - 1)
+"""k_p/k_i, and the force at the ductility mu; force and displacement at yield are 1."""
+
+
+def work(loop: Loop) -> sp.Expr:
+    """Area of a closed path of straight lines (displacement, force)."""
+    sides = zip(loop, [*loop[1:], loop[0]], strict=True)
+    return sp.expand(sum((f + f_end) / 2 * (u_end - u) for (u, f), (u_end, f_end) in sides))
+
+
+def equivalent(loop: Loop) -> sp.Expr:
+    """The work over 4 pi times the energy of the secant to the peak."""
+    return work(loop) / (4 * pi * (PEAK * th.mu / 2))
+
+
+def crossing(through: tuple[sp.Expr, sp.Expr], slope: sp.Expr, line: sp.Expr) -> tuple:
+    """Where a straight line of a slope meets force = `line`, of the displacement x."""
+    (at,) = sp.solve(through[1] + slope * (th.x - through[0]) - line, th.x)
+    return at, sp.simplify(line.subs(th.x, at))
+
+
+def both_ways(half: Loop) -> Loop:
+    return [*half, *((-u, -f) for u, f in half)]
+
+
+def bilinear_loop() -> Loop:
+    """Unloads with the initial stiffness to the yield line of the other side."""
+    peak = (th.mu, PEAK)
+    return both_ways([peak, crossing(peak, sp.S.One, -1 + RATIO * (th.x + 1))])
+
+
+def takeda_loop() -> Loop:
+    """Unloads with k_i mu**-alpha_T to zero, then reloads towards the peak of the other side."""
+    peak = (th.mu, PEAK)
+    return both_ways([peak, crossing(peak, th.mu**-th.alpha_T, sp.S.Zero)])
+
+
+def flag_loop() -> Loop:
+    """The half with positive forces; it unloads on a line beta_FS below the one it loaded on."""
+    peak, lower = (th.mu, PEAK), 1 - th.beta_FS + RATIO * (th.x - 1)
+    start = (sp.S.One, sp.S.One)
+    return [start, peak, crossing(peak, sp.S.One, lower), crossing(start, sp.S.One, lower)]
+
+
+DAMPING = {
+    "2-32a": lambda: equivalent(bilinear_loop()),
+    "2-32b": lambda: equivalent(takeda_loop()),
+    "2-32c": lambda: 2 * equivalent(flag_loop()),  # one flag on each side
+}
+
+
+def _loop(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    stated = relations[0].rhs.subs(th.k_p, RATIO * th.k_i)
+    rest = sp.simplify(stated - DAMPING[equation.number]())
+    yield vanishes("thesis minus the loop's damping", rest)
+
+
+# --- fits of damping for design
+
+TABLE_2_4 = """
+elastic_perfectly_plastic 0.224 0.336 -0.002 0.250 0.127 -0.341
+bilinear 0.262 0.655 0.813 4.890 0.193 -0.808
+takeda_thin 0.215 0.642 0.824 6.444 0.340 -0.378
+takeda_fat 0.305 0.492 0.790 4.463 0.312 -0.313
+flag 0.251 0.148 3.015 0.511 0.387 -0.430
+ramberg_osgood 0.289 0.622 0.856 6.460 -0.060 -0.647
+"""
+TABLE_2_5 = """
+elastic_perfectly_plastic 0.222 0.397 0.287 1.295
+bilinear 0.161 0.952 0.945 2.684
+takeda_thin 0.183 0.588 0.848 3.607
+takeda_fat 0.249 0.527 0.761 3.250
+flag 3566 6E-6 0.223 0.8405
+ramberg_osgood 0.156 1.049 0.781 2.106
+"""
+"""Read of the page a second time, for comparison with `rockeom.analysis`, where they are used."""
+
+FACTORS = (th.fit_a, th.fit_b, th.fit_c, th.fit_d, th.fit_e, th.fit_f)
+DUCTILITIES, PERIODS = (1.0, 1.5, 2.0, 4.0, 6.0), (0.5, 1.0, 2.0, 4.0)
+
+
+def read(table: str) -> dict[str, dict[sp.Symbol, float]]:
+    """Factors of each rule, by their symbols."""
+    rows = (line.split() for line in table.split("\n") if line)
+    return {name: dict(zip(FACTORS, map(float, row), strict=False)) for name, *row in rows}
+
+
+def _table(printed: dict, used) -> Iterator[Finding]:
+    yield Finding("rules of hysteresis", list(used), list(printed) == list(used))
+    for rule, row in printed.items():
+        for symbol, number in row.items():
+            yield close(f"{symbol} of {rule}", getattr(used[rule], symbol.name), number, 0)
+
+
+def _grant(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    from rockeom.analysis import GRANT_FACTORS, grant_damping
+
+    printed = read(TABLE_2_4)
+    yield from _table(printed, GRANT_FACTORS)
+    arguments = (th.mu, th.effective_period, th.xi_const, th.xi_tang)
+    for rule, row in printed.items():
+        stated = sp.lambdify(arguments, relations[0].rhs.subs(row))
+        for mu in DUCTILITIES:
+            for elastic in ((0.05, 0.0), (0.0, 0.03)):
+                found = grant_damping(
+                    rule, mu, 1.3, constant_damping=elastic[0], tangent_damping=elastic[1]
+                )
+                yield close(f"{rule}, mu = {mu}", found, stated(mu, 1.3, *elastic), 1e-12)
+    elastic = relations[0].rhs.subs(th.mu, 1) - th.xi_const - th.xi_tang
+    yield vanishes("at mu = 1 minus the elastic damping, 2-31", sp.simplify(elastic))
+
+
+def _figure_2_23(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """The factor of the period, as the text reads it from Figure 2-23."""
+    hysteretic = relations[0].rhs.subs({th.xi_const: 0, th.xi_tang: 0, th.mu: 2})
+    for rule, row in read(TABLE_2_4).items():
+        ductile = row[th.fit_a] * (1 - 2 ** -row[th.fit_b])
+        factor = sp.lambdify(th.effective_period, hysteretic.subs(row) / ductile)
+        if rule == "flag":
+            for seconds in PERIODS:
+                yield close(f"flag, {seconds} s, about 1.5", factor(seconds), 1.5, 0.15)
+        elif rule != "elastic_perfectly_plastic":
+            yield close(f"{rule}, 1 s, within 10 % of one", factor(1.0), 1, 0.1)
+            yield close(f"{rule}, 2 s, effectively one", factor(2.0), 1, 0.011)
+
+
+def _without_period(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-34 with C_i = 2 and C_i = beta_FS: loops that do not harden."""
+    from rockeom.analysis import simplified_damping
+
+    added = relations[0].rhs - th.xi_v
+    for coefficient, number in ((sp.Integer(2), "2-32a"), (th.beta_FS, "2-32c")):
+        loop = DAMPING[number]().subs(RATIO, 0)
+        rest = sp.simplify(added.subs(th.C_i, coefficient) - loop)
+        yield vanishes(f"thesis minus the loop of {number} without hardening", rest)
+    stated = sp.lambdify((th.xi_v, th.C_i, th.mu), relations[0].rhs)
+    points = [(0.05, 0.4, mu) for mu in DUCTILITIES]
+    yield from _against(simplified_damping, stated, points)
+
+
+def _design(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    from rockeom.analysis import DESIGN_FACTORS, design_damping
+
+    printed = read(TABLE_2_5)
+    yield from _table(printed, DESIGN_FACTORS)
+    for rule, row in printed.items():
+        stated = sp.lambdify((th.mu, th.effective_period), relations[0].rhs.subs(row))
+        yield close(f"{rule}, mu = 1", stated(1.0, 0.7), 0.05, 1e-15)
+        for mu in DUCTILITIES:
+            found = design_damping(rule, mu, 1.3)
+            # 1 - mu**-b as printed loses digits in the flag's b
+            yield close(f"{rule}, mu = {mu}", found, stated(mu, 1.3), 1e-11)
+
+
+def _design_of_analysis(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """2-35 was fitted to stay near 2-33 with 5 %, of the tangent stiffness as it turns out."""
+    (analysis,) = EQUATIONS["2-33"].right
+    arguments = (th.mu, th.effective_period)
+    factors, elastic = read(TABLE_2_4), {th.xi_const: 0, th.xi_tang: 0.05}
+    for rule, row in read(TABLE_2_5).items():
+        stated = sp.lambdify(arguments, relations[0].rhs.subs(row))
+        near = sp.lambdify(arguments, analysis.rhs.subs(factors[rule]).subs(elastic))
+        for mu in DUCTILITIES[2:]:
+            for seconds in (1.0, 2.0):
+                what = f"2-35 near 2-33, {rule}, mu = {mu}, T_e = {seconds} s"
+                yield close(what, stated(mu, seconds), near(mu, seconds), 0.02)
+
+
+_SCALED = Check(Means.DERIVED, "put into the engine's 2-9 it gives 2-13", _scaling)
+_OSCILLATOR = "Lagrange's equations with small displacements: uplifting_oscillator"
+_LOOP = Check(Means.DERIVED, "work around the loop over 4 pi times the secant's energy", _loop)
+
+CHECKS: dict[str, Check | tuple[Check, ...]] = {
+    "2-1": Check(Means.DERIVED, "angular acceleration at rest about an edge: rigid_block", _uplift),
+    "2-4": Check(Means.DERIVED, "kinetic energy about either edge: rigid_block", _kinetic_energies),
+    "2-5": (
+        Check(Means.DERIVED, "the motion from rest, put into slender_block", _period),
+        Check(
+            Means.DERIVED,
+            "quarter period of 2-2 by energy and quadrature",
+            _period_error,
+            "order 2 in alpha: alpha**2/12 of T at most, for small rotations; "
+            "for alpha = 11.8 deg T is up to 0.36 % too short",
+        ),
+    ),
+    "2-7": (
+        Check(Means.DERIVED, _OSCILLATOR, _uplifted_motion),
+        Check(
+            Means.DERIVED,
+            "limit of small displacements of flexible_structure on a base without mass",
+            _uplifted_error,
+            "order 1 in theta and u, P-delta; for Figure 2-6 at the start below 1 % of g H/B",
+        ),
+    ),
+    "2-8a": Check(Means.DERIVED, _OSCILLATOR, _uplifted_frequency),
+    "2-8b": Check(Means.DERIVED, _OSCILLATOR, _uplifted_damping),
+    "2-10": _SCALED,
+    "2-11": _SCALED,
+    "2-12": _SCALED,
+    "2-15": Check(Means.TRANSCRIBED, "the function of rockeom.analysis; beside 2-16", _fema),
+    "2-16": (
+        Check(Means.TRANSCRIBED, "the function of rockeom.analysis", _priestley),
+        Check(Means.REPRODUCED, "damping of Table 2-3, of the r printed there", _table_2_3),
+        Check(
+            Means.DERIVED,
+            "decrement of the slender block by the energies of its peaks",
+            _decrement,
+            "of small rocking it is -ln(r)/pi = -0.318 ln(r), 6.8 % less, and it grows with the "
+            "amplitude: 0.340 is reached between 0 and 0.3 alpha",
+        ),
+    ),
+    "2-30": Check(Means.DERIVED, "moments at the gap while it closes", _recentring),
+    "2-31": Check(Means.DERIVED, "work of damper and hysteresis in a cycle", _sum_of_dampings),
+    "2-32a": _LOOP,
+    "2-32b": _LOOP,
+    "2-32c": _LOOP,
+    "2-33": (
+        Check(Means.TRANSCRIBED, "Table 2-4 and the function of rockeom.analysis", _grant),
+        Check(Means.REPRODUCED, "Figure 2-23 as the text describes it", _figure_2_23),
+    ),
+    "2-34": Check(Means.DERIVED, "work around loops that do not harden", _without_period),
+    "2-35": (
+        Check(Means.TRANSCRIBED, "Table 2-5 and the function of rockeom.analysis", _design),
+        Check(Means.REPRODUCED, "2-33 with Table 2-4", _design_of_analysis),
+    ),
+}

@@ -1,0 +1,262 @@
+"""Checks of the equations of chapter 3 that the engine alone does not decide."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+
+import numpy as np
+import sympy as sp
+
+from rockeom.symbolic.model import GROUND_X
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.engine import (
+    CONTACT,
+    THETA,
+    THETA_D,
+    acceleration,
+    in_polar,
+    rectangular,
+    shipped,
+)
+from rockeom.thesis.comparison import ALPHA, at_side, differences, in_engine_notation, normal_form
+from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.tables import BLOCK, FIGURE_3_3, TABLE_3_1
+
+GRAVITY = 9.81
+
+# --- energies
+
+
+def in_thesis_lengths(name: str, expr: sp.Expr) -> sp.Expr:
+    return in_polar(expr) if name == "rigid_block" else expr
+
+
+def kinetic(side: int, name: str = "rigid_block") -> sp.Expr:
+    return in_thesis_lengths(name, shipped(name).equations(CONTACT[side]).kinetic_energy)
+
+
+def potential(side: int, theta: sp.Expr = THETA, name: str = "rigid_block") -> sp.Expr:
+    """Gravitational energy at a rotation, above that of the upright structure."""
+    energy = in_thesis_lengths(name, shipped(name).equations(CONTACT[side]).gravitational_energy)
+    return energy.subs(THETA, theta) - energy.subs(THETA, 0)
+
+
+def spring(theta: sp.Expr) -> sp.Expr:
+    """Work done against the moment k_rot theta."""
+    return sp.integrate(th.k_rot * th.theta, (th.theta, 0, theta))
+
+
+def equals(value: Callable[[int], sp.Expr]) -> Callable:
+    """That the single symbol on the left has this value on either side, in engine's symbols."""
+
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        (relation,) = relations
+        for side in equation.sides:
+            (rest,) = differences(relation, value(side), side)
+            what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
+            yield vanishes(what, normal_form(rest))
+
+    return find
+
+
+def _spring(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    yield vanishes("thesis minus work", sp.expand(relation.rhs - spring(th.theta)))
+
+
+def ratio_of_peaks(
+    name: str = "rigid_block", more: Callable[[sp.Expr], sp.Expr] = lambda theta: sp.S.Zero
+) -> Callable:
+    """r by the energies of the peak on this side before, and on the other one after an impact.
+
+    more : energy, by the rotation, beyond that of gravity.
+    """
+
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        for side in equation.sides:
+            inertia = sp.diff(kinetic(side, name), THETA_D, 2)
+            free = in_thesis_lengths(name, acceleration(shipped(name), side)).subs(GROUND_X, 0)
+            free -= sp.diff(more(THETA), THETA) / inertia
+            energy = kinetic(side, name) + potential(side, name=name) + more(THETA)
+            power = sp.diff(energy, THETA) * THETA_D + sp.diff(energy, THETA_D) * free
+            yield vanishes("change of the energy between impacts", normal_form(power))
+
+            before = potential(side, th.theta_before, name) + more(th.theta_before)
+            after = potential(-side, th.theta_after, name) + more(th.theta_after)
+            known = {x: x for x in (th.theta_before, th.theta_after, th.k_rot)}
+            known |= {th.E_before: before, th.U_before: before}
+            known |= {th.E_after: after, th.U_after: after}
+            for relation in relations:
+                stated = relation.rhs.subs(sp.Abs(th.theta_after), -side * th.theta_after)
+                rest = in_engine_notation(stated, side, known) - after / before
+                yield vanishes("thesis minus ratio of energies", normal_form(rest))
+
+    return find
+
+
+def block_numbers() -> dict[sp.Symbol, float]:
+    """The block of the tests by the thesis's symbols."""
+    half_width, height = BLOCK["half_width"], BLOCK["half_height"]
+    radius = float(np.hypot(half_width, height))
+    return {
+        th.m: BLOCK["mass"],
+        th.g: GRAVITY,
+        th.R: radius,
+        th.alpha: float(np.arctan2(half_width, height)),
+        th.I_o: 4 / 3 * BLOCK["mass"] * radius**2,
+    }
+
+
+def measured_peaks() -> list[float]:
+    """Peak rotations of Figure 3-3 [rad]."""
+    rotations = [float(str(row[1])) for row in FIGURE_3_3.rows]
+    return [float(np.radians(rotation)) for rotation in rotations if rotation]
+
+
+def impacts() -> Iterator[tuple[float, float, float]]:
+    """Velocity before each impact of Figure 3-3, energy before it, and the r of 3-3."""
+    numbers = block_numbers()
+    (stated,) = EQUATIONS["3-2"].right
+    energy = sp.lambdify(th.theta, stated.rhs.subs(numbers))
+    peaks = measured_peaks()
+    for before, after in pairwise(peaks):
+        speed = np.sqrt(2 * energy(before) / numbers[th.I_o])
+        yield -float(np.sign(before)) * speed, energy(before), energy(after) / energy(before)
+
+
+def _bunches(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """Figure 3-3 falls into bunches by its edge, as Figure 3-19, on either side of 2-6."""
+    numbers = {**block_numbers(), th.k_rot: 0}
+    stated = sp.lambdify((th.theta_before, th.theta_after), relations[-1].rhs.subs(numbers))
+    found = [stated(*pair) for pair in pairwise(measured_peaks())]
+    left, right = found[::2], found[1::2]  # the first fall is to the left edge
+    by_theory = float(EQUATIONS["2-6"].right[0].rhs.subs(numbers))
+    apart = max(left) < by_theory < min(right)
+    yield Finding("r on the left edge, that of 2-6, on the right", (left, by_theory, right), apart)
+    for name, bunch in (("left", left), ("right", right)):
+        yield close(f"width of the bunch on the {name} edge", max(bunch) - min(bunch), 0, 0.035)
+
+
+# --- the support
+
+
+def _of_circle(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """3-5 with the second derivative of the position about the pivot, against 3-6 and 3-7."""
+    (relation,) = relations
+    theta = sp.Function("theta")(th.t)
+    at_one_time = {
+        theta.diff(th.t, 2): th.theta_dd,
+        theta.diff(th.t): th.theta_d,
+        theta: th.theta,
+    }
+    for side in equation.sides:
+        angle = th.alpha - side * theta
+        places = (-side * th.R * sp.sin(angle), th.R * sp.cos(angle))
+        for number, place, ground in zip(("3-6", "3-7"), places, (th.a_gx, 0), strict=True):
+            about_pivot = place.diff(th.t, 2)
+            for derivative, symbol in at_one_time.items():
+                about_pivot = about_pivot.subs(derivative, symbol)
+            whole = relation.rhs.subs({th.a_g: ground, th.u_cg_dd: about_pivot})
+            rest = whole - at_side(EQUATIONS[number].right[0].rhs, side)
+            yield vanishes(f"3-5 minus {number}", sp.expand(sp.expand_trig(rest)))
+
+
+def _largest_speed(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """The kinetic energy of the rectangular block after a fall from theta = alpha."""
+    (relation,) = relations
+    for side in equation.sides:
+        stated = at_side(relation.rhs, side)
+        fall = rectangular(potential(side, side * ALPHA))
+        speed_squared = in_engine_notation(stated**2, side)
+        gained = rectangular(kinetic(side)).subs(THETA_D, sp.sqrt(speed_squared))
+        yield vanishes("kinetic energy minus what the fall gives", normal_form(gained - fall))
+        yield vanishes("sum of both signs", at_side(relation.rhs, -side) + stated)
+
+
+def _table_3_1(row: int) -> Callable:
+    """A baseline of Table 3-1: the first impact of Figure 3-3."""
+
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        direction, baseline, *_ = TABLE_3_1.rows[row]
+        speed = next(impacts())[0]
+        numbers = {**block_numbers(), th.theta_d_impact: speed}
+        for side in equation.sides:
+            force = abs(float(at_side(relations[0].rhs, side).subs(numbers))) / 1e3
+            yield close(f"{direction} force in kN, side {side}", force, float(str(baseline)), 0.01)
+
+    return find
+
+
+# --- the fitted loss of energy
+
+
+def _fit(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """Within what is possible, from 6 J, the least of the fitted, to the largest speed, 3-13."""
+    (relation,) = relations
+    loss = sp.lambdify(th.theta_d_peak, relation.rhs)
+    inertia = block_numbers()[th.I_o]
+    least = np.sqrt(2 * 6 / inertia)
+    largest = float(at_side(EQUATIONS["3-13"].right[0].rhs, 1).subs(block_numbers()))
+    yield vanishes(
+        "change of the energy without a speed", relations[0].rhs.subs(th.theta_d_peak, 0)
+    )
+    speeds = np.linspace(least, largest, 50)
+    for side in equation.sides:
+        left = 1 + loss(side * speeds) / (inertia * speeds**2 / 2)
+        holds = bool((left > 0).all() and (left < 1).all())
+        yield Finding("range of r by the fit", (left.min(), left.max()), holds)
+
+
+def _fitted_impacts(within: float) -> Callable:
+    """r of the impacts of Figure 3-3, one run of the 430 that were fitted."""
+
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        loss = sp.lambdify(th.theta_d_peak, relations[0].rhs)
+        # impacts on the right edge, with positive velocities, follow 3-18 in this run
+        wanted = 1 if equation.number == "3-18" else -1
+        for velocity, energy, r in impacts():
+            if velocity * wanted > 0:
+                fitted = 1 + loss(velocity) / energy
+                yield close(f"r at {velocity:.3f} rad/s", fitted, r, within)
+
+    return find
+
+
+_FIT = "signs and sizes that an impact can have"
+
+CHECKS: dict[str, Check | tuple[Check, ...]] = {
+    "3-1": Check(Means.DERIVED, "energy of rigid_block", equals(kinetic)),
+    "3-2": Check(Means.DERIVED, "energy of rigid_block", equals(potential)),
+    "3-3": (
+        Check(
+            Means.DERIVED,
+            "energies of rigid_block, conserved between impacts",
+            ratio_of_peaks(),
+        ),
+        Check(Means.REPRODUCED, "peaks of Figure 3-3 in the bunches of Figure 3-19", _bunches),
+    ),
+    "3-4": Check(Means.DERIVED, "work against a moment k_rot theta", _spring),
+    "3-5": Check(Means.DERIVED, "positions in time, differentiated: 3-6 and 3-7", _of_circle),
+    "3-11": Check(Means.REPRODUCED, "Table 3-1", _table_3_1(1)),
+    "3-12": Check(Means.REPRODUCED, "Table 3-1", _table_3_1(0)),
+    "3-13": Check(Means.DERIVED, "energies of rigid_block, conserved in the fall", _largest_speed),
+    "3-16": (
+        Check(
+            Means.DERIVED,
+            "energies of rigid_block and of the spring, conserved between impacts",
+            ratio_of_peaks(more=spring),
+        ),
+        Check(Means.REPRODUCED, "peaks of Figure 3-3, without the spring", _bunches),
+    ),
+    "3-17": (
+        Check(Means.TRANSCRIBED, _FIT, _fit),
+        Check(Means.REPRODUCED, "Figure 3-3, impacts on the left edge", _fitted_impacts(0.04)),
+    ),
+    "3-18": (
+        Check(Means.TRANSCRIBED, _FIT, _fit),
+        Check(Means.REPRODUCED, "Figure 3-3, impacts on the right edge", _fitted_impacts(0.01)),
+    ),
+}

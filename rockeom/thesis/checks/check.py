@@ -1,0 +1,62 @@
+"""What decides an equation: findings on its printed form, and on the form that is right."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+import sympy as sp
+
+from rockeom.thesis.equation import Equation, Relations
+
+
+class Means(Enum):
+    """By what an equation is decided."""
+
+    DERIVED = "derived"  # from first principles, by the engine or an independent route
+    REPRODUCED = "reproduced"  # numbers of a table or a figure come out
+    TRANSCRIBED = "transcribed"  # an empirical fit: its coefficients are data
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One comparison.
+
+    what : what was compared.
+    rest : what is left of the difference: zero, or an error and how large it may be, in words.
+    holds : whether the equation passes.
+    """
+
+    what: str
+    rest: Any
+    holds: bool
+
+
+@dataclass(frozen=True)
+class Check:
+    """Decides the relations of an equation, right or wrong ones alike.
+
+    means : how.
+    route : the derivation, in words.
+    find : (equation, relations) -> findings. It must fail for a wrong form: it is run on the
+        printed form of an erratum too, where at least one finding must not hold.
+    error : of an approximation: the order of its error and the size at the thesis's numbers.
+    """
+
+    means: Means
+    route: str
+    find: Callable[[Equation, Relations], Iterable[Finding]]
+    error: str = ""
+
+
+def vanishes(what: str, difference: Any) -> Finding:
+    """Finding that a difference, reduced before, is exactly zero."""
+    return Finding(what, difference, bool(sp.sympify(difference) == 0))
+
+
+def close(what: str, found: float, stated: float, within: float) -> Finding:
+    """Finding that two numbers differ by at most `within`, absolutely."""
+    difference = abs(float(found) - float(stated))
+    return Finding(f"{what}: {found:.6g} for {stated:.6g}", difference, difference <= within)

@@ -1,0 +1,332 @@
+"""Checks of section 2.6: one passage through x = 0 leaves the fraction r of the kinetic energy.
+
+With the velocity v as a function of the rotation, x'' = v dv/dx, so that delta(x) g(x') gives
+dv/dx = delta(x) g(v) / v: separable, and with g = C v**2 solved by v_f = v_0 exp(C).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+import numpy as np
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+from rockeom.symbolic import RockingModel
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.engine import shipped, slender_scaled
+from rockeom.thesis.comparison import differences, normal_form
+from rockeom.thesis.equation import Equation, Relations
+
+W = sp.Dummy("w", positive=True)
+"""A speed."""
+
+
+def right(number: str) -> sp.Expr:
+    """Right-hand side of an equation of one relation, in the form that holds."""
+    (relation,) = EQUATIONS[number].right
+    return relation.rhs
+
+
+def smooth(expr: sp.Expr) -> sp.Expr:
+    """2-20 for the delta, in the limit n -> 0."""
+    with_n = expr.replace(sp.DiracDelta, lambda at: right("2-20").subs(th.x, at)).doit()
+    return sp.limit(with_n, th.n, 0, "+")
+
+
+# --- 2-17 to 2-20
+
+
+def _motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    for side in equation.sides:
+        free = slender_scaled(shipped("slender_block"), side).subs(th.beta, 0)
+        (rest,) = differences(relations[0], free - th.F_delta, side, {th.F_delta: th.F_delta})
+        yield vanishes(f"2-17 minus engine, x {'>' if side > 0 else '<'} 0", normal_form(rest))
+
+
+def _product(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    made = relation.rhs.subs({EQUATIONS["2-19a"].right[0].lhs: right("2-20")})
+    made = made.subs(EQUATIONS["2-27"].right[0].lhs, right("2-27"))
+    yield vanishes("2-18 with 2-20 and 2-27, minus 2-28", sp.expand(made - right("2-28")))
+
+
+def _concentrated(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    whole = sp.integrate(relation.rhs, (th.x, th.below_zero, th.above_zero))
+    beside = sp.integrate(relation.rhs, (th.x, th.above_zero, 2 * th.above_zero))
+    yield vanishes("integral over a passage minus the 1 of 2-22", sp.simplify(whole - 1))
+    yield vanishes("integral beside the impact", beside)
+
+
+def _away_from_zero(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    for place in (W, -W):
+        value = smooth(relation.lhs.subs(th.x, place))
+        yield vanishes(f"limit of 2-20 at x = {'-' * (place != W)}w", value - relation.rhs)
+
+
+def _integral(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    yield vanishes("limit of the integral of 2-20", smooth(relation.lhs) - relation.rhs)
+
+
+def _normal(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    line = (th.x, -sp.oo, sp.oo)
+    yield vanishes("its integral minus 1", sp.integrate(relation.rhs, line) - 1)
+    wave = sp.integrate(relation.rhs * sp.cos(W * th.x), line)
+    yield vanishes("limit of its integral with cos(w x) minus cos(0)", sp.limit(wave, th.n, 0) - 1)
+    yield vanishes("its limit at x = w", sp.limit(relation.rhs.subs(th.x, W), th.n, 0))
+
+
+# --- 2-21
+
+
+def _without_gravity(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """Lengths and times of the impact are of order n, x = n xi and t = n sigma."""
+    xi, xi_dd, force = (sp.Dummy(name, real=True) for name in ("xi", "xi_dd", "force"))
+
+    def in_its_scale(relation: sp.Eq) -> sp.Expr:
+        rest = (relation.lhs - relation.rhs).replace(sp.Derivative, lambda *_: th.x_dd)
+        rest = rest.subs({th.x: th.n * xi, th.x_dd: xi_dd / th.n, th.F_delta: force / th.n})
+        return sp.limit(sp.expand(th.n * rest), th.n, 0, "+")
+
+    (whole,) = EQUATIONS["2-17"].right
+    rest = in_its_scale(whole) - in_its_scale(relations[0])
+    yield vanishes("2-17 minus 2-21a in the scale of the impact, as n -> 0", rest)
+
+
+def _differentials(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """dx' = x'' dt and dx = x' dt, with x'' = f g by 2-18 and 2-21a."""
+    (relation,) = relations
+    acceleration = right("2-18").subs(EQUATIONS["2-19a"].right[0].lhs, right("2-19a"))
+    in_time = {th.dx_d: acceleration * th.dt, th.dx: th.x_d * th.dt}
+    rest = (relation.lhs - relation.rhs).subs(in_time)
+    yield vanishes("left minus right side with both differentials by dt", sp.simplify(rest))
+
+
+# --- 2-22 to 2-27
+
+
+def _requirement(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    before, after = relations
+    velocity, function = sp.Function("v")(th.x), EQUATIONS["2-23"].right[0].lhs.func
+    left = before.lhs.subs(th.x_df, velocity).diff(th.x)
+    left = left.subs(velocity.diff(th.x), right("2-20") * function(velocity) / velocity)
+    with_n = before.rhs.replace(sp.DiracDelta, lambda at: right("2-20").subs(th.x, at))
+    yield vanishes(
+        "growth of the left integral along the passage minus that of the right one",
+        sp.simplify(left - with_n.diff(th.x_f).subs(th.x_f, th.x)),
+    )
+    yield vanishes("the right integral minus what it shall be", smooth(before.rhs) - after.rhs)
+    yield vanishes("the left integrals minus each other", before.lhs - after.lhs)
+
+
+def _power(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    (stated,) = EQUATIONS["2-24"].right
+    rest = th.x_d / relation.rhs - stated.lhs.function
+    yield vanishes("x'/g minus the integrand of 2-24", sp.simplify(rest))
+
+
+def factor_of_power(relation: sp.Eq, power: int) -> sp.Expr:
+    """K by 2-24 for a power of the velocity."""
+    start, end = (limit.subs(th.x_d0, W) for limit in relation.lhs.limits[0][1:])
+    inside = (relation.lhs.function * th.K).subs(th.exponent, power)
+    return sp.simplify(sp.integrate(inside, (th.x_d, start, end)) / relation.rhs)
+
+
+def _exit_velocity(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    _, start, end = relation.lhs.limits[0]
+    yield vanishes("ratio of kinetic energies of its limits minus r", end**2 / start**2 - th.r)
+    rest = relation.lhs.function - th.x_d / right("2-23")
+    yield vanishes("its integrand minus x'/g", sp.simplify(rest))
+    yield vanishes("its value minus that of 2-22", relation.rhs - EQUATIONS["2-22"].right[1].rhs)
+    slopes = [sp.diff(factor_of_power(relation, power), W) for power in (1, 2, 3)]
+    holds = [slope == 0 for slope in slopes] == [False, True, False]
+    yield Finding("K does not depend on the velocity for m = 2, of m = 1, 2, 3", slopes, holds)
+
+
+def _factor(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    (integral,) = EQUATIONS["2-24"].right
+    rest = sp.expand_log(relation.rhs - factor_of_power(integral, 2))
+    yield vanishes("K minus the integral of 2-24 for m = 2", sp.simplify(rest))
+    yield vanishes("exp(2 K) minus r", sp.simplify(sp.exp(2 * relation.rhs) - th.r))
+
+
+def energy_left(g: sp.Expr, direction: int) -> sp.Expr:
+    """Kinetic energy after a passage over that before, for delta(x) g(x') as n -> 0."""
+    factor = sp.limit((g / th.x_d**2).subs(th.x_d, direction * W), th.n, 0, "+")
+    return sp.simplify(sp.exp(2 * direction * factor))
+
+
+def _passages(g: sp.Expr, sides: tuple[int, ...]) -> Iterator[Finding]:
+    for direction in sides:
+        what = f"ratio of kinetic energies of a passage to {'+-'[direction < 0]}x minus r"
+        yield vanishes(what, sp.simplify(energy_left(g, direction) - th.r))
+
+
+def _velocity_function(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    yield from _passages(relations[0].rhs, equation.sides)
+
+
+def _force(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    force = relations[0].rhs
+    g = sp.integrate(force, (th.x, -sp.oo, sp.oo))
+    yield vanishes(
+        "force minus delta_n times its integral over x",
+        sp.expand(force - right("2-20") * g),
+    )
+    yield from _passages(g, equation.sides)
+
+
+# --- 2-29, and how much gravity and the width of the force matter
+
+RELEASE, ENERGY_RATIO, WIDTH = 0.4, 0.7225, 1e-3
+"""x_0, r and n of Figure 2-16."""
+
+
+def potential(x: float) -> float:
+    """Of 2-17 without a force, above that of the upright block."""
+    return abs(x) - x**2 / 2
+
+
+class Passages:
+    """2-29 as typed: x'' = v dv/dx through |x| < 10 n; beyond, gravity alone acts."""
+
+    def __init__(self, relation: sp.Eq, n: float) -> None:
+        acceleration = relation.rhs - (relation.lhs - th.x_dd)
+        given = acceleration.subs({th.r: ENERGY_RATIO, th.n: n})
+        self.acceleration = sp.lambdify((th.x, th.x_d), given, "numpy")
+        self.edge = 10 * n
+
+    def energy_after(self, energy: float, direction: int) -> float:
+        """Energy after a passage to +x or -x that begins with `energy`; NaN if it stops short."""
+        if not energy > potential(self.edge):
+            return float("nan")
+        speed = np.sqrt(2 * (energy - potential(self.edge)))
+        solution = solve_ivp(
+            lambda x, v: self.acceleration(x, v) / v,
+            (-direction * self.edge, direction * self.edge),
+            [direction * speed],
+            method="DOP853",
+            rtol=1e-10,
+            atol=1e-12,
+        )
+        return float(solution.y[0, -1] ** 2 / 2 + potential(self.edge))
+
+    def peaks(self, release: float, count: int) -> list[float]:
+        """Amplitudes after each of `count` impacts; 1, which is overturning, ends them."""
+        energy, direction = potential(release), -1
+        found: list[float] = []
+        for _ in range(count):
+            energy = self.energy_after(energy, direction)
+            if energy >= potential(1):
+                return [*found, 1.0]
+            found.append(1 - np.sqrt(1 - 2 * energy))
+            direction = -direction
+        return found
+
+
+def peaks_with_impacts(release: float, count: int) -> list[float]:
+    """The same by 2-17 without a force, the energy multiplied by r at each impact."""
+    energies = potential(release) * ENERGY_RATIO ** np.arange(1, count + 1)
+    return [1 - np.sqrt(1 - 2 * energy) for energy in energies]
+
+
+def _in_one_equation(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    (pieces,) = EQUATIONS["2-17"].right
+    yield vanishes("its force minus 2-28", sp.expand(relation.rhs - right("2-28")))
+    for place in (W, -W):
+        left = sp.limit((relation.lhs - pieces.lhs).subs(th.x, place), th.n, 0, "+")
+        yield vanishes("limit of its left side minus that of 2-17", left)
+    exact = peaks_with_impacts(RELEASE, 3)
+    found, twice = (Passages(relation, n).peaks(RELEASE, 3) for n in (WIDTH, 2 * WIDTH))
+    for i, (peak, wide, reference) in enumerate(zip(found, twice, exact, strict=False), 1):
+        yield close(f"peak {i} of Figure 2-16 by 2-29, n = 0.001", peak, reference, 1e-3)
+        ratio = (wide - reference) / (peak - reference)
+        yield close(f"error of peak {i} for twice the n, over the error", ratio, 2, 0.1)
+
+
+GRAVITY_ADDS = -3.33e-3
+"""To the integral of 2-22, for n = 0.001 and the first impact of Figure 2-16."""
+
+
+@cache
+def neglected(n: float) -> float:
+    """Integral of 2-22 minus 1 for the first impact of Figure 2-16, gravity included."""
+    before = potential(RELEASE)
+    after = Passages(EQUATIONS["2-29"].right[0], n).energy_after(before, 1)
+    return np.log(after / before) / np.log(ENERGY_RATIO) - 1
+
+
+def _gravity_is_small(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    yield close("what gravity adds, n = 0.001", neglected(WIDTH), GRAVITY_ADDS, 0.02e-3)
+    ratio = neglected(2 * WIDTH) / neglected(WIDTH)
+    yield close("the same for twice the n, over it", ratio, 2, 0.1)
+
+
+_NEGLECTED = (
+    f"order 1 in n: {abs(GRAVITY_ADDS):.2%} of the integral at n = {WIDTH}, the first impact of "
+    "Figure 2-16"
+)
+_BY_PASSAGE = "the velocity after one passage, dv/dx = delta(x) g(v)/v"
+
+
+def _engine(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    model = shipped("dirac_delta_block")
+    (x, v, a), (n, r) = _engine_symbols(model)
+    (relation,) = relations
+    motion = model.equations("right_core").residual(model.coordinates)[0]
+    motion = (motion / model.parameters[0].symbol ** 2).subs({GROUND_X: 0, GROUND_Y: 0})
+    put = {th.x: x, th.x_d: v, th.x_dd: a, th.n: n, th.r: r}
+    stated = (relation.lhs - relation.rhs).subs(put, simultaneous=True)
+    rest = sp.simplify(sp.expand_log(sp.expand(stated - motion), force=True))
+    yield vanishes("2-29 minus engine", rest)
+
+
+def _engine_symbols(model: RockingModel) -> tuple[tuple[sp.Symbol, ...], tuple[sp.Symbol, ...]]:
+    (rotation,) = model.coordinates
+    by_name = {p.name: p.symbol for p in model.parameters}
+    motion = rotation.position, rotation.velocity, rotation.acceleration
+    return motion, (by_name["regularisation"], by_name["energy_ratio"])
+
+
+def _derived(route: str, find, error: str = "") -> Check:
+    return Check(Means.DERIVED, route, find, error)
+
+
+CHECKS: dict[str, Check | tuple[Check, ...]] = {
+    "2-17": _derived("slender block of the engine in scaled time, with a moment", _motion),
+    "2-18": _derived("with 2-20 and 2-27 it gives 2-28", _product),
+    "2-19a": _derived("its integrals across and beside the impact", _concentrated),
+    "2-19b": _derived("limit of 2-20 as n -> 0", _away_from_zero),
+    "2-19c": _derived("limit of the integral of 2-20 as n -> 0", _integral),
+    "2-20": _derived("its integrals, and their limits as n -> 0", _normal),
+    "2-21a": _derived("2-17 in the scale of the impact, as n -> 0", _without_gravity),
+    "2-21b": _derived("dx' = x'' dt with 2-18", _differentials),
+    "2-21c": _derived("dx' = x'' dt with 2-18", _differentials),
+    "2-21d": _derived("dx' = x'' dt and dx = x' dt with 2-18", _differentials),
+    "2-22": (
+        _derived(_BY_PASSAGE, _requirement),
+        _derived("2-29 integrated through an impact", _gravity_is_small, _NEGLECTED),
+    ),
+    "2-23": _derived("in 2-22 it gives 2-24", _power),
+    "2-24": _derived("2-22 with 2-23, the kinetic energies in the ratio r", _exit_velocity),
+    "2-25": _derived(_BY_PASSAGE, _factor),
+    "2-26": _derived(_BY_PASSAGE, _velocity_function),
+    "2-27": _derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _velocity_function),
+    "2-28": _derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _force),
+    "2-29": (
+        _derived("limits of its terms; integrated through three impacts", _in_one_equation),
+        _derived("equation of motion by Lagrange's equations: dirac_delta_block", _engine),
+    ),
+}

@@ -1,0 +1,113 @@
+"""An equation of the thesis: as printed and, where that is wrong, as it should be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+import sympy as sp
+
+from rockeom.thesis.typeset import written
+
+Relations = tuple[sp.Eq, ...]
+
+BOTH, POSITIVE, NEGATIVE = (1, -1), (1,), (-1,)
+"""Signs of theta for which an equation is meant."""
+
+
+class Kind(Enum):
+    """What an equation is."""
+
+    MOTION = "equation of motion"
+    CLOSED_FORM = "closed form"
+    DEFINITION = "definition"
+    APPROXIMATION = "approximation"
+    RESTITUTION = "restitution"
+    FIT = "empirical fit"
+    PROCEDURE = "procedure"
+
+
+@dataclass(frozen=True)
+class Equation:
+    """An equation of the thesis, in its own symbols. Nothing here is derived.
+
+    number : as in the thesis, with a letter where one number has several lines ("2-8a").
+    section : where it stands.
+    kind : what it is.
+    meaning : what it states, in words.
+    printed : one relation for each equals sign; empty where the page is not legible.
+    corrected : what should be printed; None where the printed form is right.
+    reason : why it is corrected; "" where it is not.
+    remark : what a user should know that the equation does not say.
+    undetermined : what of it the text leaves open; "" if nothing.
+    sides : signs of theta for which it is meant.
+    """
+
+    number: str
+    section: str
+    kind: Kind
+    meaning: str
+    printed: Relations
+    corrected: Relations | None = None
+    reason: str = ""
+    remark: str = field(default="", kw_only=True)
+    undetermined: str = field(default="", kw_only=True)
+    sides: tuple[int, ...] = field(default=BOTH, kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not (self.printed or self.corrected):
+            raise ValueError(f"{self.number}: neither a printed nor a corrected form is given")
+        if bool(self.reason) != (self.corrected is not None):
+            raise ValueError(f"{self.number}: a reason belongs to a corrected form, and only to it")
+        if self.corrected == self.printed:
+            raise ValueError(f"{self.number}: the corrected form is the printed one")
+
+    @property
+    def right(self) -> Relations:
+        """The relations that hold."""
+        return self.printed if self.corrected is None else self.corrected
+
+    @property
+    def is_erratum(self) -> bool:
+        """Whether something legible is printed that is wrong."""
+        return bool(self.printed) and self.corrected is not None
+
+    @property
+    def chapter(self) -> str:
+        """The chapter, 2 to 5, or the appendix, B or D."""
+        return self.number.partition("-")[0]
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The symbols of both forms, by name."""
+        found = set().union(*(r.free_symbols for r in (*self.printed, *(self.corrected or ()))))
+        return tuple(sorted(found, key=lambda symbol: symbol.name))
+
+    def lines(self, form: str = "right") -> list[str]:
+        """LaTeX, without delimiters, of each relation of the form "right", "printed", "corrected".
+
+        Raises ValueError for any other word, and for a form that there is none of.
+        """
+        forms = {"right": self.right, "printed": self.printed, "corrected": self.corrected}
+        if form not in forms:
+            raise ValueError(f"form is {form!r}: choose one of {', '.join(forms)}")
+        if not forms[form]:
+            raise ValueError(f"{self.number} has no {form} form")
+        return [written(relation) for relation in forms[form] or ()]
+
+    def latex(self, form: str = "right") -> str:
+        """The same in one piece, to stand between dollar signs."""
+        lines = self.lines(form)
+        if len(lines) == 1:
+            return lines[0]
+        return r"\begin{gathered} " + r" \\ ".join(lines) + r" \end{gathered}"
+
+    def _repr_latex_(self) -> str:
+        """What Jupyter shows."""
+        return rf"$\displaystyle {self.latex()} \qquad \text{{({self.number})}}$"
+
+
+def says(left: Any, *rights: Any) -> Relations:
+    """left = right, and for a chain left = right_1 = right_2 = ... each with the same left."""
+    return tuple(sp.Eq(left, right, evaluate=False) for right in rights)

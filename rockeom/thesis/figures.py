@@ -1,0 +1,268 @@
+"""Figures of the thesis, drawn anew from simulations and closed forms.
+
+    from rockeom.thesis.figures import FIGURES
+
+    FIGURES["2-16"]().savefig("2-16.png")
+
+What a caption or the text leaves open is said with each figure, and so is what was taken for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import rockeom as rk
+from rockeom.analysis import (
+    energy_ratio_of_block,
+    foundation,
+    uplift_displacement,
+    uplifted_frequency,
+)
+from rockeom.plots import style
+from rockeom.thesis import figures_chapter_4 as chapter_4
+
+START, ENERGY_RATIO = 0.4, 0.7225
+"""x_0 and r of Figures 2-16 and 2-17."""
+
+
+# --- 2.4 flexible structures and foundations
+
+
+@style.styled
+def figure_2_6() -> Figure:
+    """Free vibration of Chopra and Yim's oscillator: rotation and deformation.
+
+    Given are H/B = 1/0.3, read as H = 1 m and B = 0.3 m, omega = 56.10 rad/s, xi = 0.03 and
+    theta_0 = 0.05 theta_crit. Left open are what theta_crit is, taken as atan(B/H); the
+    deformation at the release, taken as that of a structure held there by a force on its mass,
+    u_c; and what happens at an impact: here momentum is conserved (`Impulsive`), and each ends
+    in full contact. Beside it stands the same structure with exact kinematics and P-delta.
+    """
+    omega, xi, height, half_width = 56.10, 0.03, 1.0, 0.3
+    crit = math.atan(half_width / height)
+    u_c = float(uplift_displacement(omega, half_width, height))
+    small = rk.UpliftingOscillator.from_frequency(
+        angular_frequency=omega, damping_ratio=xi, height=height, half_width=half_width
+    )
+    exact = rk.FlexibleStructure(
+        mass=small.mass, height=height, inertia=0.0, base_mass=0.0, base_height=0.0,
+        base_inertia=0.0, half_width=half_width, stiffness=small.stiffness, damping=small.damping,
+    )  # fmt: skip
+    figure = style.new_figure(7.2, 5.0)
+    top, bottom = figure.subplots(2, 1, sharex=True)
+    for structure, label, line in (
+        (small, "small displacements (2-7)", {"color": style.LINES[0]}),
+        (exact, "exact kinematics, P-delta", {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
+    ):
+        run = rk.simulate(
+            structure,
+            rk.GroundMotion.none(2.0),
+            impact=rk.Impulsive(),
+            initial={"theta": 0.05 * crit, "u": u_c},
+        )
+        top.plot(run.t, run["theta"] / crit, label=label, **line)
+        bottom.plot(run.t, run["u"] / u_c, **line)
+    for level in (-1.0, 1.0):
+        bottom.axhline(level, color=style.INK, lw=0.8, ls=":")
+    style.legend_above(top)
+    top.set_ylabel(r"$\theta/\theta_{crit}$ [-]")
+    bottom.set_ylabel("$u/u_c$ [-]")
+    bottom.set_xlabel("time [s]")
+    uplifted = uplifted_frequency(omega, half_width, height) / omega
+    figure.suptitle(
+        f"Free vibration of an uplifting oscillator; $u_c$ = {1e3 * u_c:.3f} mm, "
+        rf"$\lambda_r/\omega$ = {uplifted:.2f}",
+        fontsize=9.5,
+    )
+    return figure
+
+
+@style.styled
+def figure_2_8() -> Figure:
+    """Moment and rotation of a mat on rigid ground, two springs and a tension-less Winkler bed.
+
+    The figure gives no numbers. Here the two springs and the bed have the same vertical and
+    rotational stiffness (Table 2-2 for a rectangular mat), the moment is in units of W b and the
+    rotation in that at which an edge lifts off the bed.
+    """
+    weight, half_width, stiffness = 1.0, 1.0, 1.0
+    bed = float(foundation.winkler_stiffness(stiffness, half_width))
+    uplift = float(foundation.winkler_uplift_rotation(weight, bed, half_width))
+    spacing = half_width / math.sqrt(3)
+    rotation = np.linspace(0.0, 8.0, 1601) * uplift
+    # the ground bears any moment up to that of the edge before the mat turns
+    rigid = foundation.rigid_moment(rotation, weight, half_width)
+    springs = foundation.two_spring_moment(rotation, weight, stiffness / 2, spacing)
+    figure = style.new_figure(6.0, 3.8)
+    ax = figure.add_subplot()
+    ax.set_prop_cycle(color=style.LINES)
+    for moment, label in (
+        (rigid, "rigid ground"),
+        (springs, "two springs at $b/\\sqrt{3}$"),
+        (foundation.winkler_moment(rotation, weight, bed, half_width), "Winkler bed"),
+    ):
+        ax.plot(rotation / uplift, moment / (weight * half_width), label=label)
+    first = foundation.two_spring_uplift_rotation(weight, stiffness / 2, spacing) / uplift
+    ax.plot([1.0, first], [1 / 3, 1 / math.sqrt(3)], "o", color=style.INK, ms=4, zorder=5)
+    ax.annotate("an edge lifts", (1.0, 1 / 3), xytext=(8, -4), textcoords="offset points")
+    ax.annotate(
+        "a spring is free", (first, 1 / math.sqrt(3)), xytext=(8, -12), textcoords="offset points"
+    )
+    ax.set_xlabel(r"rotation $\theta/\theta_{up}$ [-]")
+    ax.set_ylabel("moment $M/(W b)$ [-]")
+    ax.set_xlim(0, 8)
+    ax.set_ylim(0, 1.1)
+    ax.legend(loc="lower right")
+    return figure
+
+
+# --- 2.6 impacts as forces
+
+
+def gaussian(x, n):
+    """delta_n(x) of thesis 2-20."""
+    return np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi))
+
+
+@style.styled
+def figure_2_15() -> Figure:
+    """The Gaussian that becomes Dirac's delta; the text does not say for which n it is drawn."""
+    figure = style.new_figure(5.6, 3.4)
+    ax = figure.add_subplot()
+    ax.set_prop_cycle(color=style.LINES)
+    x = np.linspace(-2.0, 2.0, 2001)
+    for n in (1.0, 0.5, 0.2, 0.1):
+        ax.plot(x, gaussian(x, n), label=f"$n$ = {n:g}")
+    ax.set_xlabel("$x$ [-]")
+    ax.set_ylabel(r"$\delta_n(x)$ [-]")
+    ax.legend()
+    return figure
+
+
+def released(n: float, duration: float = 8.0) -> rk.Response:
+    """The 1:3 block of Figures 2-16 and 2-17, its impacts spread over the width n."""
+    block = rk.DiracDeltaBlock(alpha=math.atan(1 / 3), energy_ratio=ENERGY_RATIO, regularisation=n)
+    return rk.simulate(block, rk.GroundMotion.none(duration), initial={"x": START})
+
+
+def released_with_impacts(duration: float = 8.0) -> rk.Response:
+    """The same with impacts in no time; p = 1 rad/s, so that seconds are scaled time."""
+    block = rk.SlenderBlock.from_frequency(p=1.0, alpha=math.atan(1 / 3))
+    return rk.simulate(
+        block,
+        rk.GroundMotion.none(duration),
+        impact=rk.EnergyRatio(ENERGY_RATIO),
+        initial={"theta": block.alpha * START},
+    )
+
+
+def peaks_between(run: rk.Response) -> np.ndarray:
+    """(m,) largest |x| between the passages through x = 0."""
+    core = {"left_core", "right_core"}
+    zeros = [e.time for e in run.events if {e.phase_before, e.phase_after} == core]
+    x, t = np.abs(run["x"]), run.t
+    return np.array([x[(t >= start) & (t <= end)].max() for start, end in pairwise(zeros)])
+
+
+def exact_peaks(number: int) -> np.ndarray:
+    """(number,) peaks after the impacts: each impact multiplies x - x**2/2 by r."""
+    energy = (START - START**2 / 2) * ENERGY_RATIO ** np.arange(1, number + 1)
+    return 1 - np.sqrt(1 - 2 * energy)
+
+
+@style.styled
+def figure_2_16() -> Figure:
+    """The block released from x = 0.4 by both formulations, and how the one nears the other.
+
+    All is given: a 1:3 block, r = 0.7225, which is that of 2-6, and n = 1e-3. The steps are those
+    of this package, whose error is far below the difference.
+    """
+    assert math.isclose(float(energy_ratio_of_block(math.atan(1 / 3))), ENERGY_RATIO)
+    spread, sudden = released(1e-3), released_with_impacts()
+    alpha = math.atan(1 / 3)
+    figure = style.new_figure(9.0, 5.6)
+    grid = figure.add_gridspec(3, 2, width_ratios=(1.7, 1.0))
+    axes = [figure.add_subplot(grid[i, 0]) for i in range(3)]
+    x = sudden["theta"] / alpha
+    # of 2-17, without its force
+    exact = (x, sudden["theta_dot"] / alpha, x - np.where(sudden.phase == "right", 1.0, -1.0))
+    # the ground stands still: the horizontal reaction is alpha x''
+    found = (spread["x"], spread["x_dot"], spread["horizontal_reaction"] / alpha)
+    names = ("$x$ [-]", r"$\dot{x}$ [-]", r"$\ddot{x}$ [-]")
+    for ax, sharp, smooth, name in zip(axes, exact, found, names, strict=True):
+        ax.plot(sudden.t, sharp, label="piecewise", lw=1.6, color=style.LINES[0])
+        ax.plot(
+            spread.t, smooth, "--", label=r"Dirac-$\delta$, $n = 10^{-3}$", color=style.LINES[1]
+        )
+        ax.set_ylabel(name)
+        ax.set_xlim(0, 8)
+    axes[2].set_yscale("symlog", linthresh=1.0)
+    axes[2].set_yticks([-10, -1, 0, 1, 10], ["-10", "-1", "0", "1", "10"])
+    axes[2].set_xlabel(r"scaled time $\tau$ [-]")
+    style.legend_above(axes[0])
+    figure.align_ylabels(axes)
+
+    ax = figure.add_subplot(grid[:, 1])
+    widths = np.array([1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4])
+    errors = np.array([np.abs(peaks_between(released(n))[:3] - exact_peaks(3)) for n in widths])
+    for i, error in enumerate(errors.T):
+        ax.loglog(widths, error, "o-", ms=3.5, color=style.LINES[i], label=f"peak {i + 1}")
+    ax.loglog(widths, widths, ":", color=style.INK, label="$n$")
+    ax.set_xlabel("$n$ [-]")
+    ax.set_ylabel("error of the peaks after an impact [-]")
+    ax.legend()
+    return figure
+
+
+@style.styled
+def figure_2_17() -> Figure:
+    """The effect of n on the same motion; the text does not say for which three n it is drawn."""
+    figure = style.new_figure(7.2, 3.6)
+    ax = figure.add_subplot()
+    ax.set_prop_cycle(color=style.LINES)
+    for n in (1e-1, 1e-2, 1e-3):
+        run = released(n)
+        ax.plot(run.t, run["x"], label=f"$n$ = {n:g}")
+    sudden = released_with_impacts()
+    ax.plot(sudden.t, sudden["theta"] / math.atan(1 / 3), ":", color=style.INK, label="piecewise")
+    ax.set_xlim(0, 8)
+    ax.set_xlabel(r"scaled time $\tau$ [-]")
+    ax.set_ylabel("$x$ [-]")
+    style.legend_above(ax)
+    return figure
+
+
+# --- all of them
+
+FIGURES: dict[str, Callable[[], Figure]] = {
+    draw.__name__.removeprefix("figure_").replace("_", "-"): draw
+    for draw in (
+        figure_2_6,
+        figure_2_8,
+        figure_2_15,
+        figure_2_16,
+        figure_2_17,
+        chapter_4.figure_4_17,
+        chapter_4.figure_4_18,
+        chapter_4.figure_4_19,
+        chapter_4.figure_4_20,
+        chapter_4.figure_4_24,
+        chapter_4.figure_4_32,
+        chapter_4.figure_4_33,
+        chapter_4.figure_4_35,
+        chapter_4.figure_4_37,
+        chapter_4.figure_4_44,
+        chapter_4.figure_4_45,
+        chapter_4.figure_4_46,
+        chapter_4.figure_4_47,
+        chapter_4.figure_4_48,
+        chapter_4.figure_4_71,
+        chapter_4.figure_4_73,
+    )
+}
+"""Number of a figure -> the function that draws it."""

@@ -1,0 +1,141 @@
+"""Every equation decided, by its checks."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from enum import Enum
+
+from rockeom.thesis.catalogue import EQUATIONS, equation
+from rockeom.thesis.checks import CHECKS, Check, Finding
+from rockeom.thesis.equation import Equation, Relations
+
+
+class Verdict(Enum):
+    """What is known of an equation once its checks have run."""
+
+    RIGHT = "right as printed"
+    APPROXIMATE = "right to the stated order"
+    ERRATUM = "wrong as printed"
+    RESTORED = "not legible, restored"
+    UNDETERMINED = "not determined by the text"
+    UNCHECKED = "not checked"
+    FAILED = "failed"
+
+    @property
+    def passes(self) -> bool:
+        return self not in (Verdict.UNCHECKED, Verdict.FAILED)
+
+
+@dataclass(frozen=True)
+class Decision:
+    """An equation, its verdict, and what led to it.
+
+    findings : on the form that is right; all hold unless the verdict is `FAILED`.
+    against : on the printed form of an erratum; at least one must not hold.
+    seconds : how long it took.
+    """
+
+    equation: Equation
+    verdict: Verdict
+    checks: tuple[Check, ...]
+    findings: tuple[Finding, ...]
+    against: tuple[Finding, ...]
+    seconds: float
+
+    @property
+    def why(self) -> str:
+        """What failed, in words; "" if nothing did."""
+        if self.verdict is Verdict.UNCHECKED:
+            return "no check decides it"
+        if self.verdict is not Verdict.FAILED:
+            return ""
+        wrong = [f"{f.what}: {f.rest}" for f in self.findings if not f.holds]
+        wrong += [f"as printed: {f.what}: {f.rest}" for f in self.against if _crashed(f)]
+        if wrong:
+            return "; ".join(wrong)
+        return "its checks find nothing wrong with the printed form, or find nothing at all"
+
+
+@dataclass(frozen=True)
+class Report:
+    """The decisions, in the order of the thesis."""
+
+    decisions: tuple[Decision, ...]
+
+    @property
+    def passes(self) -> bool:
+        return all(d.verdict.passes for d in self.decisions)
+
+    @property
+    def counts(self) -> dict[Verdict, int]:
+        """How many equations have each verdict; those that none has are left out."""
+        counted = Counter(d.verdict for d in self.decisions)
+        return {verdict: counted[verdict] for verdict in Verdict if counted[verdict]}
+
+
+def claim(one: Equation) -> Verdict:
+    """The verdict that `decide` gives if every check does what it should; runs none."""
+    checks = CHECKS.get(one.number, ())
+    if not checks:
+        return Verdict.UNCHECKED
+    if one.is_erratum:
+        return Verdict.ERRATUM
+    if one.undetermined:
+        return Verdict.UNDETERMINED
+    if one.corrected is not None:
+        return Verdict.RESTORED
+    return Verdict.APPROXIMATE if any(check.error for check in checks) else Verdict.RIGHT
+
+
+def decide(number: str) -> Decision:
+    """The decision on one equation. Raises ValueError for a number that there is none of."""
+    one = equation(number)
+    start = time.perf_counter()
+    checks = CHECKS.get(one.number, ())
+    findings = _findings(one, one.right, checks)
+    against = _findings(one, one.printed, checks) if one.is_erratum else ()
+    verdict = claim(one)
+    sound = bool(findings) and all(f.holds for f in findings)
+    seen = not one.is_erratum or any(not f.holds for f in against)
+    seen = seen and not any(map(_crashed, against))
+    if checks and not (sound and seen):
+        verdict = Verdict.FAILED
+    return Decision(one, verdict, checks, findings, against, time.perf_counter() - start)
+
+
+def verify(
+    numbers: Iterable[str] = EQUATIONS, progress: Callable[[Decision], None] | None = None
+) -> Report:
+    """Decide equations, all of them if no numbers are given; `progress` sees each decision."""
+    decisions = []
+    for number in numbers:
+        decisions.append(decide(number))
+        if progress is not None:
+            progress(decisions[-1])
+    return Report(tuple(decisions))
+
+
+def _findings(
+    one: Equation, relations: Relations, checks: tuple[Check, ...]
+) -> tuple[Finding, ...]:
+    found: list[Finding] = []
+    for check in checks:
+        try:
+            found += check.find(one, relations)
+        except Exception as error:  # one equation that cannot be compared must not hide the others
+            found.append(Finding(f"{check.route}: not comparable", _Crash(error), holds=False))
+    return tuple(found)
+
+
+class _Crash(str):
+    """What a check ended with instead of findings; it proves nothing, of an erratum neither."""
+
+    def __new__(cls, error: Exception) -> _Crash:
+        return super().__new__(cls, f"{type(error).__name__}: {error}")
+
+
+def _crashed(finding: Finding) -> bool:
+    return isinstance(finding.rest, _Crash)

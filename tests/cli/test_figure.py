@@ -1,0 +1,109 @@
+"""`rockeom figure`."""
+
+from __future__ import annotations
+
+import matplotlib.image
+import numpy as np
+import pytest
+
+from rockeom.cli import main
+from rockeom.thesis import figures_chapter_4
+from rockeom.thesis.figures import FIGURES
+
+FREE_VIBRATION = ["4-37", "4-45", "4-47", "4-48"]
+SIMULATED = {"2-6", "2-16", "2-17", "4-71", "4-73", *FREE_VIBRATION}
+CLOSED_FORM = [n for n in FIGURES if n not in SIMULATED]
+
+
+def test_list_names_each_figure_and_what_it_shows(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    assert main(["figure"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    for number, draw in FIGURES.items():
+        (line,) = (line for line in lines if line.split()[:1] == [number])
+        assert draw.__doc__.splitlines()[0].rstrip(".") in line
+    assert f"{len(FIGURES)} figures" in lines[-1]
+
+
+def test_figure_is_drawn_into_the_named_file_and_explained(tmp_path, capsys):
+    path = tmp_path / "force.png"
+    assert main(["figure", "4-35", "--out", str(path)]) == 0
+    said = capsys.readouterr()
+    assert "Restoring force" in said.out
+    assert "the exact derivative of the energies" in " ".join(said.out.split())
+    assert str(path) in said.err
+    image = matplotlib.image.imread(path)
+    assert min(image.shape[:2]) > 300
+    assert len(set(map(tuple, image[::7, ::7].reshape(-1, image.shape[2])))) > 5  # not empty
+
+
+def test_without_a_file_it_is_named_after_the_figure(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["figure", "2-15"]) == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["figure-2-15.png"]
+
+
+@pytest.mark.parametrize("suffix", ["pdf", "svg"])
+def test_format_is_that_of_the_name(suffix, tmp_path, capsys):
+    path = tmp_path / f"delta.{suffix}"
+    assert main(["figure", "2-15", "--out", str(path)]) == 0
+    assert path.read_bytes()[:5] == {"pdf": b"%PDF-", "svg": b"<?xml"}[suffix]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["4-36"], ["'4-36'", "4-35"]),
+        (["4.35"], ["'4.35'", "4-35"]),
+        (["4-35", "--out", "force.tiff"], ["force.tiff", ".png", ".svg"]),
+        (["4-35", "--out", "force"], ["--out force", ".png"]),
+        (["4-35", "--out", "no/such/force.png"], ["no/such", "make it first"]),
+        (["--out", "force.png"], ["name the figure"]),
+    ],
+)
+def test_what_cannot_be_drawn_is_told_and_nothing_written(
+    arguments, words, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    assert main(["figure", *arguments]) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    for word in words:
+        assert word in said.err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("number", CLOSED_FORM)
+def test_closed_form_figures_have_curves_and_units(number):
+    figure = FIGURES[number]()
+    figure.canvas.draw()
+    assert figure.axes
+    for ax in figure.axes:
+        assert ax.lines
+        if ax.axison:  # a drawing has none
+            assert "[" in ax.get_xlabel()
+    assert any("[" in ax.get_ylabel() or not ax.axison for ax in figure.axes)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("number", FREE_VIBRATION)
+def test_free_vibrations_follow_the_measured_one(number):
+    """At the first nine peaks of Table A-1 they are within 3 mm of it, of 30 mm."""
+    figure = FIGURES[number]()
+    figure.canvas.draw()
+    *curves, points = figure.axes[0].lines
+    assert len(curves) >= 2
+    time, displacement = points.get_xydata()[:18:2].T
+    assert displacement[:3] == pytest.approx([-30.41, 29.51, -25.89])
+    simulated = np.interp(time, *curves[0].get_xydata().T)
+    assert np.abs(simulated - displacement).max() < 3.0
+
+
+@pytest.mark.filterwarnings("error")
+def test_peaks_under_shaking_grow_with_the_energy_ratio(monkeypatch):
+    monkeypatch.setattr(figures_chapter_4, "RATIOS", 3)
+    (peaks, *_), *_ = (ax.lines for ax in FIGURES["4-71"]().axes)
+    ratios, largest = peaks.get_xydata().T
+    assert ratios == pytest.approx([0.9 * 0.852, 0.852, 1.1 * 0.852])
+    assert np.all(np.diff(largest) > 0)

@@ -1,0 +1,39 @@
+"""The impact as a force, beyond the checks of single equations."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rockeom.thesis import EQUATIONS
+from rockeom.thesis.checks.section_2_6 import (
+    ENERGY_RATIO,
+    RELEASE,
+    Passages,
+    energy_left,
+    peaks_with_impacts,
+    potential,
+    right,
+)
+
+
+def test_printed_force_overturns_the_block_of_figure_2_16():
+    """With the minus the first impact adds energy, and the second throws it over."""
+    (printed,) = EQUATIONS["2-29"].printed
+    first, second = Passages(printed, 1e-3).peaks(RELEASE, 2)
+    gained = 1 - np.sqrt(1 - 2 * potential(RELEASE) / ENERGY_RATIO)
+    assert first == pytest.approx(gained, abs=5e-3)
+    assert first > RELEASE
+    assert second == 1.0
+
+
+def test_function_of_the_velocity_without_its_sign_speeds_up_the_way_back():
+    """2-26 as it stands is for one direction only: for the other it gives 1/r."""
+    g = right("2-26")
+    forth, back = energy_left(g, 1), energy_left(g, -1)
+    assert forth * back == 1
+    assert forth == energy_left(right("2-27"), -1)
+
+
+def test_peaks_of_figure_2_16():
+    assert peaks_with_impacts(RELEASE, 3) == pytest.approx([0.267, 0.184, 0.129], abs=5e-4)
