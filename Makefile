@@ -32,15 +32,15 @@ check: $(VENV)/.dev ## lint, format, types, import borders, generated/ up to dat
 bench: $(VENV)/.test ## speed and error beside C, heyoka and SciPy, side by side (minutes), into out/
 	$(BIN)/python -m benchmarks --out $(OUT)
 
-docs: ## say where the documentation stands
-	@echo "There is no manual yet: read README.md, and the derived equations in generated/*.md."
+docs: $(VENV)/.docs ## build the documentation, every example and derivation run, into out/docs
+	$(BIN)/python -m sphinx -W --keep-going -b html -d docs/_build/doctrees docs $(OUT)/docs
 
 clean: ## remove .venv, out/ and every cache
-	rm -rf $(VENV) out build dist .pytest_cache .ruff_cache .mypy_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) out build dist docs/_build docs/derivations .pytest_cache .ruff_cache .mypy_cache .import_linter_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Stamps: an extra is installed once, and again when pyproject.toml changes.
-$(VENV)/.test $(VENV)/.dev: $(VENV)/.%: pyproject.toml | $(BIN)/python
+$(VENV)/.test $(VENV)/.dev $(VENV)/.docs: $(VENV)/.%: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable ".[$*]"
 	@touch $@
 

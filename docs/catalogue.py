@@ -1,0 +1,231 @@
+"""What the build writes into the pages: the equations of the thesis, its tables, the help texts.
+
+A line ``<!-- equations 2 -->`` in a page is replaced by the entries of chapter 2, and so on; see
+`fill`. Whatever is said of an equation was decided while the page was made, by its checks.
+"""
+
+import contextlib
+import io
+import re
+from collections.abc import Callable, Iterable
+from functools import cache
+
+import sympy as sp
+
+from rockeom import thesis
+from rockeom.thesis.tables import TABLES, Cell, PrintedTable, computed
+from rockeom.thesis.typeset import written
+
+PLACE = re.compile(r"^<!-- (\w+)(?: (\w+))? -->$", re.MULTILINE)
+PAGES = {c: f"chapter-{c}" for c in "2345"} | {c: f"appendix-{c.lower()}" for c in "BD"}
+SYMBOLS = {s.symbol.name for s in thesis.NOTATION if isinstance(s.symbol, sp.Symbol)}
+LONGEST_REST = 300  # characters of LaTeX; a longer remainder tells a reader nothing
+
+
+def fill(app, docname: str, source: list[str]) -> None:
+    """Replace the places in the text of a page (Sphinx's event ``source-read``)."""
+    writers: dict[str, Callable[..., str]] = {
+        "overview": overview,
+        "equations": equations,
+        "symbols": symbols,
+        "tables": tables,
+        "help": help_text,
+    }
+
+    def text(found: re.Match) -> str:
+        word, argument = found.groups()
+        return writers[word](*([argument] if argument else []))
+
+    source[0] = PLACE.sub(text, source[0])
+
+
+# --- the equations
+
+
+@cache
+def report() -> thesis.Report:
+    return thesis.verify()
+
+
+def overview() -> str:
+    """How many equations have each verdict, what is wrong as printed, and all of them."""
+    decisions = report().decisions
+    counted = [[badge(verdict), str(n)] for verdict, n in report().counts.items()]
+    wrong = [
+        f"- [{d.equation.number}]({_page(d.equation)}#{_anchor(d.equation)}), "
+        f"{plain(d.equation.meaning)}. {plain(d.equation.reason)}"
+        for d in decisions
+        if d.verdict is thesis.Verdict.ERRATUM
+    ]
+    every = [
+        [
+            f"[{d.equation.number}]({_page(d.equation)}#{_anchor(d.equation)})",
+            plain(d.equation.meaning),
+            d.equation.kind.value,
+            badge(d.verdict),
+        ]
+        for d in decisions
+    ]
+    return "\n\n".join(
+        [
+            table(["verdict", "equations"], counted),
+            "## Wrong as printed",
+            "\n".join(wrong),
+            "## All equations",
+            table(["", "meaning", "kind", "verdict"], every),
+        ]
+    )
+
+
+def equations(chapter: str) -> str:
+    """The entries of a chapter, under the sections of the thesis."""
+    parts = []
+    section = None
+    for decision in report().decisions:
+        if decision.equation.chapter != chapter:
+            continue
+        if decision.equation.section != section:
+            section = decision.equation.section
+            parts.append(f"## {f'Section {section}' if section[0].isdigit() else section}")
+        parts.append(entry(decision))
+    return "\n\n".join(parts)
+
+
+def entry(decision: thesis.Decision) -> str:
+    """One equation: its forms, its verdict, and what led to it."""
+    one = decision.equation
+    parts = [
+        f"({_anchor(one)})=\n### {one.number}",
+        f"{badge(decision.verdict)} {plain(_sentence(one.meaning))} "
+        f"*{one.kind.value.capitalize()}.*",
+    ]
+    if one.is_erratum:
+        parts += ["As printed:", displayed(one.lines("printed")), "As it should be:"]
+    parts.append(displayed(one.lines()))
+    parts += [plain(_sentence(text)) for text in (one.reason, one.remark) if text]
+    if one.undetermined:
+        parts.append(f"Left open by the text: {plain(_sentence(one.undetermined))}")
+    parts += [f"- {_route(check)}" for check in decision.checks]
+    if one.is_erratum:
+        parts += [_failure(finding) for finding in decision.against if not finding.holds]
+    if decision.why:
+        parts.append(f"**{plain(_sentence(decision.why))}**")
+    return "\n\n".join(parts)
+
+
+def _route(check: thesis.Check) -> str:
+    text = f"{check.means.value.capitalize()}: {plain(_sentence(check.route))}"
+    return f"{text} Error: {plain(_sentence(check.error))}" if check.error else text
+
+
+def _failure(finding: thesis.Finding) -> str:
+    """What is left of the printed form of an erratum where it should vanish."""
+    rest = finding.rest
+    if isinstance(rest, float | sp.Number):
+        left = f"{float(rest):.3g}"
+    elif isinstance(rest, sp.Basic | sp.MatrixBase):
+        left = f"${written(rest)}$"
+    else:
+        left = plain(rest) if isinstance(rest, str) else ""
+    text = f"- Fails as printed: {plain(finding.what)}"
+    return f"{text}, leaves {left}" if 0 < len(left) <= LONGEST_REST else text
+
+
+def symbols(chapter: str) -> str:
+    """The symbols of a chapter's equations, with units and meanings."""
+    used = {s for e in thesis.EQUATIONS.values() if e.chapter == chapter for s in e.symbols}
+    rows = [
+        [f"${sp.latex(s)}$", plain(entry.unit), plain(entry.meaning)]
+        for s in sorted(used, key=lambda s: s.name.lstrip("\\").lower())
+        for entry in [thesis.entry(s, chapter)]
+    ]
+    return table(["symbol", "unit", "meaning"], rows)
+
+
+def displayed(lines: Iterable[str]) -> str:
+    """Lines of LaTeX as one display, aligned to the left."""
+    return "$$\\begin{aligned} " + r" \\ ".join(f"& {x}" for x in lines) + " \\end{aligned}$$"
+
+
+def badge(verdict: thesis.Verdict) -> str:
+    return f"[{verdict.value}]{{.verdict .{verdict.name.lower()}}}"
+
+
+def _page(one: thesis.Equation) -> str:
+    return f"{PAGES[one.chapter]}.md"
+
+
+def _anchor(one: thesis.Equation) -> str:
+    return f"equation-{one.number.lower()}"
+
+
+# --- the tables
+
+
+def tables() -> str:
+    """Each printed table, its computed columns beside the printed ones."""
+    return "\n\n".join(beside(one, computed(number)) for number, one in TABLES.items())
+
+
+def beside(one: PrintedTable, rows: Iterable[tuple[Cell, ...]]) -> str:
+    """One table. A column that was measured, or that the computation starts from, stands alone."""
+    head: list[str] = []
+    columns: list[list[str]] = []
+    for name, printed, found in zip(
+        one.columns, zip(*one.rows, strict=True), zip(*rows, strict=True), strict=True
+    ):
+        alone = all(f is None or f == p for p, f in zip(printed, found, strict=True))
+        head += [name] if alone else [f"{name}, printed", "computed"]
+        columns += [[cell(p) for p in printed]]
+        columns += [] if alone else [[cell(f) for f in found]]
+    title = one.number if one.number.startswith("Figure") else f"Table {one.number}"
+    return "\n\n".join(
+        [
+            f"## {title}",
+            plain(_sentence(one.title)),
+            table([plain(h) for h in head], [list(row) for row in zip(*columns, strict=True)]),
+            *(f"- {plain(remark)}" for remark in one.remarks),
+        ]
+    )
+
+
+def cell(value: Cell) -> str:
+    if value is None:
+        return "–"
+    return plain(value) if isinstance(value, str) else f"{float(value):.4g}"
+
+
+# --- the command line
+
+
+def help_text(command: str | None = None) -> str:
+    """What ``rockeom [COMMAND] --help`` prints."""
+    from rockeom.cli import main
+
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit):
+        main([*([command] if command else []), "--help"])
+    return f"```text\n{printed.getvalue().rstrip()}\n```"
+
+
+# --- Markdown
+
+
+def table(head: list[str], rows: Iterable[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
+
+
+def plain(text: str) -> str:
+    """Text in which nothing but backticks is markup."""
+    pieces = re.split(r"(`[^`]*`)", text)
+    pieces[::2] = [re.sub(r"([\\*_|<>$\[\]#])", r"\\\1", piece) for piece in pieces[::2]]
+    return "".join(pieces)
+
+
+def _sentence(text: str) -> str:
+    """With a capital letter and a full stop; a symbol at the start stays small."""
+    first = text.split(" ", 1)[0]
+    if first.isalpha() and first not in SYMBOLS:
+        text = text[0].upper() + text[1:]
+    return text if text.endswith((".", "?", "!")) else f"{text}."

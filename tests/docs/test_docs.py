@@ -1,0 +1,173 @@
+"""The documentation names all there is, and its links lead somewhere; `make docs` builds it."""
+
+import importlib
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import rockeom
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations"} & set(p.parts)]
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+
+
+@pytest.fixture(scope="module")
+def catalogue():
+    return _module("catalogue")
+
+
+@pytest.fixture(scope="module")
+def docstrings():
+    return _module("docstrings")
+
+
+def _module(name: str):
+    """A module of the folder docs, which is no package."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(DOCS))
+        try:
+            return importlib.import_module(name)
+        finally:
+            sys.modules.pop(name, None)
+
+
+# --- the reference
+
+
+def documented() -> set[str]:
+    """Full names that the pages of the reference show, as Sphinx's autodoc finds them."""
+    found = set()
+    for page in (DOCS / "reference").glob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        found |= set(re.findall(r"^\.\. auto(?:class|function|data):: ([\w.]+)", text, re.M))
+        for package in re.findall(
+            r"^\.\. automodule:: ([\w.]+)\n   :imported-members:", text, re.M
+        ):
+            module = importlib.import_module(package)
+            described = (n for n in module.__all__ if hasattr(getattr(module, n), "__qualname__"))
+            found |= {f"{package}.{name}" for name in described}
+        found |= set(re.findall(r"^\.\. automodule:: ([\w.]+)", text, re.M))
+    return found
+
+
+def test_reference_shows_every_public_name():
+    packages = ("analysis", "motion", "plots", "symbolic", "thesis")
+    public = {f"rockeom.{name}" for name in rockeom.__all__}
+    for name in packages:
+        module = importlib.import_module(f"rockeom.{name}")
+        public |= {f"rockeom.{name}.{one}" for one in module.__all__ if one not in rockeom.__all__}
+    shown = documented()
+    data = {re.sub(r"\.\w+(\.[A-Z_]+)$", r"\1", name) for name in shown}  # named by their home
+    assert public - shown - data == set()
+
+
+@pytest.mark.parametrize("name", sorted(documented()))
+def test_name_in_the_reference_exists(name):
+    home, _, last = name.rpartition(".")
+    assert hasattr(importlib.import_module(home), last) or importlib.import_module(name)
+
+
+# --- pages and links
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: str(p.relative_to(DOCS)))
+def test_links_of_a_page_lead_somewhere(page):
+    names = documented()
+    targets = LINK.findall(re.sub(r"^```.*?^```", "", page.read_text("utf-8"), flags=re.M | re.S))
+    for target in targets:
+        path, _, anchor = target.partition("#")
+        if re.match(r"[a-z]+:", target):
+            continue
+        if path:
+            assert (page.parent / path).exists(), target
+        else:
+            assert anchor in names, target
+
+
+def test_every_page_stands_in_a_table_of_contents():
+    listed = {DOCS / "index.md"}
+    for page in PAGES:
+        for block in re.findall(r"```{toctree}\n(.*?)```", page.read_text("utf-8"), re.S):
+            lines = (re.sub(r".*<(.*)>", r"\1", x) for x in block.split("\n"))
+            listed |= {page.parent / f"{x}.md" for x in lines if x and not x.startswith(":")}
+    assert set(PAGES) - listed == set()
+
+
+def test_every_derivation_stands_in_the_table_of_contents():
+    listed = re.findall(r"^derivations/(\w+)$", (DOCS / "derivations.md").read_text("utf-8"), re.M)
+    there = {p.stem for p in (ROOT / "derivations").glob("*.py") if p.name[0] != "_"}
+    assert sorted(listed) == sorted(there)
+
+
+# --- what the build writes
+
+
+def test_catalogue_has_an_entry_for_every_equation_on_some_page(catalogue):
+    thesis = importlib.import_module("rockeom.thesis")
+    for one in thesis.EQUATIONS.values():
+        page = (DOCS / "equations" / catalogue._page(one)).read_text("utf-8")
+        assert f"<!-- equations {one.chapter} -->" in page
+        decision = thesis.Decision(
+            one, thesis.claim(one), thesis.CHECKS.get(one.number, ()), (), (), 0.0
+        )
+        text = catalogue.entry(decision)
+        assert text.startswith(f"(equation-{one.number.lower()})=\n### {one.number}\n")
+        assert text.count("$$") == (4 if one.is_erratum else 2)
+        for formula in re.findall(r"\$\$(.*?)\$\$", text):
+            assert formula.count("{") == formula.count("}")
+
+
+def test_symbols_of_every_chapter_have_a_meaning(catalogue):
+    for chapter in catalogue.PAGES:
+        assert catalogue.symbols(chapter).count("\n") > 2
+
+
+def test_failure_of_a_printed_form_is_shown(catalogue):
+    thesis = importlib.import_module("rockeom.thesis")
+    text = catalogue.entry(thesis.decide("2-9"))
+    assert "[wrong as printed]{.verdict .erratum}" in text
+    assert "Fails as printed: thesis minus engine" in text
+
+
+def test_computed_columns_stand_beside_printed_ones(catalogue):
+    tables = importlib.import_module("rockeom.thesis.tables")
+    one = tables.PrintedTable("9-9", "sizes", ("name", "length [m]", "r"), (("a", 2.0, 0.5),))
+    text = catalogue.beside(one, [("a", None, 0.25)])
+    assert r"| name | length \[m\] | r, printed | computed |" in text
+    assert "| a | 2 | 0.5 | 0.25 |" in text
+
+
+def test_help_of_every_command_is_shown(catalogue):
+    page = (DOCS / "reference" / "command-line.md").read_text("utf-8")
+    commands = re.search(r"\{(.*?)\}|COMMAND", catalogue.help_text())
+    assert commands
+    for command in ("models", "derive", "generate", "simulate"):
+        assert f"<!-- help {command} -->" in page
+        assert f"usage: rockeom {command}" in catalogue.help_text(command)
+
+
+def test_docstring_of_the_house_becomes_a_list_and_only_backticks_are_markup(docstrings):
+    text = docstrings.rst(
+        """The product a*b of |x| and I_o, see `simulate`.
+
+            rk.simulate(block)
+
+            rk.derive("rigid_block")
+
+        a, b : factors;
+            of any size.
+        x (n,) [m], stiffness k [N/m] : where.
+        Raises ValueError for NaN.
+        """
+    )
+    assert text == (
+        "The product a\\*b of \\|x\\| and I_o, see `simulate`.\n\n"
+        '.. code-block:: python\n\n    rk.simulate(block)\n\n    rk.derive("rigid_block")\n\n'
+        "* ``a, b``: factors;\n  of any size.\n\n"
+        "* ``x (n,) [m], stiffness k [N/m]``: where.\n\n"
+        "Raises ValueError for NaN.\n"
+    )
