@@ -13,7 +13,8 @@ from functools import cache
 import sympy as sp
 
 from rockeom import thesis
-from rockeom.thesis.tables import TABLES, Cell, PrintedTable, computed
+from rockeom.thesis.side_by_side import TextTable, side_by_side
+from rockeom.thesis.tables import TABLES
 from rockeom.thesis.typeset import written
 
 PLACE = re.compile(r"^<!-- (\w+)(?: (\w+))? -->$", re.MULTILINE)
@@ -164,35 +165,18 @@ def _anchor(one: thesis.Equation) -> str:
 
 def tables() -> str:
     """Each printed table, its computed columns beside the printed ones."""
-    return "\n\n".join(beside(one, computed(number)) for number, one in TABLES.items())
+    return "\n\n".join(shown(one) for number in TABLES for one in side_by_side(number))
 
 
-def beside(one: PrintedTable, rows: Iterable[tuple[Cell, ...]]) -> str:
-    """One table. A column that was measured, or that the computation starts from, stands alone."""
-    head: list[str] = []
-    columns: list[list[str]] = []
-    for name, printed, found in zip(
-        one.columns, zip(*one.rows, strict=True), zip(*rows, strict=True), strict=True
-    ):
-        alone = all(f is None or f == p for p, f in zip(printed, found, strict=True))
-        head += [name] if alone else [f"{name}, printed", "computed"]
-        columns += [[cell(p) for p in printed]]
-        columns += [] if alone else [[cell(f) for f in found]]
-    title = one.number if one.number.startswith("Figure") else f"Table {one.number}"
+def shown(one: TextTable) -> str:
     return "\n\n".join(
         [
-            f"## {title}",
+            f"## {plain(one.heading)}",
             plain(_sentence(one.title)),
-            table([plain(h) for h in head], [list(row) for row in zip(*columns, strict=True)]),
+            table([plain(c) for c in one.columns], [[plain(c) for c in row] for row in one.rows]),
             *(f"- {plain(remark)}" for remark in one.remarks),
         ]
     )
-
-
-def cell(value: Cell) -> str:
-    if value is None:
-        return "–"
-    return plain(value) if isinstance(value, str) else f"{float(value):.4g}"
 
 
 # --- the command line

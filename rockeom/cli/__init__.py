@@ -1,6 +1,6 @@
 """The command line.
 
-``rockeom models | derive | simulate | equations | verify | figure | generate``
+``rockeom models | derive | simulate | equations | verify | figure | tables | generate``
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Sequence
 
 from rockeom import __version__
-from rockeom.cli import derive, equations, figure, generate, models, simulate, verify
+from rockeom.cli import derive, equations, figure, generate, models, simulate, tables, verify
 from rockeom.cli.errors import UsageError
 
 _DESCRIPTION = """\
@@ -25,6 +25,7 @@ through every impact.
   rockeom equations 5-34            an equation of the thesis, as printed and as it should be
   rockeom verify                    every equation of the thesis, derived and compared
   rockeom figure 2-16               a figure of the thesis, drawn anew
+  rockeom tables 2-1                a table of the thesis, printed beside computed
   rockeom generate                  rewrite generated/ from the symbolic models (developers)
 
 Each command explains itself: rockeom simulate --help
@@ -76,7 +77,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (models, derive, simulate, equations, verify, figure, generate):
+    for module in (models, derive, simulate, equations, verify, figure, tables, generate):
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(
             name,

@@ -17,7 +17,7 @@ from rockeom.codegen.write import write_generated
 from rockeom.numeric.structures import SHIPPED
 from rockeom.symbolic.typeset import content
 
-COMMANDS = ("models", "derive", "simulate", "equations", "verify", "figure", "generate")
+COMMANDS = ("models", "derive", "simulate", "equations", "verify", "figure", "tables", "generate")
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:

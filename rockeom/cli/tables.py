@@ -1,0 +1,111 @@
+"""``rockeom tables``: tables of the thesis, printed beside computed."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import textwrap
+from typing import TYPE_CHECKING
+
+from rockeom.cli.errors import UsageError
+
+if TYPE_CHECKING:
+    from rockeom.thesis.side_by_side import TextTable
+
+HELP = "show tables of the thesis, what is printed beside what is computed"
+DESCRIPTION = """\
+List the tables of Ma's thesis (2010) and the lists of numbers under its figures, or show some of
+them: each computed column beside the printed one, and what is to be said of them. With A-1 come
+the peaks of the free vibration by each model of the wall and restitution law.
+The first simulation of a structure compiles it, which takes some ten seconds.
+"""
+EPILOG = """\
+examples:
+  rockeom tables                the list
+  rockeom tables 2-1            one, printed beside computed
+  rockeom tables 4-1 4-2        several
+  rockeom tables A-1            measured and simulated peaks of the controlled wall
+  rockeom tables "Figure 3-3"   the list of numbers under a figure
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "numbers", nargs="*", metavar="NUMBER", help="such as 2-1; a list of all if left out"
+    )
+
+
+def run(args: argparse.Namespace) -> int:
+    from rockeom.thesis.tables import TABLES
+
+    if not args.numbers:
+        print(_list())
+        return 0
+    for number in args.numbers:
+        if number not in TABLES:
+            raise UsageError(f"no table {number!r}; there are {', '.join(TABLES)}")
+    from rockeom.thesis.side_by_side import side_by_side
+
+    print("computing ...", file=sys.stderr)
+    shown = [_shown(table) for number in args.numbers for table in side_by_side(number)]
+    print("\n\n".join(shown))
+    return 0
+
+
+def _list() -> str:
+    from rockeom.thesis.tables import TABLES
+
+    wide = max(map(len, TABLES))
+    room = max(_width() - wide - 2, 30)
+    lines = [f"{'':{wide}}  WHAT IT HOLDS"]
+    lines += [
+        f"{number:{wide}}  {textwrap.shorten(table.title, room, placeholder=' ...')}"
+        for number, table in TABLES.items()
+    ]
+    return "\n".join([*lines, "", f"{len(TABLES)} tables; rockeom tables NUMBER shows one."])
+
+
+def _shown(table: TextTable) -> str:
+    width = _width()
+    parts = [
+        textwrap.fill(f"{table.heading}: {table.title}", width),
+        "\n".join(_aligned(table)),
+        *(
+            textwrap.fill(remark, width, initial_indent="- ", subsequent_indent="  ")
+            for remark in table.remarks
+        ),
+    ]
+    return "\n\n".join(parts)
+
+
+def _aligned(table: TextTable) -> list[str]:
+    """Columns as wide as their cells and the words of their name need; a short name stays whole."""
+    columns = list(zip(*table.rows, strict=True))
+    widths = [
+        max(*map(len, (*cells, *name.split())), min(len(name), 9))
+        for name, cells in zip(table.columns, columns, strict=True)
+    ]
+    right = [all(_is_number(cell) for cell in cells) for cells in columns]
+    names = [textwrap.wrap(n, w) or [""] for n, w in zip(table.columns, widths, strict=True)]
+    depth = max(map(len, names))
+    head = zip(*([""] * (depth - len(lines)) + lines for lines in names), strict=True)
+    return [
+        "  ".join(
+            f"{cell:>{w}}" if r else f"{cell:{w}}"
+            for cell, w, r in zip(row, widths, right, strict=True)
+        ).rstrip()
+        for row in (*head, ("-" * w for w in widths), *table.rows)
+    ]
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return cell == "–"
+    return True
+
+
+def _width() -> int:
+    return min(max(shutil.get_terminal_size((100, 24)).columns, 60), 110)

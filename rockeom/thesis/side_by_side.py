@@ -1,0 +1,115 @@
+"""The tables of the thesis as text to be read: what is printed beside what is computed.
+
+from rockeom.thesis.side_by_side import side_by_side
+
+for table in side_by_side("2-1"):
+    print(table.heading, table.columns, table.rows)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from rockeom.thesis.free_vibration_table import free_vibration_peaks, measured_peaks
+from rockeom.thesis.tables import TABLES, Cell, PrintedTable, computed
+
+
+class TextTable(NamedTuple):
+    """A table of cells of text, with its heading, its title and remarks on it.
+
+    columns : the names, with units. rows : as many cells each.
+    """
+
+    heading: str
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    remarks: tuple[str, ...] = ()
+
+
+def side_by_side(number: str) -> tuple[TextTable, ...]:
+    """A table of the thesis, printed beside computed; with A-1 also the peaks of the models.
+
+    number : "2-1" or "Figure 3-3", a key of `rockeom.thesis.tables.TABLES`.
+    Raises KeyError for an unknown number.
+    """
+    rows = computed(number)
+    also = free_vibration() if number == "A-1" else ()
+    return (beside(TABLES[number], rows), *also)
+
+
+def beside(one: PrintedTable, rows: Iterable[tuple[Cell, ...]]) -> TextTable:
+    """A printed table and its rows computed again, the columns in pairs.
+
+    A column that was measured, or that the computation starts from, stands alone.
+    """
+    head: list[str] = []
+    columns: list[list[str]] = []
+    for name, printed, found in zip(
+        one.columns, zip(*one.rows, strict=True), zip(*rows, strict=True), strict=True
+    ):
+        alone = all(f is None or f == p for p, f in zip(printed, found, strict=True))
+        head += [name] if alone else [f"{name}, printed", "computed"]
+        columns += [[_text(p, digits=10) for p in printed]]
+        columns += [] if alone else [[_text(f, digits=4) for f in found]]
+    return TextTable(
+        one.number if one.number.startswith("Figure") else f"Table {one.number}",
+        one.title,
+        tuple(head),
+        tuple(zip(*columns, strict=True)),
+        one.remarks,
+    )
+
+
+def free_vibration() -> tuple[TextTable, ...]:
+    """`free_vibration_peaks` in three tables: how far off each is, the times, and the peaks."""
+    models = free_vibration_peaks()
+    time, peak = measured_peaks()
+    names = tuple(str(i) for i in range(1, len(models) + 1))
+    summary = tuple(
+        (name, m.model, m.law, f"{1e3 * m.rms_time:.2f}", f"{1e3 * m.rms_peak:.2f}")
+        for name, m in zip(names, models, strict=True)
+    )
+    return (
+        TextTable(
+            "Free vibration from the first peak of Table A-1",
+            f"Root mean squares of the errors of the first {len(time)} peaks by each model",
+            ("", "model", "restitution", "rms of the times [ms]", "rms of the peaks [mm]"),
+            summary,
+            (
+                f"The {len(time)} peaks are legible as scanned; those in repaired or guessed rows "
+                "come later and do not count. The first is the start, without error, and counts. "
+                "Measured times are printed in steps of 5 ms.",
+                "F_k + 6 % is the factor of section 4.8.1, by an effective mass divided by 1.06. "
+                "It changes the times only: no mass is in the peaks of a constant r.",
+                "4-31 and 4-38 jump, most of all at 0.78 m/s, and small changes decide on which "
+                "side a passage is (Figures 4-37 and 4-47). With F_k + 5 % in place of 6, or a "
+                "rotation centre that moves out 10 % later, the peaks of 3 and 5 are half a "
+                "millimetre nearer.",
+            ),
+        ),
+        _numbered("Times of the peaks [s]", names, [time, *(m.time for m in models)], 4),
+        _numbered(
+            "Displacements at the peaks [mm]",
+            names,
+            [1e3 * peak, *(1e3 * m.peak for m in models)],
+            2,
+        ),
+    )
+
+
+def _numbered(
+    heading: str, names: tuple[str, ...], columns: list[np.ndarray], decimals: int
+) -> TextTable:
+    rows = tuple(tuple(f"{x:.{decimals}f}" for x in row) for row in zip(*columns, strict=True))
+    title = "Measured, and by the models as numbered above"
+    return TextTable(heading, title, ("measured", *names), rows)
+
+
+def _text(value: Cell, digits: int) -> str:
+    if value is None:
+        return "–"
+    return value if isinstance(value, str) else f"{float(value):.{digits}g}"
