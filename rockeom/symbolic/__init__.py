@@ -7,6 +7,7 @@ from collections.abc import Callable
 from rockeom.symbolic.controlled_wall import (
     controlled_wall,
     controlled_wall_oscillator,
+    flexible_controlled_wall,
     simplified_substitute_gravity_wall,
     substitute_gravity_wall,
 )
@@ -45,6 +46,7 @@ SHIPPED: dict[str, Callable[[], RockingModel]] = {
         uplifting_oscillator,
         flexible_structure,
         controlled_wall,
+        flexible_controlled_wall,
         controlled_wall_oscillator,
         substitute_gravity_wall,
         simplified_substitute_gravity_wall,

@@ -3,7 +3,7 @@
 The wall turns about a point of its base that moves from the centreline towards the pressed edge
 as it rocks, at the distance b from the centreline. Three models of it are built here: the
 equivalent oscillator (4-27), the substitute gravity that takes the tendons' force as weight (4-32,
-4-37) and Lagrange's equations of the positions themselves.
+4-37) and Lagrange's equations of the positions themselves, where it may also bend (4.7).
 
 A tendon is elastic, yields at a constant force, or is slack, a contact state each. The permanent
 extension is a coordinate that is held, and is put to its new value when yielding ends.
@@ -38,6 +38,9 @@ from rockeom.symbolic.rigid_block import GRAVITY
 
 ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise")
 DISPLACEMENT = coordinate("Delta", "u", "m", "displacement of the wall at the height H")
+DEFLECTION = coordinate(
+    "u", "u", "m", "deflection of the wall relative to its base, at right angles to its axis"
+)
 PASSAGE_SPEED = coordinate(
     "w", "passage_speed", "m/s", "speed at which the present passage would come upright, no loss"
 )
@@ -57,6 +60,8 @@ EDGE_DISTANCE = parameter(
 TRANSITION = parameter(
     "epsilon", "transition", "m", "displacement over which the rotation centre moves out"
 )
+STIFFNESS = parameter("k", "stiffness", "N/m", "stiffness of the wall against its deflection")
+DAMPING = parameter("c", "damping", "N s/m", "viscous damping coefficient of the deflection")
 REGULARISATION = parameter("n", "regularisation", "m", "width of a passage in Delta")
 HELD = parameter(
     "h", "held", "-", "1: r of the speed of the whole passage; 0: of that of the instant"
@@ -587,7 +592,7 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
 
 
 def _one_law(model: RockingModel) -> RockingModel:
-    """With one coordinate free, the impulsive law is that of the velocity ratio."""
+    """With one coordinate free, or b(0) = 0, the impulsive law is that of the velocity ratio."""
     return replace(model, rigid_velocity_ratio=model.velocity_ratio)
 
 
@@ -604,19 +609,28 @@ ANCHOR_DEPTH = parameter(
 )
 
 
-def controlled_wall(tendons: int = 1, centre: RotationCentre = MIGRATING) -> RockingModel:
+def controlled_wall(
+    tendons: int = 1, centre: RotationCentre = MIGRATING, flexible: bool = False
+) -> RockingModel:
     """The wall by Lagrange's equations, no term dropped.
 
     It turns by theta about the point of its base that lies at b(theta) from the centreline and
     has no vertical displacement. The kinetic energy contains the motion of that point along the
     base. A tendon is straight between its anchor in the wall and that in the foundation.
+
+    `flexible` : all that is above the base line moves across the axis by u against a spring and a
+    damper, and turns with the base. b and the tendons know the rotation of the base alone: their
+    anchors are on the axis of the wall unbent.
     """
     cables = _tendons(tendons)
     q = ROTATION.position
+    moving = (ROTATION, DEFLECTION) if flexible else (ROTATION,)
+    u = DEFLECTION.position if flexible else sp.S.Zero
+    bending = STIFFNESS.symbol * u**2 / 2
     H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
     b = sp.Function("b", real=True)(q)
     pivot = (SIDE * b, sp.S.Zero)
-    body = Body("wall", m, turned((0, Hc), pivot, q), INERTIA.symbol, q)
+    body = Body("wall", m, turned((u, Hc), pivot, q), INERTIA.symbol, q)
     edges = {name: turned((s * B, 0), pivot, q) for name, s in SIDES.items()}
     length = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
 
@@ -632,12 +646,13 @@ def controlled_wall(tendons: int = 1, centre: RotationCentre = MIGRATING) -> Roc
         plastic = sum((t.plastic_force_in(s, t.extension(q), q) for t, s in pairs), sp.S.Zero)
         phase = Phase(
             contacts,
-            (ROTATION,),
+            moving,
             (body,),
             GRAVITY.symbol,
-            stored,
-            load_point=turned((0, H), pivot, q),
-            forces=(plastic,),
+            stored + bending,
+            DAMPING.symbol * DEFLECTION.velocity**2 / 2 if flexible else sp.S.Zero,
+            load_point=turned((u, H), pivot, q),
+            forces=(plastic, *(sp.S.Zero for _ in moving[1:])),
             quantities=_quantities(cables, states, q, b),
         )
         down = sum(
@@ -656,19 +671,27 @@ def controlled_wall(tendons: int = 1, centre: RotationCentre = MIGRATING) -> Roc
         SIDES,
         _crossing(cables, False),
         mechanism,
-        name=f"controlled_wall{several}",
-        title="Controlled rocking wall by Lagrange's equations",
+        name=("flexible_" if flexible else "") + f"controlled_wall{several}",
+        title="Controlled rocking wall" + (" that bends," if flexible else "")
+        + " by Lagrange's equations",
         parameters=_unique(
             (
                 MASS, INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
-                ANCHOR_HEIGHT, ANCHOR_DEPTH, *(p for t in cables for p in t.parameters), GRAVITY,
+                ANCHOR_HEIGHT, ANCHOR_DEPTH, *(p for t in cables for p in t.parameters),
+                *((STIFFNESS, DAMPING) if flexible else ()), GRAVITY,
             )
         ),
-        coordinates=(ROTATION, *(t.permanent for t in cables)),
+        coordinates=(*moving, *(t.permanent for t in cables)),
         laws=_laws(
             cables, q, b, centre.distance(H * sp.sin(q)),
             lambda t: sp.sqrt(run(t)[0] ** 2 + run(t)[1] ** 2) - length,
         ),
-        reference="thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32",
+        reference="thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32"
+        + ("; the fixed-base period of 4.7" if flexible else ""),
     )  # fmt: skip
     return _one_law(model)
+
+
+def flexible_controlled_wall() -> RockingModel:
+    """The wall with one tendon that bends on its base while it rocks."""
+    return controlled_wall(flexible=True)

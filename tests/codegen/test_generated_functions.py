@@ -45,6 +45,7 @@ WALL = {
     "eccentricity": 0.1,
     "gravity": 9.81,
 }
+TURNING = {"inertia": 2e3, "centroid_height": 2.1, "anchor_height": 2.9, "anchor_depth": 0.2}
 BLOCK = {"mass": 2000.0, "pivot_inertia": 12e3, "centroid_height": 2.1} | WALL
 PASSAGES = {
     "effective_mass": 2000.0,
@@ -88,8 +89,8 @@ TYPICAL = {
         "gravity": 9.81,
     },
     "flexible_structure": TWO_MASSES | {"stiffness": 571.8e3, "damping": 502.4},
-    "controlled_wall": WALL
-    | {"inertia": 2e3, "centroid_height": 2.1, "anchor_height": 2.9, "anchor_depth": 0.2},
+    "controlled_wall": WALL | TURNING,
+    "flexible_controlled_wall": WALL | TURNING | {"stiffness": 40e6, "damping": 2e4},
     "controlled_wall_oscillator": WALL | PASSAGES,
     "substitute_gravity_wall": BLOCK,
     "simplified_substitute_gravity_wall": BLOCK,
@@ -155,9 +156,12 @@ class Sample:
         return sp.lambdify(given, values, modules="numpy", dummify=True)(*numbers)
 
     def sizes(self, *expressions, accelerations=()):
-        """(k, N): the sums of the absolute values of the expressions' terms."""
-        exact = [self.model.in_contact(sp.sympify(e), self.contact) for e in expressions]
-        return self.values(*map(magnitude, exact), accelerations=accelerations)
+        """(k, N): the sums of the absolute values of the expressions' terms, laws a number each."""
+        return self.values(*map(magnitude, expressions), accelerations=accelerations)
+
+    def sizes_written_out(self, *expressions):
+        """The same with the terms of the laws, where these are differences of larger numbers."""
+        return self.sizes(*(self.model.in_contact(e, self.contact) for e in expressions))
 
     def solution_size(self):
         """(d, N): the scale of rounding errors of q'' = M^-1 f."""
@@ -229,7 +233,9 @@ def test_energies(name):
     for sample in samples(name):
         expected = phases(name)[sample.contact].energies(sample.y, sample.parameters)
         eq = sample.phase.equations
-        size = sample.sizes(eq.kinetic_energy, eq.gravitational_energy, eq.elastic_energy)
+        size = sample.sizes_written_out(
+            eq.kinetic_energy, eq.gravitational_energy, eq.elastic_energy
+        )
         found = sample.generated("energies", len(expected))
         assert tuple(expected) == module(name).ENERGIES
         assert_agree(f"energies in {sample.contact}", found, list(expected.values()), size)
@@ -305,7 +311,7 @@ def test_guards(name):
                 place = [c.name for c in opened.phase.coordinates].index(sample.model.rotation.name)
                 size = opened.solution_size()[place]
             else:
-                (size,) = sample.sizes(t.guard)
+                (size,) = sample.sizes_written_out(t.guard)
             assert_agree(f"{sample.contact} to {t.target}", row, expected[t.target], size)
 
 
