@@ -56,7 +56,7 @@ sp.init_printing()
 # multiplied by $\sqrt r$.
 
 
-# %%
+# %% tags=["hide-input"]
 b, h, rotation = 0.5, 1.5, 0.14
 pivot = np.array([b, 0.0])
 upright = [(-b, 0), (b, 0), (b, 2 * h), (-b, 2 * h)]

@@ -81,7 +81,7 @@ sp.init_printing()
 #    \boldsymbol r_b = -sB\,\boldsymbol e_1 + H_b\,\boldsymbol e_2 . \tag{1} $$
 
 
-# %%
+# %% tags=["hide-input"]
 b, h, low, tilt, bend = 0.4, 1.35, 0.12, 0.16, 0.26
 pivot = np.array([b, 0.0])
 z = np.linspace(0, 1, 40)

@@ -78,7 +78,7 @@ sp.init_printing()
 #    R_b\cos\alpha_b = H_b . \tag{1} $$
 
 
-# %%
+# %% tags=["hide-input"]
 def outline(b, h, low, angle):
     """Corners of the base, ends of the column, and both masses, turned about a pivot."""
     pivot = (b if angle >= 0 else -b, 0)

@@ -75,7 +75,7 @@ sp.init_printing()
 # in Section 5.
 
 
-# %%
+# %% tags=["hide-input"]
 DELTA = 0.08  # settlement in the drawing
 
 
