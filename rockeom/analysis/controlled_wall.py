@@ -26,6 +26,7 @@ from scipy.special import erf
 
 from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numeric.impact import EnergyRatioAtSpeed
 
 # --- the rotation centre and the tendon
 
@@ -646,8 +647,7 @@ def energy_ratio_4_31(velocity: ArrayLike):
     leaves it open; there the value of the faster band is taken.
     """
     (speed,) = numbers("energy_ratio_4_31", velocity=np.abs(velocity))
-    slow = 0.01 / 0.45 * speed + 0.85
-    return _by_speed(speed, (0.3, 0.47, 0.78), (slow, 0.81, 0.852, 0.95))
+    return _by_speed(speed, EnergyRatioAtSpeed.equation_4_31())
 
 
 def energy_ratio_4_36(velocity: ArrayLike):
@@ -657,7 +657,7 @@ def energy_ratio_4_36(velocity: ArrayLike):
     0.91 for small speeds, which is the other way round. Raises ValueError where r exceeds 1.
     """
     (speed,) = numbers("energy_ratio_4_36", velocity=np.abs(velocity))
-    r = 0.0441 * speed + 0.865
+    r = _by_speed(speed, EnergyRatioAtSpeed.equation_4_36())
     rule = "the fit would add energy, r > 1: it is for speeds up to 1 m/s"
     require(r <= 1, "energy_ratio_4_36", "velocity", speed, rule)
     return r
@@ -670,12 +670,12 @@ def energy_ratio_4_38(velocity: ArrayLike):
     the value of the faster band is taken.
     """
     (speed,) = numbers("energy_ratio_4_38", velocity=np.abs(velocity))
-    return _by_speed(speed, (0.365, 0.47, 0.78), (speed + 0.445, 0.81, 0.85, 0.94))
+    return _by_speed(speed, EnergyRatioAtSpeed.equation_4_38())
 
 
-def _by_speed(speed: np.ndarray, limits: tuple, values: tuple) -> np.ndarray:
-    slower = [speed < limit for limit in limits]
-    return np.select(slower, list(values[:-1]), default=values[-1])
+def _by_speed(speed: np.ndarray, law: EnergyRatioAtSpeed) -> np.ndarray:
+    slower = [speed < limit for limit, _, _ in law.pieces]  # the last limit is infinite
+    return np.select(slower, [r + slope * speed for _, r, slope in law.pieces])
 
 
 # --- the equivalent oscillator with Dirac-delta damping

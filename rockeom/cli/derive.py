@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 import sys
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import shipped
+from rockeom.cli.terminal import width
 
 HELP = "derive the equations of a structure and show them"
 DESCRIPTION = """\
@@ -68,5 +68,4 @@ def _text(args: argparse.Namespace) -> str:
     from rockeom.cli.plain import to_text
     from rockeom.symbolic.typeset import content
 
-    columns = shutil.get_terminal_size((100, 24)).columns
-    return to_text(content(model, args.form or "width"), min(max(columns, 60), 110))
+    return to_text(content(model, args.form or "width"), width())

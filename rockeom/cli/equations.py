@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 import textwrap
 from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
+from rockeom.cli.terminal import listing, width
 
 if TYPE_CHECKING:
     from rockeom.thesis import Decision, Equation
@@ -51,8 +51,8 @@ def run(args: argparse.Namespace) -> int:
         for one in chosen:
             print(_latex(one))
     elif args.numbers:
-        width = _width()
-        print("\n\n".join(_shown(decide(one.number), width) for one in chosen))
+        columns = width()
+        print("\n\n".join(_shown(decide(one.number), columns) for one in chosen))
     else:
         print(_list(chosen))
     return 0
@@ -87,16 +87,10 @@ def _list(chosen: list[Equation]) -> str:
 
     rows = [("", "VERDICT", "WHAT IT STATES")]
     rows += [(e.number, claim(e).value, e.meaning) for e in chosen]
-    wide = [max(len(row[i]) for row in rows) for i in (0, 1)]
-    room = max(_width() - sum(wide) - 4, 30)
-    lines = [
-        f"{a:{wide[0]}}  {b:{wide[1]}}  {textwrap.shorten(c, room, placeholder=' ...')}"
-        for a, b, c in rows
-    ]
-    return "\n".join([*lines, "", f"{len(chosen)} equations; rockeom equations NUMBER shows one."])
+    return f"{listing(rows)}\n\n{len(chosen)} equations; rockeom equations NUMBER shows one."
 
 
-def _shown(decision: Decision, width: int) -> str:
+def _shown(decision: Decision, columns: int) -> str:
     from rockeom.cli.plain import to_text
     from rockeom.symbolic.page import Block, Display, Heading, Table
 
@@ -111,17 +105,19 @@ def _shown(decision: Decision, width: int) -> str:
     blocks += [text for text in (one.remark, one.undetermined) if text]
     blocks += ["Symbols:", Table(("", "", ""), _symbols(one))]
     blocks.append("What decides it:")
-    text = to_text(blocks, width)
+    text = to_text(blocks, columns)
     lines = []
     for check in decision.checks:
         error = f" Error: {check.error}." if check.error else ""
-        lines.append(_point(f"{check.means.value}: {check.route}.{error}", width))
+        lines.append(_point(f"{check.means.value}: {check.route}.{error}", columns))
     passed = sum(f.holds for f in decision.findings)
-    lines.append(_point(f"{passed} of {len(decision.findings)} comparisons hold.", width))
+    lines.append(_point(f"{passed} of {len(decision.findings)} comparisons hold.", columns))
     for failed in (f for f in decision.against if not f.holds):
-        lines.append(_point(f"the printed form fails: {failed.what}: {_rest(failed.rest)}", width))
+        lines.append(
+            _point(f"the printed form fails: {failed.what}: {_rest(failed.rest)}", columns)
+        )
     if decision.why:
-        lines.append(_point(f"FAILED: {decision.why}", width))
+        lines.append(_point(f"FAILED: {decision.why}", columns))
     return text + "\n" + "\n".join(lines)
 
 
@@ -142,8 +138,8 @@ def _symbols(one: Equation) -> tuple[tuple[str, ...], ...]:
     return tuple(rows)
 
 
-def _point(text: str, width: int) -> str:
-    return textwrap.fill(text, width, initial_indent="  ", subsequent_indent="    ")
+def _point(text: str, columns: int) -> str:
+    return textwrap.fill(text, columns, initial_indent="  ", subsequent_indent="    ")
 
 
 def _latex(one: Equation) -> str:
@@ -153,7 +149,3 @@ def _latex(one: Equation) -> str:
     return (
         f"\\begin{{equation}} % {one.meaning}\n  {inside} \\tag{{{one.number}}}\n\\end{{equation}}"
     )
-
-
-def _width() -> int:
-    return min(max(shutil.get_terminal_size((100, 24)).columns, 60), 110)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 import sys
 import textwrap
 from collections.abc import Callable, Mapping
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
+from rockeom.cli.terminal import listing, width
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -65,10 +65,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _list(figures: Mapping[str, Callable[[], Figure]]) -> str:
     rows = [("", "WHAT IT SHOWS"), *((n, _title(draw)) for n, draw in figures.items())]
-    wide = max(len(number) for number, _ in rows)
-    room = max(_width() - wide - 2, 30)
-    lines = [f"{n:{wide}}  {textwrap.shorten(t, room, placeholder=' ...')}" for n, t in rows]
-    return "\n".join([*lines, "", f"{len(figures)} figures; rockeom figure NUMBER draws one."])
+    return f"{listing(rows)}\n\n{len(figures)} figures; rockeom figure NUMBER draws one."
 
 
 def _title(draw: Callable[[], Figure]) -> str:
@@ -79,8 +76,4 @@ def _title(draw: Callable[[], Figure]) -> str:
 def _explained(number: str, draw: Callable[[], Figure]) -> str:
     head, _, rest = (draw.__doc__ or "").strip().partition("\n")
     paragraphs = [f"{number}  {head}", *textwrap.dedent(rest).strip().split("\n\n")]
-    return "\n\n".join(textwrap.fill(p, _width()) for p in paragraphs if p)
-
-
-def _width() -> int:
-    return min(max(shutil.get_terminal_size((100, 24)).columns, 60), 110)
+    return "\n\n".join(textwrap.fill(p, width()) for p in paragraphs if p)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 import sys
 import textwrap
 from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
+from rockeom.cli.terminal import listing, width
 
 if TYPE_CHECKING:
     from rockeom.thesis.side_by_side import TextTable
@@ -56,23 +56,17 @@ def run(args: argparse.Namespace) -> int:
 def _list() -> str:
     from rockeom.thesis.tables import TABLES
 
-    wide = max(map(len, TABLES))
-    room = max(_width() - wide - 2, 30)
-    lines = [f"{'':{wide}}  WHAT IT HOLDS"]
-    lines += [
-        f"{number:{wide}}  {textwrap.shorten(table.title, room, placeholder=' ...')}"
-        for number, table in TABLES.items()
-    ]
-    return "\n".join([*lines, "", f"{len(TABLES)} tables; rockeom tables NUMBER shows one."])
+    rows = [("", "WHAT IT HOLDS"), *((n, table.title) for n, table in TABLES.items())]
+    return f"{listing(rows)}\n\n{len(TABLES)} tables; rockeom tables NUMBER shows one."
 
 
 def _shown(table: TextTable) -> str:
-    width = _width()
+    room = width()
     parts = [
-        textwrap.fill(f"{table.heading}: {table.title}", width),
+        textwrap.fill(f"{table.heading}: {table.title}", room),
         "\n".join(_aligned(table)),
         *(
-            textwrap.fill(remark, width, initial_indent="- ", subsequent_indent="  ")
+            textwrap.fill(remark, room, initial_indent="- ", subsequent_indent="  ")
             for remark in table.remarks
         ),
     ]
@@ -105,7 +99,3 @@ def _is_number(cell: str) -> bool:
     except ValueError:
         return cell == "–"
     return True
-
-
-def _width() -> int:
-    return min(max(shutil.get_terminal_size((100, 24)).columns, 60), 110)

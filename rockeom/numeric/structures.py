@@ -728,19 +728,20 @@ class FlexibleControlledWall(_ControlledWall):
     def from_wall(
         cls,
         wall: Wall,
-        fixed_base_period: float = 0.0428,
+        fixed_base_period: float | None = None,
         damping_ratio: float = 0.0,
         anchor_distance: float = 3.1,
     ) -> FlexibleControlledWall:
-        """The wall of `rockeom.analysis` that has this period on a fixed base [s].
+        """The wall of `rockeom.analysis`; fixed_base_period [s] is its own if not given.
 
         damping_ratio : of critical damping, on a fixed base. anchor_distance [m] and the inertia as
         in `ControlledWall`.
         """
-        given = {"fixed_base_period": fixed_base_period, "damping_ratio": damping_ratio}
+        period = wall.fixed_base_period if fixed_base_period is None else fixed_base_period
+        given = {"fixed_base_period": period, "damping_ratio": damping_ratio}
         check_values(cls.__name__, given, frozenset({"damping_ratio"}))
         rigid = ControlledWall.from_wall(wall, anchor_distance)
-        frequency = 2 * math.pi / fixed_base_period
+        frequency = 2 * math.pi / period
         return cls(
             **rigid.parameters(),
             stiffness=rigid.mass * frequency**2,
@@ -752,8 +753,7 @@ class FlexibleControlledWall(_ControlledWall):
         cls, initial_force: float = 75.6e3, damping_ratio: float = 0.0
     ) -> FlexibleControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        wall = _thesis_wall(initial_force)
-        return cls.from_wall(wall, wall.fixed_base_period, damping_ratio)
+        return cls.from_wall(_thesis_wall(initial_force), damping_ratio=damping_ratio)
 
     def _load(self, contact: int, y: np.ndarray) -> float:
         """As for the rigid wall; u of the state is put to its own equilibrium."""

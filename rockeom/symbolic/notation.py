@@ -93,7 +93,7 @@ class Notation(LatexPrinter):
         return self.rank.get(symbol, (STRENGTH, 0))
 
     def term_key(self, term: sp.Expr):
-        number, factors = _product(term)
+        number, factors = product(term)
         symbols = {f.base if f.is_Pow else f for f in factors}
         dots = [i for i, x in enumerate(self.dotted) if x in symbols]
         mass = min((self.heavy[x] for x in symbols if x in self.heavy), default=len(self.heavy))
@@ -154,7 +154,7 @@ class Notation(LatexPrinter):
         if any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow)):
             above, below = sp.fraction(sp.together(expr))
             expr = sp.expand(above) / below
-        number, factors = _product(sp.gcd_terms(expr))
+        number, factors = product(sp.gcd_terms(expr))
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
         outer = number * sp.Mul(*(f for f in factors if f is not bracket))
         terms = self.sorted_terms(bracket)
@@ -162,17 +162,17 @@ class Notation(LatexPrinter):
             sign, square = sp.factor(bracket).as_coeff_Mul()
             if square.is_Pow:
                 return outer * sign * square, sp.Integer(1)
-        with_side = sum(SIDE in _product(t)[1] for t in terms)
+        with_side = sum(SIDE in product(t)[1] for t in terms)
         compound = any(f.args[0].has(SIDE) for f in terms[0].atoms(sp.Function))
         if 2 * with_side + compound > len(terms):
             bracket = square_is(sp.expand(SIDE * bracket), SIDE, sp.Integer(1))
             outer *= SIDE
         terms = self.sorted_terms(bracket)
-        negative = [_product(term)[0] < 0 for term in terms]
+        negative = [product(term)[0] < 0 for term in terms]
         if self._turns(terms[0]):
             flip = negative[0]
         else:  # a plain sum may begin with any term: no minus before it if one is positive
-            flip = any(negative) if _product(outer)[0] < 0 else all(negative)
+            flip = any(negative) if product(outer)[0] < 0 else all(negative)
         return (-outer, -bracket) if flip else (outer, bracket)
 
     def _turns(self, expr: sp.Expr) -> bool:
@@ -192,16 +192,16 @@ class Notation(LatexPrinter):
         """A rational expression, numerator and denominator collected."""
         expr = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
         above, below = map(tidy, sp.fraction(sp.together(expr)))
-        if _product(self.terms(below)[0])[0] < 0:
+        if product(self.terms(below)[0])[0] < 0:
             above, below = -above, -below
         terms = self.terms(above)
         if below == 1:
             return self._positive_first(terms)
-        sign = "-" if all(_product(t)[0] < 0 for t in terms) else ""
+        sign = "-" if all(product(t)[0] < 0 for t in terms) else ""
         terms = self.terms(-above) if sign else terms
         top, bottom = self._positive_first(terms), self.write(below)
         if max(width(top), width(bottom)) > LINE - 8:  # a line that can be broken
-            return f"{sign}{_bracketed(top)} / {_bracketed(bottom)}"
+            return f"{sign}{bracketed(top)} / {bracketed(bottom)}"
         return rf"{sign}\frac{{{top}}}{{{bottom}}}"
 
     @staticmethod
@@ -226,7 +226,7 @@ class Notation(LatexPrinter):
     _print_Half = _print_Rational
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        number, factors = _product(expr)
+        number, factors = product(expr)
         below = [1 / f for f in factors if f.is_Pow and f.exp.is_negative]
         above = [f for f in factors if not (f.is_Pow and f.exp.is_negative)]
         sign = "-" if number < 0 else ""
@@ -250,14 +250,14 @@ class Notation(LatexPrinter):
             if texts and self.factor_key(factor)[0] == DOTTED and texts[-1][-1] not in ")]":
                 # keeps what follows out of the argument of a sine
                 texts += [r"\thinspace"] if re.match(r"\\(sin|cos|tan)", texts[-1]) else []
-            texts.append(_bracketed(text) if factor.is_Add else text)
+            texts.append(bracketed(text) if factor.is_Add else text)
         return " ".join(texts)
 
     def _print_Pow(self, expr: sp.Expr) -> str:
         if expr.exp.is_negative:
             return self._print_Mul(expr)
         if expr.base.is_Add and expr.exp.is_Integer:
-            return f"{_bracketed(self._print(expr.base))}^{self._print(expr.exp)}"
+            return f"{bracketed(self._print(expr.base))}^{self._print(expr.exp)}"
         return re.sub(r"\^\{(\w)\}$", r"^\1", super()._print_Pow(expr))
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
@@ -281,7 +281,7 @@ class Notation(LatexPrinter):
             return super()._print_Function(expr, exp)
         argument = self._print(expr.args[0])
         if not expr.args[0].is_Symbol:
-            argument = _bracketed(argument)
+            argument = bracketed(argument)
         power = f"^{exp}" if exp else ""
         return f"{name}{power} {argument}" if argument[0].isalpha() else f"{name}{power}{argument}"
 
@@ -303,7 +303,7 @@ def _symbols(expressions) -> list[sp.Symbol]:
     return list(found)
 
 
-def _product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
+def product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
     """(number, other factors), through products nested to keep a bracket together."""
     number: sp.Rational = sp.Integer(1)
     factors: list[sp.Expr] = []
@@ -311,7 +311,7 @@ def _product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
         if factor.is_Rational:
             number *= factor
         elif factor.is_Mul:
-            inner, more = _product(factor)
+            inner, more = product(factor)
             number, factors = number * inner, factors + more
         else:
             factors.append(factor)
@@ -324,13 +324,13 @@ def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
     for f in expr.atoms(sp.sin, sp.cos, sp.tan):
         (angle,) = f.args
         fixed = [t for t in sp.Add.make_args(angle) if not t.free_symbols & moving]
-        if angle.is_Add and fixed and all(_product(t)[0] < 0 for t in fixed):
+        if angle.is_Add and fixed and all(product(t)[0] < 0 for t in fixed):
             sign = 1 if f.func == sp.cos else -1
             put[f] = sign * sp.Function(f.func.__name__)(-angle)
     return expr.subs(put) if put else expr
 
 
-def _bracketed(text: str) -> str:
+def bracketed(text: str) -> str:
     if r"\frac" in text:
         left, right = "[]" if "(" in text else "()"
         return rf"\left{left}{text}\right{right}"

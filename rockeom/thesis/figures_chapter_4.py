@@ -17,18 +17,16 @@ from matplotlib.figure import Figure
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, style
+from rockeom.thesis.free_vibration_table import STIFFER, WALL
 
 MM = 1e3
 GAUGE = 0.030
 """From the edge of the wall out to the uplift gauge [m]."""
 
-WALL = analysis.Wall.thesis()
 CORNER = analysis.RotationCentre(C1=WALL.half_width, C2=0.0, epsilon=WALL.rotation_centre.epsilon)
 """The path of 4-37, which ends at the edge."""
 RATIOS = 201
 """How many r Figure 4-71 has."""
-STIFFER = 1.06
-"""The factor of F_k of section 4.8.1."""
 
 
 def legible() -> np.ndarray:

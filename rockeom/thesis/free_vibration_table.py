@@ -18,8 +18,10 @@ import numpy as np
 import rockeom as rk
 from rockeom import analysis
 from rockeom.numeric.impact import ImpactLaw
-from rockeom.thesis.figures_chapter_4 import STIFFER, WALL
 
+WALL = analysis.Wall.thesis()
+STIFFER = 1.06
+"""The factor of F_k of section 4.8.1."""
 PEAKS = 13
 """How many peaks are compared, the first one included."""
 

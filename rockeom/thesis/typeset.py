@@ -21,8 +21,8 @@ from rockeom.symbolic.notation import (
     RADIUS,
     STRENGTH,
     Notation,
-    _bracketed,
-    _product,
+    bracketed,
+    product,
 )
 from rockeom.thesis.notation import NOTATION, PM
 
@@ -68,7 +68,7 @@ class _Printer(Notation):
         return *rank, sp.default_sort_key(factor)
 
     def term_key(self, term: sp.Expr):
-        number, factors = _product(term)
+        number, factors = product(term)
         symbols = {f.base if f.is_Pow else f for f in factors}
         ranks = [self._rank(x) for x in symbols if x.is_Symbol]
         dotted = sorted(rank[1] for rank in ranks if rank[0] == DOTTED)
@@ -85,11 +85,11 @@ class _Printer(Notation):
 
     def _print_Add(self, expr: sp.Expr, order=None) -> str:
         """A term with the double sign as a plain factor has it between the terms."""
-        plain = [t for t in expr.args if PM not in _product(t)[1]]
+        plain = [t for t in expr.args if PM not in product(t)[1]]
         text = self._positive_first(self.sorted_terms(sp.Add(*plain, evaluate=False)))
         text = "" if not plain else text
         for term in expr.args:
-            number, factors = _product(term)
+            number, factors = product(term)
             if PM in factors:
                 rest = sp.Mul(abs(number), *(f for f in factors if f != PM))
                 sign = r"\mp" if number < 0 else r"\pm"
@@ -97,7 +97,7 @@ class _Printer(Notation):
         return text
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        number, factors = _product(expr)
+        number, factors = product(expr)
         if PM in factors:
             rest = sp.Mul(abs(number), *(f for f in factors if f != PM))
             sign = r"\mp" if number < 0 else r"\pm"
@@ -163,7 +163,7 @@ class _Printer(Notation):
             bottom = f"{d} {self._print(variable)}{power}"
             if text.startswith(r"\frac") or not isinstance(body, AppliedUndef):
                 text = (
-                    rf"\frac{{{d}{power}}}{{{bottom}}} {_bracketed(text) if body.is_Add else text}"
+                    rf"\frac{{{d}{power}}}{{{bottom}}} {bracketed(text) if body.is_Add else text}"
                 )
             else:
                 text = rf"\frac{{{d}{power} {text}}}{{{bottom}}}"
@@ -178,7 +178,7 @@ class _Printer(Notation):
         (inside,) = expr.args
         argument = self._print(inside)
         if not inside.is_Symbol or name in _WORDS.values():
-            argument = _bracketed(argument)
+            argument = bracketed(argument)
         power = f"^{{{exp}}}" if exp else ""
         return f"{name}{power} {argument}"
 
@@ -199,7 +199,7 @@ def _with_angles(expr: Any, printer: _Printer) -> Any:
     put = {}
     for f in expr.atoms(sp.sin, sp.cos, sp.tan):
         (angle,) = f.args
-        signs = [_product(t)[0] < 0 for t in sp.Add.make_args(angle) if _is_fixed(t)]
+        signs = [product(t)[0] < 0 for t in sp.Add.make_args(angle) if _is_fixed(t)]
         if angle.is_Add and signs and all(signs):
             name = printer._print(sp.expand(-angle))
             put[f] = (1 if f.func == sp.cos else -1) * f.func(sp.Symbol(f"({name})"))

@@ -53,7 +53,7 @@ class Decision:
         if self.verdict is not Verdict.FAILED:
             return ""
         wrong = [f"{f.what}: {f.rest}" for f in self.findings if not f.holds]
-        wrong += [f"as printed: {f.what}: {f.rest}" for f in self.against if _crashed(f)]
+        wrong += [f"as printed: {f.what}: {f.rest}" for f in self.against if not f.comparable]
         if wrong:
             return "; ".join(wrong)
         return "its checks find nothing wrong with the printed form, or find nothing at all"
@@ -100,7 +100,7 @@ def decide(number: str) -> Decision:
     verdict = claim(one)
     sound = bool(findings) and all(f.holds for f in findings)
     seen = not one.is_erratum or any(not f.holds for f in against)
-    seen = seen and not any(map(_crashed, against))
+    seen = seen and all(f.comparable for f in against)
     if checks and not (sound and seen):
         verdict = Verdict.FAILED
     return Decision(one, verdict, checks, findings, against, time.perf_counter() - start)
@@ -126,16 +126,6 @@ def _findings(
         try:
             found += check.find(one, relations)
         except Exception as error:  # one equation that cannot be compared must not hide the others
-            found.append(Finding(f"{check.route}: not comparable", _Crash(error), holds=False))
+            told = f"{type(error).__name__}: {error}"
+            found.append(Finding(f"{check.route}: not comparable", told, False, comparable=False))
     return tuple(found)
-
-
-class _Crash(str):
-    """What a check ended with instead of findings; it proves nothing, of an erratum neither."""
-
-    def __new__(cls, error: Exception) -> _Crash:
-        return super().__new__(cls, f"{type(error).__name__}: {error}")
-
-
-def _crashed(finding: Finding) -> bool:
-    return isinstance(finding.rest, _Crash)

@@ -26,18 +26,16 @@ from rockeom.thesis.checks.chapter_4 import (
     WALL,
     YIELD,
     by_geometry,
-    derived,
     edge_uplift,
     half_width,
     kinetic_energy,
     placed,
-    reproduced,
     right,
     rise_of_centroid,
     tendon_uplift,
     with_numbers,
 )
-from rockeom.thesis.checks.check import Check, Finding, close, vanishes
+from rockeom.thesis.checks.check import Check, Finding, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import Equation, Relations
 
 

@@ -19,7 +19,7 @@ from sympy import Rational, cos, sin
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import BOTH, Equation, Relations
 
 # --- the wall of the tests
@@ -972,14 +972,6 @@ def _harmonic(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 # --- what decides
-
-
-def derived(route: str, find: Callable, error: str = "") -> Check:
-    return Check(Means.DERIVED, route, find, error)
-
-
-def reproduced(route: str, find: Callable, error: str = "") -> Check:
-    return Check(Means.REPRODUCED, route, find, error)
 
 
 STRAIGHT_BASE = "a straight base between the gauges"

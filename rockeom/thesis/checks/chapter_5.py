@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -15,7 +15,7 @@ from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.chapter_3 import equals, potential, ratio_of_peaks
-from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, vanishes
 from rockeom.thesis.checks.engine import CONTACT, THETA, B, residual, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
@@ -308,43 +308,39 @@ def _straight(equation: Equation, relations: Relations) -> Iterator[Finding]:
 _PIVOT = f"displacement by the rotation of {MODEL_A}, put in"
 
 
-def _derived(route: str, find: Callable, error: str = "") -> Check:
-    return Check(Means.DERIVED, route, find, error)
-
-
 CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "5-1": Check(Means.REPRODUCED, "period of flexible_structure at theta = 0; 5-36", _period),
     "5-2": (
-        _derived(_PIVOT, _rotation),
+        derived(_PIVOT, _rotation),
         Check(Means.REPRODUCED, "theta/alpha_e of Figure 5-6", _figure_5_6),
     ),
-    "5-3": _derived(f"energy of {MODEL_A}", equals(lambda side: potential(side, name=MODEL_A))),
+    "5-3": derived(f"energy of {MODEL_A}", equals(lambda side: potential(side, name=MODEL_A))),
     "5-4": (
-        _derived(f"energies of {MODEL_A}, conserved between impacts", ratio_of_peaks(MODEL_A)),
+        derived(f"energies of {MODEL_A}, conserved between impacts", ratio_of_peaks(MODEL_A)),
         Check(Means.REPRODUCED, "range and average of r, by Figure 5-6", _average),
     ),
     "5-5": Check(Means.TRANSCRIBED, "the function of rockeom.analysis; its symmetry", _centre),
     "5-6": (
-        _derived(f"{_PIVOT}, the centre fixed", _moving_centre),
-        _derived(
+        derived(f"{_PIVOT}, the centre fixed", _moving_centre),
+        derived(
             "rotation about the moving centre of 5-5, integrated",
             _centre_moves,
             f"order 2 in theta, as the centre moves; {100 * CENTRE_MOVES:.2g} % for the column of "
             "chapter 5 at 28.58 mm, the largest displacement of run 2",
         ),
     ),
-    "5-7": _derived(
+    "5-7": derived(
         "decay of flexible_structure at theta = 0",
         _decrement,
         f"order 3 in xi; {100 * DECREMENT_EXCESS:.2g} % where xi is 0.104, the average of run 2",
     ),
-    "5-15": _derived(
+    "5-15": derived(
         "small rotations of two_spring_structure",
         _cart,
         f"order 0: for the column of chapter 5 the load is {OVERDRIVEN:.1%} and the inertia "
         f"{TOO_INERT:.1%} too large, both springs pressed, and the structure does not heave",
     ),
-    "5-33": _derived(
+    "5-33": derived(
         "5-31 along the whole branch",
         _straight,
         f"a chord: exact at its ends, between them up to {STRAIGHT:.2%} of the force at lift-off, "

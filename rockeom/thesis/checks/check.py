@@ -27,11 +27,17 @@ class Finding:
     what : what was compared.
     rest : what is left of the difference: zero, or an error and how large it may be, in words.
     holds : whether the equation passes.
+    comparable : False where the comparison broke off; it then proves nothing, not even that a
+        printed form is wrong.
     """
 
     what: str
     rest: Any
     holds: bool
+    comparable: bool = True
+
+
+Find = Callable[[Equation, Relations], Iterable[Finding]]
 
 
 @dataclass(frozen=True)
@@ -47,8 +53,18 @@ class Check:
 
     means: Means
     route: str
-    find: Callable[[Equation, Relations], Iterable[Finding]]
+    find: Find
     error: str = ""
+
+
+def derived(route: str, find: Find, error: str = "") -> Check:
+    """A check from first principles."""
+    return Check(Means.DERIVED, route, find, error)
+
+
+def reproduced(route: str, find: Find, error: str = "") -> Check:
+    """A check by numbers of a table, a figure or the text."""
+    return Check(Means.REPRODUCED, route, find, error)
 
 
 def vanishes(what: str, difference: Any) -> Finding:

@@ -17,7 +17,7 @@ from rockeom.symbolic import RockingModel
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.check import Check, Finding, close, derived, vanishes
 from rockeom.thesis.checks.engine import shipped, slender_scaled
 from rockeom.thesis.comparison import differences, normal_form
 from rockeom.thesis.equation import Equation, Relations
@@ -300,33 +300,29 @@ def _engine_symbols(model: RockingModel) -> tuple[tuple[sp.Symbol, ...], tuple[s
     return motion, (by_name["regularisation"], by_name["energy_ratio"])
 
 
-def _derived(route: str, find, error: str = "") -> Check:
-    return Check(Means.DERIVED, route, find, error)
-
-
 CHECKS: dict[str, Check | tuple[Check, ...]] = {
-    "2-17": _derived("slender block of the engine in scaled time, with a moment", _motion),
-    "2-18": _derived("with 2-20 and 2-27 it gives 2-28", _product),
-    "2-19a": _derived("its integrals across and beside the impact", _concentrated),
-    "2-19b": _derived("limit of 2-20 as n -> 0", _away_from_zero),
-    "2-19c": _derived("limit of the integral of 2-20 as n -> 0", _integral),
-    "2-20": _derived("its integrals, and their limits as n -> 0", _normal),
-    "2-21a": _derived("2-17 in the scale of the impact, as n -> 0", _without_gravity),
-    "2-21b": _derived("dx' = x'' dt with 2-18", _differentials),
-    "2-21c": _derived("dx' = x'' dt with 2-18", _differentials),
-    "2-21d": _derived("dx' = x'' dt and dx = x' dt with 2-18", _differentials),
+    "2-17": derived("slender block of the engine in scaled time, with a moment", _motion),
+    "2-18": derived("with 2-20 and 2-27 it gives 2-28", _product),
+    "2-19a": derived("its integrals across and beside the impact", _concentrated),
+    "2-19b": derived("limit of 2-20 as n -> 0", _away_from_zero),
+    "2-19c": derived("limit of the integral of 2-20 as n -> 0", _integral),
+    "2-20": derived("its integrals, and their limits as n -> 0", _normal),
+    "2-21a": derived("2-17 in the scale of the impact, as n -> 0", _without_gravity),
+    "2-21b": derived("dx' = x'' dt with 2-18", _differentials),
+    "2-21c": derived("dx' = x'' dt with 2-18", _differentials),
+    "2-21d": derived("dx' = x'' dt and dx = x' dt with 2-18", _differentials),
     "2-22": (
-        _derived(_BY_PASSAGE, _requirement),
-        _derived("2-29 integrated through an impact", _gravity_is_small, _NEGLECTED),
+        derived(_BY_PASSAGE, _requirement),
+        derived("2-29 integrated through an impact", _gravity_is_small, _NEGLECTED),
     ),
-    "2-23": _derived("in 2-22 it gives 2-24", _power),
-    "2-24": _derived("2-22 with 2-23, the kinetic energies in the ratio r", _exit_velocity),
-    "2-25": _derived(_BY_PASSAGE, _factor),
-    "2-26": _derived(_BY_PASSAGE, _velocity_function),
-    "2-27": _derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _velocity_function),
-    "2-28": _derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _force),
+    "2-23": derived("in 2-22 it gives 2-24", _power),
+    "2-24": derived("2-22 with 2-23, the kinetic energies in the ratio r", _exit_velocity),
+    "2-25": derived(_BY_PASSAGE, _factor),
+    "2-26": derived(_BY_PASSAGE, _velocity_function),
+    "2-27": derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _velocity_function),
+    "2-28": derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _force),
     "2-29": (
-        _derived("limits of its terms; integrated through three impacts", _in_one_equation),
-        _derived("equation of motion by Lagrange's equations: dirac_delta_block", _engine),
+        derived("limits of its terms; integrated through three impacts", _in_one_equation),
+        derived("equation of motion by Lagrange's equations: dirac_delta_block", _engine),
     ),
 }
