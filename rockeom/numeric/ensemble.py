@@ -250,11 +250,11 @@ class _Results:
         n, width = start.shape
         self.final[rows] = start
         self.peaks[rows] = start[:, None, :]
-        status = np.zeros((n, 9), np.int64)  # as `integrate` wants it at the start of a motion
+        status = np.zeros((n, 10), np.int64)  # as `integrate` wants it at the start of a motion
         status[:, 0] = [q.contact for q in batch]
         status[:, 1] = -1
         status[:, 5:7] = 1
-        clock = np.zeros((n, 3))
+        clock = np.zeros((n, 4))
         state = status, clock, self.final[rows], np.zeros((n, width))
         horizontal, h_rows = _stacked([q.horizontal for q in batch])
         vertical, v_rows = _stacked([q.vertical for q in batch])

@@ -25,8 +25,9 @@ bit for any order and number of motions.
     Z_TAKEN,  # steps taken
     Z_LANDING,  # how often the step was repeated to end at an impact
     Z_VERDICT,  # what becomes of the step
-) = (i * LANES for i in range(19))  # fmt: skip
-Z_Q = 19 * LANES  # positions
+    Z_ERROR,  # its estimated error, 1 at the tolerance
+) = (i * LANES for i in range(20))  # fmt: skip
+Z_Q = 20 * LANES  # positions
 Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
 Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
 Z_MOST = Z_LEAST + N_STATES * LANES
@@ -212,7 +213,7 @@ def impact(lane, z, w, home, data, how, work):
     """Pass a lane that has landed into the contact state that follows, as the loop does."""
     status, _, states, rates_, _, outcome, impact_times = home
     p, law, ratio, _ = data
-    rest_tolerance, max_impacts, scratch = how[4], how[5], work[6]
+    rtol, atol, rest_tolerance, max_impacts, scratch = how[0], how[1], how[4], how[5], work[6]
     case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
     y, rate = states[case], rates_[case]
     after, y_w = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW]
@@ -242,14 +243,20 @@ def impact(lane, z, w, home, data, how, work):
         rests, follows = np.inf, contact
         if a > 0.0 and not 2.0 * v / a > rest_tolerance / math.sqrt(a):
             rests, follows = time_to_rest(
-                contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after
-            )
+                contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after,
+                scratch[_POWERS:_GUARDS],
+            )  # fmt: skip
         if t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t:
+            stand(
+                follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
+                scratch[_K:_W], y,
+            )  # fmt: skip
             z[Z_T + lane] = t + rests
             contact, touching = follows, np.int64(-1)
             status[case, 5] = status[case, 6] = 1
             for i in range(N_STATES):
-                y[i] = after[i]
+                least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
+                z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
     z[Z_CONTACT + lane], z[Z_SIDE + lane], z[Z_TOUCHING + lane] = contact, SIDES[contact], touching
     for i in range(n):
         z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
@@ -368,6 +375,7 @@ def run_lanes(z, w, home, ground, data, how, work):
     p, fallen = data[0], data[3]
     h_rows, v_rows, stop = ground[1], ground[3], ground[4]
     h_max, fixed = how[2], how[3]
+    coarse = max(1.0, COARSE / how[0])  # as in `integrate`: such a step is left to it
     waiting = 0
     w[W_CASE : W_CASE + LANES] = -1
     while True:
@@ -410,10 +418,10 @@ def run_lanes(z, w, home, ground, data, how, work):
         if running == 0:
             return
         plan_lanes(z, fixed, h_max)
-        step_lanes(z)
-        judge_lanes(z)
+        step_lanes(z, how[0], how[1])
+        judge_lanes(z, coarse)
         if held:
-            judge_held_lanes(z)
+            judge_held_lanes(z, coarse)
         accept_lanes(z)
 
 
@@ -425,7 +433,7 @@ def integrate_lanes(
 ):  # fmt: skip
     """Integrate n motions under linear laws of the ground, each to its time `stop`.
 
-    status (n, 9), clock (n, 3), states and rates (n, N) are those of `integrate`, so that it may
+    status (n, 10), clock (n, 4), states and rates (n, N) are those of `integrate`, so that it may
     go on from there. outcome (n,) gets that of a motion that ends before, and is FULL at the start.
     The rest as in `integrate_many`.
     """

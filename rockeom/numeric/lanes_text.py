@@ -13,6 +13,7 @@ from rockeom.numeric.tableau import (
     _stage,
     _sum,
     bernstein_at,
+    error_text,
     samples_to_bernstein,
 )
 
@@ -61,6 +62,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
             taken += f"        {least} = min({least}, {new} if stands else {old})\n"
             taken += f"        {most} = max({most}, {new} if stands else {old})\n"
     stages = "".join(_stage(j, method.a[j], float(method.c[j]), n) for j in range(1, s + 1))
+    errors, norm = error_text(method, n)
     gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
 
     # full contact: the guards sampled on the quintics through both ends
@@ -105,29 +107,34 @@ N_PARAMETERS = {parameters}
 
 
 @_compiled
-def step_lanes(z):
-    """One step of all lanes: the states and accelerations at its end."""
+def step_lanes(z, rtol, atol):
+    """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     for lane in range(LANES):
         contact = z[Z_CONTACT + lane]
-{ground}{start}{indent(stages, "    ")}{kept}
+{ground}{start}{indent(stages, "    ")}{kept}{indent(errors, "    ")}        error = {norm}
+        z[Z_ERROR + lane] = error if s0 != 0.0 else 0.0
+
 
 @_compiled
-def judge_lanes(z):
-    """What becomes of the step of each rocking lane; the length of one to be repeated."""
+def judge_lanes(z, coarse):
+    """What becomes of the step of each rocking lane; the length of one to be repeated.
+
+    One with an error above `coarse`, or that is not finite, is doubtful.
+    """
     for lane in range(LANES):
         t, h, side = z[Z_T + lane], z[Z_H + lane], z[Z_SIDE + lane]
         touching, landing = z[Z_TOUCHING + lane] == 0.0, z[Z_LANDING + lane]
 {start}{end}        within = abs(q1_{r}) < z[Z_FALLEN + lane]
 {within}        verdict, new_h = judge_gap(t, h, side, touching, landing, within, {gap})
-        z[Z_VERDICT + lane] = verdict
+        z[Z_VERDICT + lane] = verdict if z[Z_ERROR + lane] <= coarse else DOUBTFUL
         z[Z_H + lane] = new_h
 
 
 @_compiled
-def judge_held_lanes(z):
+def judge_held_lanes(z, coarse):
     """What becomes of the step of each lane in full contact: it stands where no foot lifts."""
     for lane in range(LANES):
-{ground}{start}{end}{quintics}{sampled}        held = z[Z_SIDE + lane] == 0.0
+{ground}{start}{end}{quintics}{sampled}        held = (z[Z_SIDE + lane] == 0.0) & (z[Z_ERROR + lane] <= coarse)
 {held}        within = held
 {within}        z[Z_VERDICT + lane] = STANDS if within else z[Z_VERDICT + lane]
 

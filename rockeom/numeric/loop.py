@@ -33,8 +33,10 @@ _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 SCRATCH = _STACK + 640
 
 EPS = 2.220446049250313e-16
+COARSE = 1e-7  # estimated relative error of an equal step from which on it is not left as it is
 EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
 NEVER = 2.0  # a place behind the end of any step
+MOST_PARTS = 4096  # of a polynomial that are looked at: seven roots need some 600
 
 
 @_compiled
@@ -151,7 +153,9 @@ def first_fall(b, at, grain, touching, noise, stack):
     stack[8], stack[9] = 0.0, 1.0
     before = -1 if b[at] < -noise and not touching else 1  # sign before a part
     part = np.int64(0)
-    while part >= 0:
+    for _ in range(MOST_PARTS):
+        if part < 0:
+            break
         start, width = stack[part + 8], stack[part + 9]
         negligible = opening if start == 0.0 else noise
         changes = 0
@@ -186,6 +190,8 @@ def first_fall(b, at, grain, touching, noise, stack):
             stack[lower + 8], stack[lower + 9] = start, 0.5 * width
             stack[part + 8], stack[part + 9] = start + 0.5 * width, 0.5 * width
             part = lower
+    if part >= 0:
+        return stack[part + 8]  # given up: the step is looked at again, shorter
     return NEVER if before > 0 or b[at] >= -noise else 0.0  # 0: below zero all along
 
 
@@ -203,7 +209,7 @@ def larger_falls(b, part, touching, noise, stack):
         open_ = 2 * part + 1 - open_
         if not starts_open(b, 8 * open_):
             return 0.0, open_
-    while True:
+    for _ in range(32):  # two polynomials of degree seven cross zero 14 times
         part_from(b, 8 * open_, p, rest)
         touches = touching and p == 0.0
         x = first_fall(b, rest, SAMPLED, touches, noise if p == 0.0 else 0.0, stack)
@@ -214,6 +220,7 @@ def larger_falls(b, part, touching, noise, stack):
         if bernstein_at(b, 8 * other, p)[0] <= SAMPLED * size(b, 8 * other):
             return p, open_
         open_ = other
+    return p, open_
 
 
 @_compiled
@@ -438,17 +445,28 @@ def ratio_at(law, ratio, y, p):
 
 
 @_compiled
-def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
+def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
     Close to the end of a free rocking motion the flights between impacts are parabolas: a flight
     that leaves with gap rate v under the closing acceleration a lasts 2 v / a, and the impact
     map gives the v of the next. Their sum converges. Returns (inf, contact) while it is longer
-    than `tolerance` in units of 1/sqrt(a), or while an acceleration opens the gap. `out` gets
-    the state of the limit.
+    than `tolerance` in units of 1/sqrt(a), or while an acceleration opens the gap.
+
+    `out` gets the state in which the structure stands once the rotation has given to the other
+    rates what flights and impacts give them; `stand` moves these through the time. kick (2 * N,) :
+    scratch.
     """
+    held = np.int64(-1)
+    for c in range(len(SIDES)):
+        if SIDES[c] == 0.0:
+            held = np.int64(c)
+    if held < 0:
+        return np.inf, contact
     for i in range(N_STATES):
         w[i] = y[i]
+        kick[i] = 0.0
+    smooth = kick[N_STATES:]
     total = 0.0
     start = abs(y[ROTATION_RATE])
     loss = 1.0
@@ -462,14 +480,23 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
         total += flight
         if total > tolerance / math.sqrt(a):
             return np.inf, contact
+        if N_STATES > 2:
+            rates(held, w, p, ax, ay, smooth)
         for i in range(N_STATES):
             w[i] += flight * out[i]
+            if i >= N_STATES // 2:
+                kick[i] += flight * (out[i] - smooth[i])
         w[ROTATION] = 0.0
         if v <= EPS * start or turn == 999:
             total += flight * (1.0 - loss) / loss  # what a constant loss leaves of the series
             w[ROTATION_RATE] = 0.0
         contact = jump(contact, np.int64(0), law, ratio_at(law, ratio, w, p), w, p, out)
+        for i in range(N_STATES // 2, N_STATES):
+            kick[i] += out[i] - w[i]
         if SIDES[contact] == 0.0:
+            for i in range(N_STATES):
+                out[i] = y[i] + kick[i]
+            out[ROTATION] = out[ROTATION_RATE] = 0.0
             return total, contact
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
         if not loss > 0.0 or flight > loss * tolerance / math.sqrt(a):
@@ -477,6 +504,21 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out):
         for i in range(N_STATES):
             w[i] = out[i]
     return np.inf, contact
+
+
+@_compiled
+def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
+    """Move what still moves in full contact through the time h in which impacts faded.
+
+    One step of the method, from y at t into y_new: so the work of the ground and of dampers in that
+    time is theirs. k : scratch, the rates of a step.
+    """
+    for i in range(N_STATES):
+        y_new[i] = y[i]
+    if N_STATES > 2 and h > 0.0:
+        rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
+        take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+        y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
 
 
 # -- the loop ------------------------------------------------------------------------------------
@@ -567,14 +609,17 @@ def integrate(
 
     status : contact, guard closed at t (or -1), impacts, steps taken, passages since time last
         moved, whether a guard may be due at t (1, or 0), whether the rate at t must be found anew
-        (1, or 0), steps recorded, events recorded.
-    clock : t, next step (0: unknown), logarithm of the error of the last step.
+        (1, or 0), steps recorded, events recorded, laws whose equal steps were refined.
+    clock : t, next step (0: unknown), logarithm of the error of the last step, end of the law whose
+        equal steps are refined (0: of none).
     y, rate (N,) : the state and its rate.
     These four are changed in place, so that a call goes on where the last one ended, to the last
     bit.
     horizontal, vertical (m, 7) : the ground's motion, each row start, end, kind and constants of
         a law; no step straddles an end, and behind the last one the ground stands still.
-    fixed : 0 to control the error, or the number of equal steps in each law of the ground.
+    fixed : 0 to control the error, or the number of equal steps in each law of the ground. An equal
+        step whose estimated error is above COARSE is refused, and the rest of its law is
+        integrated with control of the error.
     steps (n, 2) start and length, step_contact (n,), step_states (n, 8, N) the dense output of
     each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
     and after, event_states (m, 2, N) state before and after.
@@ -589,9 +634,11 @@ def integrate(
     stack = scratch[_STACK:SCRATCH]
     contact, touching, impacts, taken = status[0], status[1], status[2], status[3]
     idle, news, fresh, n_steps, n_events = status[4], status[5], status[6], status[7], status[8]
+    refined = status[9]
     for i in range(N_STATES):
         k[i] = rate[i]
-    t, h_next, last_error = clock[0], clock[1], clock[2]
+    t, h_next, last_error, refined_to = clock[0], clock[1], clock[2], clock[3]
+    coarse = max(1.0, COARSE / rtol)  # the same in the norm of the estimated error
     nx, gx = row_at(horizontal, np.int64(0), t)
     ny, gy = row_at(vertical, np.int64(0), t)
     keep = steps.shape[0] > 0
@@ -628,11 +675,11 @@ def integrate(
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
-            controlled = True
-            if fixed > 0:
+            bound = 1.0
+            if fixed > 0 and t >= refined_to:
                 span = min(gx[1] - gx[0], gy[1] - gy[0])
-                controlled = span == np.inf
-                if not controlled:
+                if span < np.inf:
+                    bound = coarse
                     h_next = span / fixed
             h = min(h_next, h_max)
             if not rocks:
@@ -646,16 +693,22 @@ def integrate(
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
-                finite = math.isfinite(error)
-                if not finite or (target < 0 and controlled and error > 1.0):
+                finite = math.isfinite(error) and finite_end(k)
+                if not finite or error > bound:
                     # refused: too inaccurate, or not finite
+                    if bound > 1.0:
+                        bound = 1.0
+                        refined_to = last
+                        refined += 1
                     cut = False
                     target = -1
+                    corrections = 0
                     shrink = 0.9 * error**ERROR_EXPONENT if finite else 0.1
                     h *= max(0.1, shrink)
                     h_next = h
                     if h <= 4.0 * EPS * t or h < 1e-290 or taken >= max_steps:
-                        outcome = STALLED if finite else NOT_FINITE
+                        ends = error == error and finite_end(k)  # else no step is short enough
+                        outcome = STALLED if ends else NOT_FINITE
                         break
                     continue
                 if target >= 0:
@@ -693,7 +746,6 @@ def integrate(
                 if landed >= 0 or open_:
                     break
                 place = NEVER
-                unclear = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
                     noise = 0.0
@@ -706,8 +758,6 @@ def integrate(
                     else:
                         grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
                         x = first_fall(b, 8 * i, grain, touching == i, noise, stack)
-                    if touching == i:
-                        unclear = abs(b[8 * row + 1]) <= noise
                     if x < place:
                         place = x
                         target = i
@@ -715,9 +765,10 @@ def integrate(
                 if target < 0:
                     break
                 if place * h <= 4.0 * EPS * max(t, h):
-                    slow = y[ROTATION_RATE] == 0.0 if rocks else unclear
+                    slow = y[ROTATION_RATE] == 0.0 or not rocks
                     if touching == target and slow and h > 1e-6 * h_next:
-                        # an opening so short that rounding hides it in a step of this length
+                        # an opening so short that rounding, or the error of a dense output of
+                        # low order, hides it in a step of this length
                         h *= 0.1
                         cut = False
                         target = -1
@@ -801,22 +852,33 @@ def integrate(
 
         # -- the rest of infinitely many impacts at once
         ax, ay = shaking(gx, t), shaking(gy, t)
-        rests, follows = time_to_rest(contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after)
+        rests, follows = time_to_rest(
+            contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after, coefficients
+        )
         if t + rests < last or rests < 16.0 * EPS * t:
+            stand(follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new)
             if keep and t + rests > t:
-                for i in range(N_STATES):
-                    for j in range(8):
-                        coefficients[j * N_STATES + i] = after[i] if j == 0 else 0.0
+                if N_STATES > 2:
+                    dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
+                else:
+                    for i in range(N_STATES):
+                        for j in range(8):
+                            coefficients[j * N_STATES + i] = after[i] if j == 0 else 0.0
                 record_step(
                     n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
                 )
                 n_steps += 1
             t += rests
+            for i in range(N_STATES):
+                w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
+                after[i] = y_new[i]
             record_event(
-                n_events, t, np.int64(REST), contact, follows, y, after,
+                n_events, t, np.int64(REST), contact, follows, w, after,
                 events, event_kinds, event_states,
             )  # fmt: skip
             n_events += 1
+            if follow:
+                widen(peaks, after)
             for i in range(N_STATES):
                 y[i] = after[i]
             contact = follows
@@ -827,10 +889,20 @@ def integrate(
 
     status[0], status[1], status[2], status[3] = contact, touching, impacts, taken
     status[4], status[5], status[6], status[7], status[8] = idle, news, fresh, n_steps, n_events
+    status[9] = refined
     for i in range(N_STATES):
         rate[i] = k[i]
-    clock[0], clock[1], clock[2] = t, h_next, last_error
+    clock[0], clock[1], clock[2], clock[3] = t, h_next, last_error, refined_to
     return outcome
+
+
+@_inlined
+def finite_end(k):
+    """Whether the rates at the end of a step are finite: the state is not, if they are not."""
+    total = 0.0
+    for i in range(N_STATES):
+        total += k[N_STAGES * N_STATES + i]
+    return math.isfinite(total)
 
 
 @_inlined
@@ -968,9 +1040,9 @@ def falls(
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     peaks = np.empty((0, N_STATES))
-    status = np.array([contact, -1, 0, 0, 0, 1, 1, 0, 0])
+    status = np.array([contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
     rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
-    clock = np.array([0.0, 0.0, 0.0])
+    clock = np.zeros(4)
     state = y.copy()
     for n in range(1000):
         lean = abs(state[ROTATION])
@@ -999,7 +1071,7 @@ def integrate_many(
 ):  # fmt: skip
     """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
 
-    status (n, 9), clock (n, 3), states and rates (n, N) as in `integrate`, at the start, and on
+    status (n, 10), clock (n, 4), states and rates (n, N) as in `integrate`, at the start, and on
     return at the end. horizontal, vertical : the rows of all motions, those of motion i from
     h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from, law, ratio, fallen (n,), p (n, m). outcome
     (n,): FULL, or that of a motion that has ended. impact_times (n, k): the first k of each.

@@ -84,8 +84,8 @@ def run(
     """Run the compiled loop to its end, emptying its records whenever they are full."""
     n, q, p = len(problem.y0), problem, problem.p()
     atol = np.full(n, options.atol)
-    status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0])
-    clock = np.array([0.0, 0.0, 0.0])
+    status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
+    clock = np.zeros(4)
     y, rate, scratch = q.y0.copy(), np.zeros(n), np.zeros(compiled.SCRATCH)
     peaks = np.empty((0, n))  # not asked for
     size, events = (256 + len(q.horizontal) + len(q.vertical) if keep else 0), 256
@@ -94,7 +94,7 @@ def run(
     while code == _FULL:
         steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
         marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
-        status[7:] = 0
+        status[7:9] = 0
         with compiling(compiled.integrate):
             code = compiled.integrate(
                 status, clock, y, rate, q.end, q.horizontal, q.vertical, p, q.law, q.ratio,

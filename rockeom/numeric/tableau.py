@@ -214,6 +214,25 @@ QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by 
 '''
 
 
+def error_text(method: Tableau, n: int) -> tuple[str, str]:
+    """Lines that sum the squares of the estimates of the error, and the expression of their norm.
+
+    Both estimates of DOP853 make one (Hairer's combination of the fifth and the third order).
+    """
+    s = method.stages
+    lines = "".join(f"    s{m} = 0.0\n" for m in range(len(method.errors)))
+    for i in range(2 * n):
+        place, rate = (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
+        largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
+        lines += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
+        for m, e in enumerate(method.errors):
+            lines += f"    e = scale * (\n        {_sum(e, rate, ' ' * 8)}\n    )\n"
+            lines += f"    s{m} += e * e\n"
+    if len(method.errors) == 2:
+        return lines, "abs(h) * s0 / math.sqrt((s0 + 0.01 * s1) * N_STATES)"
+    return lines, "abs(h) * math.sqrt(s0 / N_STATES)"
+
+
 def step_text(method: Tableau, n: int) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
 
@@ -235,26 +254,7 @@ def step_text(method: Tableau, n: int) -> str:
         for i in range(n)
     )
     ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
-    errors = ""
-    for i in range(size):
-        place, rate = f"q{{}}_{i}", f"v{{}}_{i}"
-        if i >= n:
-            place, rate = f"v{{}}_{i - n}", f"a{{}}_{i - n}"
-        largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
-        errors += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
-        for m, e in enumerate(method.errors):
-            errors += f"    e = scale * (\n        {_sum(e, rate, ' ' * 8)}\n    )\n"
-            errors += f"    s{m} += e * e\n"
-    if len(method.errors) == 2:
-        # Hairer's combination of the fifth- and third-order estimates
-        norm = """    if s0 == 0.0 and s1 == 0.0:
-        return 0.0
-    return abs(h) * s0 / math.sqrt((s0 + 0.01 * s1) * N_STATES)
-"""
-        zero = "    s0 = s1 = 0.0\n"
-    else:
-        norm = "    return abs(h) * math.sqrt(s0 / N_STATES)\n"
-        zero = "    s0 = 0.0\n"
+    errors, norm = error_text(method, n)
     total = len(method.c)
     recalled = "".join(
         f"    v{j}_{i} = k[{j * size + i}]\n    a{j}_{i} = k[{j * size + n + i}]\n"
@@ -292,7 +292,8 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
         shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
     if gy[2] != 0.0:
         shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
-{start}{known}{stages}{ends}{kept}{zero}{errors}{norm}
+{start}{known}{stages}{ends}{kept}{errors}    return {norm} if s0 != 0.0 else 0.0
+
 
 @_compiled
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
