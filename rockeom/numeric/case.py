@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from rockeom.motion.segments import C1, END, KIND, LINEAR, START
 from rockeom.numeric.impact import ImpactLaw
 
 if TYPE_CHECKING:
@@ -98,9 +99,15 @@ class Case:
 
 
 def _first_push(motion: GroundMotion) -> float:
-    """Sign of the first ground acceleration that is not zero; 0 if there is none."""
-    middle = 0.5 * (motion.segments[:, 0] + motion.segments[:, 1])
-    pushes = motion.acceleration(middle)
+    """Sign of the ground acceleration with which shaking begins; 0 if there is none.
+
+    Each law of the ground is asked a thousandth of its own time behind its start: neither at the
+    start, where a sine is zero, nor in its middle, where it may be so again.
+    """
+    start, end, kind, rate = motion.segments[:, [START, END, KIND, C1]].T
+    curved = (kind != LINEAR) & (rate != 0.0)
+    own = np.minimum(end - start, 1.0 / np.where(curved, np.abs(rate), 1e-9))
+    pushes = motion.acceleration(start + 1e-3 * own)
     return float(np.sign(pushes[pushes != 0.0][0])) if pushes.any() else 0.0
 
 

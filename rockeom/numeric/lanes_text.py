@@ -134,7 +134,8 @@ def judge_lanes(z, coarse):
 def judge_held_lanes(z, coarse):
     """What becomes of the step of each lane in full contact: it stands where no foot lifts."""
     for lane in range(LANES):
-{ground}{start}{end}{quintics}{sampled}        held = (z[Z_SIDE + lane] == 0.0) & (z[Z_ERROR + lane] <= coarse)
+{ground}{start}{end}{quintics}{sampled}        held = z[Z_SIDE + lane] == 0.0
+        held &= z[Z_ERROR + lane] <= coarse
 {held}        within = held
 {within}        z[Z_VERDICT + lane] = STANDS if within else z[Z_VERDICT + lane]
 

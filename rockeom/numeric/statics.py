@@ -38,7 +38,7 @@ def _force(structure: Structure, rotation: float) -> float:
 
 
 def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, np.ndarray]:
-    """(force, state): the rotation given, the load and the other coordinates unknown."""
+    """(force, state): the rotation given, the load and the other coordinates unknown; nan: none."""
     m, p = structure.module, structure.vector
     n = m.N_STATES // 2
     others = [i for i in range(n) if i != m.ROTATION]
@@ -46,18 +46,35 @@ def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, 
     def state(unknown: np.ndarray) -> np.ndarray:
         y = np.zeros(m.N_STATES)
         y[m.ROTATION] = rotation
-        y[others] = unknown[1:]
+        y[others] = unknown
         return y
 
-    def lacking(unknown: np.ndarray) -> np.ndarray:
-        out = np.empty(n)
-        m.statics(contact, state(unknown), p, unknown[0], out)
-        return out
+    def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
+        """What the other coordinates lack of equilibrium under the load that holds the rotation."""
+        none, with_load = np.empty(n), np.empty(n)
+        m.statics(contact, state(unknown), p, 0.0, none)
+        load = 1.0 + abs(none[m.ROTATION])  # one newton might be lost beside the other forces
+        m.statics(contact, state(unknown), p, load, with_load)
+        share = none[m.ROTATION] / (none[m.ROTATION] - with_load[m.ROTATION])
+        return (none + share * (with_load - none))[others], share * load
 
-    # the equations are linear but for small terms: one Newton start from rest suffices
-    start = np.zeros(1 + len(others))
-    found = optimize.root(lacking, start, method="hybr", options={"xtol": 1e-13})
-    size = max(1.0, float(np.abs(lacking(start)).max()))
-    if np.abs(found.fun).max() > 1e-8 * size:
-        return np.nan, state(found.x)
-    return float(found.x[0]), state(found.x)
+    at = np.zeros(len(others))
+    if not others:
+        return lacking(at)[1], state(at)
+    # a metre may be too much or next to nothing: each unknown is counted in the distance at which
+    # its own stiffness would restore equilibrium, and each equation likewise
+    missing = lacking(at)[0]
+    small = 1e-6 * np.eye(len(others))
+    stiffness = [
+        abs(lacking(e)[0][i] - lacking(-e)[0][i]) / 2e-6 or 1.0 for i, e in enumerate(small)
+    ]
+    length = np.abs(missing) / stiffness
+    length[length == 0.0] = length.max() or 1.0
+    found = optimize.root(
+        lambda x: lacking(length * x)[0] / (stiffness * length),
+        at,
+        method="hybr",
+        options={"xtol": 1e-13},
+    )
+    at = length * found.x
+    return (lacking(at)[1] if np.abs(found.fun).max() <= 1e-8 else np.nan), state(at)

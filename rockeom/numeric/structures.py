@@ -17,6 +17,8 @@ import numpy as np
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw
 
+IMPACT = 0  # kind of a guard, as in the generated modules
+
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
 
@@ -97,6 +99,8 @@ class Structure:
         """Number of the contact state of a state vector, or of the phase named.
 
         towards : sign of the rotation to come, where the state itself is upright and at rest.
+
+        Raises ValueError for a state that fits no contact state, or not the phase named.
         """
         m = self.module
         rotation, rate = float(y[m.ROTATION]), float(y[m.ROTATION_RATE])
@@ -114,6 +118,14 @@ class Structure:
                     f"the phase {phase!r} of {self.model} contradicts {name} = {rotation}, "
                     f"{name}_dot = {rate}: leave `phase` out, it follows from them"
                 )
+            if not self.rocks_on_rigid_ground and turned:
+                for kind, margin in zip(m.KINDS[number], self._margins(number, y), strict=False):
+                    if kind == IMPACT and margin < -1.0:
+                        raise ValueError(
+                            f"the phase {phase!r} of {self.model} contradicts "
+                            f"{m.STATES[m.ROTATION]} = {rotation}: an impact would have ended it; "
+                            "leave `phase` out, it follows from the state"
+                        )
             return number
         direction = rotation or rate
         if self.rocks_on_rigid_ground:
@@ -121,14 +133,43 @@ class Structure:
                 "left" if direction < 0.0 else "right" if direction > 0.0 else "both"
             )
         direction = direction or towards
-        best, reached = 0, -math.inf
-        for number, (count, side) in enumerate(zip(m.GUARDS, m.SIDES, strict=True)):
+        margins = {
+            number: self._margins(number, y).min(initial=math.inf)
+            for number, side in enumerate(m.SIDES)
+            if side * direction >= 0
+        }
+        for least in (0.0, -1.0):  # as it is, or where a rounding error hides that it is
+            for number, margin in margins.items():
+                if margin >= least:
+                    return number
+        state = ", ".join(f"{n} = {v:g}" for n, v in zip(m.STATES, y.tolist(), strict=True) if v)
+        raise ValueError(
+            f"no phase of {self.model} holds {state or 'the state at rest'}: each of "
+            f"{', '.join(m.CONTACTS[number] for number in margins)} would have ended before; "
+            "correct the state, or name the `phase` that it is to begin in"
+        )
+
+    def _margins(self, contact: int, y: np.ndarray) -> np.ndarray:
+        """Guards of a contact state, each in the change it makes when y changes in its ninth digit.
+
+        None is below zero inside the contact state, and none below -1 within rounding of it.
+        """
+        m, count = self.module, self.module.GUARDS[contact]
+
+        def guards(state: np.ndarray) -> np.ndarray:
             g = np.zeros(m.N_GUARDS + m.N_PARTS)
-            m.guards(number, y, self.vector, 0.0, 0.0, g)
-            lowest = g[:count].min()
-            if side * direction >= 0 and (lowest >= 0) > (reached >= 0):
-                best, reached = number, lowest
-        return best
+            m.guards(contact, state, self.vector, 0.0, 0.0, g)
+            return g[:count]
+
+        here = guards(y)
+        if (here >= 0.0).all():
+            return here
+        doubt = np.full(count, 1e-300)
+        for i, value in enumerate(y):
+            nudged = y.copy()
+            nudged[i] = value * (1.0 + 1e-9)
+            doubt += np.abs(guards(nudged) - here)
+        return here / doubt
 
     def accelerations(
         self,
@@ -608,6 +649,28 @@ class _ControlledWall(Structure):
     @property
     def speed_height(self) -> float:
         return self.height
+
+    def state(self, values: Mapping[str, float]) -> np.ndarray:
+        """(N,) state vector; beyond yield on the way back the tendon has been drawn out.
+
+        A permanent_extension that is not given is then that which leaves the yield force.
+        """
+        y = super().state(values)
+        m = self.module
+        side = "left" if (y[m.ROTATION] or y[m.ROTATION_RATE]) < 0 else "right"
+        beyond = self._yields(side, y)
+        if "permanent_extension" not in values and beyond > 0.0:
+            yielding = m.CONTACTS.index(f"{side}_yield")
+            if self._margins(yielding, y).min() < 0.0:
+                y[m.STATES.index("permanent_extension")] = beyond / self.tendon_stiffness
+        return y
+
+    def _yields(self, side: str, y: np.ndarray) -> float:
+        """Force of the tendon, if it were elastic, above its yield force [N]."""
+        m = self.module
+        told = np.empty(len(m.REACTIONS))
+        m.reactions(m.CONTACTS.index(side), y, self.vector, 0.0, 0.0, told)
+        return float(told[m.REACTIONS.index("tendon_force")]) - self.yield_force
 
     def pushover(self, rotations) -> np.ndarray:
         """Force at the load point that holds the wall at each rotation, or displacement [N].

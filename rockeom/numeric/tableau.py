@@ -222,7 +222,9 @@ def error_text(method: Tableau, n: int) -> tuple[str, str]:
     s = method.stages
     lines = "".join(f"    s{m} = 0.0\n" for m in range(len(method.errors)))
     for i in range(2 * n):
-        place, rate = (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
+        place, rate = f"q{{}}_{i}", f"v{{}}_{i}"
+        if i >= n:
+            place, rate = f"v{{}}_{i - n}", f"a{{}}_{i - n}"
         largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
         lines += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
         for m, e in enumerate(method.errors):
