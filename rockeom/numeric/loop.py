@@ -647,10 +647,8 @@ def integrate(
     side = SIDES[contact]
     outcome = COMPLETED
 
-    while t < t_end:
-        if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
-            outcome = FULL
-            break
+    while True:
+        # a call that ends where a law does must tell the next one of the jump
         if t >= gx[1]:
             before_x = shaking(gx, t)
             nx, gx = row_at(horizontal, nx, t)
@@ -661,6 +659,11 @@ def integrate(
             ny, gy = row_at(vertical, ny, t)
             if jumps(before_y, shaking(gy, t)):
                 fresh = news = 1
+        if not t < t_end:
+            break
+        if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
+            outcome = FULL
+            break
         last = min(gx[1], gy[1], t_end)
 
         landed = -1  # the guard that ends this contact state now

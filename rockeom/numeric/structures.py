@@ -17,8 +17,6 @@ import numpy as np
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw
 
-IMPACT = 0  # kind of a guard, as in the generated modules
-
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
 
@@ -118,14 +116,11 @@ class Structure:
                     f"the phase {phase!r} of {self.model} contradicts {name} = {rotation}, "
                     f"{name}_dot = {rate}: leave `phase` out, it follows from them"
                 )
-            if not self.rocks_on_rigid_ground and turned:
-                for kind, margin in zip(m.KINDS[number], self._margins(number, y), strict=False):
-                    if kind == IMPACT and margin < -1.0:
-                        raise ValueError(
-                            f"the phase {phase!r} of {self.model} contradicts "
-                            f"{m.STATES[m.ROTATION]} = {rotation}: an impact would have ended it; "
-                            "leave `phase` out, it follows from the state"
-                        )
+            if not self.rocks_on_rigid_ground and (self._margins(number, y) < -1.0).any():
+                raise ValueError(
+                    f"the phase {phase!r} of {self.model} contradicts {_named(m.STATES, y)}: it "
+                    "would have ended before; leave `phase` out, it follows from the state"
+                )
             return number
         direction = rotation or rate
         if self.rocks_on_rigid_ground:
@@ -142,11 +137,10 @@ class Structure:
             for number, margin in margins.items():
                 if margin >= least:
                     return number
-        state = ", ".join(f"{n} = {v:g}" for n, v in zip(m.STATES, y.tolist(), strict=True) if v)
         raise ValueError(
-            f"no phase of {self.model} holds {state or 'the state at rest'}: each of "
+            f"no phase of {self.model} holds {_named(m.STATES, y)}: each of "
             f"{', '.join(m.CONTACTS[number] for number in margins)} would have ended before; "
-            "correct the state, or name the `phase` that it is to begin in"
+            "correct the state"
         )
 
     def _margins(self, contact: int, y: np.ndarray) -> np.ndarray:
@@ -271,6 +265,12 @@ class Structure:
         from rockeom.numeric.statics import pushover
 
         return pushover(self, rotations)
+
+
+def _named(states: tuple[str, ...], y: np.ndarray) -> str:
+    """A state in words, without what is zero."""
+    shown = [f"{name} = {value:g}" for name, value in zip(states, y.tolist(), strict=True) if value]
+    return ", ".join(shown) or "the state at rest"
 
 
 S = TypeVar("S", bound=Structure)
