@@ -59,6 +59,7 @@ def simulate(
             "steps": len(record.steps.span),
             "events": len(record.events[0]),
             "method": options.method,
+            **({"refined": record.refined} if options.steps_per_law else {}),
         },
         steps=record.steps,
         end=record.y,
@@ -70,12 +71,16 @@ def simulate(
 
 @dataclass(frozen=True)
 class Record:
-    """What the compiled loop left of a motion: how it ended, its steps and its events."""
+    """What the compiled loop left of a motion: how it ended, its steps and its events.
+
+    refined : laws of the ground in which equal steps would have been too long.
+    """
 
     outcome: Outcome
     y: np.ndarray
     steps: Steps
     events: tuple[np.ndarray, np.ndarray, np.ndarray]
+    refined: int
 
 
 def run(
@@ -120,4 +125,5 @@ def run(
             outcome = Outcome.OVERTURNED
         elif compiled.at_rest(contact, y, p):
             outcome = Outcome.CAME_TO_REST
-    return Record(outcome, y, Steps(span, contacts, powers), (times, kinds, states))
+    steps = Steps(span, contacts, powers)
+    return Record(outcome, y, steps, (times, kinds, states), int(status[9]))

@@ -128,8 +128,11 @@ class Structure:
                 "left" if direction < 0.0 else "right" if direction > 0.0 else "both"
             )
         direction = direction or towards
+        leaning = y.copy()
+        if rotation == 0.0:  # on the border of both sides: where it is about to go decides
+            leaning[m.ROTATION] = math.copysign(1e-200, direction) if direction else 0.0
         margins = {
-            number: self._margins(number, y).min(initial=math.inf)
+            number: self._margins(number, leaning).min(initial=math.inf)
             for number, side in enumerate(m.SIDES)
             if side * direction >= 0
         }

@@ -10,7 +10,15 @@ from scipy.optimize import brentq
 
 import rockeom as rk
 
-from .structures import FIRST_MOMENT, S1, TOTAL_MASS, by_model, column
+from .structures import (
+    FIRST_MOMENT,
+    FOUNDATION_STIFFNESS,
+    S1,
+    TOTAL_MASS,
+    by_model,
+    column,
+    on_springs,
+)
 
 ALPHA, GRAVITY = 0.25, 9.81
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=ALPHA)
@@ -167,3 +175,79 @@ def test_events_follow_one_another_in_order(amplitude, period, e, flexible):
         assert event.before["theta"] == pytest.approx(0.0, abs=1e-12)
         assert event.after["theta"] == 0.0
         assert event.before["theta_dot"] * side[event.phase_before] <= 0
+
+
+# -- states that fit no contact state, or another than is named
+
+WALLS = [
+    rk.ControlledWall.thesis(),
+    rk.FlexibleControlledWall.thesis(),
+    rk.SubstituteGravityWall.thesis(),
+    rk.SimplifiedSubstituteGravityWall.thesis(),
+    rk.ControlledWallOscillator.thesis(0.9),
+]
+
+
+@pytest.mark.parametrize("wall", WALLS, ids=lambda wall: wall.model)
+@pytest.mark.parametrize("side", [-1, 1])
+def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
+    """The tendon keeps its yield force, and it is on the side on which the wall leans."""
+    q = wall.states[0]
+    far = 0.05 if q == "theta" else 0.12
+    state = {q: side * far, f"{q}_dot": -side * 0.1}
+    assert wall.reactions(state)["tendon_force"] == pytest.approx(wall.yield_force, rel=1e-12)
+    phase = wall.module.CONTACTS[wall.contact(wall.state(state))]
+    assert phase.startswith("right" if side > 0 else "left")
+    mirrored = {name: -value for name, value in state.items()}
+    assert wall.accelerations(state)[q] == -wall.accelerations(mirrored)[q]
+    assert sum(wall.energies(state).values()) == sum(wall.energies(mirrored).values())
+    with pytest.raises(ValueError, match=r"no phase of .* holds"):
+        wall.accelerations(state | {"permanent_extension": 0.0})
+    # outwards it still yields
+    outwards = {q: side * far, f"{q}_dot": side * 0.1}
+    assert wall.module.CONTACTS[wall.contact(wall.state(outwards))].endswith("yield")
+
+
+@pytest.mark.parametrize(
+    ("structure", "state", "phase"),
+    [
+        (WALLS[0], {"theta": -0.02}, "right"),
+        (WALLS[0], {"theta": 0.002}, "right_slack"),
+        (WALLS[0], {"theta": 0.05, "theta_dot": -0.1}, "right_yield"),
+        (rk.TwoSpringCart(**S1, foundation_stiffness=FOUNDATION_STIFFNESS), {"u": -0.2}, "right"),
+        (on_springs(), {}, "flight"),
+        (on_springs(), {}, "right"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else None,
+)
+def test_phase_named_against_the_state_is_refused(structure, state, phase):
+    with pytest.raises(ValueError, match=f"the phase '{phase}' of {structure.model} contradicts"):
+        rk.simulate(structure, rk.GroundMotion.none(1.0), initial=state, phase=phase)
+
+
+def test_upright_structure_begins_on_the_side_to_which_it_will_go():
+    """Mirrored, no passage more and no bit other: a sine is zero where it begins, and half-way."""
+    structures = [
+        rk.DiracDeltaBlock(alpha=0.2, energy_ratio=0.8, regularisation=1e-3),
+        rk.TwoSpringCart(**S1, foundation_stiffness=FOUNDATION_STIFFNESS),
+        WALLS[0],
+        WALLS[4],
+    ]
+    motions = [
+        (rk.GroundMotion.single_sine, (4.0, 0.5)),
+        (rk.GroundMotion.harmonic, (0.4, None, 2.0)),
+        (rk.GroundMotion.ricker, (3.0, 0.4)),
+    ]
+    for structure in structures:
+        for make, (amplitude, *rest) in motions:
+            cases = []
+            for sign in (1, -1):
+                motion = (
+                    make(sign * amplitude, frequency=2.0, duration=2.0)
+                    if rest[0] is None
+                    else make(sign * amplitude, *rest)
+                )
+                cases.append(rk.Case(structure, motion).problem())
+            names = [structure.module.CONTACTS[case.contact] for case in cases]
+            assert {name.split("_")[0] for name in names} in ({"left", "right"}, {"both"})
+            assert names[0] != names[1]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+import rockeom as rk
 from rockeom.symbolic import RockingModel
 from rockeom.symbolic.model import Body, Foot
 from rockeom.symbolic.statics import pushover
@@ -141,3 +142,24 @@ def test_moments_about_the_base_centre_balance():
         ]
         assert abs(sum((z.conjugate() * f).imag for z, f in pushes)) < 1e-9
         assert abs(sum(f.imag for _, f in pushes)) < 1e-9
+
+
+@pytest.mark.parametrize("stiffness", [1e3, 1e6, 1e9, 1e10, 1e12])
+def test_pushover_of_a_bridge_pier_whatever_its_foundation(stiffness):
+    """1,000 t on springs of which each is pressed by metres or by nanometres, in closed form.
+
+    The base's centre is guided, so that the springs' forces are vertical:
+    H P = 2 k B^2 sin(theta) - g S tan(theta) on both, and W B - g S tan(theta) on one.
+    """
+    pier = rk.TwoSpringStructure(
+        mass=1e6, height=10.0, inertia=1e6, base_mass=1e4, base_height=0.5, base_inertia=1e4,
+        half_width=1.4, foundation_stiffness=stiffness, foundation_damping=0.0,
+    )  # fmt: skip
+    moment, weight = 1e6 * 10.0 + 1e4 * 0.5, 1.01e6 * pier.gravity
+    theta = np.array([-0.1, -0.01, 0.0, 1e-5, 1e-3, 0.01, 0.05, 0.1, 0.3])
+    lifted = np.abs(np.sin(theta)) > weight / (2 * stiffness * 1.4)
+    held = np.where(
+        lifted, np.sign(theta) * weight * 1.4, 2 * stiffness * 1.4**2 * np.sin(theta)
+    ) - pier.gravity * moment * np.tan(theta)
+    found = pier.pushover(theta)
+    np.testing.assert_allclose(found, held / 10.0, rtol=1e-10, atol=1e-11 * np.abs(held).max())
