@@ -13,7 +13,6 @@ from pathlib import Path
 
 import rockeom as rk
 from rockeom.cli import report
-from rockeom.cli.simulate import announce_compilation
 from rockeom.plots import plot_comparison
 
 COLUMN = {
@@ -69,7 +68,6 @@ def simulate_all(motion: rk.GroundMotion) -> dict[str, rk.Response]:
     runs = {}
     for name, (structure, law) in cases.items():
         print(f"simulating {name} ...", file=sys.stderr)
-        announce_compilation(structure)
         runs[name] = rk.simulate(structure, motion, impact=law)
     return runs
 
