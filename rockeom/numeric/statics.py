@@ -61,3 +61,37 @@ def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, 
     if np.abs(found.fun).max() > 1e-8 * size:
         return np.nan, state(found.x)
     return float(found.x[0]), state(found.x)
+
+
+def uplift_acceleration(structure: Structure) -> float:
+    """Ground acceleration at which the force on a foot vanishes; see the structure's own.
+
+    Unknown are the acceleration and the coordinates that are free in full contact. Their equations
+    are linear, but for small terms: Newton's method from standing.
+    """
+    m, p = structure.module, structure.vector
+    n = m.N_STATES // 2
+    contact = structure.contact(np.zeros(m.N_STATES))
+    free = [i for i in range(n) if i != m.ROTATION]
+    steps = np.array([1.0, *(1e-3 for _ in free)])
+
+    def lacking(unknown: np.ndarray, foot: int) -> np.ndarray:
+        y, rates, forces = np.zeros(2 * n), np.zeros(2 * n), np.zeros(len(m.REACTIONS))
+        y[free] = unknown[1:]
+        m.rates(contact, y, p, unknown[0], 0.0, rates)
+        m.reactions(contact, y, p, unknown[0], 0.0, forces)
+        return np.array([forces[foot], *rates[[n + i for i in free]]])
+
+    def lifts(foot: int) -> float:
+        unknown = np.zeros(1 + len(free))
+        for _ in range(50):
+            value = lacking(unknown, foot)
+            slopes = [(lacking(unknown + h, foot) - value) / h.max() for h in np.diag(steps)]
+            # a coordinate that is held has no equation, and stays
+            change = np.linalg.lstsq(np.transpose(slopes), -value)[0]
+            unknown += change
+            if abs(change[0]) <= 1e-13 * abs(unknown[0]):
+                break
+        return abs(float(unknown[0]))
+
+    return min(lifts(m.REACTIONS.index(f"{foot}_reaction")) for foot in ("left", "right"))

@@ -220,6 +220,24 @@ class Structure:
         )  # fmt: skip
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
 
+    @functools.cached_property
+    def uplift_acceleration(self) -> float | None:
+        """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
+
+        The structure stands in equilibrium under it: a column has bent under an acceleration that
+        grew slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). None
+        unless the structure stands on rigid ground.
+        """
+        if not self.rocks_on_rigid_ground:
+            return None
+        from rockeom.numeric.statics import uplift_acceleration
+
+        return uplift_acceleration(self)
+
+    def hints(self) -> tuple[str, ...]:
+        """What about the parameters is allowed and hardly meant, a sentence each."""
+        return ()
+
     def pushover(self, rotations) -> np.ndarray:
         """Horizontal force at the load point that holds the structure at each rotation [N].
 
@@ -302,6 +320,17 @@ def _structure_class(cls: type[S]) -> type[S]:
     return cls
 
 
+def _inertia_hints(mass: float, radius: float, inertia: float | None) -> tuple[str, ...]:
+    """Of a centroid at the middle of a rectangle and an inertia that no body within it has."""
+    most = mass * radius**2
+    if inertia is None or inertia <= most * (1 + 1e-12):
+        return ()
+    return (
+        f"inertia is {inertia:.4g} kg m2 about the centroid; a body of this size has at most "
+        f"m R**2 = {most:.4g} kg m2, with all its mass at the corners.",
+    )
+
+
 @_structure_class
 class RigidBlock(Structure):
     """Housner's rigid block on rigid ground, any size of rotation.
@@ -354,6 +383,9 @@ class RigidBlock(Structure):
         pivot_inertia = values["inertia"] + self.mass * self.radius**2
         return math.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
 
+    def hints(self) -> tuple[str, ...]:
+        return _inertia_hints(self.mass, self.radius, self.inertia)
+
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
         return {
@@ -389,6 +421,9 @@ class SlenderBlock(Structure):
         check_values("SlenderBlock", {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
         return cls(radius=0.75 * gravity / p**2, alpha=alpha, mass=mass, gravity=gravity)
 
+    def hints(self) -> tuple[str, ...]:
+        return _inertia_hints(self.mass, self.radius, self.inertia)
+
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
         return {
@@ -410,6 +445,14 @@ class NondimensionalBlock(Structure):
     model: ClassVar[str] = "nondimensional_block"
     alpha: float
     radius_ratio: float = 0.75
+
+    def hints(self) -> tuple[str, ...]:
+        if 0.5 <= self.radius_ratio <= 1:
+            return ()
+        return (
+            f"radius_ratio is {self.radius_ratio:.4g}; m R**2/I_o of a block lies between 1/2, all "
+            "its mass at the corners, and 1, all of it at the centroid.",
+        )
 
 
 @_structure_class
