@@ -60,8 +60,8 @@ def test_same_as_simulate(reference):
             assert found.final.values.tolist() == [*run.final.values()]
             # samples a millisecond apart pass beside the turning points
             rotation = found.sel(state="theta")
-            assert 0 <= rotation.largest.item() - run["theta"].max() < 1e-6
-            assert 0 <= run["theta"].min() - rotation.smallest.item() < 1e-6
+            assert 0 <= rotation.maximum.item() - run["theta"].max() < 1e-6
+            assert 0 <= run["theta"].min() - rotation.minimum.item() < 1e-6
 
 
 @settings(max_examples=20, deadline=None)
@@ -88,7 +88,7 @@ def test_labels_and_what_is_kept(reference):
     # below the threshold nothing moves
     still = reference.sel(amplitude=0.8)
     assert set(still.outcome.values.tolist()) == {"came to rest"}
-    assert not still.largest.any()
+    assert not still.peak.any()
     assert not still.impacts.any()
     # impact times rise, and are as many as the impacts
     times = reference.impact_time.values
@@ -112,7 +112,7 @@ def test_things_and_words_label_cases():
     )
     assert result.motion.values.tolist() == [0, 1]
     assert result.side.values.tolist() == phases
-    theta = result.smallest.sel(state="theta")
+    theta = result.minimum.sel(state="theta")
     assert theta.sel(motion=0, side="left") == -0.1
     assert theta.sel(motion=1, side="right") < -0.01
 
@@ -158,11 +158,11 @@ def test_interrupt_keeps_what_was_done(reference, threads):
     # all that was made in whole chunks, from the first on, and to the last bit
     assert ran.values.ravel()[:n].all()
     assert n >= 36
-    for name in ("outcome", "final_time", "impacts", "largest", "final", "impact_time"):
+    for name in ("outcome", "final_time", "impacts", "maximum", "final", "impact_time"):
         done, whole = result[name].values[ran.values], reference[name].values[ran.values]
         np.testing.assert_array_equal(done, whole)
     # nothing is said of the others
-    for name in ("final_time", "smallest", "largest", "final", "impact_time"):
+    for name in ("final_time", "minimum", "maximum", "final", "impact_time"):
         assert np.isnan(result[name].values[~ran.values]).all()
     assert set(result.final_phase.values[~ran.values].tolist()) == {""}
 
