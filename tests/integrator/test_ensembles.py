@@ -342,7 +342,9 @@ def test_histories_and_peaks_of_named_quantities():
         row = result.isel(dict(zip(OVER, place, strict=True)))
         for name in asked:
             of = row.sel(quantity=name)
-            assert float(of.largest_quantity) == run[name].max()
+            assert float(of.maximum_quantity) == run.extremes(name).maximum
+            assert float(of.minimum_quantity) == run.extremes(name).minimum
+            assert float(of.peak_quantity) == abs(run.extremes(name).peak)
             within = times[times <= run.t[-1]]
             np.testing.assert_array_equal(
                 of.history[: len(within)], run.at(within, names=asked)[name]
@@ -351,6 +353,46 @@ def test_histories_and_peaks_of_named_quantities():
                 of.history[: len(within)], np.interp(within, run.t, run[name]), atol=1e-4
             )
             assert np.isnan(of.history[len(within) :]).all()
+
+
+def test_peak_is_the_size_of_the_motion_to_either_side(reference):
+    """What falls to the left has passed pi/2 there, and no signed extreme hides it."""
+    lies = reference.peak.sel(state="theta").values == pytest.approx(np.pi / 2, rel=1e-9)
+    fell = reference.outcome.values == "overturned"
+    assert fell[lies].all()
+    to_the_left = reference.minimum.sel(state="theta").values == pytest.approx(-np.pi / 2)
+    assert to_the_left.any()
+    assert lies[to_the_left].all()
+    both = np.maximum(reference.maximum, -reference.minimum)
+    np.testing.assert_array_equal(reference.peak, both)
+
+
+# Fails: the extremes of rates are those of the ends of steps.
+def test_extremes_of_all_states_are_those_within_the_steps():
+    """The loop's own bounds against a search of the recorded steps; rates too."""
+    found = many(quantities=["theta", "theta_dot"])
+    for name in ("peak", "maximum", "minimum"):
+        np.testing.assert_allclose(found[name], found[f"{name}_quantity"].values, rtol=1e-11, atol=1e-13)
+
+
+@pytest.mark.parametrize("old", ["largest", "smallest", "largest_quantity", "smallest_quantity"])
+def test_former_names_say_what_they_are_called_now(old, reference):
+    new = old.replace("largest", "maximum").replace("smallest", "minimum")
+    peak = old.replace("largest", "peak").replace("smallest", "peak")
+    for dataset in (
+        reference, reference.sel(amplitude=0.8), reference.isel(frequency=0).assign_attrs(a=1)
+    ):  # fmt: skip
+        with pytest.raises(AttributeError, match=f"'{new}'.*'{peak}'"):
+            getattr(dataset, old)
+        with pytest.raises(KeyError, match=f"'{new}'.*'{peak}'"):
+            dataset[old]
+        with pytest.raises(KeyError, match=f"'{new}'.*'{peak}'"):
+            dataset[["outcome", old]]
+        assert old not in dataset
+    # a user's own variable may have the name
+    assert reference.assign({old: reference.peak})[old].identical(reference.peak.rename(old))
+    with pytest.raises(AttributeError, match="nothing"):
+        reference.nothing  # noqa: B018
 
 
 @pytest.mark.parametrize(
