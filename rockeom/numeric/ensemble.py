@@ -322,6 +322,7 @@ class _Results:
 
         labels = np.array([*(o.label for o in _OUTCOMES), "not run"])
         phases = np.array([*module.CONTACTS, ""])
+
         def of_states(a: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
             return (*dims, "state"), shaped(np.where(ran[:, None], a, np.nan))
 

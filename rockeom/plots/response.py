@@ -98,9 +98,7 @@ def _displacement(ax: Axes, run: Response) -> None:
     """The load point, and every coordinate that is a length."""
     factor, unit = style.length_scale(run)
     size = style.largest(run, "displacement", factor, unit)
-    ax.plot(
-        run.t, run["displacement"] * factor, color=style.OTHERS[0], label=f"load point, {size}"
-    )
+    ax.plot(run.t, run["displacement"] * factor, color=style.OTHERS[0], label=f"load point, {size}")
     n = len(run.states) // 2
     lengths = [
         name

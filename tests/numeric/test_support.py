@@ -255,6 +255,7 @@ def test_start_beyond_the_balance(side):
             run = rk.simulate(structure, still, initial={"theta": side * share * balance})
             assert bool(run.hints) == (share > 1)
             assert ("Hint: The initial theta" in run.summary()) == (share > 1)
-    assert f"alpha = {BLOCK.alpha:.4g} rad" in rk.simulate(
-        BLOCK, still, initial={"theta": side * 0.3}
-    ).summary()
+    assert (
+        f"alpha = {BLOCK.alpha:.4g} rad"
+        in rk.simulate(BLOCK, still, initial={"theta": side * 0.3}).summary()
+    )
