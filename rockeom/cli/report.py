@@ -111,7 +111,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "lost_contact": run.lost_contact,
         "assumptions": run.assumptions(),
         "never_lifted": run.never_lifted,
-        "uplift_acceleration": run.structure.uplift_acceleration,
+        "uplift_acceleration": _number(run.structure.uplift_acceleration),
         "hints": list(run.hints),
         "statistics": run.statistics,
     }
@@ -130,6 +130,6 @@ def _has_impacts(run: Response) -> bool:
     return any(kind == "impact" for _, _, kind in run.program.TRANSITIONS)
 
 
-def _number(value: float) -> float | None:
+def _number(value: float | None) -> float | None:
     """JSON knows no NaN and no infinity; `assumptions` says in words what they mean."""
-    return value if math.isfinite(value) else None
+    return value if value is not None and math.isfinite(value) else None

@@ -438,7 +438,7 @@ class Response:
     def _uplift(self) -> list[str]:
         """Of a motion that never lifted, at which acceleration of the ground it would."""
         threshold = self.structure.uplift_acceleration if self.never_lifted else None
-        if threshold is None:
+        if threshold is None or math.isinf(threshold):
             return []
         unit = "g" if self.program.STATE_UNITS[self.program.ROTATION] == "-" else "m/s2"
         return [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -86,9 +87,16 @@ def uplift_acceleration(structure: Structure) -> float:
         unknown = np.zeros(1 + len(free))
         for _ in range(50):
             value = lacking(unknown, foot)
-            slopes = [(lacking(unknown + h, foot) - value) / h.max() for h in np.diag(steps)]
-            # a coordinate that is held has no equation, and stays
-            change = np.linalg.lstsq(np.transpose(slopes), -value)[0]
+            slopes = np.transpose(
+                [(lacking(unknown + h, foot) - value) / h.max() for h in np.diag(steps)]
+            )
+            kept = slopes.any(axis=1)  # a coordinate that is held has no equation, and stays
+            kept[0] = True
+            change = np.zeros_like(unknown)
+            try:
+                change[kept] = np.linalg.solve(slopes[np.ix_(kept, kept)], -value[kept])
+            except np.linalg.LinAlgError:
+                return math.inf  # all its mass is on the ground
             unknown += change
             if abs(change[0]) <= 1e-13 * abs(unknown[0]):
                 break

@@ -225,8 +225,8 @@ class Structure:
         """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
 
         The structure stands in equilibrium under it: a column has bent under an acceleration that
-        grew slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). None
-        unless the structure stands on rigid ground.
+        grew slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
+        none lifts it; None unless the structure stands on rigid ground.
         """
         if not self.rocks_on_rigid_ground:
             return None

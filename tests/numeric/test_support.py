@@ -200,7 +200,10 @@ def test_uplift_acceleration_by_hand():
     total = S1["mass"] + S1["base_mass"]
     moment = S1["mass"] * S1["height"] + S1["base_mass"] * S1["base_height"]
     weight = total * GRAVITY * S1["half_width"]
+    wall = rk.SimplifiedSubstituteGravityWall.thesis()  # 4-32: its tendon holds it down, too
+    held_down = wall.mass * GRAVITY + wall.initial_force
     expected = {
+        wall: held_down * wall.half_width / (wall.mass * wall.centroid_height),
         BLOCK: GRAVITY * math.tan(BLOCK.alpha),
         rk.SlenderBlock(radius=1.2, alpha=0.2): GRAVITY * 0.2,
         rk.LumpedMassStructure(**S1): weight / moment,
