@@ -121,7 +121,7 @@ def pulse_map(solver: rk.SolverOptions, threads: int = 1, stride: int = 1) -> Ca
             progress=False,
         )
         fell = found["outcome"].to_numpy() == "overturned"
-        extremes = np.maximum(-found["smallest"].to_numpy(), found["largest"].to_numpy())
+        extremes = found["peak"].to_numpy()
         return fell.ravel(), extremes[..., 0].ravel()
 
     return call

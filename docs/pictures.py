@@ -40,5 +40,4 @@ def structures():
 if __name__ == "__main__":
     FOLDER.mkdir(exist_ok=True)
     structures().savefig(FOLDER / "structures.png", dpi=110)
-    runs = demo.simulate_all(demo.el_centro())
-    demo.picture(runs).savefig(FOLDER / "el_centro.png", dpi=110)
+    demo.draw(demo.simulate_all(demo.el_centro()), FOLDER / "el_centro.png", dpi=110)

@@ -23,6 +23,7 @@ Operations before and after common subexpressions were shared:
     energies                  91    62
     reactions                291   137
     kinematics                20    15
+    momentum                  61    39
     statics                   45    35
     overturning                1     1
     velocity_ratio            28    18
@@ -34,7 +35,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "28b5d8667fa38e5b"
+SOURCE_HASH = "4f4a3c0204ca2776"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -470,6 +471,41 @@ def kinematics(contact, y, p, out):
         out[0] = u
         out[1] = 0
         out[2] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        x0 = math.cos(theta)
+        x1 = mass*u_dot
+        x2 = theta_dot*x0
+        x3 = base_height*base_mass
+        x4 = height*mass
+        x5 = math.sin(theta)
+        x6 = theta_dot*x5
+        x7 = mass*u
+        x8 = half_width*s*x6
+        out[0] = base_mass*x8 + mass*x8 + x0*x1 + x2*x3 + x2*x4 - x6*x7
+        out[1] = (
+            base_mass*half_width*s*theta_dot*x0 + half_width*mass*s*theta_dot*x0 - x1*x5 - x2*x7
+            - x3*x6 - x4*x6
+        )
+    elif contact == BOTH:
+        u_dot = y[3]
+        mass = p[0]
+        out[0] = mass*u_dot
+        out[1] = 0
 
 
 @_compiled

@@ -21,6 +21,7 @@ Operations before and after common subexpressions were shared:
     energies                  57    38
     reactions                208    92
     kinematics                19    14
+    momentum                  42    28
     statics                   29    24
     overturning                1     1
     velocity_ratio            28    18
@@ -32,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "2f059799e491dbe2"
+SOURCE_HASH = "baa3ea4b75ff6348"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -381,6 +382,33 @@ def kinematics(contact, y, p, out):
         out[0] = 0
         out[1] = 0
         out[2] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        x0 = math.cos(theta)
+        x1 = theta_dot*x0
+        x2 = base_height*base_mass
+        x3 = height*mass
+        x4 = theta_dot*math.sin(theta)
+        x5 = half_width*s*x4
+        out[0] = base_mass*x5 + mass*x5 + x1*x2 + x1*x3
+        out[1] = (
+            base_mass*half_width*s*theta_dot*x0 + half_width*mass*s*theta_dot*x0 - x2*x4 - x3*x4
+        )
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
 
 
 @_compiled

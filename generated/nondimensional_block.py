@@ -15,6 +15,7 @@ Operations before and after common subexpressions were shared:
     energies                  19    18
     reactions                142    58
     kinematics                37    19
+    momentum                  32    16
     statics                   30    20
     overturning                2     2
     velocity_ratio             5     5
@@ -26,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "18380aad1aa344ee"
+SOURCE_HASH = "99e0bf213345d997"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -328,6 +329,28 @@ def kinematics(contact, y, p, out):
         out[0] = 0
         out[1] = 0
         out[2] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        radius_ratio = p[1]
+        x0 = alpha*x
+        x1 = math.cos(x0)
+        x2 = alpha*radius_ratio*x_dot
+        x3 = x2*math.cos(alpha)
+        x4 = math.sin(x0)
+        x5 = s*x2*math.sin(alpha)
+        out[0] = x1*x3 + x4*x5
+        out[1] = x1*x5 - x3*x4
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
 
 
 @_compiled

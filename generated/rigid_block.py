@@ -18,6 +18,7 @@ Operations before and after common subexpressions were shared:
     energies                  27    21
     reactions                106    52
     kinematics                19    14
+    momentum                  20    12
     statics                   18    16
     overturning                1     1
     velocity_ratio            14    10
@@ -29,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "02f82b19ee8a0841"
+SOURCE_HASH = "8194537b0775fc8a"
 
 NAME = "rigid_block"
 STATES = ("theta", "theta_dot",)
@@ -338,6 +339,28 @@ def kinematics(contact, y, p, out):
         out[0] = 0
         out[1] = 0
         out[2] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        x0 = math.cos(theta)
+        x1 = mass*theta_dot
+        x2 = height*x1
+        x3 = math.sin(theta)
+        x4 = half_width*s*x1
+        out[0] = x0*x2 + x3*x4
+        out[1] = x0*x4 - x2*x3
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
 
 
 @_compiled

@@ -25,6 +25,7 @@ Operations before and after common subexpressions were shared:
     energies                  43    40
     reactions                485   210
     kinematics               120   105
+    momentum                  60    45
     statics                   94    79
     overturning                1     1
     velocity_ratio             6     6
@@ -36,7 +37,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "8520ff060e31f82f"
+SOURCE_HASH = "f1bb43ccb9198ebc"
 
 NAME = "simplified_substitute_gravity_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -843,6 +844,56 @@ def kinematics(contact, y, p, out):
         out[2] = 0
         out[3] = half_width
         out[4] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        half_width = p[4]
+        x0 = math.cos(theta)
+        x1 = mass*theta_dot
+        x2 = centroid_height*x1
+        x3 = math.sin(theta)
+        out[0] = half_width*s*x1*x3 + x0*x2
+        out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        half_width = p[4]
+        x0 = math.cos(theta)
+        x1 = mass*theta_dot
+        x2 = centroid_height*x1
+        x3 = math.sin(theta)
+        out[0] = half_width*s*x1*x3 + x0*x2
+        out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        half_width = p[4]
+        x0 = math.cos(theta)
+        x1 = mass*theta_dot
+        x2 = centroid_height*x1
+        x3 = math.sin(theta)
+        out[0] = half_width*s*x1*x3 + x0*x2
+        out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+    elif contact == BOTH_SLACK:
+        out[0] = 0
+        out[1] = 0
 
 
 @_compiled

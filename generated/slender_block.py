@@ -18,6 +18,7 @@ Operations before and after common subexpressions were shared:
     energies                  37    32
     reactions                 61    35
     kinematics                13     5
+    momentum                  28    15
     statics                   10    10
     overturning                1     1
     velocity_ratio            14    10
@@ -29,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "4ccd52d8e2c0e49c"
+SOURCE_HASH = "1e2929ea73b15a10"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -331,6 +332,28 @@ def kinematics(contact, y, p, out):
         out[0] = 0
         out[1] = 0
         out[2] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        radius = p[1]
+        alpha = p[2]
+        x0 = math.cos(theta)
+        x1 = mass*radius*theta_dot
+        x2 = x1*math.cos(alpha)
+        x3 = math.sin(theta)
+        x4 = s*x1*math.sin(alpha)
+        out[0] = x0*x2 + x3*x4
+        out[1] = x0*x4 - x2*x3
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
 
 
 @_compiled

@@ -19,6 +19,7 @@ Operations before and after common subexpressions were shared:
     energies                  37    32
     reactions                 55    40
     kinematics                10     6
+    momentum                   8     7
     statics                    9     9
     overturning                1     1
     velocity_ratio             8     8
@@ -30,7 +31,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "3c1ad5d7383de76b"
+SOURCE_HASH = "1d65bff8d465ccbb"
 
 NAME = "uplifting_oscillator"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -367,6 +368,26 @@ def kinematics(contact, y, p, out):
         out[0] = u
         out[1] = 0
         out[2] = 0
+
+
+@_compiled
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        half_width = p[2]
+        x0 = mass*theta_dot
+        out[0] = height*x0 + mass*u_dot
+        out[1] = half_width*s*x0
+    elif contact == BOTH:
+        u_dot = y[3]
+        mass = p[0]
+        out[0] = mass*u_dot
+        out[1] = 0
 
 
 @_compiled

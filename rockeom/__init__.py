@@ -19,7 +19,8 @@ __version__ = "0.1.0"
 _NAMES_OF = {
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.numeric.case": ("Case",),
-    "rockeom.numeric.ensemble": ("simulate_many",),
+    "rockeom.numeric.ensemble": ("Sweep", "simulate_many"),
+    "rockeom.numeric.extremes": ("Extremes",),
     "rockeom.numeric.impact": (
         "AngularMomentum",
         "EnergyRatio",
@@ -58,7 +59,8 @@ __all__ = sorted(_HOME_OF)
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.numeric.case import Case as Case
-    from rockeom.numeric.ensemble import simulate_many as simulate_many
+    from rockeom.numeric.ensemble import Sweep as Sweep, simulate_many as simulate_many
+    from rockeom.numeric.extremes import Extremes as Extremes
     from rockeom.numeric.impact import (
         AngularMomentum as AngularMomentum,
         EnergyRatio as EnergyRatio,

@@ -14,14 +14,13 @@ import numpy as np
 from rockeom import __version__
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import AngularMomentum, ImpactLaw
-from rockeom.numeric.response import Response
+from rockeom.numeric.response import MEASURABLE, Response
 
 
 def in_words(run: Response) -> str:
     """The summary of the response, with its largest displacement and uplifts."""
-    first, *rest = run.summary().split("\n")
-    head, tail = rest[:2], rest[2:]
-    return "\n".join([first, *head, *_lengths(run), *tail])
+    head, tail = (lines := run.summary().split("\n"))[:3], lines[3:]
+    return "\n".join([*head, *_lengths(run), *tail])
 
 
 def _lengths(run: Response) -> list[str]:
@@ -33,16 +32,15 @@ def _lengths(run: Response) -> list[str]:
             f"Largest displacement of the load point: {x * factor:.4g} {unit} at {t:.4g} s."
         )
     if "left_uplift" in run.names:
-        left, right = (run[f"{foot}_uplift"].max() * factor for foot in ("left", "right"))
+        left, right = (run.extremes(f"{f}_uplift").maximum * factor for f in ("left", "right"))
         lines.append(f"Largest uplift: left foot {left:.4g} {unit}, right foot {right:.4g} {unit}.")
     return lines
 
 
 def peak(run: Response, name: str) -> tuple[float, float]:
     """The value of largest size with its sign, and its time [s]."""
-    values = run[name]
-    index = int(np.abs(values).argmax())
-    return float(values[index]), float(run.t[index])
+    found = run.extremes(name)
+    return found.peak, found.peak_time
 
 
 def units(run: Response) -> dict[str, str]:
@@ -105,10 +103,16 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "end": float(run.t[-1]),
         "peaks": peaks,
         "impacts": len(run.impacts),
+        "impacts_above": {"rate": MEASURABLE, "number": len(run.impacts_above())},
         "uplifts": sum(e.kind == "uplift" for e in run.events),
         "rest_time": run.rest_time,
         "friction_demand": _number(run.friction_demand),
+        "impact_friction_demand": _number(run.impact_friction_demand),
         "lost_contact": run.lost_contact,
+        "assumptions": run.assumptions(),
+        "never_lifted": run.never_lifted,
+        "uplift_acceleration": _number(run.structure.uplift_acceleration),
+        "hints": list(run.hints),
         "statistics": run.statistics,
     }
 
@@ -126,6 +130,6 @@ def _has_impacts(run: Response) -> bool:
     return any(kind == "impact" for _, _, kind in run.program.TRANSITIONS)
 
 
-def _number(value: float) -> float | None:
-    """JSON knows no NaN."""
-    return value if math.isfinite(value) else None
+def _number(value: float | None) -> float | None:
+    """JSON knows no NaN and no infinity; `assumptions` says in words what they mean."""
+    return value if value is not None and math.isfinite(value) else None

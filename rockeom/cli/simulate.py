@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -21,7 +20,7 @@ from rockeom.numeric.impact import (
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Response
 from rockeom.numeric.simulate import simulate
-from rockeom.numeric.structures import Structure, check_names
+from rockeom.numeric.structures import check_names
 
 HELP = "simulate a structure under a ground motion"
 DESCRIPTION = """\
@@ -162,7 +161,6 @@ def run(args: argparse.Namespace) -> int:
     motion, vertical = _motions(args)
     if args.out is not None and args.out.exists() and not args.out.is_dir():
         raise UsageError(f"--out {args.out}: this is a file; name a folder")
-    announce_compilation(structure)
     response = simulate(
         structure,
         motion,
@@ -261,13 +259,3 @@ def pulse(kind: str, *pairs: str) -> GroundMotion:
     values = numbers(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
     check_names(f"--pulse {kind}", required, required | optional, set(values))
     return make(**values)
-
-
-def announce_compilation(structure: Structure) -> None:
-    """Say on the standard error that a structure is compiled at its first use."""
-    from rockeom.numeric.specialise import program
-
-    compiled = program(structure.module, SolverOptions().method)
-    stem = Path(compiled.__file__ or "").stem
-    if not any(Path(compiled.integrate.stats.cache_path).glob(f"{stem}.integrate-*.nbi")):
-        print(f"compiling {structure.model} (first use, some seconds) ...", file=sys.stderr)

@@ -15,6 +15,7 @@ import sympy as sp
 from rockeom.codegen.printer import WIDTH, assign, python, solve_symmetric, statements
 from rockeom.symbolic.algebra import SIDE, angles_in, tidy
 from rockeom.symbolic.contact import reactions
+from rockeom.symbolic.impulse import momentum
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel, Transition
 from rockeom.symbolic.statics import LOAD, equilibrium
 
@@ -607,6 +608,13 @@ class _Module:
             "Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS.",
             self.kinematics,
         )
+        if {"impact", "uplift"} <= {t.kind for t in model.transitions}:  # feet meet rigid ground
+            self.outputs(
+                "momentum",
+                "contact, y, p, out",
+                "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
+                lambda phase: dict(zip("xy", momentum(phase), strict=True)),
+            )
         self.statics()
         self.scalar("overturning", "Rotation at which the structure has fallen.", model.overturning)
         ratio = model.velocity_ratio

@@ -26,6 +26,39 @@ _OUTCOMES = tuple(Outcome)
 NOT_RUN = -1
 
 
+_RENAMED = {
+    old + of: (f"maximum{of}" if old == "largest" else f"minimum{of}", f"peak{of}")
+    for old in ("largest", "smallest")
+    for of in ("", "_quantity")
+}
+"""Former names of variables: the present one, and that of the largest absolute value."""
+
+
+class Sweep(xr.Dataset):
+    """The dataset of `simulate_many`. It knows the former names of its variables, and says so."""
+
+    __slots__ = ()
+
+    def __getitem__(self, key: Any) -> Any:
+        for name in key if isinstance(key, list) else [key]:
+            if isinstance(name, str) and name in _RENAMED and name not in self.variables:
+                raise KeyError(_renamed(name))
+        return super().__getitem__(key)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in _RENAMED and name not in self.variables:
+            raise AttributeError(_renamed(name))
+        return super().__getattr__(name)
+
+
+def _renamed(name: str) -> str:
+    signed, peak = _RENAMED[name]
+    return (
+        f"{name!r} is now {signed!r}, which has a sign as before; the largest absolute value is "
+        f"{peak!r}"
+    )
+
+
 def simulate_many(
     case: Callable[..., Case],
     over: Mapping[str, Sequence[Any] | np.ndarray],
@@ -38,7 +71,7 @@ def simulate_many(
     lanes: bool = False,
     quantities: Sequence[str] = (),
     times: Sequence[float] | np.ndarray = (),
-) -> xr.Dataset:
+) -> Sweep:
     """Simulate every combination of the values in `over`, labelled by them.
 
         rk.simulate_many(
@@ -59,13 +92,16 @@ def simulate_many(
         `SolverOptions(steps_per_law=n)`; results agree with those without lanes but for rounding,
         and are the same to the last bit for any order of the cases.
     quantities : what else to keep of each case, by the names of a response ("theta",
-        "displacement", "left_uplift", ...): smallest_quantity and largest_quantity over the samples
-        of the response, and, at the `times` [s] given, their history (nan behind the end). Each
-        case is then also simulated by itself, with its whole response, which takes much longer.
+        "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
+        found within the steps, and, at the `times` [s] given, their history (nan behind the end).
+        Each case is then also simulated by itself, with its whole response, which takes much
+        longer.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
-    final_time [s], final_phase, impacts, smallest, largest and final value of each state, and
-    impact_time (nan where there was none). Memory is bounded by the dataset. A keyboard
+    final_time [s], final_phase, impacts, refined (laws of the ground in which equal steps would have
+    been too long), peak, maximum, minimum and final value of each state, and impact_time (nan where
+    there was none). maximum and minimum have a sign, peak is the larger of
+    their sizes; they are found within the steps. Memory is bounded by the dataset. A keyboard
     interrupt ends the work early: what is done is returned, `attrs["interrupted"]` is 1.
 
     Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all.
@@ -220,6 +256,7 @@ class _Results:
     final_time: np.ndarray
     contact: np.ndarray
     impacts: np.ndarray
+    refined: np.ndarray
     peaks: np.ndarray
     final: np.ndarray
     times: np.ndarray
@@ -229,6 +266,7 @@ class _Results:
         return cls(
             np.full(n, NOT_RUN, np.int64),
             np.full(n, np.nan),
+            np.zeros(n, np.int64),
             np.zeros(n, np.int64),
             np.zeros(n, np.int64),
             np.full((n, 2, states), np.nan),
@@ -274,10 +312,11 @@ class _Results:
         compiled.integrate_many(*state, ends, np.array([q.quiet_from for q in batch]), *others)
         self.final_time[rows] = clock[:, 0]
         self.contact[rows], self.impacts[rows] = status[:, 0], status[:, 2]
+        self.refined[rows] = status[:, 9]
         self.outcome[rows] = outcome
         return n
 
-    def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> xr.Dataset:
+    def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> Sweep:
         dims = tuple(values)
         shape = tuple(len(v) for v in values.values())
         ran = self.outcome != NOT_RUN
@@ -287,21 +326,21 @@ class _Results:
 
         labels = np.array([*(o.label for o in _OUTCOMES), "not run"])
         phases = np.array([*module.CONTACTS, ""])
-        over = xr.Dataset(
+
+        def of_states(a: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
+            return (*dims, "state"), shaped(np.where(ran[:, None], a, np.nan))
+
+        over = Sweep(
             {
                 "outcome": (dims, shaped(labels[self.outcome])),
                 "final_time": (dims, shaped(self.final_time), {"units": "s"}),
                 "final_phase": (dims, shaped(phases[np.where(ran, self.contact, -1)])),
                 "impacts": (dims, shaped(self.impacts)),
-                "smallest": (
-                    (*dims, "state"),
-                    shaped(np.where(ran[:, None], self.peaks[:, 0], np.nan)),
-                ),
-                "largest": (
-                    (*dims, "state"),
-                    shaped(np.where(ran[:, None], self.peaks[:, 1], np.nan)),
-                ),
-                "final": ((*dims, "state"), shaped(np.where(ran[:, None], self.final, np.nan))),
+                "refined": (dims, shaped(self.refined)),
+                "peak": of_states(np.abs(self.peaks).max(axis=1)),
+                "maximum": of_states(self.peaks[:, 1]),
+                "minimum": of_states(self.peaks[:, 0]),
+                "final": of_states(self.final),
             },
             coords={"state": list(module.STATES)} | {d: _labels(v) for d, v in values.items()},
         )
@@ -344,18 +383,23 @@ class _Asked:
             known = self.times <= response.t[-1]
             history = response.at(self.times[known], names=self.quantities)
             for i, name in enumerate(self.quantities):
-                values = response[name]
-                self.extremes[row, :, i] = np.nanmin(values), np.nanmax(values)
+                found = response.extremes(name)
+                self.extremes[row, :, i] = found.minimum, found.maximum
                 self.histories[row, i, known] = history[name]
 
     def variables(self, values: Mapping[str, list[Any]]) -> dict[str, Any]:
         if not self.quantities:
             return {}
         dims, shape = tuple(values), tuple(len(v) for v in values.values())
+
+        def shaped(a: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
+            return (*dims, "quantity"), a.reshape(*shape, -1)
+
         found: dict[str, Any] = {
             "quantity": list(self.quantities),
-            "smallest_quantity": ((*dims, "quantity"), self.extremes[:, 0].reshape(*shape, -1)),
-            "largest_quantity": ((*dims, "quantity"), self.extremes[:, 1].reshape(*shape, -1)),
+            "peak_quantity": shaped(np.abs(self.extremes).max(axis=1)),
+            "maximum_quantity": shaped(self.extremes[:, 1]),
+            "minimum_quantity": shaped(self.extremes[:, 0]),
         }
         if self.times.size:
             found["time"] = "time", self.times, {"units": "s"}

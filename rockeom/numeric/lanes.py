@@ -110,17 +110,22 @@ def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
 
 
 @_inlined
-def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known):
-    """The opposite of `widens` for one coordinate."""
+def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fastest):
+    """The opposite of `widens` for one coordinate and its rate."""
     v0, v1 = h * v0, h * v1
     a0, a1 = h * h * a0, h * h * a1
     up = (v0 >= 0.0) & (v0 + a0 / 3.0 >= 0.0) & (v1 - a1 / 3.0 >= 0.0) & (v1 >= 0.0)
     down = (v0 <= 0.0) & (v0 + a0 / 3.0 <= 0.0) & (v1 - a1 / 3.0 <= 0.0) & (v1 <= 0.0)
     b1, b2 = q0 + v0 / 5.0, q0 + 2.0 * v0 / 5.0 + a0 / 20.0
     b4, b3 = q1 - v1 / 5.0, q1 - 2.0 * v1 / 5.0 + a1 / 20.0
+    d1, d2, d3 = v0 + a0 / 4.0, 5.0 * (b3 - b2), v1 - a1 / 4.0
+    least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
+    margin = 1e-3 * (most - least)
+    rate = least - margin >= min(h * slowest, min(v0, v1))
+    rate &= most + margin <= max(h * fastest, max(v0, v1))
     least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
     margin = 1e-3 * (most - least)
-    return up | down | ((least - margin >= least_known) & (most + margin <= most_known))
+    return rate & (up | down | ((least - margin >= least_known) & (most + margin <= most_known)))
 
 
 @_compiled

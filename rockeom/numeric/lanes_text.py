@@ -51,7 +51,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
         )
         within += f"""        within &= turns_within(
             h, q0_{i}, v0_{i}, a0_{i}, q1_{i}, v1_{i}, a1_{i},
-            {at("Z_LEAST", i)}, {at("Z_MOST", i)},
+            {at("Z_LEAST", i)}, {at("Z_MOST", i)}, {at("Z_LEAST", n + i)}, {at("Z_MOST", n + i)},
         )
 """
         taken += f"        {at('Z_Q', i)} = q1_{i} if stands else q0_{i}\n"

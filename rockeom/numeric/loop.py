@@ -930,22 +930,28 @@ def widen(peaks, y):
 
 @_compiled
 def widens(peaks, h, y, y_new, k):
-    """Whether a coordinate may turn back within a step, outside of the extremes known so far.
+    """Whether a state may turn back within a step, outside of the extremes known so far.
 
     By the Bernstein coefficients of the polynomials through both ends: the cubic of its rate
-    bounds where it may turn, the quintic of its value how far it may go.
+    bounds where a coordinate may turn, the quintic of its value how far it may go, and the slope
+    of that how far its rate may.
     """
     far = False
     n = N_STATES // 2
     for i in range(n):
         v0, v1 = h * y[n + i], h * y_new[n + i]
         a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
+        b1, b2 = y[i] + v0 / 5.0, y[i] + 2.0 * v0 / 5.0 + a0 / 20.0
+        b4, b3 = y_new[i] - v1 / 5.0, y_new[i] - 2.0 * v1 / 5.0 + a1 / 20.0
+        d1, d2, d3 = v0 + a0 / 4.0, 5.0 * (b3 - b2), v1 - a1 / 4.0
+        least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
+        margin = 1e-3 * (most - least)
+        far = far or least - margin < min(h * peaks[0, n + i], min(v0, v1))
+        far = far or most + margin > max(h * peaks[1, n + i], max(v0, v1))
         up = v0 >= 0.0 and v0 + a0 / 3.0 >= 0.0 and v1 - a1 / 3.0 >= 0.0 and v1 >= 0.0
         down = v0 <= 0.0 and v0 + a0 / 3.0 <= 0.0 and v1 - a1 / 3.0 <= 0.0 and v1 <= 0.0
         if up or down:
             continue
-        b1, b2 = y[i] + v0 / 5.0, y[i] + 2.0 * v0 / 5.0 + a0 / 20.0
-        b4, b3 = y_new[i] - v1 / 5.0, y_new[i] - 2.0 * v1 / 5.0 + a1 / 20.0
         least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
         margin = 1e-3 * (most - least)
         far = far or least - margin < peaks[0, i] or most + margin > peaks[1, i]
@@ -954,8 +960,8 @@ def widens(peaks, h, y, y_new, k):
 
 @_compiled
 def widen_within(peaks, coefficients):
-    """Take in the turning points of the coordinates inside a step, from its dense output."""
-    for i in range(N_STATES // 2):
+    """Take in the turning points of the states inside a step, from its dense output."""
+    for i in range(N_STATES):
         for end in range(2):
             sign = 2.0 * end - 1.0
             best, x = -np.inf, 0.0

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -11,6 +12,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from rockeom.numeric.extremes import Extremes, extremes, last_crest
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -58,6 +61,9 @@ class Impact:
 
 _KINDS = ("impact", "uplift", "switch", "rest")
 
+MEASURABLE = 1e-3
+"""Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
+
 
 @dataclass(frozen=True)
 class Steps:
@@ -73,11 +79,15 @@ class Steps:
         found = np.searchsorted(starts, times, side="right" if side == "right" else "left")
         index = np.clip(found - 1, 0, len(starts) - 1)
         x = (times - starts[index]) / self.span[index, 1]
+        return self.states(index, x), self.contact[index]
+
+    def states(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """States (m, N) at places x in [0, 1] of the steps `index`."""
         powers = self.powers[index]
         values = powers[:, 7]
         for j in range(6, -1, -1):
             values = values * x[:, None] + powers[:, j]
-        return values, self.contact[index]
+        return values
 
     def samples(self, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(t, states, contact) at both ends of every step and between, no wider than spacing."""
@@ -85,10 +95,7 @@ class Steps:
         index = np.repeat(np.arange(len(n)), n + 1)
         first = np.cumsum(n + 1) - (n + 1)
         x = (np.arange(len(index)) - np.repeat(first, n + 1)) / np.repeat(n, n + 1)
-        powers = self.powers[index]
-        values = powers[:, 7]
-        for j in range(6, -1, -1):
-            values = values * x[:, None] + powers[:, j]
+        values = self.states(index, x)
         t = self.span[index, 0] + x * self.span[index, 1]
         # the end of a step is the start of the next: keep one unless a state jumps there
         keep = np.ones(len(t), dtype=bool)
@@ -255,74 +262,217 @@ class Response:
         """The last state, by name."""
         return dict(zip(self.states, self.end.tolist(), strict=True))
 
+    def extremes(self, name: str) -> Extremes:
+        """Least and greatest value of any of `names`, found within the steps, and their times.
+
+        They do not depend on `output_step`. Raises KeyError for an unknown name.
+        """
+        if name not in self.names:
+            raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
+        return self._extremes[name]
+
     @cached_property
-    def _support(self) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-        """Horizontal force and both vertical ones while they matter, or None without feet.
+    def _extremes(self) -> dict[str, Extremes]:
+        return dict(zip(self.names, extremes(self.steps, self._columns(self.names)), strict=True))
+
+    def _columns(self, names: Sequence[str]) -> Callable[..., np.ndarray]:
+        """The function that gives quantities (n, m) at times, states and contact states (n,)."""
+
+        def columns(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
+            found = dict(zip(self.states, y.T, strict=True)) | self._evaluated(t, y, contact)
+            return np.column_stack([found[name] for name in names])
+
+        return columns
+
+    def impacts_above(self, rate: float = MEASURABLE) -> tuple[Impact, ...]:
+        """The impacts before which the structure turned faster than `rate`, in time order.
+
+        rate : [rad/s], or the unit of the rotation over that of time; 0.001 rad/s is 1 mm/s at a
+        metre from the foot. Before it comes to rest a structure has endlessly many smaller ones,
+        whose number depends on the last digit of everything.
+        """
+        name = self.states[self.program.ROTATION_RATE]
+        return tuple(impact for impact in self.impacts if abs(impact.before[name]) > rate)
+
+    # -- what the ground had to give --------------------------------------------------------
+
+    @cached_property
+    def _support(self) -> tuple[Extremes, ...] | None:
+        """Extremes of the horizontal, left, right and whole vertical force while they matter.
+
+        None without feet. See `_support_ends`.
+        """
+        if "left_reaction" not in self.program.REACTIONS:
+            return None
+
+        def forces(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
+            found = self._feet(t, y, contact)
+            return np.column_stack([found, found[:, 1] + found[:, 2]])
+
+        return tuple(extremes(self.steps, forces, self._support_ends))
+
+    @property
+    def _feet(self) -> Callable[..., np.ndarray]:
+        return self._columns(("horizontal_reaction", "left_reaction", "right_reaction"))
+
+    @cached_property
+    def _support_ends(self) -> float:
+        """When the forces on the feet cease to matter [s].
 
         The last fall of a structure that overturned is left out, from its highest point on:
         nothing could stop it then.
         """
-        if "left_reaction" not in self._outputs:
-            return None
-        end = len(self.t)
-        if self.outcome is Outcome.OVERTURNED:
-            rising = np.diff(self["gravitational_energy"]) > 0
-            end = int(np.flatnonzero(rising)[-1]) + 2 if rising.any() else 1
-        names = ("horizontal_reaction", "left_reaction", "right_reaction")
-        horizontal, left, right = (self[name][:end] for name in names)
-        return horizontal, left, right
+        if self.outcome is not Outcome.OVERTURNED:
+            return math.inf
+        return last_crest(self.steps, self._columns(("gravitational_energy",)))
 
     @cached_property
     def friction_demand(self) -> float:
-        """Largest |horizontal|/vertical force that not sliding needed; nan without feet.
+        """Largest |horizontal|/vertical force that not sliding needed, found within the steps.
 
-        Impulses at impacts are not in it, nor is the last fall of a structure that overturned.
+        The vertical force is that on both feet together. inf where there was none, but a horizontal
+        one: then no friction suffices. nan without feet. Impulses are in `impact_friction_demand`;
+        the last fall of a structure that overturned is in neither.
         """
         if self._support is None:
-            return float("nan")
-        horizontal, left, right = self._support
-        pressed = left + right > 0
-        if not pressed.any():
-            return float("nan")
-        return float(np.max(np.abs(horizontal[pressed]) / (left + right)[pressed]))
+            return math.nan
+        horizontal, _, _, vertical = self._support
+        none = 1e-9 * abs(vertical.peak)  # what is no force, but rounding
+        if abs(horizontal.peak) <= none:
+            return 0.0
+
+        def vertical_over_horizontal(t, y, contact) -> np.ndarray:
+            across, left, right = self._feet(t, y, contact).T
+            ratio = (left + right) / np.maximum(np.abs(across), none)
+            ratio[(np.abs(across) <= none) & (np.abs(left + right) <= none)] = 1e9  # in flight
+            return ratio[:, None]
+
+        # this ratio passes zero smoothly where the other one is infinite
+        (ratio,) = extremes(self.steps, vertical_over_horizontal, self._support_ends)
+        if not math.isfinite(ratio.minimum):
+            return math.nan
+        return 1.0 / ratio.minimum if ratio.minimum > 1e-9 else math.inf
+
+    @cached_property
+    def impact_friction_demand(self) -> float:
+        """Largest |horizontal|/vertical impulse of the ground at an impact.
+
+        The impulse on both feet together, which is what the momentum of all masses gains. inf where
+        it had to pull; 0 without impacts; nan where no foot meets rigid ground in an impact.
+        """
+        if not hasattr(self.program, "momentum"):
+            return math.nan
+        momentum, p = self.program.momentum.py_func, self.structure.vector
+        _, kinds, states = self.passages
+        largest = 0.0
+        before, after = np.zeros(2), np.zeros(2)
+        for (kind, old, new), (arriving, leaving) in zip(kinds, states, strict=True):
+            if kind != _KINDS.index("impact"):
+                continue
+            momentum(old, arriving, p, before)
+            momentum(new, leaving, p, after)
+            across, up = (after - before).tolist()
+            # in the smallest impacts of a vibrating structure the difference is rounding
+            if math.hypot(across, up) > 1e-9 * math.hypot(*before, *after):
+                largest = max(largest, abs(across) / up if up > 0.0 else math.inf)
+        return largest
 
     @cached_property
     def lost_contact(self) -> bool:
         """Whether the ground would have had to pull a foot: the model's assumption failed then."""
         if self._support is None:
             return False
-        _, left, right = self._support
-        weight = max(float(np.max(np.abs(left + right))), 1e-300)
-        return bool(min(left.min(), right.min()) < -1e-9 * weight)
+        _, left, right, vertical = self._support
+        weight = max(abs(vertical.peak), 1e-300)
+        return bool(min(left.minimum, right.minimum) < -1e-9 * weight)
 
     def assumptions(self) -> str:
         """How far the assumptions of no sliding and no lost contact held, in words."""
         if self._support is None:
             return "The model has no feet: it says nothing of sliding or contact."
-        text = f"Not sliding needed a friction coefficient of at least {self.friction_demand:.3g}."
+        text = self._friction()
         if self.lost_contact:
             return text + " A foot's vertical reaction turned negative: it would have jumped."
         return text + " No foot's vertical reaction turned negative."
+
+    def _friction(self) -> str:
+        forces, impulses = self.friction_demand, self.impact_friction_demand
+        if math.isnan(forces):
+            return "The forces on the feet are not finite: they say nothing of sliding."
+        if math.isinf(forces):
+            text = (
+                "No friction coefficient would have kept it from sliding: the ground pressed no "
+                "foot while a horizontal force was needed."
+            )
+        else:
+            text = f"Not sliding needed a friction coefficient of at least {forces:.3g}."
+        if math.isinf(impulses):
+            return text + " None suffices for the impulses at its impacts."
+        return text + f" The impulses at its impacts needed {impulses:.3g}." * (impulses > 0)
+
+    @property
+    def hints(self) -> tuple[str, ...]:
+        """What about the structure and its start is allowed and hardly meant, a sentence each."""
+        start, p = self.steps.powers[0, 0], self.program
+        found = self.structure.hints()
+        if not (self.structure.rocks_on_rigid_ground and start[p.ROTATION]):
+            return found
+        around = np.array([start, start])
+        around[:, p.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
+        energy = self._evaluated(np.zeros(2), around, self.steps.contact[[0, 0]])
+        potential = energy["gravitational_energy"] + energy["elastic_energy"]
+        if potential[1] >= potential[0]:
+            return found
+        name, unit = self.states[p.ROTATION], p.STATE_UNITS[p.ROTATION]
+        text = f"The initial {name}, {start[p.ROTATION]:.4g} {unit}, lies beyond the balance"
+        alpha = getattr(self.structure, "alpha", None) if unit == "rad" else None
+        text += "" if alpha is None else f", alpha = {alpha:.4g} rad"
+        return (*found, f"{text}: released at rest it falls over.")
+
+    @property
+    def never_lifted(self) -> bool:
+        """Whether both feet stood on rigid ground all the time."""
+        sides = np.array(self.program.SIDES)
+        return self.structure.rocks_on_rigid_ground and not sides[self.steps.contact].any()
+
+    def _uplift(self) -> list[str]:
+        """Of a motion that never lifted, at which acceleration of the ground it would."""
+        threshold = self.structure.uplift_acceleration if self.never_lifted else None
+        if threshold is None or math.isinf(threshold):
+            return []
+        unit = "g" if self.program.STATE_UNITS[self.program.ROTATION] == "-" else "m/s2"
+        return [
+            f"It never lifted off. A ground acceleration that grows slowly lifts it at "
+            f"{threshold:.4g} {unit}; here the largest was {self.motion.peak:.4g} {unit}."
+        ]
+
+    def impacts_in_words(self) -> str:
+        """How many impacts there were, and how many of them were faster than MEASURABLE."""
+        n = len(self.impacts)
+        unit = self.program.STATE_UNITS[self.program.ROTATION_RATE]
+        faster = f", {len(self.impacts_above())} of them faster than {MEASURABLE:g} {unit}"
+        return f"{n} impacts{faster if n else ''}"
 
     def summary(self) -> str:
         """The response in words."""
         rotation = self.states[self.program.ROTATION]
         unit = self.program.STATE_UNITS[self.program.ROTATION]
-        peak = np.abs(self[rotation])
+        largest = self.extremes(rotation)
         lines = [
             f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
             f"Outcome: {self.outcome}. {self.outcome.sentence}",
-            f"Largest |{rotation}|: {peak.max():.4g} {unit} at {self.t[peak.argmax()]:.4g} s; "
-            f"{len(self.impacts)} impacts.",
+            f"Largest |{rotation}|: {abs(largest.peak):.4g} {unit} at {largest.peak_time:.4g} s; "
+            f"{self.impacts_in_words()}.",
         ]
+        lines += self._uplift()
         if self.rest_time is not None:
             lines.append(f"Infinitely many impacts came to an end at {self.rest_time:.9g} s.")
-        return "\n".join([*lines, self.assumptions()])
+        return "\n".join([*lines, self.assumptions(), *(f"Hint: {hint}" for hint in self.hints)])
 
     def plot(self, **kwargs):
         """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""
         return importlib.import_module("rockeom.plots").plot_response(self, **kwargs)
 
     def __repr__(self) -> str:
-        return f"<Response: {self.outcome}, {self.duration:.6g} s, {len(self.impacts)} impacts>"
+        return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts_in_words()}>"

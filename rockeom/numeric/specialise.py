@@ -15,6 +15,7 @@ import inspect
 import os
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -136,7 +137,48 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> ModuleTy
             parts += (lanes_text(tableau(method), generated), "\n\n", _own("lanes.py"))
         return "".join(parts)
 
-    return _load(f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}", digest, text)
+    module = _load(f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}", digest, text)
+    _UNSAID[module.__name__] = f"{generated.NAME} with {method}{' in lanes' * lanes}"
+    _listen()
+    return module
+
+
+_UNSAID: dict[str, str] = {}
+"""Programs of whose compilation nothing was said yet, and how each is called."""
+
+
+@cache
+def _listen() -> None:
+    """From now on, say on stderr that a program is compiled, the first time for each.
+
+    numba itself tells when it compiles and does not find the result on disk. It compiles one
+    function at a time, whatever the number of threads, and within it those that it calls.
+    """
+    from numba.core import event
+
+    class Announcement(event.Listener):
+        outermost: Any = None
+        started = 0.0
+
+        def on_start(self, event: Any) -> None:
+            dispatcher = event.data["dispatcher"]
+            name = _UNSAID.pop(dispatcher.py_func.__module__, None)
+            if name is not None:
+                self.outermost, self.started = dispatcher, time.monotonic()
+                _say(f"rockeom: compiling {name}, once on this machine ...")
+
+        def on_end(self, event: Any) -> None:
+            if event.data["dispatcher"] is self.outermost:
+                self.outermost, took = None, time.monotonic() - self.started
+                _say(f" {took:.0f} s\n" if took > 1.0 else "\n")
+
+    event.register("numba:compile", Announcement())
+
+
+def _say(text: str) -> None:
+    if sys.stderr is not None:  # as of a program without a console
+        sys.stderr.write(text)
+        sys.stderr.flush()
 
 
 @contextmanager

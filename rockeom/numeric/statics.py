@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -78,3 +79,44 @@ def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, 
     )
     at = length * found.x
     return (lacking(at)[1] if np.abs(found.fun).max() <= 1e-8 else np.nan), state(at)
+
+
+def uplift_acceleration(structure: Structure) -> float:
+    """Ground acceleration at which the force on a foot vanishes; see the structure's own.
+
+    Unknown are the acceleration and the coordinates that are free in full contact. Their equations
+    are linear, but for small terms: Newton's method from standing.
+    """
+    m, p = structure.module, structure.vector
+    n = m.N_STATES // 2
+    contact = structure.contact(np.zeros(m.N_STATES))
+    free = [i for i in range(n) if i != m.ROTATION]
+    steps = np.array([1.0, *(1e-3 for _ in free)])
+
+    def lacking(unknown: np.ndarray, foot: int) -> np.ndarray:
+        y, rates, forces = np.zeros(2 * n), np.zeros(2 * n), np.zeros(len(m.REACTIONS))
+        y[free] = unknown[1:]
+        m.rates(contact, y, p, unknown[0], 0.0, rates)
+        m.reactions(contact, y, p, unknown[0], 0.0, forces)
+        return np.array([forces[foot], *rates[[n + i for i in free]]])
+
+    def lifts(foot: int) -> float:
+        unknown = np.zeros(1 + len(free))
+        for _ in range(50):
+            value = lacking(unknown, foot)
+            slopes = np.transpose(
+                [(lacking(unknown + h, foot) - value) / h.max() for h in np.diag(steps)]
+            )
+            kept = slopes.any(axis=1)  # a coordinate that is held has no equation, and stays
+            kept[0] = True
+            change = np.zeros_like(unknown)
+            try:
+                change[kept] = np.linalg.solve(slopes[np.ix_(kept, kept)], -value[kept])
+            except np.linalg.LinAlgError:
+                return math.inf  # all its mass is on the ground
+            unknown += change
+            if abs(change[0]) <= 1e-13 * abs(unknown[0]):
+                break
+        return abs(float(unknown[0]))
+
+    return min(lifts(m.REACTIONS.index(f"{foot}_reaction")) for foot in ("left", "right"))

@@ -17,6 +17,8 @@ import numpy as np
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw
 
+IMPACT, UPLIFT, SWITCH = range(3)  # kinds of guards, as in the generated modules
+
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
 
@@ -61,13 +63,13 @@ class Structure:
     def rocks_on_rigid_ground(self) -> bool:
         """Whether the edges of the base are pivots, and full contact is a phase of its own."""
         m = self.module
-        return "both" in m.CONTACTS and 1 in m.KINDS[m.CONTACTS.index("both")]
+        return "both" in m.CONTACTS and UPLIFT in m.KINDS[m.CONTACTS.index("both")]
 
     @functools.cached_property
     def has_impacts(self) -> bool:
         """Whether an impact ends any contact state."""
         m = self.module
-        return any(0 in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True))
+        return any(IMPACT in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True))
 
     @functools.cached_property
     def overturning_rotation(self) -> float:
@@ -116,7 +118,9 @@ class Structure:
                     f"the phase {phase!r} of {self.model} contradicts {name} = {rotation}, "
                     f"{name}_dot = {rate}: leave `phase` out, it follows from them"
                 )
-            if not self.rocks_on_rigid_ground and (self._margins(number, y) < -1.0).any():
+            asked = (SWITCH, IMPACT) if turned and not self.rocks_on_rigid_ground else (SWITCH,)
+            known = set(m.KINDS[number][: m.GUARDS[number]])
+            if known & set(asked) and self._margin(number, y, asked) < -1.0:
                 raise ValueError(
                     f"the phase {phase!r} of {self.model} contradicts {_named(m.STATES, y)}: it "
                     "would have ended before; leave `phase` out, it follows from the state"
@@ -124,18 +128,16 @@ class Structure:
             return number
         direction = rotation or rate
         if self.rocks_on_rigid_ground:
-            return m.CONTACTS.index(
-                "left" if direction < 0.0 else "right" if direction > 0.0 else "both"
-            )
-        direction = direction or towards
+            fits = [c for c, side in enumerate(m.SIDES) if np.sign(side) == np.sign(direction)]
+            if len(fits) == 1:
+                return fits[0]
+        else:
+            direction = direction or towards
+            fits = [c for c, side in enumerate(m.SIDES) if side * direction >= 0.0]
         leaning = y.copy()
         if rotation == 0.0:  # on the border of both sides: where it is about to go decides
             leaning[m.ROTATION] = math.copysign(1e-200, direction) if direction else 0.0
-        margins = {
-            number: self._margins(number, leaning).min(initial=math.inf)
-            for number, side in enumerate(m.SIDES)
-            if side * direction >= 0
-        }
+        margins = {c: self._margin(c, leaning, (SWITCH, IMPACT)) for c in fits}
         for least in (0.0, -1.0):  # as it is, or where a rounding error hides that it is
             for number, margin in margins.items():
                 if margin >= least:
@@ -146,27 +148,28 @@ class Structure:
             "correct the state"
         )
 
-    def _margins(self, contact: int, y: np.ndarray) -> np.ndarray:
-        """Guards of a contact state, each in the change it makes when y changes in its ninth digit.
+    def _margin(self, contact: int, y: np.ndarray, kinds: tuple[int, ...]) -> float:
+        """The lowest guard of these kinds, by how much it changes with the ninth digit of y.
 
-        None is below zero inside the contact state, and none below -1 within rounding of it.
+        It is not below zero inside the contact state, and not below -1 within rounding of it.
         """
-        m, count = self.module, self.module.GUARDS[contact]
+        m = self.module
+        asked = [i for i in range(m.GUARDS[contact]) if m.KINDS[contact][i] in kinds]
 
         def guards(state: np.ndarray) -> np.ndarray:
             g = np.zeros(m.N_GUARDS + m.N_PARTS)
             m.guards(contact, state, self.vector, 0.0, 0.0, g)
-            return g[:count]
+            return g[asked]
 
         here = guards(y)
         if (here >= 0.0).all():
-            return here
-        doubt = np.full(count, 1e-300)
+            return float(here.min(initial=math.inf))
+        doubt = np.full(len(asked), 1e-300)
         for i, value in enumerate(y):
             nudged = y.copy()
             nudged[i] = value * (1.0 + 1e-9)
             doubt += np.abs(guards(nudged) - here)
-        return here / doubt
+        return float((here / doubt).min())
 
     def accelerations(
         self,
@@ -258,6 +261,24 @@ class Structure:
         )  # fmt: skip
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
 
+    @functools.cached_property
+    def uplift_acceleration(self) -> float | None:
+        """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
+
+        The structure stands in equilibrium under it: a column has bent under an acceleration that
+        grew slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
+        none lifts it; None unless the structure stands on rigid ground.
+        """
+        if not self.rocks_on_rigid_ground:
+            return None
+        from rockeom.numeric.statics import uplift_acceleration
+
+        return uplift_acceleration(self)
+
+    def hints(self) -> tuple[str, ...]:
+        """What about the parameters is allowed and hardly meant, a sentence each."""
+        return ()
+
     def pushover(self, rotations) -> np.ndarray:
         """Horizontal force at the load point that holds the structure at each rotation [N].
 
@@ -346,6 +367,17 @@ def _structure_class(cls: type[S]) -> type[S]:
     return cls
 
 
+def _inertia_hints(mass: float, radius: float, inertia: float | None) -> tuple[str, ...]:
+    """Of a centroid at the middle of a rectangle and an inertia that no body within it has."""
+    most = mass * radius**2
+    if inertia is None or inertia <= most * (1 + 1e-12):
+        return ()
+    return (
+        f"inertia is {inertia:.4g} kg m2 about the centroid; a body of this size has at most "
+        f"m R**2 = {most:.4g} kg m2, with all its mass at the corners.",
+    )
+
+
 @_structure_class
 class RigidBlock(Structure):
     """Housner's rigid block on rigid ground, any size of rotation.
@@ -398,6 +430,9 @@ class RigidBlock(Structure):
         pivot_inertia = values["inertia"] + self.mass * self.radius**2
         return math.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
 
+    def hints(self) -> tuple[str, ...]:
+        return _inertia_hints(self.mass, self.radius, self.inertia)
+
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
         return {
@@ -433,6 +468,9 @@ class SlenderBlock(Structure):
         check_values("SlenderBlock", {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
         return cls(radius=0.75 * gravity / p**2, alpha=alpha, mass=mass, gravity=gravity)
 
+    def hints(self) -> tuple[str, ...]:
+        return _inertia_hints(self.mass, self.radius, self.inertia)
+
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
         return {
@@ -454,6 +492,14 @@ class NondimensionalBlock(Structure):
     model: ClassVar[str] = "nondimensional_block"
     alpha: float
     radius_ratio: float = 0.75
+
+    def hints(self) -> tuple[str, ...]:
+        if 0.5 <= self.radius_ratio <= 1:
+            return ()
+        return (
+            f"radius_ratio is {self.radius_ratio:.4g}; m R**2/I_o of a block lies between 1/2, all "
+            "its mass at the corners, and 1, all of it at the centroid.",
+        )
 
 
 @_structure_class
@@ -664,7 +710,7 @@ class _ControlledWall(Structure):
         beyond = self._yields(side, y)
         if "permanent_extension" not in values and beyond > 0.0:
             yielding = m.CONTACTS.index(f"{side}_yield")
-            if self._margins(yielding, y).min() < 0.0:
+            if self._margin(yielding, y, (SWITCH,)) < 0.0:
                 y[m.STATES.index("permanent_extension")] = beyond / self.tendon_stiffness
         return y
 

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
+from rockeom.numeric.response import MEASURABLE
 from rockeom.plots import style
 
 if TYPE_CHECKING:
@@ -86,8 +87,8 @@ def _lengths(ax: Axes, runs: Sequence[Response], name: str, label: str) -> None:
     factor, unit = style.length_scale(runs[0])
     for run, color in zip(runs, _colors(runs), strict=True):
         if name in run.names:
-            x = run[name] * factor
-            ax.plot(run.t, x, color=color, label=style.largest(x, unit))
+            size = style.largest(run, name, factor, unit)
+            ax.plot(run.t, run[name] * factor, color=color, label=size)
     ax.set_ylabel(f"{label} [{unit}]")
     style.legend_above(ax)
 
@@ -106,11 +107,15 @@ def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
     ax.set_yticks([])
     ax.grid(visible=False, axis="y")
     ax.set_ylabel("impacts")
-    counts = ", ".join(str(len(run.impacts)) for run in runs)
+    counts, faster = (
+        ", ".join(str(len(impacts)) for impacts in each)
+        for each in ([run.impacts for run in runs], [run.impacts_above() for run in runs])
+    )
     unit = style.rate_of(runs[0])[1]
     ax.set_title(
-        f"{counts} impacts, as high as the rate of rotation before them "
-        f"(up to {fastest:.3g} {unit}); grey: full contact",
+        f"{counts} impacts, {faster} of them faster than {MEASURABLE:g} {unit}\n"
+        f"as high as the rate of rotation before them (up to {fastest:.3g} {unit}); "
+        "grey: full contact",
         fontsize=8,
         loc="right",
         pad=3,

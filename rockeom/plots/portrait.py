@@ -27,12 +27,12 @@ def plot_phase_portrait(run: Response, *, ax: Axes | None = None) -> Figure:
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1
     for piece in np.split(np.column_stack([y, dy]), jumps):
-        ax.plot(*piece.T, color=style.LINES[0])
+        ax.plot(*piece.T, color=style.OTHERS[0])
     _, kinds, states = run.passages
     for before, after in states[kinds[:, 0] == 0]:
         ends = np.array([before, after])
-        ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.LINES[1], lw=0.9)
-    ax.plot(y[0], dy[0], "o", color=style.LINES[0], ms=4)
+        ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)
+    ax.plot(y[0], dy[0], "o", color=style.OTHERS[0], ms=4)
     ax.annotate("start", (y[0], dy[0]), xytext=(4, 4), textcoords="offset points", fontsize=8)
     name = run.states[p.ROTATION]
     ax.set_xlabel(f"{style.symbol(name)} [{p.STATE_UNITS[p.ROTATION]}]")

@@ -75,7 +75,7 @@ def _ground(ax: Axes, run: Response) -> None:
     ax.set_ylabel("ground\nacceleration [g]")
     if run.vertical is not None:
         vertical = run["vertical_ground_acceleration"] / scale
-        ax.plot(run.t, vertical, color=style.LINES[2], lw=0.7, label="vertical")
+        ax.plot(run.t, vertical, color=style.OTHERS[0], lw=0.7, label="vertical")
         style.legend_above(ax)
 
 
@@ -83,9 +83,8 @@ def _rotation(ax: Axes, run: Response) -> None:
     name = run.states[run.program.ROTATION]
     unit = run.program.STATE_UNITS[run.program.ROTATION]
     what, factor, unit = ("displacement", 1e3, "mm") if unit == "m" else ("rotation", 1.0, unit)
-    theta = run[name] * factor
-    shown = style.symbol(name)
-    ax.plot(run.t, theta, color=style.LINES[0], label=f"{shown}, {style.largest(theta, unit)}")
+    shown, size = style.symbol(name), style.largest(run, name, factor, unit)
+    ax.plot(run.t, run[name] * factor, color=style.OTHERS[0], label=f"{shown}, {size}")
     ax.set_ylabel(f"{what} {shown}\n[{unit}]")
     style.legend_above(ax)
     alpha = getattr(run.structure, "alpha", None)
@@ -98,27 +97,28 @@ def _rotation(ax: Axes, run: Response) -> None:
 def _displacement(ax: Axes, run: Response) -> None:
     """The load point, and every coordinate that is a length."""
     factor, unit = style.length_scale(run)
-    x = run["displacement"] * factor
-    ax.plot(run.t, x, color=style.LINES[0], label=f"load point, {style.largest(x, unit)}")
+    size = style.largest(run, "displacement", factor, unit)
+    ax.plot(run.t, run["displacement"] * factor, color=style.OTHERS[0], label=f"load point, {size}")
     n = len(run.states) // 2
     lengths = [
         name
         for i, (name, of) in enumerate(zip(run.states[:n], run.program.STATE_UNITS, strict=False))
         if of == "m" and i != run.program.ROTATION
     ]
-    for name, color in zip(lengths, style.LINES[1:] * len(lengths), strict=False):
-        q = run[name] * factor
+    for name, color in zip(lengths, style.OTHERS[1:] * len(lengths), strict=False):
         shown = style.symbol(name) if len(name) < 4 else name
-        ax.plot(run.t, q, color=color, lw=0.8, label=f"{shown}, {style.largest(q, unit)}")
+        label = f"{shown}, {style.largest(run, name, factor, unit)}"
+        ax.plot(run.t, run[name] * factor, color=color, lw=0.8, label=label)
     ax.set_ylabel(f"displacement\n[{unit}]")
     style.legend_above(ax)
 
 
 def _uplift(ax: Axes, run: Response) -> None:
     factor, unit = style.length_scale(run)
-    for foot, color in (("left", style.LINES[1]), ("right", style.LINES[0])):
-        gap = run[f"{foot}_uplift"] * factor
-        ax.plot(run.t, gap, color=color, label=f"{foot} foot, {style.largest(gap, unit)}")
+    for foot, color in style.FEET.items():
+        name = f"{foot}_uplift"
+        label = f"{foot} foot, {style.largest(run, name, factor, unit)}"
+        ax.plot(run.t, run[name] * factor, color=color, label=label)
     ax.set_ylabel(f"uplift of feet\n[{unit}]")
     style.legend_above(ax)
 
@@ -126,7 +126,7 @@ def _uplift(ax: Axes, run: Response) -> None:
 def _impacts(ax: Axes, run: Response) -> None:
     times, speeds = style.impact_speeds(run)
     ax.vlines(times, 0.0, speeds, color=style.INK, lw=0.9)
-    ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=f"{len(times)} impacts")
+    ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts_in_words())
     ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
     rate, unit = style.rate_of(run)
     ax.set_ylabel(f"impact speed\n$|{rate}|$ [{unit}]")

@@ -21,8 +21,12 @@ if TYPE_CHECKING:
 
 INK = "0.25"
 LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito (2008)
+FEET = {"left": LINES[0], "right": LINES[1]}
+"""Colour of each foot; what is of no foot has another one in figures of a single response."""
+OTHERS = LINES[2:]
+"""Colours of lines that belong to no foot."""
 PHASES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
-"""Colour of each contact phase, named by the feet on the ground."""
+"""Colour of each contact phase, named by the feet on the ground: light shades of those of FEET."""
 PHASE_MEANINGS = {
     "left": "on the left foot",
     "right": "on the right foot",
@@ -136,9 +140,10 @@ def rate_of(run: Response) -> tuple[str, str]:
     return rf"\dot{{{name}}}", "-" if is_dimensionless(run) else p.STATE_UNITS[p.ROTATION_RATE]
 
 
-def largest(values: np.ndarray, unit: str) -> str:
-    """The largest size of (n,) values, in words."""
-    return f"largest {np.abs(values).max():.3g}{'' if unit == '-' else f' {unit}'}"
+def largest(run: Response, name: str, factor: float, unit: str) -> str:
+    """The largest size of a quantity, found within the steps and times a factor, in words."""
+    size = abs(run.extremes(name).peak) * factor
+    return f"largest {size:.3g}{'' if unit == '-' else f' {unit}'}"
 
 
 def wrapped(text: str, width: int = 105) -> str:

@@ -51,6 +51,18 @@ def _jacobian(phase: Phase, index: int) -> sp.Matrix:
     return sp.Matrix(3, len(phase.coordinates), lambda i, j: sp.diff(place[i], q[j]))
 
 
+def momentum(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
+    """(horizontal, vertical) momentum of all bodies, relative to the ground.
+
+    What it gains over a change of contact is the impulse of the ground on both feet together.
+    """
+    total = [sp.Integer(0), sp.Integer(0)]
+    for body in phase.bodies:
+        for i, v in enumerate(body_velocity(body, phase.coordinates)[:2]):
+            total[i] += body.mass * v
+    return tidy(total[0]), tidy(total[1])
+
+
 def derive_impulse_map(model: RockingModel, source: str, target: str) -> ImpulseMap:
     """The map from contact state `source` to `target` at the closed gap, theta = 0."""
     before, after = model.phase(source), model.phase(target)

@@ -610,7 +610,7 @@ def figure_4_71() -> Figure:
         return rk.Case(wall, record)
 
     found = rk.simulate_many(shaken, over={"r": ratios})
-    peaks = found.largest.sel(state="u").values
+    peaks = found.peak.sel(state="u").values
     reference = peaks[len(ratios) // 2]
     figure = style.new_figure(7.6, 3.4)
     left, right = figure.subplots(1, 2)

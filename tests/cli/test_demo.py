@@ -1,8 +1,10 @@
 """The main job: the steel column under El Centro, flexible beside rigid."""
 
 import csv
+from pathlib import Path
 
 import pytest
+from PIL import Image
 
 import rockeom as rk
 from rockeom import demo
@@ -29,6 +31,11 @@ def test_picture_summary_and_tables(tmp_path, capsys):
         "vertical reaction",
     ):
         assert word in text
+    # the picture of the README is what this draws: docs/pictures.py draws it anew
+    kept = Path(__file__).resolve().parents[2] / "docs" / "images" / "el_centro.png"
+    with Image.open(folder / "el_centro.png") as drawn, Image.open(kept) as shown:
+        assert "of them faster than" in drawn.text["Description"]
+        assert shown.text["Description"] == drawn.text["Description"]
     tables = sorted(folder.glob("*.csv"))
     assert len(tables) == 3
     for table in tables:

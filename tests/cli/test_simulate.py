@@ -44,7 +44,7 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
     )
     for line in run.summary().split("\n"):
         assert line in said
-    assert f"right foot {1e3 * run['right_uplift'].max():.4g} mm" in said
+    assert f"right foot {1e3 * run.extremes('right_uplift').maximum:.4g} mm" in said
     folder = tmp_path / "new" / "out"
     assert {p.name for p in folder.iterdir()} == {"response.csv", "response.png", "summary.json"}
     assert (folder / "response.png").read_bytes().startswith(b"\x89PNG")
@@ -71,6 +71,11 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
     assert summary["impacts"] == len(run.impacts)
     assert summary["peaks"]["theta"] == {"value": -0.1, "time": 0.0, "unit": "rad"}
     assert summary["friction_demand"] == run.friction_demand
+    assert summary["impact_friction_demand"] == run.impact_friction_demand
+    assert summary["impacts_above"] == {"rate": 1e-3, "number": len(run.impacts_above())}
+    assert summary["uplift_acceleration"] == block.uplift_acceleration
+    assert summary["assumptions"] == run.assumptions()
+    assert (summary["never_lifted"], summary["hints"]) == (False, [])
 
 
 def test_npz_holds_the_same_and_needs_no_pickle(tmp_path):

@@ -60,8 +60,8 @@ def test_same_as_simulate(reference):
             assert found.final.values.tolist() == [*run.final.values()]
             # samples a millisecond apart pass beside the turning points
             rotation = found.sel(state="theta")
-            assert 0 <= rotation.largest.item() - run["theta"].max() < 1e-6
-            assert 0 <= run["theta"].min() - rotation.smallest.item() < 1e-6
+            assert 0 <= rotation.maximum.item() - run["theta"].max() < 1e-6
+            assert 0 <= run["theta"].min() - rotation.minimum.item() < 1e-6
 
 
 @settings(max_examples=20, deadline=None)
@@ -88,7 +88,7 @@ def test_labels_and_what_is_kept(reference):
     # below the threshold nothing moves
     still = reference.sel(amplitude=0.8)
     assert set(still.outcome.values.tolist()) == {"came to rest"}
-    assert not still.largest.any()
+    assert not still.peak.any()
     assert not still.impacts.any()
     # impact times rise, and are as many as the impacts
     times = reference.impact_time.values
@@ -112,7 +112,7 @@ def test_things_and_words_label_cases():
     )
     assert result.motion.values.tolist() == [0, 1]
     assert result.side.values.tolist() == phases
-    theta = result.smallest.sel(state="theta")
+    theta = result.minimum.sel(state="theta")
     assert theta.sel(motion=0, side="left") == -0.1
     assert theta.sel(motion=1, side="right") < -0.01
 
@@ -158,11 +158,11 @@ def test_interrupt_keeps_what_was_done(reference, threads):
     # all that was made in whole chunks, from the first on, and to the last bit
     assert ran.values.ravel()[:n].all()
     assert n >= 36
-    for name in ("outcome", "final_time", "impacts", "largest", "final", "impact_time"):
+    for name in ("outcome", "final_time", "impacts", "maximum", "final", "impact_time"):
         done, whole = result[name].values[ran.values], reference[name].values[ran.values]
         np.testing.assert_array_equal(done, whole)
     # nothing is said of the others
-    for name in ("final_time", "smallest", "largest", "final", "impact_time"):
+    for name in ("final_time", "minimum", "maximum", "final", "impact_time"):
         assert np.isnan(result[name].values[~ran.values]).all()
     assert set(result.final_phase.values[~ran.values].tolist()) == {""}
 
@@ -342,7 +342,9 @@ def test_histories_and_peaks_of_named_quantities():
         row = result.isel(dict(zip(OVER, place, strict=True)))
         for name in asked:
             of = row.sel(quantity=name)
-            assert float(of.largest_quantity) == run[name].max()
+            assert float(of.maximum_quantity) == run.extremes(name).maximum
+            assert float(of.minimum_quantity) == run.extremes(name).minimum
+            assert float(of.peak_quantity) == abs(run.extremes(name).peak)
             within = times[times <= run.t[-1]]
             np.testing.assert_array_equal(
                 of.history[: len(within)], run.at(within, names=asked)[name]
@@ -351,6 +353,47 @@ def test_histories_and_peaks_of_named_quantities():
                 of.history[: len(within)], np.interp(within, run.t, run[name]), atol=1e-4
             )
             assert np.isnan(of.history[len(within) :]).all()
+
+
+def test_peak_is_the_size_of_the_motion_to_either_side(reference):
+    """What falls to the left has passed pi/2 there, and no signed extreme hides it."""
+    lies = np.isclose(reference.peak.sel(state="theta"), np.pi / 2, rtol=1e-9)
+    fell = reference.outcome.values == "overturned"
+    assert fell[lies].all()
+    to_the_left = np.isclose(reference.minimum.sel(state="theta"), -np.pi / 2)
+    assert to_the_left.any()
+    assert lies[to_the_left].all()
+    both = np.maximum(reference.maximum, -reference.minimum)
+    np.testing.assert_array_equal(reference.peak, both)
+
+
+# Fails: the extremes of rates are those of the ends of steps.
+def test_extremes_of_all_states_are_those_within_the_steps():
+    """The loop's own bounds against a search of the recorded steps; rates too."""
+    found = many(quantities=["theta", "theta_dot"])
+    for name in ("peak", "maximum", "minimum"):
+        searched = found[f"{name}_quantity"]
+        np.testing.assert_allclose(found[name], searched.values, rtol=1e-11, atol=1e-13)
+
+
+@pytest.mark.parametrize("old", ["largest", "smallest", "largest_quantity", "smallest_quantity"])
+def test_former_names_say_what_they_are_called_now(old, reference):
+    new = old.replace("largest", "maximum").replace("smallest", "minimum")
+    peak = old.replace("largest", "peak").replace("smallest", "peak")
+    for dataset in (
+        reference, reference.sel(amplitude=0.8), reference.isel(frequency=0).assign_attrs(a=1)
+    ):  # fmt: skip
+        with pytest.raises(AttributeError, match=f"'{new}'.*'{peak}'"):
+            getattr(dataset, old)
+        with pytest.raises(KeyError, match=f"'{new}'.*'{peak}'"):
+            dataset[old]
+        with pytest.raises(KeyError, match=f"'{new}'.*'{peak}'"):
+            dataset[["outcome", old]]
+        assert old not in dataset
+    # a user's own variable may have the name
+    assert reference.assign({old: reference.peak})[old].identical(reference.peak.rename(old))
+    with pytest.raises(AttributeError, match="nothing"):
+        reference.nothing  # noqa: B018
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,7 @@ def assert_same(lanes, scalar, apart, final=1.0):
         np.testing.assert_array_equal(lanes[name], scalar[name])
     np.testing.assert_allclose(lanes.impact_time, scalar.impact_time, rtol=0, atol=apart)
     np.testing.assert_allclose(lanes.final_time, scalar.final_time, rtol=0, atol=apart)
-    for name in ("smallest", "largest", "final"):
+    for name in ("minimum", "maximum", "final"):
         size = np.abs(scalar[name]).max()
         np.testing.assert_allclose(lanes[name], scalar[name], rtol=0, atol=final * apart * size)
 
@@ -152,7 +152,7 @@ def test_flexible_structures(impact):
     np.testing.assert_allclose(
         lanes.impact_time[..., :15], scalar.impact_time[..., :15], rtol=0, atol=1e-9
     )
-    np.testing.assert_allclose(lanes.largest[..., :2], scalar.largest[..., :2], rtol=1e-6)
+    np.testing.assert_allclose(lanes.maximum, scalar.maximum, rtol=1e-6)
 
 
 def test_every_argument_of_a_case():
@@ -245,7 +245,7 @@ def test_order_and_neighbours_change_no_bit(blocks):
                 {"place": range(5)},
             )
             alone = blocks.sel(height=height, alpha=alpha)
-            for name in ("outcome", "impacts", "final_time", "largest", "smallest", "final"):
+            for name in ("outcome", "impacts", "final_time", "maximum", "minimum", "final"):
                 np.testing.assert_array_equal(mixed[name][2], alone[name])
             np.testing.assert_array_equal(mixed.impact_time[2], alone.impact_time)
 
@@ -269,8 +269,8 @@ def test_mirror_changes_no_bit(make):
     assert (right.impacts > 10).any()
     for name in ("outcome", "impacts", "final_time", "impact_time"):
         np.testing.assert_array_equal(right[name], left[name])
-    np.testing.assert_array_equal(right.largest, -left.smallest)
-    np.testing.assert_array_equal(right.smallest, -left.largest)
+    np.testing.assert_array_equal(right.maximum, -left.minimum)
+    np.testing.assert_array_equal(right.minimum, -left.maximum)
     np.testing.assert_array_equal(right.final, -left.final)
 
 

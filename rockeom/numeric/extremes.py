@@ -1,0 +1,166 @@
+"""Extremes of what follows from a motion, found within its steps and not among its samples.
+
+In a step the states are polynomials of time and the ground follows one law, so that every quantity
+is smooth there. It is looked at in places close to one another; where the second difference
+between them leaves room for more than the best of them, the extreme is enclosed and narrowed down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from rockeom.numeric.response import Steps
+
+Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+"""(n, m) values of m quantities at times (n,), states (n, N) and contact states (n,)."""
+
+PARTS = 8  # of a step
+CHUNK = 1024  # steps looked at together, so that memory is bounded
+GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
+NARROWINGS = 36  # 0.25 * GOLDEN**36 of a step is 8e-9: of the value its square is lost
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The least and the greatest value of a quantity in a motion, and their times [s]."""
+
+    minimum: float
+    maximum: float
+    minimum_time: float
+    maximum_time: float
+
+    @property
+    def peak(self) -> float:
+        """The value of largest size, with its sign."""
+        return self.minimum if -self.minimum > self.maximum else self.maximum
+
+    @property
+    def peak_time(self) -> float:
+        return self.minimum_time if -self.minimum > self.maximum else self.maximum_time
+
+
+class Search:
+    """What is evaluated where: the steps of a motion, up to the time `end` [s]."""
+
+    def __init__(self, steps: Steps, evaluate: Evaluate, end: float = np.inf) -> None:
+        start, length = steps.span.T
+        self.steps, self.evaluate = steps, evaluate
+        self.number = max(int(np.searchsorted(start, end, side="right")), 1)
+        self.width = np.clip((end - start) / length, 0.0, 1.0)
+        # the end of a step is still of its own law of the ground, which may jump there
+        ends = np.append(np.minimum(start[:-1] + length[:-1], start[1:]), start[-1] + length[-1])
+        self.last = np.maximum(np.nextafter(ends, -np.inf), start)
+
+    def at(self, index: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(times (n,), values (n, m)) at places x in [0, 1] of the steps `index`, which rise."""
+        start, length = self.steps.span[index].T
+        t = np.minimum(start + x * length, self.last[index])
+        values = self.evaluate(t, self.steps.states(index, x), self.steps.contact[index])
+        return t, values
+
+    def grid(self, first: int, last: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(places, times (n, PARTS + 1), values (n, PARTS + 1, m)) of the steps of a range."""
+        index = np.repeat(np.arange(first, last), PARTS + 1)
+        x = np.multiply.outer(self.width[first:last], np.linspace(0.0, 1.0, PARTS + 1))
+        t, values = self.at(index, x.ravel())
+        return x, t.reshape(x.shape), values.reshape(*x.shape, -1)
+
+    def narrowed(
+        self, index: np.ndarray, low: np.ndarray, high: np.ndarray, column: np.ndarray, sign
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """(times, values of sign * quantity) (n,) of the maxima between low and high.
+
+        By golden sections, all at once.
+        """
+
+        def of(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            t, values = self.at(index, x)
+            return t, sign * values[np.arange(len(x)), column]
+
+        inner, outer = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        f_inner, f_outer = of(inner)[1], of(outer)[1]
+        for _ in range(NARROWINGS):
+            left = f_inner > f_outer
+            high, low = np.where(left, outer, high), np.where(left, low, inner)
+            x = np.where(left, high - GOLDEN * (high - low), low + GOLDEN * (high - low))
+            f = of(x)[1]
+            inner, outer = np.where(left, x, outer), np.where(left, inner, x)
+            f_inner, f_outer = np.where(left, f, f_outer), np.where(left, f_inner, f)
+        return of(np.where(f_inner > f_outer, inner, outer))
+
+
+def extremes(steps: Steps, evaluate: Evaluate, end: float = np.inf) -> list[Extremes]:
+    """The extremes of each quantity over the steps up to the time `end` [s]."""
+    search = Search(steps, evaluate, end)
+    best: np.ndarray | None = None  # (2, m) of -values and values
+    when = np.empty(0)
+    signs = np.array([-1.0, 1.0])
+    found: list[tuple[np.ndarray, ...]] = []
+    for first in range(0, search.number, CHUNK):
+        last = min(first + CHUNK, search.number)
+        x, t, values = search.grid(first, last)
+        f = signs[:, None, None, None] * values  # (2, steps, places, m)
+        f[np.isnan(f)] = -np.inf
+        flat = f.reshape(2, -1, f.shape[-1])
+        place = flat.argmax(axis=1)
+        most = np.take_along_axis(flat, place[:, None], axis=1)[:, 0]
+        if best is None:
+            best, when = np.full(most.shape, -np.inf), np.full(most.shape, np.nan)
+        when = np.where(most > best, t.ravel()[place], when)
+        best = np.maximum(best, most)
+        found.append(_candidates(f, x, best, first))
+    assert best is not None
+    index, low, high, side, column, bound = (np.concatenate(a) for a in zip(*found, strict=True))
+    worth = bound > best[side, column]
+    index, low, high, side, column = (a[worth] for a in (index, low, high, side, column))
+    if len(index):
+        t, value = search.narrowed(index, low, high, column, signs[side])
+        for i in np.flatnonzero(value > best[side, column]):
+            if value[i] > best[side[i], column[i]]:
+                best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]
+    return [
+        Extremes(float(-best[0, i]), float(best[1, i]), float(when[0, i]), float(when[1, i]))
+        for i in range(best.shape[1])
+    ]
+
+
+def _candidates(
+    f: np.ndarray, x: np.ndarray, best: np.ndarray, first: int
+) -> tuple[np.ndarray, ...]:
+    """Steps, brackets, signs and columns of the local maxima that may exceed the best place."""
+    with np.errstate(invalid="ignore"):
+        bend = np.abs(f[:, :, 2:] - 2.0 * f[:, :, 1:-1] + f[:, :, :-2]).max(axis=2)
+    # between equal places a parabola rises by an eighth of the second difference: eight times that
+    bound = f + bend[:, :, None]
+    crest = np.ones(f.shape, dtype=bool)
+    crest[:, :, 1:] &= f[:, :, 1:] >= f[:, :, :-1]
+    crest[:, :, :-1] &= f[:, :, :-1] >= f[:, :, 1:]
+    rounding = 1e-14 * np.where(np.isfinite(best), np.abs(best), 0.0)
+    side, step, place, column = np.nonzero(crest & (bound > (best + rounding)[:, None, None]))
+    low = x[step, np.maximum(place - 1, 0)]
+    high = x[step, np.minimum(place + 1, PARTS)]
+    order = np.argsort(step, kind="stable")
+    return tuple(
+        a[order] for a in (step + first, low, high, side, column, bound[side, step, place, column])
+    )
+
+
+def last_crest(steps: Steps, evaluate: Evaluate) -> float:
+    """The last time [s] up to which a quantity rises; the start if it never does."""
+    search = Search(steps, evaluate)
+    for last in range(search.number, 0, -CHUNK):
+        first = max(last - CHUNK, 0)
+        x, _, values = search.grid(first, last)
+        step, place = np.nonzero(np.diff(values[:, :, 0], axis=1) > 0)
+        if len(step):
+            i, k = step[-1], place[-1]
+            column = np.zeros(1, dtype=int)
+            low, high = x[i, k : k + 1], x[i, min(k + 2, PARTS)][None]
+            t, _ = search.narrowed(np.array([first + i]), low, high, column, 1.0)
+            return float(t[0])
+    return float(steps.span[0, 0])
