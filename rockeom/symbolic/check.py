@@ -606,29 +606,33 @@ def _energies_are_even(model: RockingModel, sample: _Sample) -> None:
 
 
 def check_values(model: RockingModel, values: Mapping[str, float]) -> None:
-    """Masses must not be negative, and the left foot stands on the left."""
-    put = {p.symbol: float(values[p.name]) for p in model.parameters}
-    for item, value, said in _sizes(model):
-        found = sp.sympify(value).xreplace(model.constants).xreplace(put)
-        if found.is_number and float(found) < 0:
-            given = ", ".join(
-                f"{p.name} = {values[p.name]}"
-                for p in model.parameters
-                if p.symbol in sp.sympify(value).free_symbols
-            )
-            _fail(model, f"{item} is {float(found):g} with {given}: {said}")
+    """Masses must not be negative, and the left foot stands to the left of the right one."""
+    put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
+    for item, size, said in _sizes(model):
+        found = size.xreplace(model.constants).xreplace(put)
+        if not found.is_number or found > 0 or (found == 0 and said == _MASS):
+            continue
+        given = ", ".join(
+            f"{p.name} = {values[p.name]}"
+            for p in model.parameters
+            if p.symbol in size.xreplace(model.constants).free_symbols
+        )
+        _fail(model, f"{item} is {float(found):g} with {given}: {said}")
 
 
-def _sizes(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
+_MASS, _WIDTH = "it must not be negative", "the left foot must stand to the left of the right one"
+
+
+def _sizes(model: RockingModel) -> Iterator[tuple[str, sp.Expr, str]]:
     upright = {c.position: 0 for c in model.coordinates}
     for phase in model.phases:
         for b in phase.bodies:
-            yield f"the mass of body {b.name!r}", b.mass, "it must not be negative"
-            yield f"the moment of inertia of body {b.name!r}", b.inertia, "it must not be negative"
+            yield f"the mass of body {b.name!r}", sp.sympify(b.mass), _MASS
+            yield f"the moment of inertia of body {b.name!r}", sp.sympify(b.inertia), _MASS
         if phase.feet:
             left, right = (sp.sympify(phase.feet[f].position[0]) for f in ("left", "right"))
             width = model.in_contact((right - left).subs(upright), _contact_of(phase))
-            yield "the distance of the feet", width, "the right foot must stand on the right"
+            yield "the distance of the feet", width, _WIDTH
 
 
 # --- a structure that rocks about the edges of its base
