@@ -169,9 +169,7 @@ class _Module:
     def unpack(self, exprs: Iterable[sp.Expr], indent: str, states: bool) -> list[str]:
         """Read the states (of y) and parameters (of p) that occur, in the order of the tables."""
         used = {str(x) for e in exprs for x in sp.sympify(e).free_symbols}
-        lines = [
-            f"{indent}{n} = y[{i}]" for i, n in enumerate(self.states) if states and n in used
-        ]
+        lines = [f"{indent}{n} = y[{i}]" for i, n in enumerate(self.states) if states and n in used]
         lines += [f"{indent}{n} = p[{i}]" for i, n in enumerate(self.parameters) if n in used]
         first = len(self.parameters)
         for i, (value, c) in enumerate(self.constants.items()):
@@ -488,8 +486,7 @@ class _Module:
         return self.model.has_impacts and self.model.rigid_velocity_ratio is None
 
     def impulses(self) -> None:
-        """A function for each impact map; impacts whose maps differ in their side alone share one.
-        """
+        """A function for each impact map; those that differ in the side alone share one."""
         if not self.impulsive:
             return
         for t in self.model.transitions:

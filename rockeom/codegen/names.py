@@ -12,19 +12,20 @@ import keyword
 import re
 import unicodedata
 
-_WORDS = frozenset(
-    # what the generated text uses of Python and its libraries
-    "abs float max min njit np math range __debug__"
-    # its functions
-    " accelerations energies guards jump kinematics opening_acceleration overturning prepare rates"
-    " reactions sine_cosine statics velocity_ratio _compiled _inlined"
-    # their arguments and what they share
-    " contact s y p ax ay dy g i out law ratio guard load found value parameters total_gravity"
-    # the tables
-    " CLOSED CONTACTS ENERGIES GUARDS HAS_IMPULSIVE IMPULSIVE KINDS KINEMATICS NAME N_GUARDS"
-    " N_PARTS N_STATES OPTIONS PARAMETERS PARAMETER_MEANINGS PARAMETER_UNITS PARTS RATIO REACTIONS"
-    " ROTATION ROTATION_RATE ROUNDER SIDES SOURCE_HASH STATES STATE_UNITS TARGETS TRANSITIONS".split()
-)
+_PROGRAM = """
+abs float max min njit np math range __debug__
+
+accelerations energies guards jump kinematics opening_acceleration overturning prepare rates
+reactions sine_cosine statics velocity_ratio _compiled _inlined
+
+contact s y p ax ay dy g i out law ratio guard load found value parameters total_gravity
+
+CLOSED CONTACTS ENERGIES GUARDS HAS_IMPULSIVE IMPULSIVE KINDS KINEMATICS NAME N_GUARDS N_PARTS
+N_STATES OPTIONS PARAMETERS PARAMETER_MEANINGS PARAMETER_UNITS PARTS RATIO REACTIONS ROTATION
+ROTATION_RATE ROUNDER SIDES SOURCE_HASH STATES STATE_UNITS TARGETS TRANSITIONS
+"""
+"""What the text uses of Python and its libraries, its functions, their arguments, its tables."""
+_WORDS = frozenset(_PROGRAM.split())
 
 _PATTERNS = re.compile(
     r"[xcfr]\d+|[ml]\d\d+|share_\d+(_\d+)?|angle_\d+"  # intermediate results

@@ -35,9 +35,7 @@ def assign(name: str, code: str, indent: str) -> list[str]:
     return [f"{indent}{name} = (", *(inner + part for part in parts), f"{indent})"]
 
 
-def statements(
-    targets: Mapping[str, sp.Expr], indent: str
-) -> tuple[list[str], int, int]:
+def statements(targets: Mapping[str, sp.Expr], indent: str) -> tuple[list[str], int, int]:
     """Assignments to the targets, shared parts first: (lines, operations before, after)."""
     names, exprs = list(targets), [sp.sympify(e) for e in targets.values()]
     before = sum(int(sp.count_ops(e)) for e in exprs)

@@ -976,7 +976,8 @@ def structure(model: Any, /, **parameters: float) -> Structure:
     if "gravity" in names:
         parameters.setdefault("gravity", STANDARD_GRAVITY)
     check_names(model.name, names, names, set(parameters))
-    for name, value in parameters.items():
+    given: dict[str, Any] = parameters
+    for name, value in given.items():
         if isinstance(value, bool) or not isinstance(value, Real):
             raise ValueError(f"{model.name}: {name} is {value!r}: give a number in SI units")
     signed = frozenset(p.name for p in model.parameters if not p.symbol.is_nonnegative)

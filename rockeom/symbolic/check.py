@@ -22,11 +22,12 @@ if TYPE_CHECKING:
 
 KINDS = ("impact", "uplift", "switch")
 
-RESPONSE = frozenset(
-    "t phase kinetic_energy gravitational_energy elastic_energy total_energy"
-    " ground_acceleration vertical_ground_acceleration"
-    " horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift".split()
-)
+_OUTPUTS = """
+t phase kinetic_energy gravitational_energy elastic_energy total_energy
+ground_acceleration vertical_ground_acceleration
+horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift
+"""
+RESPONSE = frozenset(_OUTPUTS.split())
 """What a response calls by name besides the states."""
 
 # --- a model, when it is made
@@ -368,7 +369,9 @@ def _pairs(model: RockingModel) -> None:
     by_ends = {(t.source, t.target): t for t in switches}
     for (source, target), t in by_ends.items():
         back = by_ends.get((target, source))
-        if back is None or places[source] > places[target] or t.guard.is_negative:
+        if back is None or places[source] > places[target]:
+            continue
+        if sp.sympify(t.guard).is_negative:  # it is passed at once, and meant to be
             continue
         mine, other = (set(_parts(model, x)) for x in (t, back))
         if mine & other:
@@ -453,7 +456,10 @@ class _Sample:
             self.values[x] = rng.uniform(-1, 1, _SAMPLES)
 
     def __call__(
-        self, contact: str, expressions: Iterable[sp.Expr], put: Mapping[sp.Symbol, Any] | None = None
+        self,
+        contact: str,
+        expressions: Iterable[sp.Expr],
+        put: Mapping[sp.Symbol, Any] | None = None,
     ) -> np.ndarray:
         """Values (k, n) in a contact state, those of some symbols changed."""
         from rockeom.symbolic.evaluate import array_function

@@ -586,9 +586,9 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
         uplifts += [Transition(f"both{suffix}", f"{side}{suffix}", "uplift") for side in SIDES]
     rests = {}  # the full contact to which an impact may lead: no tendon goes on yielding in it
     for states in product((ELASTIC, SLACK, YIELDING), repeat=len(cables)):
-        standing = tuple(ELASTIC if state == YIELDING else state for state in states)
+        kept = tuple(ELASTIC if state == YIELDING else state for state in states)
         for side in SIDES:
-            rests[f"{side}{_suffix(cables, states)}"] = f"both{_suffix(cables, standing)}"
+            rests[f"{side}{_suffix(cables, states)}"] = f"both{_suffix(cables, kept)}"
     rocking = (
         replace(t, fallback=rests[t.source]) if t.kind == "impact" else t for t in model.transitions
     )

@@ -207,7 +207,6 @@ def test_given_names_are_different_and_none_is_the_program_s(words):
     assert not any(map(is_own, given_names))
 
 
-
 def bound_by(text: str) -> set[str]:
     """Names that a text defines for the whole of the program."""
     found: set[str] = set()
@@ -240,6 +239,8 @@ def test_contact_states_of_any_name():
     nasty = ("rest", "Impact", "states", "ratio", "EPS", "lambda")
     names = dict(zip(model.contacts, nasty, strict=True))
     module, usual_module = uncompiled(with_contacts(model, names)), uncompiled(model)
+    for table in ("STATES", "NAME", "PARAMETERS", "RATIO", "IMPULSIVE"):
+        assert getattr(module, table) == getattr(usual_module, table)
     parameters = np.array([0.2, 0.8, 0.01])
     for y in np.array([[0.02, 1.0], [0.7, -1.0], [-0.1, 0.0]]):
         for contact, name in names.items():
@@ -267,3 +268,30 @@ def test_keywords_are_parameters_like_any_other():
     assert frame.parameters() == values
     with pytest.raises(TypeError, match="did you mean lambda"):
         rk.structure(model, **(values | {"lamda": 1.0}))
+
+
+def test_a_simulation_with_ugly_names_is_the_same():
+    """Compiled, joined to the loop, and through impacts and full contact."""
+    names = {"damping_1": "c1", "damping_2": "c2", "stiffness_1": "s", "stiffness_2": "x0"}
+    names |= {"mass_1": "p", "mass_2": "y", "height_1": "load", "height_2": "theta_ddot"}
+    names |= {"base_mass": "lambda", "half_width": "RIGHT", "u1": "c0", "u2": "out"}
+    runs = []
+    for model, called in ((MODEL, {}), (renamed(MODEL, names), names)):
+        values = {called.get(k, k): v for k, v in VALUES.items()}
+        runs.append(
+            rk.simulate(
+                rk.structure(model, **values),
+                rk.GroundMotion.single_sine(4.0, 0.6, duration=2.0),
+                impact=rk.Impulsive(),
+            )
+        )
+    usual_run, run = runs
+    assert len(usual_run.impacts) > 2
+    assert [e.kind for e in run.events] == [e.kind for e in usual_run.events]
+    times = np.linspace(0.0, 2.0, 201)
+    found, expected = run.at(times), usual_run.at(times)
+    for name in (*COORDINATES, *(f"{c}_dot" for c in COORDINATES)):
+        coordinate, dot, _ = name.partition("_dot")
+        other = names.get(coordinate, coordinate) + dot
+        size = np.abs(expected[name]).max()
+        np.testing.assert_allclose(found[other], expected[name], rtol=0, atol=1e-12 * size)
