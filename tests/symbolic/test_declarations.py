@@ -186,6 +186,10 @@ def without_symbol(p: Parameter, position: int) -> tuple[Parameter, ...]:
 WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     # impacts
     "unequal feet": (lambda: on_feet(b, STRANGE), ("block", "ratio", "'left' -> 'right'", "feet")),
+    "a mass off the middle": (
+        lambda: tower(bodies=lambda pivot: [ECCENTRIC(pivot), bodies(pivot)[1]]),
+        ("tower", "ratio", "'left' -> 'right'", "not equally far"),
+    ),
     "flight to a foot": (flight, ("'flight' -> 'right'", "impact", "spring")),
     "a gap that is not the rotation": (
         lambda: right(guard=theta - u),
@@ -492,6 +496,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a mass of NaN": (lambda: Body("top", float("nan"), (0, h)), ("'top'", "mass", "finite")),
 }
 EXTRA = coordinate("w", "w", "m", "another deformation")
+ECCENTRIC = lambda pivot: Body("top", m, turned((u + h / 7, h), pivot, theta))  # noqa: E731
 SLIP = coordinate("s", "slip", "m", "way of the feet")
 
 
