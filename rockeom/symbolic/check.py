@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 import sympy as sp
 from sympy.core.function import AppliedUndef
+from sympy.printing.pycode import pycode
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
@@ -35,6 +36,11 @@ RESPONSE = frozenset(_OUTPUTS.split())
 
 def check(model: RockingModel) -> None:
     """Names, symbols and references of a declaration."""
+    ratio = model.rigid_velocity_ratio
+    valid.expressions(
+        str(model.name), overturning=model.overturning,
+        rigid_velocity_ratio=1 if ratio is None else ratio,
+    )  # fmt: skip
     _names(model)
     _symbols(model)
     _phases(model)
@@ -260,6 +266,11 @@ def _called(t: Transition) -> str:
 def _contents(
     model: RockingModel, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
 ) -> None:
+    for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef, sp.Piecewise):
+        try:
+            pycode(f.func(*(sp.Symbol(f"x{i}", real=True) for i in range(len(f.args)))))
+        except NotImplementedError:
+            _fail(model, f"{item} contains {f.func}, which Python's math module does not know")
     used = expr.free_symbols | {f.func for f in expr.atoms(AppliedUndef)}
     unknown = sorted(str(x) for x in used if x not in known)
     if unknown:

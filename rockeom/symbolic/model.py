@@ -120,6 +120,7 @@ class Body:
         valid.points(what, position=self.position)
         valid.expressions(what, mass=self.mass, inertia=self.inertia, rotation=self.rotation)
         valid.not_negative(what, mass=self.mass, inertia=self.inertia)
+        valid.expressions(what, **{f"polar {x}": x for x in self.polar or ()})
 
 
 @dataclass(frozen=True)
@@ -170,6 +171,8 @@ class Phase:
 
     def __post_init__(self) -> None:
         what = f"phase {'/'.join(map(str, self.contacts))}"
+        valid.texts(what, **{f"contact {c}": c for c in self.contacts})
+        valid.symbols(what, **{f"small {x}": x for x in self.small})
         valid.expressions(
             what, gravity=self.gravity, elastic_energy=self.elastic_energy,
             dissipation=self.dissipation,
@@ -224,6 +227,7 @@ class Transition:
 
     def __post_init__(self) -> None:
         what = f"transition {self.source!r} -> {self.target!r}"
+        valid.symbols(what, **{f"what it sets, {x}": x for x in self.sets})
         valid.expressions(what, **{f"value of {x}": e for x, e in self.sets.items()})
         if self.guard is not None:
             valid.expressions(what, guard=self.guard)

@@ -493,6 +493,23 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a guard as text": (lambda: right(guard="theta"), ("'right' -> 'left'", "guard", "SymPy")),
     "gravity as text": (lambda: rocking(gravity="9.81"), ("gravity", "SymPy")),
     "a symbol as text": (lambda: Parameter("m", "mass", "kg", ""), ("'mass'", "symbol")),
+    "overturning as text": (
+        lambda: tower(overturning="__import__('os').getcwd()"),
+        ("tower", "overturning", "SymPy"),
+    ),
+    "a small symbol as text": (lambda: rocking(small=("theta",)), ("small theta", "symbol")),
+    "a state set by text": (
+        lambda: switch("both", "left", sets={"theta": sp.S.Zero}),
+        ("'both' -> 'left'", "theta"),
+    ),
+    "a function that Python lacks": (
+        lambda: tower(elastic_energy=k * sp.besselj(0, u)),
+        ("elastic energy", "besselj", "math"),
+    ),
+    "a contact state that is a number": (
+        lambda: rocking(contacts={"left": -1, 1: 1}),
+        ("contact 1", "text"),
+    ),
     "a mass of NaN": (lambda: Body("top", float("nan"), (0, h)), ("'top'", "mass", "finite")),
 }
 EXTRA = coordinate("w", "w", "m", "another deformation")
