@@ -35,15 +35,11 @@ def assign(name: str, code: str, indent: str) -> list[str]:
     return [f"{indent}{name} = (", *(inner + part for part in parts), f"{indent})"]
 
 
-def statements(
-    targets: Mapping[str, sp.Expr], indent: str, taken: Sequence[str] = ()
-) -> tuple[list[str], int, int]:
+def statements(targets: Mapping[str, sp.Expr], indent: str) -> tuple[list[str], int, int]:
     """Assignments to the targets, shared parts first: (lines, operations before, after)."""
     names, exprs = list(targets), [sp.sympify(e) for e in targets.values()]
     before = sum(int(sp.count_ops(e)) for e in exprs)
-    free = {str(x) for e in exprs for x in e.free_symbols} | set(taken)
-    fresh = (x for x in sp.numbered_symbols("x", sp.Symbol) if str(x) not in free)
-    shared, reduced = sp.cse(exprs, symbols=fresh, order="canonical")
+    shared, reduced = sp.cse(exprs, order="canonical")
     lines: list[str] = []
     for symbol, value in shared:
         lines += assign(str(symbol), python(value), indent)

@@ -98,10 +98,10 @@ def simulate_many(
         longer.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
-    final_time [s], final_phase, impacts, refined (laws of the ground in which equal steps would have
-    been too long), peak, maximum, minimum and final value of each state, and impact_time (nan where
-    there was none). maximum and minimum have a sign, peak is the larger of
-    their sizes; they are found within the steps. Memory is bounded by the dataset. A keyboard
+    final_time [s], final_phase, impacts, refined (laws of the ground in which equal steps would
+    have been too long), peak, maximum, minimum and final value of each state, and impact_time (nan
+    where there was none). maximum and minimum have a sign, peak is the larger of their sizes; they
+    are found within the steps. Memory is bounded by the dataset. A keyboard
     interrupt ends the work early: what is done is returned, `attrs["interrupted"]` is 1.
 
     Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all.

@@ -125,5 +125,5 @@ def run(
             outcome = Outcome.OVERTURNED
         elif compiled.at_rest(contact, y, p):
             outcome = Outcome.CAME_TO_REST
-    steps = Steps(span, contacts, powers)
-    return Record(outcome, y, steps, (times, kinds, states), int(status[9]))
+    taken = Steps(span, contacts, powers)
+    return Record(outcome, y, taken, (times, kinds, states), int(status[9]))

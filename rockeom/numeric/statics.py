@@ -107,7 +107,8 @@ def uplift_acceleration(structure: Structure) -> float:
             slopes = np.transpose(
                 [(lacking(unknown + h, foot) - value) / h.max() for h in np.diag(steps)]
             )
-            kept = slopes.any(axis=1)  # a coordinate that is held has no equation, and stays
+            # a coordinate that is held has no equation, and stays
+            kept: np.ndarray = np.abs(slopes).max(axis=1) > 0.0
             kept[0] = True
             change = np.zeros_like(unknown)
             try:

@@ -9,6 +9,7 @@ import importlib
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from numbers import Real
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transform
 
@@ -1062,12 +1063,13 @@ def _module_of(model: Any) -> ModuleType:
     return _MODULES[id(model)][1]
 
 
-def structure(model, **parameters: float) -> Structure:
+def structure(model: Any, /, **parameters: float) -> Structure:
     """A structure of a model: the name of a shipped one, or a RockingModel that you declared.
 
     A declared model is derived, written to a module in the user's cache and compiled at its
     first use (some seconds, once). Raises ParameterError for missing or unknown parameters and
-    ValueError for values that are not finite or negative.
+    ValueError for values that are not finite or negative, for a model that cannot be simulated,
+    and where the values give a body a negative mass or a base a negative width.
     """
     if isinstance(model, str):
         if model not in SHIPPED:
@@ -1077,11 +1079,20 @@ def structure(model, **parameters: float) -> Structure:
                 f"no structure named {model!r}{hint}; shipped are {', '.join(SHIPPED)}"
             )
         return SHIPPED[model](**parameters)
+    if not hasattr(model, "check_values"):
+        raise TypeError(
+            f"structure() takes the name of a shipped structure or a RockingModel, not {model!r}"
+        )
     module = _module_of(model)
     names = set(module.PARAMETERS)
     if "gravity" in names:
         parameters.setdefault("gravity", STANDARD_GRAVITY)
     check_names(model.name, names, names, set(parameters))
+    given: dict[str, Any] = parameters
+    for name, value in given.items():
+        if isinstance(value, bool) or not isinstance(value, Real):
+            raise ValueError(f"{model.name}: {name} is {value!r}: give a number in SI units")
     signed = frozenset(p.name for p in model.parameters if not p.symbol.is_nonnegative)
     check_values(model.name, parameters, frozenset(names), signed)
-    return DeclaredStructure(module, dict(parameters))
+    model.check_values(parameters)
+    return DeclaredStructure(module, parameters)

@@ -442,18 +442,15 @@ def controlled_wall_oscillator(
 
 
 def _crossing(
-    cables: tuple[Tendon, ...], fallback: bool
+    cables: tuple[Tendon, ...],
 ) -> Callable[[str, tuple[str, ...]], list[Transition]]:
-    """An impact where the wall comes upright; `fallback` to full contact."""
+    """An impact where the wall comes upright."""
 
     def passages(place: str, states: tuple[str, ...]) -> list[Transition]:
         suffix, s = _suffix(cables, states), SIDES[place]
         other = "right" if s < 0 else "left"
-        standing = tuple(ELASTIC if state == YIELDING else state for state in states)
-        rest = f"both{_suffix(cables, standing)}" if fallback else None
-        theta = ROTATION.position
         return [
-            Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", s * theta, rest),
+            Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", s * ROTATION.position),
         ]
 
     return passages
@@ -537,7 +534,7 @@ def substitute_gravity_wall(
         cables,
         ROTATION,
         SIDES,
-        _crossing(cables, fixed),
+        _crossing(cables),
         mechanism,
         name="simplified_substitute_gravity_wall" if fixed else "substitute_gravity_wall",
         title="Controlled rocking wall with substitute gravity"
@@ -558,7 +555,8 @@ def substitute_gravity_wall(
 
 def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> RockingModel:
     """The wall also stands still on both edges, its tendons elastic or slack."""
-    phases, transitions = [], []
+    phases = []
+    uplifts: list[Transition] = []
 
     forces = {law.symbol: law.value for law in model.laws if law.symbol.is_Symbol}
 
@@ -585,10 +583,16 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
                 quantities={k: (u, standing(e)) for k, (u, e) in turning.quantities.items()},
             )
         )
-        transitions += [Transition(f"both{suffix}", f"{side}{suffix}", "uplift") for side in SIDES]
-    return replace(
-        model, phases=(*model.phases, *phases), transitions=(*model.transitions, *transitions)
+        uplifts += [Transition(f"both{suffix}", f"{side}{suffix}", "uplift") for side in SIDES]
+    rests = {}  # the full contact to which an impact may lead: no tendon goes on yielding in it
+    for states in product((ELASTIC, SLACK, YIELDING), repeat=len(cables)):
+        kept = tuple(ELASTIC if state == YIELDING else state for state in states)
+        for side in SIDES:
+            rests[f"{side}{_suffix(cables, states)}"] = f"both{_suffix(cables, kept)}"
+    rocking = (
+        replace(t, fallback=rests[t.source]) if t.kind == "impact" else t for t in model.transitions
     )
+    return replace(model, phases=(*model.phases, *phases), transitions=(*rocking, *uplifts))
 
 
 def _one_law(model: RockingModel) -> RockingModel:
@@ -669,7 +673,7 @@ def controlled_wall(
         cables,
         ROTATION,
         SIDES,
-        _crossing(cables, False),
+        _crossing(cables),
         mechanism,
         name=("flexible_" if flexible else "") + f"controlled_wall{several}",
         title="Controlled rocking wall" + (" that bends," if flexible else "")

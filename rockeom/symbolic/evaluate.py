@@ -42,16 +42,16 @@ class NumpyPhase:
         q = [c.position for c in model.coordinates]
         qd = [c.velocity for c in model.coordinates]
         given = [p.symbol for p in model.parameters]
-        self._constants = _function(given, model.constants.values())
+        self._constants = array_function(given, model.constants.values())
         given += [*model.constants, *q, *qd, GROUND_X, GROUND_Y]
         moving = [*given, *(c.acceleration for c in phase.coordinates)]
 
         def table(named: Mapping[str, sp.Expr], arguments: list[sp.Symbol] = given):
             exact = (model.in_contact(e, contact) for e in named.values())
-            return tuple(named), _function(arguments, exact)
+            return tuple(named), array_function(arguments, exact)
 
-        self._mass_matrix = _function(given, equations.mass_matrix)
-        self._forcing = _function(given, equations.forcing)
+        self._mass_matrix = array_function(given, equations.mass_matrix)
+        self._forcing = array_function(given, equations.forcing)
         self._energies = table(
             {
                 "kinetic_energy": equations.kinetic_energy,
@@ -154,8 +154,8 @@ class _Opening:
         equations = equations.map(lambda e: model.in_contact(e, target))
         self._side = phase.side_of(target)
         self._row = [c.name for c in phase.coordinates].index(rotation.name)
-        self._mass_matrix = _function(given, equations.mass_matrix.subs(closed))
-        self._forcing = _function(given, equations.forcing.subs(closed))
+        self._mass_matrix = array_function(given, equations.mass_matrix.subs(closed))
+        self._forcing = array_function(given, equations.forcing.subs(closed))
 
     def __call__(self, values: Sequence) -> np.ndarray:
         found = _solved(self._mass_matrix(values), self._forcing(values))
@@ -167,7 +167,7 @@ def numpy_functions(model: RockingModel) -> dict[str, NumpyPhase]:
     return {contact: NumpyPhase(model, contact) for contact in model.contacts}
 
 
-def _function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr]) -> Function:
+def array_function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr]) -> Function:
     """values of the arguments, of one common shape (...) -> values of the expressions, (k, ...)."""
     # dummies, so that no name of a symbol becomes a part of the function's text
     compiled = sp.lambdify(

@@ -17,9 +17,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.algebra import SIDE, at_side, tidy
 from rockeom.symbolic.lagrange import body_velocity
-from rockeom.symbolic.model import Coordinate, Phase, RockingModel
+from rockeom.symbolic.model import Coordinate, Phase, RockingModel, Transition
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,13 @@ class ImpulseMap:
             return m.subs(SIDE, side)
 
         return ImpulseMap(self.coordinates, put(self.mass_matrix), put(self.momentum))
+
+    def equals(self, other: ImpulseMap) -> bool:
+        """Whether both are the same for the same coordinates, term by term."""
+        if self.coordinates != other.coordinates:
+            return False
+        differences = [*(self.mass_matrix - other.mass_matrix), *(self.momentum - other.momentum)]
+        return all(tidy(d) == 0 for d in differences)
 
 
 def _jacobian(phase: Phase, index: int) -> sp.Matrix:
@@ -84,20 +91,20 @@ def derive_impulse_map(model: RockingModel, source: str, target: str) -> Impulse
     return ImpulseMap(after.coordinates, written(mass_matrix), written(momentum))
 
 
-def rigid_velocity_ratio(model: RockingModel) -> sp.Expr:
+def rigid_velocity_ratio(model: RockingModel, transition: Transition) -> sp.Expr:
     """Ratio of angular velocities after and before the impact of the structure held rigid.
 
     All coordinates but the rotation are frozen at zero: what is left is the conservation of
     angular momentum about the new pivot, thesis 2-6 (its square root) and 5-14.
     """
-    transition = next(t for t in model.transitions if t.kind == "impact")
     full = derive_impulse_map(model, transition.source, transition.target)
     frozen: dict[sp.Expr, int] = {}
     for c in model.coordinates:
-        if c is not model.rotation:
+        if c != model.rotation:
             frozen |= {c.position: 0, c.velocity: 0}
     row = [c.name for c in full.coordinates].index(model.rotation.name)
     ratio = full.momentum[row].subs(frozen) / (
         full.mass_matrix[row, row].subs(frozen) * model.rotation.velocity
     )
-    return sp.factor(tidy(sp.cancel(ratio)))
+    side = model.phase(transition.source).side_of(transition.source)
+    return at_side(sp.factor(tidy(sp.cancel(ratio))), side)

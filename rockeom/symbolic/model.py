@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
 if TYPE_CHECKING:
@@ -33,6 +34,11 @@ class Parameter:
     unit: str
     meaning: str
 
+    def __post_init__(self) -> None:
+        what = f"parameter {self.name!r}"
+        valid.symbols(what, symbol=self.symbol)
+        valid.texts(what, unit=self.unit, meaning=self.meaning)
+
 
 @dataclass(frozen=True)
 class Definition:
@@ -43,6 +49,12 @@ class Definition:
     unit: str
     meaning: str
     value: sp.Expr
+
+    def __post_init__(self) -> None:
+        what = f"definition {self.name!r}"
+        valid.symbols(what, symbol=self.symbol)
+        valid.texts(what, name=self.name, unit=self.unit, meaning=self.meaning)
+        valid.expressions(what, value=self.value)
 
 
 @dataclass(frozen=True)
@@ -60,6 +72,12 @@ class Law:
     meaning: str
     value: sp.Expr
 
+    def __post_init__(self) -> None:
+        what = f"law {self.name!r}"
+        valid.expressions(what, symbol=self.symbol, value=self.value)
+        valid.texts(what, name=self.name, unit=self.unit, meaning=self.meaning)
+        valid.laws(what, symbol=self.symbol)
+
 
 @dataclass(frozen=True)
 class Coordinate:
@@ -71,6 +89,13 @@ class Coordinate:
     name: str
     unit: str
     meaning: str
+
+    def __post_init__(self) -> None:
+        what = f"coordinate {self.name!r}"
+        valid.symbols(
+            what, position=self.position, velocity=self.velocity, acceleration=self.acceleration
+        )
+        valid.texts(what, unit=self.unit, meaning=self.meaning)
 
 
 @dataclass(frozen=True)
@@ -89,6 +114,14 @@ class Body:
     rotation: sp.Expr = sp.S.Zero
     polar: tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Symbol] | None = None
 
+    def __post_init__(self) -> None:
+        what = f"body {self.name!r}"
+        valid.texts(what, name=self.name)
+        valid.points(what, position=self.position)
+        valid.expressions(what, mass=self.mass, inertia=self.inertia, rotation=self.rotation)
+        valid.not_negative(what, mass=self.mass, inertia=self.inertia)
+        valid.expressions(what, **{f"polar {x}": x for x in self.polar or ()})
+
 
 @dataclass(frozen=True)
 class Foot:
@@ -100,6 +133,11 @@ class Foot:
 
     position: tuple[sp.Expr, sp.Expr]
     force: sp.Expr | None = None
+
+    def __post_init__(self) -> None:
+        valid.points("foot", position=self.position)
+        if self.force is not None:
+            valid.expressions("foot", force=self.force)
 
 
 @dataclass(frozen=True)
@@ -130,6 +168,19 @@ class Phase:
     small: tuple[sp.Symbol, ...] = ()
     forces: tuple[sp.Expr, ...] = ()
     quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        what = f"phase {'/'.join(map(str, self.contacts))}"
+        valid.texts(what, **{f"contact {c}": c for c in self.contacts})
+        valid.symbols(what, **{f"small {x}": x for x in self.small})
+        valid.expressions(
+            what, gravity=self.gravity, elastic_energy=self.elastic_energy,
+            dissipation=self.dissipation,
+            **{f"force {i}": e for i, e in enumerate(self.forces)},
+            **{f"quantity {name!r}": e for name, (_, e) in self.quantities.items()},
+        )  # fmt: skip
+        if self.load_point is not None:
+            valid.points(what, load_point=self.load_point)
 
     @cached_property
     def equations(self) -> Equations:
@@ -174,6 +225,13 @@ class Transition:
     sets: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     reversible: bool = True
 
+    def __post_init__(self) -> None:
+        what = f"transition {self.source!r} -> {self.target!r}"
+        valid.symbols(what, **{f"what it sets, {x}": x for x in self.sets})
+        valid.expressions(what, **{f"value of {x}": e for x, e in self.sets.items()})
+        if self.guard is not None:
+            valid.expressions(what, guard=self.guard)
+
 
 @dataclass(frozen=True)
 class RockingModel:
@@ -193,7 +251,9 @@ class RockingModel:
     laws: tuple[Law, ...] = ()
 
     def __post_init__(self) -> None:
-        _check_symbols(self)
+        from rockeom.symbolic.check import check
+
+        check(self)
 
     @property
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
@@ -261,7 +321,20 @@ class RockingModel:
 
         if self.rigid_velocity_ratio is not None:
             return self.rigid_velocity_ratio
-        return rigid_velocity_ratio(self) if self.has_impacts else None
+        impact = next((t for t in self.transitions if t.kind == "impact"), None)
+        return None if impact is None else rigid_velocity_ratio(self, impact)
+
+    def check_derived(self) -> None:
+        """Raise ValueError where what follows from the declaration cannot be simulated."""
+        from rockeom.symbolic.check import check_derived
+
+        check_derived(self)
+
+    def check_values(self, values: Mapping[str, float]) -> None:
+        """Raise ValueError where these parameters, by name, give a body or a base no size."""
+        from rockeom.symbolic.check import check_values
+
+        check_values(self, values)
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
@@ -287,31 +360,6 @@ class RockingModel:
         return numpy_functions(self)
 
 
-def _check_symbols(model: RockingModel) -> None:
-    """Every symbol of the declaration must be a parameter, a coordinate or the side."""
-    known = {p.symbol for p in model.parameters} | set(model.constants)
-    known |= {SIDE, GROUND_X, GROUND_Y} | {x.symbol for x in model.laws if x.symbol.is_Symbol}
-    for c in model.coordinates:
-        known |= {c.position, c.velocity, c.acceleration}
-    for phase in model.phases:
-        used: set[sp.Basic] = set()
-        for body in phase.bodies:
-            for e in (body.mass, body.inertia, body.rotation, *body.position):
-                used |= sp.sympify(e).free_symbols
-        used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
-        used |= sp.Tuple(*phase.forces).free_symbols
-        unknown = sorted(str(x) for x in used - known)
-        if unknown:
-            raise ValueError(
-                f"{model.name}: undeclared symbols {', '.join(unknown)}; "
-                "add them to `parameters` or `coordinates`"
-            )
-    names = [p.name for p in model.parameters] + list(model.states)
-    twice = sorted({n for n in names if names.count(n) > 1})
-    if twice:
-        raise ValueError(f"{model.name}: declared twice: {', '.join(twice)}")
-
-
 def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
     """A coordinate; its velocity and acceleration are typeset with one and two dots."""
     return Coordinate(
@@ -335,6 +383,8 @@ def _tex(symbol: str) -> str:
 
 def turned(point, about, angle) -> tuple[sp.Expr, sp.Expr]:
     """`point` (x, y) turned clockwise through `angle` about the point `about`."""
+    point = tuple(point)
+    valid.points("turned", point=point, about=tuple(about))
     dx, dy = sp.sympify(point[0]) - about[0], sp.sympify(point[1]) - about[1]
     cos, sin = sp.cos(angle), sp.sin(angle)
     return about[0] + dx * cos + dy * sin, about[1] - dx * sin + dy * cos
@@ -363,10 +413,26 @@ def rocking_structure(
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
     same structure with the rotation held at zero.
     """
-    rotation, *others = coordinates = tuple(coordinates)
+    from rockeom.symbolic.check import check_turning
+
+    coordinates = tuple(coordinates)
+    if not coordinates:
+        raise ValueError(f"{name}: it has no coordinates: declare the rotation, first")
+    rotation, *others = coordinates
     angle = rotation.position if rotation_angle is None else rotation_angle
+    valid.expressions(
+        str(name), half_width=half_width, gravity=gravity, rotation_angle=angle,
+        elastic_energy=elastic_energy, dissipation=dissipation,
+    )  # fmt: skip
+    if sp.sympify(half_width).is_nonpositive:
+        raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
     turning = tuple(bodies(pivot))
+    if not turning:
+        raise ValueError(f"{name}: it has no bodies: declare the masses")
+    check_turning(
+        name, turning, {c.position: 0 for c in coordinates}, rotation.position, angle, half_width
+    )
     held = {rotation.position: 0}
 
     def hold(expr) -> sp.Expr:
@@ -379,7 +445,8 @@ def rocking_structure(
         for b in turning
     )
     edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
-    load = load_on or turning[0].name
+    load = turning[0].name if load_on is None else load_on
+    valid.known(str(name), "load_on", load, [b.name for b in turning])
 
     def load_point(of: tuple[Body, ...]) -> tuple[sp.Expr, sp.Expr]:
         return next(b.position for b in of if b.name == load)

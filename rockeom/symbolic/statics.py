@@ -40,7 +40,7 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
     rows = [at_side(e, phase.side_of(contact)) for e in equilibrium(phase)]
     names = [c.name for c in phase.coordinates]
     turning = rows.pop(names.index(model.rotation.name))
-    others = [c.position for c in phase.coordinates if c is not model.rotation]
+    others = [c.position for c in phase.coordinates if c != model.rotation]
     if others:
         try:
             (others_at,) = sp.linsolve(rows, others)

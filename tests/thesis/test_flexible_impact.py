@@ -131,6 +131,7 @@ def rigid_column(model: RockingModel) -> RockingModel:
             bodies=tuple(replace(b, position=tuple(map(hold, b.position))) for b in phase.bodies),
             elastic_energy=hold(phase.elastic_energy),
             dissipation=hold(phase.dissipation),
+            load_point=tuple(map(hold, phase.load_point)),
         )
 
     phases = tuple(rigid(phase) for phase in model.phases)

@@ -1,0 +1,106 @@
+"""Names in the generated text: a user's can never be one of the program's own.
+
+A user's name is written as it is, unless the program has the name itself or it is given already;
+then it ends with underscores, and no name of the program does. `check_names` proves it of a text:
+each name in it is one that was given here, or one of those declared here as the program's own.
+"""
+
+from __future__ import annotations
+
+import ast
+import keyword
+import re
+import unicodedata
+
+_PROGRAM = """
+abs float max min njit np math range __debug__
+
+accelerations energies guards jump kinematics momentum opening_acceleration overturning prepare
+rates reactions sine_cosine statics velocity_ratio _compiled _inlined
+
+contact s y p ax ay dy g i out law ratio guard load found value parameters total_gravity
+
+CLOSED CONTACTS ENERGIES GUARDS HAS_IMPULSIVE IMPULSIVE KINDS KINEMATICS NAME N_GUARDS N_PARTS
+N_STATES OPTIONS PARAMETERS PARAMETER_MEANINGS PARAMETER_UNITS PARTS RATIO REACTIONS ROTATION
+ROTATION_RATE ROUNDER SIDES SOURCE_HASH STATES STATE_UNITS TARGETS TRANSITIONS
+"""
+"""What the text uses of Python and its libraries, its functions, their arguments, its tables."""
+_WORDS = frozenset(_PROGRAM.split())
+
+_PATTERNS = re.compile(
+    r"[xcfr]\d+|[ml]\d\d+|share_\d+(_\d+)?|angle_\d+"  # intermediate results
+    r"|(sin|cos)_.*[^_]|.*_(ddot|after|alone)"  # what belongs to a coordinate
+    r"|(accelerations|impulse)_.*[^_]",
+    re.DOTALL,
+)
+
+_FEET = re.compile(r"(LEFT|RIGHT|BOTH|FLIGHT)(_[A-Z0-9]+)*")
+"""Contact states that are written without an underscore at their end: no other text that is joined
+to the module begins a name like that."""
+
+
+def is_own(name: str) -> bool:
+    """Whether a name is kept for the program itself."""
+    return keyword.iskeyword(name) or name in _WORDS or bool(_PATTERNS.fullmatch(name))
+
+
+class Names:
+    """The names given to what the user has named, each once."""
+
+    def __init__(self) -> None:
+        self.given: set[str] = set()
+
+    def of(self, name: str) -> str:
+        """The Python name of a parameter or state."""
+        name = unicodedata.normalize("NFKC", name)  # as Python reads it
+        while is_own(name) or name in self.given:
+            name += "_"
+        self.given.add(name)
+        return name
+
+    def of_contact(self, contact: str) -> str:
+        """The name of the constant that is the number of a contact state."""
+        name = unicodedata.normalize("NFKC", contact.upper())
+        return self.of(name if _FEET.fullmatch(name) else f"{name}_")
+
+
+def check_names(text: str, given: set[str]) -> None:
+    """Raise AssertionError if a module's text has a name that is neither given nor its own.
+
+    Where it does, that name could be a user's, too: it belongs into the lists above.
+    """
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Name):
+            found.add(node.id)
+        elif isinstance(node, ast.arg):
+            found.add(node.arg)
+        elif isinstance(node, ast.FunctionDef):
+            found.add(node.name)
+    strange = sorted(name for name in found - given if not is_own(name))
+    if strange:
+        raise AssertionError(f"names of the generated text that users may give: {strange}")
+    mixed = sorted(name for name in given if is_own(name))
+    if mixed:
+        raise AssertionError(f"given to what users named, and the program's own: {mixed}")
+
+
+_LETTERS = {"\n": "\n", "\\": "\\\\"}
+
+
+def _letter(c: str) -> str:
+    return c if c.isprintable() else c.encode("unicode_escape").decode("ascii")
+
+
+def docstring(text: str, indent: str = "") -> str:
+    """A docstring that says `text`, whatever stands in it."""
+    written = "".join(_LETTERS.get(c) or _letter(c) for c in text).replace('"""', r"\"\"\"")
+    if written.endswith('"'):
+        written = f'{written[:-1]}\\"'
+    end = f"\n{indent}" if "\n" in text and not text.endswith("\n") else ""
+    return f'{indent}"""{written}{end}"""'
+
+
+def string(text: str) -> str:
+    """A string literal of one line."""
+    return '"' + "".join(_letter(c) for c in text.replace("\\", "\\\\").replace('"', r"\"")) + '"'

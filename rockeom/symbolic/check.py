@@ -1,0 +1,679 @@
+"""What a declaration must be, so that what is derived from it is what was meant.
+
+Each check raises ValueError, which names the declaration, the item and the remedy. `check` looks
+at names, symbols and references, when a model is made; `check_derived` at what follows from it,
+before it is generated; `check_values` at the values of its parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import numpy as np
+import sympy as sp
+from sympy.core.function import AppliedUndef
+from sympy.printing.pycode import pycode
+
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import SIDE, at_side
+
+if TYPE_CHECKING:
+    from rockeom.symbolic.model import Body, Phase, RockingModel, Transition
+
+KINDS = ("impact", "uplift", "switch")
+
+_OUTPUTS = """
+t phase kinetic_energy gravitational_energy elastic_energy total_energy
+ground_acceleration vertical_ground_acceleration
+horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift
+"""
+RESPONSE = frozenset(_OUTPUTS.split())
+"""What a response calls by name besides the states."""
+
+# --- a model, when it is made
+
+
+def check(model: RockingModel) -> None:
+    """Names, symbols and references of a declaration."""
+    ratio = model.rigid_velocity_ratio
+    valid.expressions(
+        str(model.name), overturning=model.overturning,
+        rigid_velocity_ratio=1 if ratio is None else ratio,
+    )  # fmt: skip
+    _names(model)
+    _symbols(model)
+    _phases(model)
+    known = _declared_kinds(model)
+    for item, expr, kinds in _expressions(model):
+        _contents(model, known, item, sp.sympify(expr), kinds)
+    _transitions(model)
+    _grounded(model)
+
+
+def _fail(model: RockingModel, what: str) -> NoReturn:
+    raise ValueError(f"{model.name}: {what}")
+
+
+def _names(model: RockingModel) -> None:
+    valid.name("model", model.name)
+    if not model.name.isascii():
+        _fail(model, "a file is called by the model's name: write it in ASCII")
+    valid.texts(model.name, title=model.title, reference=model.reference)
+    for p in model.parameters:
+        valid.name(f"{model.name}: parameter {p.symbol}", p.name)
+    for c in model.coordinates:
+        valid.name(f"{model.name}: coordinate {c.position}", c.name)
+    for contact in model.contacts:
+        valid.name(f"{model.name}: contact state", contact)
+    outputs = _quantities(model)
+    for name in outputs:
+        valid.name(f"{model.name}: quantity", name)
+    names = [p.name for p in model.parameters] + list(model.states)
+    twice = _twice(names) or _twice([*model.states, *outputs]) or _twice(model.contacts)
+    if twice:
+        _fail(model, f"declared twice: {', '.join(twice)}; give each a name of its own")
+    taken = sorted(RESPONSE & {*model.states, *outputs})
+    if taken:
+        _fail(model, f"every response calls something else {', '.join(taken)}: choose another name")
+
+
+def _twice(names: Iterable[Any]) -> list[str]:
+    names = list(names)
+    return sorted({str(n) for n in names if names.count(n) > 1})
+
+
+def _quantities(model: RockingModel) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(name for phase in model.phases for name in phase.quantities))
+
+
+def _symbols(model: RockingModel) -> None:
+    """Each symbol stands for one thing."""
+    from rockeom.symbolic.model import GROUND_X, GROUND_Y
+    from rockeom.symbolic.statics import LOAD
+
+    symbols = [p.symbol for p in model.parameters] + [d.symbol for d in model.definitions]
+    symbols += [s for c in model.coordinates for s in (c.position, c.velocity, c.acceleration)]
+    symbols += [law.symbol for law in model.laws]
+    twice = _twice(symbols)
+    if twice:
+        _fail(
+            model,
+            f"the symbol {', '.join(twice)} is declared twice, and stands for two things: "
+            "give each parameter and coordinate a symbol of its own",
+        )
+    kept = {
+        SIDE: "the side, sgn(theta)",
+        GROUND_X: "the ground's horizontal acceleration",
+        GROUND_Y: "the ground's vertical acceleration",
+        LOAD: "the load of a pushover",
+    }
+    for symbol in kept.keys() & set(symbols):
+        _fail(model, f"the symbol {symbol} is kept for {kept[symbol]}: choose another")
+
+
+def _phases(model: RockingModel) -> None:
+    if not model.coordinates:
+        _fail(model, "it has no coordinates: declare the rotation")
+    if model.rotation not in model.coordinates:
+        _fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
+    if len(model.contacts) < 2 or not model.transitions:
+        _fail(
+            model,
+            f"its contact states are {', '.join(model.contacts) or 'none'}: declare two or more, "
+            "and the transitions between them",
+        )
+    for phase in model.phases:
+        what = f"{model.name}: phase {'/'.join(phase.contacts)}"
+        if not phase.contacts:
+            raise ValueError(f"{what}: it serves no contact state: name one in `contacts`")
+        if not phase.bodies:
+            raise ValueError(f"{what}: it has no bodies: declare the masses")
+        _sides(model, phase, what)
+        _coordinates_of(model, phase, what)
+        names = [b.name for b in phase.bodies]
+        if _twice(names):
+            raise ValueError(f"{what}: two bodies are called {_twice(names)[0]!r}: rename one")
+    _same_outputs(model)
+
+
+def _sides(model: RockingModel, phase: Phase, what: str) -> None:
+    for contact, side in phase.contacts.items():
+        if side not in (-1, 0, 1):
+            raise ValueError(f"{what}: the side of {contact!r} is {side!r}: give -1, 0 or 1")
+        if (contact, side) in (("left", 1), ("right", -1)):
+            raise ValueError(
+                f"{what}: the side of {contact!r} is {side}: the left foot carries where the "
+                "rotation is negative, side -1, and the right foot where it is positive, side 1"
+            )
+        if side and model.rotation not in phase.coordinates:
+            raise ValueError(
+                f"{what}: it has a side, but the rotation {model.rotation.name!r} is not free in "
+                "it: add it to the phase's coordinates"
+            )
+
+
+def _coordinates_of(model: RockingModel, phase: Phase, what: str) -> None:
+    strange = [c.name for c in phase.coordinates if c not in model.coordinates]
+    if strange:
+        raise ValueError(f"{what}: {', '.join(strange)} is not in the model's `coordinates`")
+    if _twice([c.name for c in phase.coordinates]):
+        raise ValueError(f"{what}: it has a coordinate twice")
+    if len(phase.forces) not in (0, len(phase.coordinates)):
+        raise ValueError(
+            f"{what}: {len(phase.forces)} forces for {len(phase.coordinates)} coordinates: "
+            "declare one for each, zero where there is none"
+        )
+    if set(phase.feet) not in (set(), {"left", "right"}):
+        raise ValueError(
+            f"{what}: its feet are {', '.join(phase.feet)}: declare a left and a right one, or none"
+        )
+    if len({foot.force is None for foot in phase.feet.values()}) > 1:
+        raise ValueError(f"{what}: one foot has a force and the other none: give both, or none")
+    for name, (unit, _) in phase.quantities.items():
+        if unit not in ("m", "N"):
+            raise ValueError(f"{what}: quantity {name!r} is in {unit!r}: give 'm' or 'N'")
+
+
+def _same_outputs(model: RockingModel) -> None:
+    """A response has the same columns in each phase."""
+    first, *others = model.phases
+    for phase in others:
+        for item, of in (
+            ("feet", lambda p: sorted(p.feet)),
+            ("load point", lambda p: p.load_point is not None),
+            ("quantities", lambda p: [(name, unit) for name, (unit, _) in p.quantities.items()]),
+        ):
+            if of(phase) != of(first):
+                _fail(
+                    model,
+                    f"phases {'/'.join(first.contacts)} and {'/'.join(phase.contacts)} differ in "
+                    f"{item}: declare the same in each, in the same order",
+                )
+
+
+# What may stand where
+_PLACES, _RATES, _ACCELERATIONS, _SIDED, _GROUND = "qvasg"
+_WORDS = {
+    _PLACES: "the coordinate",
+    _RATES: "the velocity",
+    _ACCELERATIONS: "the acceleration",
+    _SIDED: "the side",
+    _GROUND: "the ground's acceleration",
+}
+
+
+def _declared_kinds(model: RockingModel) -> dict[sp.Basic, str]:
+    """What each symbol and function of a declaration is; "" for constants."""
+    from rockeom.symbolic.model import GROUND_X, GROUND_Y
+
+    kinds: dict[sp.Basic, str] = {p.symbol: "" for p in model.parameters}
+    kinds |= {d.symbol: "" for d in model.definitions}
+    for c in model.coordinates:
+        kinds |= {c.position: _PLACES, c.velocity: _RATES, c.acceleration: _ACCELERATIONS}
+    kinds |= {SIDE: _SIDED, GROUND_X: _GROUND, GROUND_Y: _GROUND}
+    for law in model.laws:
+        kinds[law.symbol if law.symbol.is_Symbol else law.symbol.func] = _PLACES
+    return kinds
+
+
+def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
+    """(item, expression, what it may contain besides constants)."""
+    for d in model.definitions:
+        yield f"definition {d.name!r}", d.value, ""
+    for law in model.laws:
+        yield f"law {law.name!r}", law.symbol, _PLACES
+        yield f"law {law.name!r}", law.value, "qvs" if law.symbol.is_Symbol else "qs"
+    for phase in model.phases:
+        of = f" in phase {'/'.join(phase.contacts)}"
+        for b in phase.bodies:
+            body = f" of body {b.name!r}{of}"
+            yield f"mass{body}", b.mass, "qs"
+            yield f"inertia{body}", b.inertia, "qs"
+            yield f"rotation{body}", b.rotation, "qs"
+            for axis, e in zip("xy", b.position, strict=True):
+                yield f"{axis}{body}", e, "qs"
+        yield f"gravity{of}", phase.gravity, ""
+        yield f"elastic energy{of}", phase.elastic_energy, "qs"
+        yield f"dissipation{of}", phase.dissipation, "qvs"
+        for c, e in zip(phase.coordinates, phase.forces, strict=False):
+            yield f"force on {c.name!r}{of}", e, "qvs"
+        for name, foot in phase.feet.items():
+            for axis, e in zip("xy", foot.position, strict=True):
+                yield f"{axis} of the {name} foot{of}", e, "qs"
+            if foot.force is not None:
+                yield f"force on the {name} foot{of}", foot.force, "qvasg"
+        for axis, e in zip("xy", phase.load_point or (), strict=False):
+            yield f"{axis} of the load point{of}", e, "qs"
+        for x in phase.small:
+            yield f"small symbol {x}{of}", x, "qvg"
+        for name, (unit, e) in phase.quantities.items():
+            yield f"quantity {name!r}{of}", e, "qvs" if unit == "m" else "qvasg"
+    for t in model.transitions:
+        if t.guard is not None:
+            yield f"guard of {_called(t)}", t.guard, "qvsg"
+        for x, e in t.sets.items():
+            yield f"{x} set by {_called(t)}", e, "qvs"
+    yield "overturning", model.overturning, ""
+    if model.rigid_velocity_ratio is not None:
+        yield "rigid_velocity_ratio", model.rigid_velocity_ratio, ""
+
+
+def _called(t: Transition) -> str:
+    return f"{t.kind} {t.source!r} -> {t.target!r}"
+
+
+def _contents(
+    model: RockingModel, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
+) -> None:
+    for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef, sp.Piecewise):
+        try:
+            pycode(f.func(*(sp.Symbol(f"x{i}", real=True) for i in range(len(f.args)))))
+        except NotImplementedError:
+            _fail(model, f"{item} contains {f.func}, which Python's math module does not know")
+    used = expr.free_symbols | {f.func for f in expr.atoms(AppliedUndef)}
+    unknown = sorted(str(x) for x in used if x not in known)
+    if unknown:
+        names = {str(x) for x in known}
+        hint = (
+            "; a declared one of that name has other assumptions: use its `.symbol` or `.position`"
+            if names & set(unknown)
+            else ""
+        )
+        _fail(
+            model,
+            f"{item} contains undeclared symbols {', '.join(unknown)}: add them to `parameters` "
+            f"or `coordinates`{hint}",
+        )
+    for x in sorted(used, key=str):
+        if known[x] not in kinds:
+            _fail(
+                model,
+                f"{item} contains {_WORDS[known[x]]} {x}, which it must not: it is a function of "
+                + (", ".join(["the parameters", *(_WORDS[k] for k in kinds)])),
+            )
+
+
+def _transitions(model: RockingModel) -> None:
+    for t in model.transitions:
+        what = f"{model.name}: transition {t.source!r} -> {t.target!r}"
+        valid.known(what, "kind", t.kind, KINDS)
+        for item, contact in (("source", t.source), ("target", t.target), ("fallback", t.fallback)):
+            if contact is not None or item != "fallback":
+                valid.known(what, item, contact, model.contacts)
+        positions = [x for c in model.coordinates for x in (c.position, c.velocity)]
+        for x in t.sets:
+            if x not in positions:
+                raise ValueError(
+                    f"{what}: it sets {x}, which is no coordinate: name `coordinate.position`"
+                )
+        if t.kind != "impact" and t.fallback is not None:
+            raise ValueError(
+                f"{what}: only an impact has a fallback, this is of kind {t.kind!r}: leave it out"
+            )
+        {"impact": _impact, "uplift": _uplift, "switch": _switch}[t.kind](model, t, what)
+    impacts = [t.source for t in model.transitions if t.kind == "impact"]
+    if _twice(impacts):
+        _fail(model, f"two impacts end the contact state {_twice(impacts)[0]!r}: declare one")
+    _pairs(model)
+
+
+def _side(model: RockingModel, contact: str) -> int:
+    return model.phase(contact).side_of(contact)
+
+
+def _impact(model: RockingModel, t: Transition, what: str) -> None:
+    """The rotation falls to zero, and the structure goes on about its other foot."""
+    side, gap = _side(model, t.source), model.rotation.position
+    name = model.rotation.name
+    if side == 0 or _side(model, t.target) != -side:
+        raise ValueError(
+            f"{what}: an impact leads from a contact state of side -1 or 1 to one of the other "
+            f"side, not from {side} to {_side(model, t.target)}; full contact is its `fallback`, "
+            "and a foot that lands out of flight is not modelled: declare a spring, and a switch"
+        )
+    if t.fallback is not None and _side(model, t.fallback) != 0:
+        raise ValueError(f"{what}: the fallback {t.fallback!r} must be a contact state of side 0")
+    wanted = side * gap
+    if t.guard is None or sp.expand(at_side(t.guard, side) - wanted) != 0:
+        raise ValueError(
+            f"{what}: the guard of this impact is {t.guard}; it must be the rotation {name!r} on "
+            f"its side, {wanted}, which is positive before the impact: no other gap is modelled"
+        )
+    if t.sets:
+        raise ValueError(
+            f"{what}: an impact sets nothing but velocities, which are derived: leave `sets` out, "
+            "or put it to a switch"
+        )
+
+
+def _uplift(model: RockingModel, t: Transition, what: str) -> None:
+    """The rotation, held until now, becomes free."""
+    if t.guard is not None:
+        raise ValueError(f"{what}: the guard of an uplift is derived: leave `guard` out")
+    free = model.rotation in model.phase(t.source).coordinates
+    if _side(model, t.source) != 0 or free or _side(model, t.target) == 0:
+        raise ValueError(
+            f"{what}: an uplift leads from full contact (side 0, the rotation held) to rocking "
+            "(side -1 or 1)"
+        )
+    foot = "left" if _side(model, t.target) < 0 else "right"
+    for contact, name in ((t.source, "both"), (t.target, foot)):
+        if contact.split("_")[0] != name:
+            raise ValueError(f"{what}: call {contact!r} {name!r}, or {name}_...")
+    for contact in ("left", "both", "right"):
+        if contact not in model.contacts:
+            raise ValueError(f"{what}: a structure that lifts has a contact state {contact!r}, too")
+
+
+def _switch(model: RockingModel, t: Transition, what: str) -> None:
+    if t.guard is None:
+        raise ValueError(f"{what}: a switch needs a guard, positive inside {t.source!r}")
+    if isinstance(t.guard, sp.Max) and len(t.guard.args) != 2:
+        raise ValueError(f"{what}: its guard is the Max of {len(t.guard.args)}: give two at most")
+
+
+def _pairs(model: RockingModel) -> None:
+    """A passage and the one back cannot have the same guard: each is positive in its source."""
+    switches = [t for t in model.transitions if t.kind == "switch"]
+    places = {c: i for i, c in enumerate(model.contacts)}
+    by_ends = {(t.source, t.target): t for t in switches}
+    for (source, target), t in by_ends.items():
+        back = by_ends.get((target, source))
+        if back is None or places[source] > places[target]:
+            continue
+        if sp.sympify(t.guard).is_negative:  # it is passed at once, and meant to be
+            continue
+        mine, other = (set(_parts(model, x)) for x in (t, back))
+        if mine & other:
+            _fail(
+                model,
+                f"the guards of {_called(t)} and of {_called(back)} have one sign "
+                f"({', '.join(map(str, mine & other))}): each must be positive inside its source",
+            )
+
+
+def _parts(model: RockingModel, t: Transition) -> list[sp.Expr]:
+    parts = t.guard.args if isinstance(t.guard, sp.Max) else (t.guard,)
+    return [sp.expand(at_side(e, _side(model, t.source))) for e in parts]
+
+
+def _grounded(model: RockingModel) -> None:
+    """No way into the ground is open."""
+    impacts = {t.source for t in model.transitions if t.kind == "impact"}
+    lifted = {t.target for t in model.transitions if t.kind != "switch"}
+    for phase in model.phases:
+        rigid = any(foot.force is None for foot in phase.feet.values())
+        held = model.rotation not in phase.coordinates
+        for contact, side in phase.contacts.items():
+            out = [t for t in model.transitions if t.source == contact]
+            if side and (not out or ((rigid or contact in lifted) and contact not in impacts)):
+                _fail(
+                    model,
+                    f"no impact ends the contact state {contact!r}, and the structure would turn "
+                    f'into the ground: add Transition("{contact}", ..., "impact", guard='
+                    f"{side * model.rotation.position})",
+                )
+            if not side and rigid and not held:
+                _fail(
+                    model,
+                    f"the rotation is free in the contact state {contact!r}, which has no side, "
+                    "and its feet have no force: declare the force on each foot",
+                )
+            ends = {_side(model, t.target) for t in out if t.kind == "uplift"}
+            if not side and rigid and ends != {-1, 1}:
+                _fail(
+                    model,
+                    f"the contact state {contact!r} lifts to {len(ends)} of the two sides: add "
+                    f'Transition("{contact}", "left", "uplift"), and the same to "right"',
+                )
+
+
+# --- what follows from a declaration
+
+_SAMPLES = 200
+_NEGLIGIBLE = 1e-9
+
+
+def check_derived(model: RockingModel) -> None:
+    """Equations, impacts and guards of a declaration, at random states and parameters."""
+    sample = _Sample(model)
+    for phase in model.phases:
+        _invertible(model, phase, sample)
+    _one_ratio(model, sample)
+    _guards_open(model, sample)
+    _rests(model, sample)
+    _energies_are_even(model, sample)
+
+
+class _Sample:
+    """Random values of all symbols, by which expressions become arrays (k, n)."""
+
+    def __init__(self, model: RockingModel) -> None:
+        from rockeom.symbolic.model import GROUND_X, GROUND_Y
+
+        rng = np.random.default_rng(1)
+        self.model = model
+        self.values: dict[sp.Symbol, np.ndarray] = {}
+        for p in model.parameters:
+            size = 2.0 ** rng.uniform(-1, 1, _SAMPLES)
+            sign = 1.0 if p.symbol.is_nonnegative else rng.choice([-1.0, 1.0], _SAMPLES)
+            self.values[p.symbol] = sign * size
+        for c in model.coordinates:
+            for x in (c.position, c.velocity, c.acceleration):
+                size = 10.0 ** rng.uniform(-3, 3, _SAMPLES)
+                self.values[x] = rng.choice([-1.0, 1.0], _SAMPLES) * size
+        for x in (GROUND_X, GROUND_Y):
+            self.values[x] = rng.uniform(-1, 1, _SAMPLES)
+
+    def __call__(
+        self,
+        contact: str,
+        expressions: Iterable[sp.Expr],
+        put: Mapping[sp.Symbol, Any] | None = None,
+    ) -> np.ndarray:
+        """Values (k, n) in a contact state, those of some symbols changed."""
+        from rockeom.symbolic.evaluate import array_function
+
+        values = {**self.values, **(put or {})}
+        given = [np.broadcast_to(v, _SAMPLES) for v in values.values()]
+        written = [
+            self.model.in_contact(e, contact).xreplace(self.model.constants) for e in expressions
+        ]
+        with np.errstate(all="ignore"):
+            return array_function(list(values), written)(given)
+
+
+def _contact_of(phase: Phase) -> str:
+    return next(iter(phase.contacts))
+
+
+def _invertible(model: RockingModel, phase: Phase, sample: _Sample) -> None:
+    """Each free coordinate moves a mass of its own."""
+    n = len(phase.coordinates)
+    if n == 0:
+        return
+    found = sample(_contact_of(phase), phase.equations.mass_matrix)
+    matrices = np.moveaxis(found.reshape(n, n, -1), -1, 0)
+    matrices = matrices[np.isfinite(matrices).all(axis=(1, 2))]
+    for i, c in enumerate(phase.coordinates):
+        if len(matrices) and not (matrices[:, i, i] > 0).any():
+            _fail(
+                model,
+                f"the coordinate {c.name!r} moves no mass in phase {'/'.join(phase.contacts)}: "
+                "its mass matrix is singular; give a body whose position contains it a mass",
+            )
+    size = np.sqrt(np.abs(np.diagonal(matrices, axis1=1, axis2=2)))
+    with np.errstate(all="ignore"):
+        lowest = np.linalg.eigvalsh(matrices / size[:, :, None] / size[:, None, :])[:, 0]
+    if len(lowest) and not (lowest > 1e-12).any():
+        _fail(
+            model,
+            f"the mass matrix of phase {'/'.join(phase.contacts)} is singular: its coordinates "
+            f"{', '.join(c.name for c in phase.coordinates)} move fewer masses than they are",
+        )
+
+
+def _one_ratio(model: RockingModel, sample: _Sample) -> None:
+    """The laws of impact multiply the rate by one ratio, whichever side closes."""
+    from rockeom.symbolic.impulse import rigid_velocity_ratio
+
+    impacts = [t for t in model.transitions if t.kind == "impact"]
+    if model.rigid_velocity_ratio is not None or len(impacts) < 2:
+        return
+    first, *others = impacts
+    ratios = sample(first.source, [rigid_velocity_ratio(model, t) for t in impacts])
+    for t, ratio in zip(others, ratios[1:], strict=True):
+        if not np.allclose(ratio, ratios[0], rtol=_NEGLIGIBLE, atol=0, equal_nan=True):
+            _fail(
+                model,
+                f"the ratio of the rates of rotation differs between {_called(first)} and "
+                f"{_called(t)}: the feet are not equally far from the masses, which is not "
+                "modelled; make both sides alike, or give `rigid_velocity_ratio`",
+            )
+
+
+def _guards_open(model: RockingModel, sample: _Sample) -> None:
+    """A contact state of one side has states on that side inside it."""
+    theta = model.rotation.position
+    for contact in model.contacts:
+        side = _side(model, contact)
+        out = [t for t in model.transitions if t.source == contact and t.kind == "switch"]
+        if side == 0 or not out:
+            continue
+        put = {theta: side * np.abs(sample.values[theta])}
+        found = sample(contact, [t.guard for t in out], put)
+        for t, values in zip(out, found, strict=True):
+            known = values[np.isfinite(values)]
+            if known.size and not (known > 0).any():
+                _fail(
+                    model,
+                    f"the guard of {_called(t)} is nowhere positive where {model.rotation.name!r} "
+                    f"has the sign of {contact!r}: it must be positive inside its source; turn "
+                    "its sign",
+                )
+
+
+def _at_rest(model: RockingModel) -> dict[sp.Symbol, Any]:
+    """No coordinate has moved. Parameters of either sign, which may make sides differ, are zero."""
+    states = {x: 0.0 for c in model.coordinates for x in (c.position, c.velocity)}
+    return states | {p.symbol: 0.0 for p in model.parameters if not p.symbol.is_nonnegative}
+
+
+def _rests(model: RockingModel, sample: _Sample) -> None:
+    """Springs do not push the structure away from where it is said to rest.
+
+    Without a spring at work, or where it carries the weight, a coordinate may be zero.
+    """
+    pushed: dict[str, bool] = {}
+    for phase in model.phases:
+        eq, n = phase.equations, len(phase.coordinates)
+        if n == 0 or not any(t.kind != "switch" for t in model.transitions):
+            continue
+        parts = sample(_contact_of(phase), (*eq.stiffness, *eq.gravity, *eq.force), _at_rest(model))
+        elastic, weight, force = parts.reshape(3, n, -1)
+        bound = _NEGLIGIBLE * (np.abs(elastic) + np.abs(weight) + np.abs(force))
+        wrong = (np.abs(elastic) > bound) & (np.abs(elastic + weight - force) > bound)
+        for c, found in zip(phase.coordinates, wrong, strict=True):
+            if c != model.rotation:
+                pushed[c.name] = pushed.get(c.name, True) and bool(found.any())
+    for name in (name for name, always in pushed.items() if always):
+        _fail(
+            model,
+            f"the elastic energy pushes {name!r} away from zero, where the structure is said to "
+            "rest: declare an energy such as k u**2/2, not a force",
+        )
+
+
+def _energies_are_even(model: RockingModel, sample: _Sample) -> None:
+    """The elastic energy does not rise to one side of rest while it falls to the other.
+
+    Of a coordinate that is not the rotation, less what a spring that is compressed at rest gives.
+    """
+    rest = _at_rest(model)
+    pairs = {(t.source, t.target) for t in model.transitions if t.kind == "impact"}
+    for one, other in sorted(pairs):
+        if _side(model, one) > 0:
+            continue
+        phase = model.phase(one)
+        energy, slopes = phase.equations.elastic_energy, phase.equations.stiffness
+        for c, slope in zip(phase.coordinates, slopes, strict=True):
+            if not model.written_out(energy).has(c.position):
+                continue
+            turns = c == model.rotation
+            gains = []
+            for way, contact in ((-1, one), (1, other if turns else one)):
+                (there,) = sample(contact, [energy], {**rest, c.position: 1e-2 * way})
+                here, given = sample(contact, [energy, slope], rest)
+                given = 0.0 * given if turns else 1e-2 * way * given
+                gain = there - here - given
+                gains.append(
+                    np.sign(gain) * (np.abs(gain) > 1e-12 * (np.abs(there) + np.abs(given)))
+                )
+            if np.all(gains[0] * gains[1] < 0):
+                _fail(
+                    model,
+                    f"the elastic energy with contact {one!r} rises where {c.name!r} moves to one "
+                    "side and falls on the other: it must grow to either side, as k u**2/2 does, "
+                    "or k s theta with the side s",
+                )
+
+
+# --- the values of its parameters
+
+
+def check_values(model: RockingModel, values: Mapping[str, float]) -> None:
+    """Masses must not be negative, and the left foot stands to the left of the right one."""
+    put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
+    for item, size, said in _sizes(model):
+        found = size.xreplace(model.constants).xreplace(put)
+        if not found.is_number or found > 0 or (found == 0 and said == _MASS):
+            continue
+        given = ", ".join(
+            f"{p.name} = {values[p.name]}"
+            for p in model.parameters
+            if p.symbol in size.xreplace(model.constants).free_symbols
+        )
+        _fail(model, f"{item} is {float(found):g} with {given}: {said}")
+
+
+_MASS, _WIDTH = "it must not be negative", "the left foot must stand to the left of the right one"
+
+
+def _sizes(model: RockingModel) -> Iterator[tuple[str, sp.Expr, str]]:
+    upright = {c.position: 0 for c in model.coordinates}
+    for phase in model.phases:
+        for b in phase.bodies:
+            yield f"the mass of body {b.name!r}", sp.sympify(b.mass), _MASS
+            yield f"the moment of inertia of body {b.name!r}", sp.sympify(b.inertia), _MASS
+        if phase.feet:
+            left, right = (sp.sympify(phase.feet[f].position[0]) for f in ("left", "right"))
+            width = model.in_contact((right - left).subs(upright), _contact_of(phase))
+            yield "the distance of the feet", width, _WIDTH
+
+
+# --- a structure that rocks about the edges of its base
+
+
+def check_turning(
+    name: str, bodies: tuple[Body, ...], held: Mapping[sp.Symbol, Any],
+    rotation: sp.Symbol, angle: sp.Expr, half_width: sp.Expr,
+) -> None:  # fmt: skip
+    """At least one body turns clockwise about the right edge with the first coordinate."""
+
+    def upright(expr: Any) -> sp.Expr:
+        return at_side(sp.sympify(expr).subs(held), 1)
+
+    turns = upright(sp.diff(angle, rotation))
+    for b in bodies:
+        x, y = (upright(e) for e in b.position)
+        vx, vy = (upright(sp.diff(e, rotation)) for e in b.position)
+        if sp.simplify(vx - y * turns) == 0 and sp.simplify(vy + (x - half_width) * turns) == 0:
+            return
+    raise ValueError(
+        f"{name}: no body turns about the edges with {rotation}, the first of `coordinates`: put "
+        "the rotation first, and place bodies by `turned(point, pivot, rotation)`"
+    )
+
+
+__all__ = ["check", "check_derived", "check_turning", "check_values"]

@@ -1,0 +1,87 @@
+"""Single items of a declaration: numbers, points, symbols, texts and names.
+
+Each check raises ValueError, which names what is declared, the item and the remedy.
+"""
+
+from __future__ import annotations
+
+import difflib
+import unicodedata
+from collections.abc import Iterable
+from numbers import Real
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+LONGEST = 100
+"""Letters of a name: files are called by it."""
+
+
+def expressions(what: str, **items: Any) -> None:
+    """Each must be a SymPy expression or a number: text would be run as a program."""
+    for item, value in items.items():
+        number = isinstance(value, Real) and not isinstance(value, bool)
+        if not (number or isinstance(value, sp.Expr)):
+            raise ValueError(
+                f"{what}: {item} is {value!r}: give a number or a SymPy expression, "
+                "such as `parameter(...).symbol`"
+            )
+        if sp.sympify(value).has(sp.nan, sp.zoo):
+            raise ValueError(f"{what}: {item} is {value}: give a finite value")
+
+
+def points(what: str, **items: Any) -> None:
+    """Each must be a pair of expressions."""
+    for item, value in items.items():
+        if not isinstance(value, tuple) or len(value) != 2:
+            raise ValueError(f"{what}: {item} is {value!r}: give a point as (x, y)")
+        expressions(what, **{f"{axis} of {item}": value[i] for i, axis in enumerate("xy")})
+
+
+def symbols(what: str, **items: Any) -> None:
+    for item, value in items.items():
+        if not isinstance(value, sp.Symbol):
+            raise ValueError(f"{what}: {item} is {value!r}: give a SymPy symbol")
+
+
+def texts(what: str, **items: Any) -> None:
+    for item, value in items.items():
+        if not isinstance(value, str):
+            raise ValueError(f"{what}: {item} is {value!r}: give a text")
+
+
+def name(what: str, name: Any) -> None:
+    """A name must be one that Python's keywords can be, `lambda` and the like included."""
+    if not isinstance(name, str) or not name.isidentifier() or len(name) > LONGEST:
+        raise ValueError(
+            f"{what}: the name {str(name)[:LONGEST]!r} must consist of letters, digits and "
+            f"underscores, not begin with a digit, and have 1 to {LONGEST} letters"
+        )
+    plain = unicodedata.normalize("NFKC", name)
+    if name != plain:
+        raise ValueError(f"{what}: Python reads the name {name!r} as {plain!r}: write that")
+
+
+def known(what: str, item: str, name: Any, there: Iterable[str]) -> None:
+    names = tuple(there)
+    if name not in names:
+        near = difflib.get_close_matches(str(name), names, n=1)
+        hint = f" (did you mean {near[0]!r}?)" if near else ""
+        raise ValueError(f"{what}: {item} is {name!r}{hint}; there are {', '.join(names)}")
+
+
+def not_negative(what: str, **items: Any) -> None:
+    """None may be negative whatever the parameters are."""
+    for item, value in items.items():
+        if sp.sympify(value).is_negative:
+            raise ValueError(f"{what}: {item} is {value}, negative: give it its other sign")
+
+
+def laws(what: str, symbol: Any) -> None:
+    """The symbol of a law, a plain one or a function of one coordinate."""
+    function = isinstance(symbol, AppliedUndef) and len(symbol.args) == 1
+    if not (isinstance(symbol, sp.Symbol) or function):
+        raise ValueError(
+            f"{what}: its symbol is {symbol}: give a symbol, or a function of one coordinate"
+        )

@@ -1,0 +1,297 @@
+"""Whatever users call their parameters, coordinates and contact states, the numbers are the same.
+
+The generated text is executed by Python itself, so that nothing needs to be compiled.
+"""
+
+import ast
+import functools
+import importlib
+import types
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+
+import rockeom as rk
+from rockeom.codegen import module_text
+from rockeom.codegen.names import Names, is_own
+from rockeom.numeric.lanes_text import lanes_text
+from rockeom.numeric.structures import DeclaredStructure
+from rockeom.numeric.tableau import step_text, tableau
+from rockeom.symbolic import Coordinate, Phase, RockingModel, Transition
+from rockeom.symbolic.evaluate import NumpyPhase
+
+from .blocks import two_storey
+
+NUMERIC = Path(rk.__file__).parent / "numeric"
+VALUES = {
+    "base_mass": 10e3,
+    "mass_1": 20e3,
+    "mass_2": 15e3,
+    "height_1": 3.5,
+    "height_2": 7.0,
+    "stiffness_1": 20e6,
+    "stiffness_2": 18e6,
+    "damping_1": 120e3,
+    "damping_2": 100e3,
+    "half_width": 1.2,
+    "gravity": 9.81,
+}
+COORDINATES = ("theta", "u1", "u2")
+UNCOMPILED = """
+def njit(**options):
+    def same(function):
+        function.py_func = function
+        return function
+    return same
+"""
+
+NAMES = (
+    # what numbers were computed wrongly with, without a word
+    *(f"c{i}" for i in range(21)),
+    *("s", "ax", "ay", "load", "theta_ddot", "p", "y", "out", "math", "RIGHT", "lambda"),
+    # intermediate results
+    *("x0", "x1", "x15", "m00", "m10", "m11", "f0", "f1", "r0", "r1", "l10", "l21"),
+    *("share_10", "share_20", "angle_0", "sin_theta", "cos_theta", "sin_c0_", "cos_s"),
+    *("u1_ddot", "u1_ddot_alone", "theta_dot_after", "u2_dot_after_alone", "total_gravity"),
+    # arguments, functions and tables
+    *("g", "dy", "i", "found", "value", "guard", "law", "ratio", "contact", "parameters"),
+    *("accelerations", "accelerations_left_right", "guards", "jump", "rates", "prepare", "np"),
+    *("energies", "reactions", "kinematics", "statics", "overturning", "velocity_ratio"),
+    *("impulse_to_opposite", "impulse_to_both", "opening_acceleration", "sine_cosine", "njit"),
+    *("STATES", "SIDES", "N_STATES", "IMPULSIVE", "RATIO", "LEFT", "BOTH", "NAME", "OPTIONS"),
+    # Python's own
+    *("self", "model", "name", "abs", "max", "min", "range", "float", "print", "__debug__"),
+    *("class", "None", "True", "import", "_", "__", "lambda_", "c0_", "c0__", "s_", "µ".upper()),
+    *("match", "int", "len", "__name__", "_compiled", "x", "n", "r", "z", "ROUNDER", "EPS"),
+)
+
+
+def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
+    """The model with other names of parameters and coordinates, and nothing else changed."""
+
+    def other(c: Coordinate) -> Coordinate:
+        return replace(c, name=names.get(c.name, c.name))
+
+    def phase_of(phase: Phase) -> Phase:
+        new = replace(phase, coordinates=tuple(map(other, phase.coordinates)))
+        vars(new)["equations"] = phase.equations  # the same, and derived once
+        return new
+
+    return replace(
+        model,
+        parameters=tuple(replace(p, name=names.get(p.name, p.name)) for p in model.parameters),
+        coordinates=tuple(map(other, model.coordinates)),
+        rotation=other(model.rotation),
+        phases=tuple(map(phase_of, model.phases)),
+    )
+
+
+def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
+    """The model with other names of contact states."""
+
+    def other(t: Transition) -> Transition:
+        return replace(
+            t,
+            source=names.get(t.source, t.source),
+            target=names.get(t.target, t.target),
+            fallback=names.get(t.fallback, t.fallback),
+        )
+
+    return replace(
+        model,
+        phases=tuple(
+            replace(phase, contacts={names.get(c, c): s for c, s in phase.contacts.items()})
+            for phase in model.phases
+        ),
+        transitions=tuple(map(other, model.transitions)),
+    )
+
+
+def uncompiled(model: RockingModel) -> types.ModuleType:
+    text = module_text(model)
+    assert text.count("from numba import njit\n") == 1
+    module = types.ModuleType(model.name)
+    exec(text.replace("from numba import njit\n", UNCOMPILED), vars(module))
+    return module
+
+
+def numbers(model: RockingModel, names: dict[str, str]) -> dict[str, np.ndarray]:
+    """All that a structure tells without a simulation, at some states of each contact state."""
+    values = {names.get(k, k): v for k, v in VALUES.items()}
+    frame = DeclaredStructure(uncompiled(model), values)
+    theta, u1, u2 = (names.get(c, c) for c in COORDINATES)
+    found = {
+        "velocity ratio": np.array(frame.velocity_ratio),
+        "overturning": np.array(frame.overturning_rotation),
+        "pushover": frame.pushover([0.0, 0.01, -0.05]),
+    }
+    state = {theta: 0.0, u1: 0.01, u2: -0.02, f"{u1}_dot": 0.3, f"{u2}_dot": 0.2}
+    for side, contact in ((-1, "left"), (0, "both"), (1, "right")):
+        here = state | {theta: 0.03 * side, f"{theta}_dot": 0.4 * side}
+        y = frame.state(here)
+        ground = {"ground_acceleration": 1.2, "vertical_ground_acceleration": 0.3}
+        tables = {
+            "accelerations": frame.accelerations(here, phase=contact, **ground),
+            "energies": frame.energies(here, phase=contact),
+            "reactions": frame.reactions(here, phase=contact, **ground),
+        }
+        found |= {f"{k}, {contact}": np.array([*t.values()]) for k, t in tables.items()}
+        m = frame.module
+        for name, size in (("kinematics", len(m.KINEMATICS)), ("guards", m.N_GUARDS)):
+            out, more = np.zeros(size), (1.2, 0.3) if name == "guards" else ()
+            getattr(m, name)(frame.contact(y, contact), y, frame.vector, *more, out)
+            found[f"{name}, {contact}"] = out
+        if side:
+            for law in (rk.AngularMomentum(), rk.Impulsive()):
+                landing = state | {f"{theta}_dot": -0.4 * side}
+                after, follows = frame.after_impact(landing, contact, law)
+                found[f"{law}, {contact} to {follows}"] = np.array([*after.values()])
+    return found
+
+
+MODEL = two_storey()
+
+
+@functools.cache
+def usual() -> dict[str, np.ndarray]:
+    return numbers(MODEL, {})
+
+
+def assert_same(found: dict[str, np.ndarray]) -> None:
+    assert list(found) == list(usual())
+    for what, expected in usual().items():
+        np.testing.assert_allclose(
+            found[what], expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max(), err_msg=what
+        )
+
+
+RENAMED = (*(name for name in VALUES if name != "gravity"), *COORDINATES)
+
+
+@pytest.mark.parametrize("first", range(0, len(NAMES), len(RENAMED)))
+def test_two_storey_frame_gives_the_same_numbers_whatever_its_parameters_are_called(first):
+    nasty = NAMES[first : first + len(RENAMED)]
+    names = dict(zip(RENAMED, nasty, strict=False))
+    assert_same(numbers(renamed(MODEL, names), names))
+
+
+def test_and_its_coordinates():
+    names = {"theta": "c0", "u1": "s", "u2": "sin_", "mass_1": "sin_c0", "mass_2": "c0_"}
+    assert_same(numbers(renamed(MODEL, names), names))
+
+
+def test_names_that_dampers_and_springs_are_given():
+    names = {"damping_1": "c1", "damping_2": "c2", "stiffness_1": "k1", "stiffness_2": "k2"}
+    names |= {"mass_1": "m1", "mass_2": "m2", "half_width": "b", "gravity": "g", "theta": "x"}
+    model = renamed(MODEL, names)
+    assert_same(numbers(model, names))
+    values = {names.get(k, k): v for k, v in VALUES.items()}
+    y, ground = [0.02, 0.01, -0.02, 0.1, 0.3, 0.2], {"ax": 1.2, "ay": 0.3}
+    phase, usual_phase = NumpyPhase(model, "right"), NumpyPhase(MODEL, "right")
+    for of, more in (("rates", ground), ("energies", {}), ("reactions", ground)):
+        found = getattr(phase, of)(y, values, **more)
+        expected = getattr(usual_phase, of)(y, VALUES, **more)
+        if of != "rates":
+            found, expected = ([*d.values()] for d in (found, expected))
+        np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+@given(st.lists(st.from_regex(r"[a-z_]\w{0,3}", fullmatch=True) | st.sampled_from(NAMES)))
+def test_given_names_are_different_and_none_is_the_program_s(words):
+    names = Names()
+    given_names = [names.of_contact(w) for w in words] + [names.of(w) for w in words]
+    assert len(set(given_names)) == len(given_names)
+    assert not any(map(is_own, given_names))
+
+
+def bound_by(text: str) -> set[str]:
+    """Names that a text defines for the whole of the program."""
+    found: set[str] = set()
+    for statement in ast.parse(text).body:
+        if isinstance(statement, ast.FunctionDef):
+            found.add(statement.name)
+            continue
+        stored = (n for n in ast.walk(statement) if isinstance(n, ast.Name))
+        found |= {node.id for node in stored if isinstance(node.ctx, ast.Store)}
+    return found
+
+
+@pytest.mark.parametrize("method", ["DOP853", "RK45"])
+def test_no_contact_state_can_meet_what_is_joined_to_the_module(method):
+    """In the joined program numbers of contact states are global, as all of the loop's names."""
+    frame = importlib.import_module("rockeom.generated.flexible_structure")
+    joined = [(NUMERIC / name).read_text(encoding="utf-8") for name in ("loop.py", "lanes.py")]
+    joined += [step_text(tableau(method), 2), lanes_text(tableau(method), frame)]
+    names = set().union(*map(bound_by, joined))
+    assert {"REST", "IMPACT", "EPS"} <= names
+    for name in names:
+        assert Names().of_contact(name.lower()) not in names
+        assert not name.endswith("_")
+    assert not {"LEFT", "BOTH", "RIGHT", "FLIGHT"} & names
+
+
+def test_contact_states_of_any_name():
+    """Of a block whose contact states are marks on the way."""
+    model = rk.derive("dirac_delta_block")
+    nasty = ("rest", "Impact", "states", "ratio", "EPS", "lambda")
+    names = dict(zip(model.contacts, nasty, strict=True))
+    module, usual_module = uncompiled(with_contacts(model, names)), uncompiled(model)
+    for table in ("STATES", "NAME", "PARAMETERS", "RATIO", "IMPULSIVE"):
+        assert getattr(module, table) == getattr(usual_module, table)
+    parameters = np.array([0.2, 0.8, 0.01])
+    for y in np.array([[0.02, 1.0], [0.7, -1.0], [-0.1, 0.0]]):
+        for contact, name in names.items():
+            found = []
+            for m, called in ((usual_module, contact), (module, name)):
+                number, p = m.CONTACTS.index(called), m.prepare(parameters)
+                g, dy, after = np.zeros(m.N_GUARDS), np.zeros(2), np.zeros(2)
+                m.guards(number, y, p, 0.0, 0.0, g)
+                m.rates(number, y, p, 0.3, 0.1, dy)
+                follows = [
+                    m.CONTACTS[m.jump(number, i, 0, 0.9, y, p, after)]
+                    for i in range(m.GUARDS[number])
+                ]
+                found.append((g, dy, follows))
+            np.testing.assert_array_equal(found[0][0], found[1][0])
+            np.testing.assert_array_equal(found[0][1], found[1][1])
+            assert [names[c] for c in found[0][2]] == found[1][2]
+
+
+def test_keywords_are_parameters_like_any_other():
+    names = {"half_width": "lambda", "mass_1": "model", "mass_2": "self", "base_mass": "name"}
+    model = renamed(MODEL, names)
+    values = {names.get(k, k): v for k, v in VALUES.items()}
+    frame = rk.structure(model, **values)
+    assert frame.parameters() == values
+    with pytest.raises(TypeError, match="did you mean lambda"):
+        rk.structure(model, **(values | {"lamda": 1.0}))
+
+
+def test_a_simulation_with_ugly_names_is_the_same():
+    """Compiled, joined to the loop, and through impacts and full contact."""
+    names = {"damping_1": "c1", "damping_2": "c2", "stiffness_1": "s", "stiffness_2": "x0"}
+    names |= {"mass_1": "p", "mass_2": "y", "height_1": "load", "height_2": "theta_ddot"}
+    names |= {"base_mass": "lambda", "half_width": "RIGHT", "u1": "c0", "u2": "out"}
+    runs = []
+    for model, called in ((MODEL, {}), (renamed(MODEL, names), names)):
+        values = {called.get(k, k): v for k, v in VALUES.items()}
+        runs.append(
+            rk.simulate(
+                rk.structure(model, **values),
+                rk.GroundMotion.single_sine(4.0, 0.6, duration=2.0),
+                impact=rk.Impulsive(),
+            )
+        )
+    usual_run, run = runs
+    assert len(usual_run.impacts) > 2
+    assert [e.kind for e in run.events] == [e.kind for e in usual_run.events]
+    times = np.linspace(0.0, 2.0, 201)
+    found, expected = run.at(times), usual_run.at(times)
+    for name in (*COORDINATES, *(f"{c}_dot" for c in COORDINATES)):
+        coordinate, dot, _ = name.partition("_dot")
+        other = names.get(coordinate, coordinate) + dot
+        size = np.abs(expected[name]).max()
+        np.testing.assert_allclose(found[other], expected[name], rtol=0, atol=1e-12 * size)
