@@ -438,7 +438,8 @@ _NEGLIGIBLE = 1e-9
 def check_derived(model: RockingModel) -> None:
     """Equations, impacts and guards of a declaration, at random states and parameters."""
     sample = _Sample(model)
-    for phase in model.phases:
+    matrices = {p.equations.mass_matrix.as_immutable(): p for p in reversed(model.phases)}
+    for phase in reversed(matrices.values()):
         _invertible(model, phase, sample)
     _one_ratio(model, sample)
     _guards_open(model, sample)
@@ -568,7 +569,8 @@ def _rests(model: RockingModel, sample: _Sample) -> None:
     pushed: dict[str, bool] = {}
     for phase in model.phases:
         eq, n = phase.equations, len(phase.coordinates)
-        if n == 0 or not any(t.kind != "switch" for t in model.transitions):
+        others = [c for c in phase.coordinates if c != model.rotation]
+        if not others or not any(t.kind != "switch" for t in model.transitions):
             continue
         parts = sample(_contact_of(phase), (*eq.stiffness, *eq.gravity, *eq.force), _at_rest(model))
         elastic, weight, force = parts.reshape(3, n, -1)
