@@ -90,7 +90,9 @@ def uplift_acceleration(structure: Structure) -> float:
             slopes = np.transpose(
                 [(lacking(unknown + h, foot) - value) / h.max() for h in np.diag(steps)]
             )
-            kept = slopes.any(axis=1)  # a coordinate that is held has no equation, and stays
+            kept = np.asarray(
+                slopes.any(axis=1)
+            )  # a coordinate that is held has no equation, and stays
             kept[0] = True
             change = np.zeros_like(unknown)
             try:
