@@ -5,6 +5,8 @@ from __future__ import annotations
 from numbers import Real
 from typing import Any
 
+import numpy as np
+
 _LONGEST = 60  # letters of a value in an error
 
 
@@ -52,6 +54,29 @@ def number(what: str, value: Any, remedy: str = "give a number") -> float:
         return float(value)
     except OverflowError:
         return float("inf") if value > 0 else -float("inf")
+
+
+def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
+    """The numbers given for what is named, of any shape, as an array of float.
+
+    Raises TypeError where one is no number, masked or complex.
+    """
+    if type(value) is np.ndarray and value.dtype == float:
+        return value
+    try:
+        found = np.asarray(value)
+    except ValueError as error:
+        raise TypeError(f"{what} is {told(value)} ({error}): {remedy}") from None
+    if np.ma.is_masked(value) or np.iscomplexobj(found):
+        raise TypeError(
+            f"{what} is masked or complex: fill the gaps, or take the real part, yourself"
+        )
+    if found.dtype.kind not in "iuf":
+        for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
+            if not is_number(element):
+                place = f"[{', '.join(map(str, index))}]" if index else ""
+                raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
+    return found.astype(float)
 
 
 def whole_number(what: str, value: Any, least: int) -> int:

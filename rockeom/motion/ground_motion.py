@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.arguments import is_number, told
+from rockeom.arguments import number, numbers, told
 from rockeom.motion import library, readers
 from rockeom.motion.errors import MotionError
 from rockeom.motion.readers import Column, FilePath, Record
@@ -546,15 +546,13 @@ def _check_rows(
 
 
 def _finite(name: str, value: Any) -> float:
-    if not is_number(value):
-        raise MotionError(f"{name} is {told(value)}: give a number")
     try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise MotionError(f"{name} is {number}: give a finite number")
-    return number
+        given = number(name, value)
+    except TypeError as error:
+        raise MotionError(str(error)) from None
+    if not math.isfinite(given):
+        raise MotionError(f"{name} is {given}: give a finite number")
+    return given
 
 
 def _positive(name: str, value: Any) -> float:
@@ -565,24 +563,10 @@ def _positive(name: str, value: Any) -> float:
 
 
 def _array(name: str, value: ArrayLike) -> np.ndarray:
-    """Numbers as an array of float, where nothing is lost in the conversion."""
-    if isinstance(value, np.ndarray) and value.dtype == float and not np.ma.isMaskedArray(value):
-        return value
-    remedy = "give numbers; GroundMotion.read reads a file"
     try:
-        values = np.asarray(value)
-    except ValueError as error:
-        raise MotionError(f"{name} is {told(value)} ({error}): {remedy}") from None
-    if np.ma.is_masked(value) or np.iscomplexobj(values):
-        raise MotionError(
-            f"{name} is masked or complex: fill the gaps, or take the real part, yourself"
-        )
-    if values.dtype.kind not in "iuf":
-        for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
-            if not is_number(element):
-                place = f"[{', '.join(map(str, index))}]" if index else ""
-                raise MotionError(f"{name}{place} is {told(element)}, which is no number: {remedy}")
-    return values.astype(float)
+        return numbers(name, value, "give numbers; GroundMotion.read reads a file")
+    except TypeError as error:
+        raise MotionError(str(error)) from None
 
 
 def _one_dimension(acceleration: ArrayLike) -> np.ndarray:
