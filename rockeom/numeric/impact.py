@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
+
+from rockeom.arguments import is_number, number, told
 
 RATIO, IMPULSIVE, AT_SPEED = 0, 1, 2  # as in the generated modules and in the loop
 
@@ -90,6 +93,13 @@ class EnergyRatioAtSpeed:
     height: float | None = None
 
     def __post_init__(self) -> None:
+        if not _are_pieces(self.pieces):
+            raise TypeError(
+                f"pieces of an energy ratio are {told(self.pieces)}: give three numbers for each, "
+                "(limit [m/s], r at no speed, slope [s/m]), as ((math.inf, 0.865, 0.0441),)"
+            )
+        if self.height is not None:
+            number("height of an energy ratio in pieces", self.height)
         limits = [limit for limit, _, _ in self.pieces]
         if not limits or limits[-1] != math.inf or limits != sorted(set(limits)):
             raise ValueError(
@@ -126,7 +136,7 @@ class EnergyRatioAtSpeed:
 
     def at(self, speed: float) -> float:
         """r at a speed [m/s], of either sign."""
-        speed = abs(speed)
+        speed = abs(number("speed", speed))
         return next(r + slope * speed for limit, r, slope in self.pieces if speed < limit)
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
@@ -147,6 +157,31 @@ class EnergyRatioAtSpeed:
         return [*(number for row in rows for number in row), float(len(rows))]
 
 
+_LAWS = (EnergyRatio, VelocityRatio, AngularMomentum, Impulsive, EnergyRatioAtSpeed)
+
+
+def check_law(impact: Any) -> None:
+    """Raise TypeError for what is no law of impact; a number could be either ratio."""
+    if isinstance(impact, _LAWS):
+        return
+    try:  # a law of the caller's own; a path, too, has a method of that name
+        inspect.signature(impact.resolve).bind(1.0, True, "name")
+    except (AttributeError, TypeError, ValueError):
+        r = impact if is_number(impact) else 0.8
+        raise TypeError(
+            f"impact is {told(impact)}: give a law, such as rk.EnergyRatio({r}) or "
+            f"rk.VelocityRatio({r}), rk.AngularMomentum() or rk.Impulsive()"
+        ) from None
+
+
+def _are_pieces(pieces: Any) -> bool:
+    try:
+        rows = [tuple(piece) for piece in pieces]
+    except TypeError:
+        return False
+    return all(len(row) == 3 and all(map(is_number, row)) for row in rows)
+
+
 def _check(what: str, value: float) -> None:
-    if not 0.0 <= value <= 1.0:
+    if not 0.0 <= number(what, value) <= 1.0:
         raise ValueError(f"{what} is {value}: it must lie between 0 (no rebound) and 1 (no loss)")

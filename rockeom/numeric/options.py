@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from rockeom.arguments import number, told, whole_number
+
 
 @dataclass(frozen=True)
 class SolverOptions:
@@ -46,13 +48,27 @@ class SolverOptions:
     def __post_init__(self) -> None:
         if self.method not in ("DOP853", "RK45", "Radau"):
             raise ValueError(f"method is {self.method!r}: choose 'DOP853', 'RK45' or 'Radau'")
-        for name in ("rtol", "atol", "max_step", "rest_tolerance", "max_impacts", "max_steps"):
-            value = getattr(self, name)
+        # Compiled code knows a number by its type: kept are float and int, whatever was given.
+        for name in ("rtol", "atol", "max_step", "rest_tolerance", "output_step"):
+            if name == "output_step" and self.output_step is None:
+                continue
+            value = number(name, getattr(self, name), "give a positive number")
             if not value > 0:
                 raise ValueError(f"{name} is {value}: it must be positive")
-        if self.steps_per_law < 0 or self.steps_per_law != int(self.steps_per_law):
-            raise ValueError(f"steps_per_law is {self.steps_per_law}: give 0 or a whole number")
+            object.__setattr__(self, name, value)
+        for name, least in (("max_impacts", 1), ("max_steps", 1), ("steps_per_law", 0)):
+            object.__setattr__(self, name, whole_number(name, getattr(self, name), least))
         if self.rtol < 1e-15:
             raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
-        if self.output_step is not None and not self.output_step > 0:
-            raise ValueError(f"output_step is {self.output_step}: it must be positive or None")
+
+    @classmethod
+    def of(cls, options: SolverOptions | None) -> SolverOptions:
+        """The options given, or the defaults for None; raises TypeError for anything else."""
+        if options is None:
+            return cls()
+        if isinstance(options, cls):
+            return options
+        raise TypeError(
+            f"options is {told(options)}: give options of the solver, such as "
+            "rk.SolverOptions(rtol=1e-8)"
+        )

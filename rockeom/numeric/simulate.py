@@ -41,10 +41,11 @@ def simulate(
     duration : [s]; the motion's own if not given. After the motion the ground stands still.
     phase : contact state at the start, where the state leaves it open.
 
-    Raises ValueError for states that are unknown, not finite or already fallen over.
+    Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
+    for an argument of another kind than is asked for.
     """
     case = Case(structure, motion, impact, initial, duration, vertical, phase)
-    options = options or SolverOptions()
+    options = SolverOptions.of(options)
     problem = case.problem()
     compiled = program(structure.module, options.method)
     record = run(compiled, problem, options)

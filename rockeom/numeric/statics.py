@@ -8,17 +8,27 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy import optimize
 
+from rockeom.arguments import numbers
+
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
 def pushover(structure: Structure, rotations) -> np.ndarray:
     """Force at the load point in equilibrium at each rotation; see Structure.pushover."""
-    rotations = np.asarray(rotations, dtype=float)
+    rotations = angles(rotations)
     forces = np.empty(rotations.shape)
     for index in np.ndindex(rotations.shape):
         forces[index] = _force(structure, float(rotations[index]))
     return forces
+
+
+def angles(rotations) -> np.ndarray:
+    """Rotations as finite floats; raises TypeError or ValueError where one is none."""
+    found = numbers("rotations", rotations)
+    if not np.isfinite(found).all():
+        raise ValueError(f"rotations hold {found[~np.isfinite(found)][0]}: give finite numbers")
+    return found
 
 
 def _force(structure: Structure, rotation: float) -> float:

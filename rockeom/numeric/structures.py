@@ -9,14 +9,14 @@ import importlib
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from numbers import Real
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transform
 
 import numpy as np
 
+from rockeom.arguments import number, told
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw
+from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw, check_law
 
 IMPACT, UPLIFT, SWITCH = range(3)  # kinds of guards, as in the generated modules
 
@@ -83,14 +83,18 @@ class Structure:
         return float(self.module.velocity_ratio.py_func(self.vector))
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
-        """(N,) state vector of named values; raises ValueError for unknown names or NaN."""
+        """(N,) state vector of named values.
+
+        Raises ValueError for unknown names or NaN, and TypeError for what is no mapping of numbers.
+        """
+        check_states("state", values, self)
         unknown = [n for n in values if n not in self.states]
         if unknown:
             raise ValueError(
                 f"unknown state {', '.join(map(repr, unknown))}; {self.model} has "
                 f"{', '.join(self.states)}"
             )
-        y = [float(values.get(name, 0.0)) for name in self.states]
+        y = [number(f"state {name}", values.get(name, 0.0)) for name in self.states]
         for name, value in zip(self.states, y, strict=True):
             if not math.isfinite(value):
                 raise ValueError(f"state {name} is {value}: give a finite number")
@@ -106,6 +110,8 @@ class Structure:
         m = self.module
         rotation, rate = float(y[m.ROTATION]), float(y[m.ROTATION_RATE])
         if phase is not None:
+            if not isinstance(phase, str):
+                raise TypeError(f"phase is {told(phase)}: give one of {', '.join(m.CONTACTS)}")
             if phase not in m.CONTACTS:
                 raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.CONTACTS)}")
             number = m.CONTACTS.index(phase)
@@ -184,7 +190,7 @@ class Structure:
         dy = np.zeros_like(y)
         self.module.rates(
             self.contact(y, phase), y, self.vector,
-            float(ground_acceleration), float(vertical_ground_acceleration), dy,
+            *_ground(ground_acceleration, vertical_ground_acceleration), dy,
         )  # fmt: skip
         n = len(y) // 2
         return dict(zip(self.states[:n], dy[n:].tolist(), strict=True))
@@ -213,7 +219,8 @@ class Structure:
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
         """(law, ratio) for the compiled functions; None is AngularMomentum where there are impacts.
 
-        Raises ValueError where a law is given to a model without impacts.
+        Raises ValueError where a law is given to a model without impacts, and TypeError for what
+        is no law.
         """
         m = self.module
         if not self.has_impacts:
@@ -223,6 +230,7 @@ class Structure:
                 )
             return 0, 1.0
         chosen = AngularMomentum() if impact is None else impact
+        check_law(chosen)
         return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
 
     @property
@@ -258,7 +266,7 @@ class Structure:
         out = np.empty(len(self.module.REACTIONS))
         self.module.reactions(
             self.contact(y, phase), y, self.vector,
-            float(ground_acceleration), float(vertical_ground_acceleration), out,
+            *_ground(ground_acceleration, vertical_ground_acceleration), out,
         )  # fmt: skip
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
 
@@ -298,11 +306,26 @@ def _named(states: tuple[str, ...], y: np.ndarray) -> str:
     return ", ".join(shown) or "the state at rest"
 
 
+def _ground(horizontal: float, vertical: float) -> tuple[float, float]:
+    """Accelerations of the ground [m/s2]; raises TypeError for what is no number."""
+    return (
+        number("ground_acceleration", horizontal),
+        number("vertical_ground_acceleration", vertical),
+    )
+
+
 S = TypeVar("S", bound=Structure)
 
 
 class ParameterError(TypeError):
-    """Parameters that a structure lacks or does not know."""
+    """Parameters that a structure lacks or does not know, or that are given without their name."""
+
+
+def check_states(what: str, values: Any, structure: Structure) -> None:
+    """Raise TypeError for what is no mapping of names of states."""
+    if not (type(values) is dict or isinstance(values, Mapping)):  # most are, and it is faster
+        example = f"{{{structure.states[0]!r}: 0.01}}"
+        raise TypeError(f"{what} is {told(values)}: name the states, as in {example}")
 
 
 def check_names(what: str, required: set[str], known: set[str], given: set[str]) -> None:
@@ -328,22 +351,19 @@ def check_values(
     may_vanish: frozenset[str],
     may_be_negative: frozenset[str] = frozenset(),
 ) -> None:
-    """Raise ValueError for a parameter that is not a positive number.
+    """Raise ValueError for a parameter that is not positive and finite, TypeError for no number.
 
     Where allowed it may be zero, or any finite number.
     """
     for name, value in values.items():
         if value is None:
             continue
-        try:
-            number = float(value)
-        except (TypeError, ValueError):
-            raise ValueError(f"{what}: {name} is {value!r}: give a number in SI units") from None
-        allowed = number >= 0 if name in may_vanish else number > 0
+        given = number(f"{what}: {name}", value, "give a number in SI units")
+        allowed = given >= 0 if name in may_vanish else given > 0
         if name in may_be_negative:
-            if not math.isfinite(number):
+            if not math.isfinite(given):
                 raise ValueError(f"{what}: {name} is {value}: it must be finite")
-        elif not (math.isfinite(number) and allowed):
+        elif not (math.isfinite(given) and allowed):
             wanted = "zero or positive" if name in may_vanish else "positive"
             raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
 
@@ -358,7 +378,12 @@ def _structure_class(cls: type[S]) -> type[S]:
     plain: Any = cls.__init__
 
     @functools.wraps(plain)
-    def init(self: Structure, **values: Any) -> None:
+    def init(self: Structure, *unnamed: Any, **values: Any) -> None:
+        if unnamed:
+            raise ParameterError(
+                f"{cls.__name__} takes its parameters by name, and {told(unnamed[0])} has none. "
+                f"Its parameters are {', '.join(sorted(known))}"
+            )
         check_names(cls.__name__, required, known, set(values))
         numbers = {name: v for name, v in values.items() if name not in cls.not_numbers}
         check_values(cls.__name__, numbers, cls.may_vanish, cls.may_be_negative)
@@ -677,6 +702,10 @@ class _ControlledWall(Structure):
     @classmethod
     def _of_wall(cls, wall: Wall) -> dict[str, float]:
         """The shared parameters of a wall of `rockeom.analysis`."""
+        if isinstance(wall, type) or not hasattr(wall, "tendons"):
+            raise TypeError(
+                f"wall is {told(wall)}: give a wall, such as rockeom.analysis.Wall.thesis()"
+            )
         if len(wall.tendons) != 1:
             raise ValueError(
                 f"{cls.__name__} has one tendon, the wall has {len(wall.tendons)}: for several "
@@ -729,7 +758,9 @@ class _ControlledWall(Structure):
         by a growing rotation: a tendon that yields has its yield force.
         """
         m, p = self.module, self.vector
-        rotations = np.asarray(rotations, dtype=float)
+        from rockeom.numeric.statics import angles
+
+        rotations = angles(rotations)
         forces = np.empty(rotations.shape)
         for index in np.ndindex(rotations.shape):
             y = np.zeros(m.N_STATES)
@@ -797,9 +828,10 @@ class ControlledWall(_ControlledWall):
         The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when
         the wall turns about its centreline.
         """
+        shared = cls._of_wall(wall)
         about_base = float(wall.moment_of_inertia(wall.half_width))
         return cls(
-            **cls._of_wall(wall),
+            **shared,
             centroid_height=wall.centroid_height,
             inertia=about_base - wall.mass * wall.centroid_height**2,
             anchor_height=anchor_distance,
@@ -850,10 +882,10 @@ class FlexibleControlledWall(_ControlledWall):
         damping_ratio : of critical damping, on a fixed base. anchor_distance [m] and the inertia as
         in `ControlledWall`.
         """
+        rigid = ControlledWall.from_wall(wall, anchor_distance)
         period = wall.fixed_base_period if fixed_base_period is None else fixed_base_period
         given = {"fixed_base_period": period, "damping_ratio": damping_ratio}
         check_values(cls.__name__, given, frozenset({"damping_ratio"}))
-        rigid = ControlledWall.from_wall(wall, anchor_distance)
         frequency = 2 * math.pi / period
         return cls(
             **rigid.parameters(),
@@ -948,8 +980,12 @@ class ControlledWallOscillator(_ControlledWall):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        if not isinstance(self.held, bool | np.bool_):
+            raise TypeError(
+                f"ControlledWallOscillator: held is {told(self.held)}: give True or False"
+            )
         if not isinstance(self.energy_ratio, EnergyRatioAtSpeed):
-            if not 0 < self.energy_ratio <= 1:
+            if not 0 < number(f"{type(self).__name__}: energy_ratio", self.energy_ratio) <= 1:
                 raise ValueError(
                     f"ControlledWallOscillator: energy_ratio is {self.energy_ratio}: it must lie "
                     "between 0 and 1"
@@ -1088,10 +1124,6 @@ def structure(model: Any, /, **parameters: float) -> Structure:
     if "gravity" in names:
         parameters.setdefault("gravity", STANDARD_GRAVITY)
     check_names(model.name, names, names, set(parameters))
-    given: dict[str, Any] = parameters
-    for name, value in given.items():
-        if isinstance(value, bool) or not isinstance(value, Real):
-            raise ValueError(f"{model.name}: {name} is {value!r}: give a number in SI units")
     signed = frozenset(p.name for p in model.parameters if not p.symbol.is_nonnegative)
     check_values(model.name, parameters, frozenset(names), signed)
     model.check_values(parameters)

@@ -352,12 +352,26 @@ def test_mirrored_twice_is_the_same_motion(motion):
 @few
 @given(motions(), st.floats(0.01, 5.0))
 def test_padding_adds_nothing_but_quiet_time(motion, quiet):
-    padded = motion.padded(motion.duration + quiet)
+    padded = motion.padded_to(motion.duration + quiet)
+    assert padded == motion.padded_by(quiet)
     t = np.linspace(0.0, motion.duration, 57)[:-1]
     assert padded.duration == motion.duration + quiet
     assert (padded.peak, padded.shaking_ends) == (motion.peak, motion.shaking_ends)
     assert np.array_equal(padded.acceleration(t), motion.acceleration(t))
     assert not padded.acceleration(motion.duration + quiet * np.linspace(0.1, 1.0, 9)).any()
+
+
+def test_padding_up_to_a_duration_and_by_quiet_seconds_are_told_apart():
+    """A record of 4 s and the number 10: 10 s in all, or 10 s more."""
+    record = GroundMotion.from_array(np.ones(401), dt=0.01)
+    assert record.padded_to(10.0).duration == 10.0
+    assert record.padded_by(10.0).duration == 14.0
+    with pytest.raises(MotionError, match=r"duration is 3 s, but array lasts 4 s: give a longer"):
+        record.padded_to(3.0)
+    with pytest.raises(MotionError, match=r"quiet is -1: give a positive number"):
+        record.padded_by(-1.0)
+    with pytest.raises(MotionError, match=r"padded_to\(10\.0\) lasts 10\.0 s.*padded_by\(10\.0\)"):
+        record.padded(10.0)
 
 
 # -- what cannot be changed or taken apart -------------------------------------------------------
@@ -419,8 +433,23 @@ def test_motions_differ_by_acceleration_and_by_name():
         (lambda: GroundMotion.none(1.0).sampled(0.0), r"dt is 0: give a positive number"),
         (lambda: GroundMotion.from_array([0.0, math.nan], 0.1), r"acceleration\[1\] is nan"),
         (lambda: GroundMotion.from_array([-math.inf, 0.0], 0.1), r"acceleration\[0\] is -inf"),
-        (lambda: GroundMotion.from_array([0.0, None], 0.1), r"acceleration\[1\] is nan"),
-        (lambda: GroundMotion.from_array([0.0, "x"], 0.1), r"no number.*'x'"),
+        (
+            lambda: GroundMotion.from_array([0.0, None], 0.1),
+            r"acceleration\[1\] is None.*no number",
+        ),
+        (lambda: GroundMotion.from_array([0.0, "1"], 0.1), r"acceleration\[1\] is '1'.*no number"),
+        (lambda: GroundMotion.from_array("quake.AT2", 0.1), r"'quake.AT2'.*GroundMotion.read"),
+        (lambda: GroundMotion.from_array([[0.0], [0.0, 1.0]], 0.1), r"list of length 2.*numbers"),
+        (lambda: GroundMotion.from_array([False, True], 0.1), r"acceleration\[0\] is False"),
+        (lambda: GroundMotion.from_array([0.0, 1.0], "0.1"), r"dt is '0\.1': give a number"),
+        (lambda: GroundMotion.from_array([0.0, 1.0], [0.1]), r"dt is a list.*: give a number"),
+        (lambda: GroundMotion.from_array([0.0, 1.0], 0.1, name=5), r"name is 5: give a text"),
+        (lambda: GroundMotion.none("10"), r"duration is '10': give a number"),
+        (lambda: GroundMotion.none(True), r"duration is True: give a number"),
+        (lambda: GroundMotion.none(10**400), r"duration is inf: give a finite number"),
+        (lambda: GroundMotion.none(1.0).acceleration("0.5"), r"t is '0\.5', which is no number"),
+        (lambda: GroundMotion("quake.AT2"), r"'quake.AT2', which is no number.*GroundMotion.read"),
+        (lambda: GroundMotion([0.0, 1.0]), r"shape \(2,\).*from_array takes accelerations"),
         (lambda: GroundMotion.from_array([[0.0, 1.0]], 0.1), r"shape \(1, 2\): give one dimension"),
         (lambda: GroundMotion.from_array([0.0], 0.1), r"1 sample\(s\), where .* needs two"),
         (lambda: GroundMotion.from_array([0.0, 1.0j], 0.1), r"masked or complex"),

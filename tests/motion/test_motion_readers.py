@@ -1,6 +1,7 @@
 """Records read from files: what the formats allow, and how each bad file is refused."""
 
 import re
+import time
 from pathlib import Path
 
 import numpy as np
@@ -168,7 +169,7 @@ AT2_ERRORS = {
     "no values": (at2([]), r"0 sample\(s\), where a record needs two"),
     "no step line": (
         at2(VALUES).replace("NPTS", "POINTS"),
-        r"r\.AT2: no line with NPTS and DT among the first 29.*from_columns",
+        r"r\.AT2: no line with NPTS and DT among the first 28.*from_columns",
     ),
     "velocity": (
         at2(VALUES, units="VELOCITY TIME SERIES IN UNITS OF CM/S"),
@@ -458,3 +459,233 @@ def test_column_that_is_not_there_or_not_single_is_refused(tmp_path, wanted, mes
     path = write(tmp_path, "r.csv", "time,a,a\n0,1,2\n0.1,3,4\n")
     with pytest.raises(MotionError, match=message):
         GroundMotion.from_csv(path, time_column="time", acceleration_column=wanted, units="g")
+
+
+# -- files of any size and shape -----------------------------------------------------------------
+
+HEADER = at2([]).replace("NPTS=   0", "NPTS=   {n}")
+
+
+def refusal(reader, path: Path, units: str | None = "g") -> str | None:
+    """What is told of a file that cannot be read; no error but MotionError."""
+    try:
+        motion = reader(path, units=units)
+    except MotionError as error:
+        return str(error)
+    assert np.isfinite(motion.segments).all()
+    return None
+
+
+HARD_TO_TELL_APART = {
+    "numbers and commas": lambda n: ",".join(["1.25"] * n),
+    "digits": lambda n: "1" * n + "x 1",
+    "digits in a heading": lambda n: "-A" + "1" * n + "x t",
+    "signs": lambda n: "+-" * n,
+    "points": lambda n: "1." * n,
+    "commas": lambda n: "," * n + "x",
+    "blanks": lambda n: "1" + " " * n + ",x",
+    "brackets": lambda n: "t,a" + "(" * n,
+    "names with brackets": lambda n: "a[b " * n,
+    "brackets and blanks": lambda n: "t a( " + " (" * n,
+    "quotes": lambda n: '0,"' + '""' * n,
+    "quotes and blanks": lambda n: '0,"' + '" ' * n,
+    "letters": lambda n: "e" * n + " 1",
+    "the header's words": lambda n: "NPTS DT IN UNITS VELOCITY TIME " * (n // 30),
+}
+
+
+@pytest.mark.parametrize("line", HARD_TO_TELL_APART.values(), ids=HARD_TO_TELL_APART)
+def test_time_to_read_is_in_proportion_to_the_length_of_a_line(tmp_path, line):
+    """Four times the letters, four times the time; a pattern that goes back takes 16 or 64."""
+
+    def seconds(n):
+        path = write(tmp_path, "r.csv", f"{line(n)}\n{line(n)}\n")
+        start = time.perf_counter()
+        for reader in (GroundMotion.read, GroundMotion.from_at2, GroundMotion.from_columns):
+            assert len(refusal(reader, path) or "") < 1000
+        return time.perf_counter() - start
+
+    short, long = (min(seconds(n) for _ in range(3)) for n in (10_000, 40_000))
+    assert long < 9 * short + 0.02
+
+
+def test_time_to_read_is_in_proportion_to_the_number_of_lines(tmp_path):
+    def seconds(n):
+        content = columns(0.01 * np.arange(n), np.zeros(n))
+        path = write(tmp_path, "r.txt", content)
+        start = time.perf_counter()
+        GroundMotion.read(path, units="g")
+        return time.perf_counter() - start
+
+    short, long = (min(seconds(n) for _ in range(3)) for n in (5_000, 20_000))
+    assert long < 9 * short
+
+
+def test_table_of_many_columns_is_refused_at_once(tmp_path):
+    """Fifty lines of 2000 numbers with commas took 50 s."""
+    rows = (",".join(f"{row + 0.1 * n:.2f}" for n in range(2000)) for row in range(50))
+    path = write(tmp_path, "wide.csv", "\n".join(rows))
+    start = time.perf_counter()
+    with pytest.raises(MotionError, match=r"wide\.csv, line 1: 2000 columns .*from_csv"):
+        GroundMotion.read(path, units="g")
+    motion = GroundMotion.from_csv(path, time_column=0, acceleration_column=1999, units="gal")
+    assert time.perf_counter() - start < 5.0
+    assert motion.samples == pytest.approx((np.arange(50) + 199.9) / 100)
+
+
+def test_memory_to_read_is_in_proportion_to_the_file(tmp_path):
+    """A table of which two columns of 41 count: its fields are not kept."""
+    tracemalloc = pytest.importorskip("tracemalloc")
+    rows = (",".join([f"{0.01 * n:.2f}", *["0.123456"] * 40]) for n in range(10_000))
+    path = write(tmp_path, "r.csv", "\n".join(rows))
+    tracemalloc.start()
+    GroundMotion.from_csv(path, time_column=0, acceleration_column=1, units="g")
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 10 * path.stat().st_size
+
+
+def test_text_of_many_blocks_comes_back_as_it_was_written(tmp_path):
+    """Rows are read some thousand at once; comments between them, and an odd last block."""
+    a = np.random.default_rng(11).normal(size=9001).round(6)
+    lines = columns(0.01 * np.arange(9001), a).replace("\n", "\n# next\n\n")
+    motion = GroundMotion.read(write(tmp_path, "r.txt", lines), units="m/s2")
+    assert np.array_equal(motion.samples, a)
+    motion = GroundMotion.read(write(tmp_path, "r.AT2", at2(a)), gravity=1.0)
+    assert motion.samples == pytest.approx(a, rel=1e-6)
+
+
+def test_line_of_the_fault_is_told_in_a_later_block(tmp_path):
+    lines = columns(0.01 * np.arange(9001), np.zeros(9001)).split("\n")
+    for spoilt, message in (("79.99 x", "is 'x', which is no number"), ("79.99", "1 columns")):
+        path = write(tmp_path, "r.txt", "\n".join([*lines[:7999], spoilt, *lines[8000:]]))
+        with pytest.raises(MotionError, match=rf"line 8000: .*{message}"):
+            GroundMotion.read(path, units="g")
+
+
+FOREIGN = {
+    "NPTS of 5000 digits": (
+        HEADER.format(n="9" * 5000) + "1 2\n",
+        r"line 4: NPTS says 9{57}\.\.\. values, but the file holds 2\. Remedy",
+    ),
+    "DT of 5000 digits": (
+        HEADER.format(n=2).replace(".0100", "9" * 5000) + "1 2\n",
+        r"line 4: DT is 9{57}\.\.\., not a finite number. Remedy",
+    ),
+    "other digits in NPTS": (
+        HEADER.format(n="\u0662") + "1 2\n",
+        r"line 4: NPTS is .*whole number",
+    ),
+    "other digits": (
+        "0 1\n1 \u0662\n",
+        r"line 2: acceleration of sample 2 is '\u0662', which is no",
+    ),
+    "quoted field of 140 kB": (
+        '0,"' + "1" * 140_000 + '"\n1,2\n',
+        r"line 1: the fields of '0,\"1{54}\.\.\.' cannot be told apart .*Remedy: write plain",
+    ),
+    "field of 140 kB": (
+        "0," + "1" * 140_000 + "\n1,2\n",
+        r"line 1: acceleration of sample 1 is 1{57}\.\.\., not a finite number. Remedy",
+    ),
+    "line of 80 kB": (
+        ",".join(["1.2345678"] * 8000),
+        r"line 1: 8000 columns .*where two are needed. Remedy",
+    ),
+    "line of 2 MB": ("1 " * 1_100_000, r"line 1: a line of 2200000 letters, .*Remedy: break it"),
+    "quotes within quotes": (
+        '0,"1"2"\n1,2\n',
+        r"line 1: the fields of '0,\"1\"2\"' cannot be told apart .*Remedy: write plain numbers",
+    ),
+    "quote that is not closed": ('0,"1\n1,2\n', r"line 1: the fields of .*cannot be told apart"),
+    "exponent of 22 digits": (
+        "0e9999999999999999999999 1\n1 2\n",
+        r"line 1: time is 0e9{22}, whose exponent no time has. Remedy",
+    ),
+}
+
+
+@pytest.mark.parametrize(("content", "message"), FOREIGN.values(), ids=FOREIGN)
+def test_no_error_but_that_of_the_motion(tmp_path, content, message):
+    with pytest.raises(MotionError, match=message) as caught:
+        GroundMotion.read(write(tmp_path, "r.txt", content), units="g")
+    assert len(str(caught.value)) < 1000
+
+
+@pytest.mark.parametrize("path", ["a\0b.AT2", "\ud800.txt", "x" * 5000, ""])
+@pytest.mark.parametrize("reader", ["from_at2", "from_columns", "read"])
+def test_path_that_no_file_can_have(reader, path):
+    with pytest.raises(MotionError, match=r"Remedy: .*path") as caught:
+        getattr(GroundMotion, reader)(path)
+    assert "\0" not in str(caught.value)
+
+
+@pytest.mark.parametrize("path", [5, None, b"r.AT2", [0.0, 1.0], np.zeros(3), Path, open])
+@pytest.mark.parametrize("reader", ["from_at2", "from_columns", "read"])
+def test_what_is_no_path(reader, path):
+    with pytest.raises(TypeError, match=r"path is .*: give the path of a file.*from_array"):
+        getattr(GroundMotion, reader)(path)
+
+
+def test_file_without_an_end_is_given_up(tmp_path, monkeypatch):
+    monkeypatch.setattr("rockeom.motion.readers._LARGEST_FILE", 2**21)
+    path = write(tmp_path, "r.txt", b"0 1\n" * (2**20))
+    with pytest.raises(MotionError, match=r"holds more than 2097152 bytes. Remedy: cut it"):
+        GroundMotion.read(path, units="g")
+
+
+SEEDS = [
+    "a\nb\nIN UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 -.2 .3\n",
+    "a\nb\nIN UNITS OF G\n3 .01 NPTS, DT\n-.1234567E-02-.5D-03.25\n",
+    "0 .1\n1 .2\n2 .3\n",
+    "time (s),acc (g)\n0.0,.1\n0.1,-.2\n",
+    '\ufeff"time";"a, b"\n"0";"1"\n"1";"2"\n',
+]
+EXTREMES = ["nan", "1e999", "0e" + "9" * 30, "9" * 5000]
+PIECES = [
+    *('"', '""', ",", ";", "\t", "\n", "\r", "\0", "\x1a", "\x0b", "\x85", "#", "%", "<", "-", "."),
+    *("1_0", "(", ")", "[g]", "(ms)", "\u0662", "\xa0", "\ufeff", "\U0001f30d"),
+    *("NPTS=", "NPTS, DT", "DT=", "IN UNITS OF CM/S2", "VELOCITY TIME SERIES"),
+]
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.data())
+def test_spoilt_file_is_read_or_refused_with_the_error_of_the_motion(tmp_path_factory, data):
+    """Words changed, bytes spoilt, the end cut off, other encodings: no other error comes up."""
+    words = re.split(r"(\s+|[,;])", data.draw(st.sampled_from(SEEDS)))
+    for _ in range(data.draw(st.integers(0, 4))):
+        n = data.draw(st.integers(0, len(words) - 1))
+        piece = data.draw(st.one_of(st.sampled_from(EXTREMES), st.sampled_from(PIECES)))
+        words[n] = data.draw(st.sampled_from([piece, words[n] + piece, piece + words[n]]))
+    text = "".join(words)
+    raw = text.encode(data.draw(st.sampled_from(["utf-8", "utf-8", "utf-16", "utf-8-sig"])))
+    if data.draw(st.booleans()):
+        place = data.draw(st.integers(0, len(raw)))
+        raw = raw[:place] + data.draw(st.binary(max_size=3)) + raw[place + 1 :]
+    raw = raw[: data.draw(st.one_of(st.just(len(raw)), st.integers(0, len(raw))))]
+    path = write(tmp_path_factory.mktemp("spoilt"), data.draw(st.sampled_from(["r", "r.AT2"])), raw)
+    for reader in (GroundMotion.from_at2, GroundMotion.from_columns, GroundMotion.read):
+        told = refusal(reader, path, data.draw(st.sampled_from([None, "g"])))
+        assert told is None or (told.startswith(str(path)) and len(told) < 1000)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.lists(st.floats(-9.0, 9.0).map(lambda x: round(x, 5)), min_size=2, max_size=60),
+    st.sampled_from([" ", "\t", ",", ";", " , "]),
+    st.sampled_from(["\n", "\r\n", "\r"]),
+    st.sampled_from(["", "# a comment\n\n", "time (s){0}acceleration (m/s2)\n", '"t"{0}"a"\n']),
+    st.sampled_from(["{:.2f}{}{:.5f}", "{:.4e}{}{:.9e}", '"{:.2f}"{}"{:.5f}"']),
+)
+def test_columns_come_back_as_they_were_written(
+    tmp_path_factory, a, delimiter, line_end, head, form
+):
+    if '"' in head + form and delimiter.strip() not in (",", ";"):
+        return  # quotes belong to tables with commas
+    rows = "".join(form.format(0.25 * n, delimiter, x) + "\n" for n, x in enumerate(a))
+    text = (head.format(delimiter) + rows).replace("\n", line_end)
+    path = write(tmp_path_factory.mktemp("columns"), "r.txt", text)
+    motion = GroundMotion.read(path, units="m/s2")
+    assert np.array_equal(motion.samples, a)
+    assert motion.dt == 0.25

@@ -1,8 +1,15 @@
 """Bad input from Python: each error names what is wrong, where, and the remedy."""
 
 import math
+import re
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
 
+import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 
 import rockeom as rk
 
@@ -31,7 +38,6 @@ def block(**changes):
         (lambda: block(half_width=0.0), ("half_width", "positive")),
         (lambda: block(half_width=math.nan), ("half_width", "nan", "finite")),
         (lambda: block(half_height=math.inf), ("half_height", "inf", "finite")),
-        (lambda: block(half_width="wide"), ("half_width", "wide", "number")),
         (lambda: column(damping=-1.0), ("damping", "-1", "zero or positive")),
         (lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=1.6), ("alpha", "1.6", "below pi/2")),
         (lambda: rk.RigidBlock.from_frequency(p=-2.0, alpha=0.3), ("p is -2", "positive")),
@@ -137,13 +143,303 @@ def test_duration(duration):
         ({"rtol": 1e-16}, ("rtol", "1e-16", "1e-15")),
         ({"atol": -1e-9}, ("atol", "positive")),
         ({"max_step": math.nan}, ("max_step", "positive")),
-        ({"max_impacts": 0}, ("max_impacts", "positive")),
+        ({"max_impacts": 0}, ("max_impacts is 0", "whole number of at least 1")),
+        ({"max_steps": 10.5}, ("max_steps is 10.5", "whole number of at least 1")),
+        ({"max_steps": math.inf}, ("max_steps is inf", "whole number of at least 1")),
+        ({"steps_per_law": -1}, ("steps_per_law is -1", "whole number of at least 0")),
         ({"output_step": 0.0}, ("output_step", "positive")),
     ],
 )
 def test_options(option, words):
     with raises(ValueError, *words):
         rk.SolverOptions(**option)
+
+
+def test_options_are_kept_as_the_compiled_loop_takes_them():
+    """Else a loop is compiled anew for each kind of number."""
+    options = rk.SolverOptions(rtol=np.float32(0.5), max_steps=1e6, steps_per_law=np.int8(2))
+    kept = options.rtol, options.max_steps, options.steps_per_law
+    assert kept == (0.5, 1_000_000, 2)
+    assert list(map(type, kept)) == [float, int, int]
+
+
+# -- arguments of another kind
+
+SHAKE = rk.GroundMotion.from_array([0.0, 1.0, 0.0], dt=0.1)
+SAMPLES = {
+    "list": [0.0, 1.0, 0.0],
+    "tuple": (0.0, 1.0),
+    "array": np.array([0.0, 1.0, 0.0]),
+    "array of one": np.array([0.9]),
+    "series": pd.Series([0.0, 1.0, 0.0], index=[0.0, 0.1, 0.2]),
+    "labelled array": xr.DataArray([0.0, 1.0], dims="t"),
+}
+OTHERS = SAMPLES | {
+    "number": 0.9,
+    "zero": 0,
+    "truth": True,
+    "word": "impulsive",
+    "path": Path("quake.AT2"),
+    "mapping": {"theta": 0.1},
+    "no mapping": {},
+    "class": rk.Impulsive,
+    "structure": BLOCK,
+    "class of structures": rk.RigidBlock,
+    "motion": SHAKE,
+    "class of motions": rk.GroundMotion,
+    "law": rk.Impulsive(),
+    "options": rk.SolverOptions(),
+    "class of options": rk.SolverOptions,
+    "function": rk.simulate,
+    "case": rk.Case(BLOCK, QUIET),
+    "nothing": None,
+    "number of text": "0.9",
+    "text without dimensions": np.array("0.9"),
+    "decimal": Decimal("0.9"),
+    "complex": 0.9j,
+}
+NUMBERS = {"number", "zero"}
+MAPPINGS = {"mapping", "no mapping"}
+
+
+def simulated(**changes):
+    arguments = {"structure": BLOCK, "motion": SHAKE} | changes
+    return rk.simulate(arguments.pop("structure"), arguments.pop("motion"), **arguments)
+
+
+def swept(**changes):
+    over = {"a": [1.0]}
+    return rk.simulate_many(
+        lambda a: rk.Case(**({"structure": BLOCK, "motion": SHAKE} | changes)), over
+    )
+
+
+ARGUMENTS = {
+    "structure": {"structure"},
+    "motion": {"motion"},
+    "vertical": {"motion", "nothing"},
+    "impact": {"law", "nothing"},
+    "initial": {*MAPPINGS, "nothing"},
+    "duration": {*NUMBERS, "nothing"},
+    "phase": {"word", "number of text", "nothing"},
+    "options": {"options", "nothing"},
+}
+"""What each argument may be, of the things above."""
+
+
+@pytest.mark.parametrize("argument", ARGUMENTS)
+@pytest.mark.parametrize("ask", [simulated, swept])
+def test_argument_of_another_kind_is_named(ask, argument):
+    if ask is swept and argument == "options":
+        return  # it is none of a case
+    for kind in set(OTHERS) - ARGUMENTS[argument]:
+        with pytest.raises(TypeError, match=rf"^(\w+ and )?{argument} (is|are) ") as caught:
+            ask(**{argument: OTHERS[kind]})
+        text = str(caught.value)
+        assert any(remedy in text for remedy in (": give ", ": name ", "comes first"))
+        assert len(text) < 300
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (
+            lambda: simulated(impact=0.9),
+            ("impact is 0.9", "EnergyRatio(0.9)", "VelocityRatio(0.9)"),
+        ),
+        (lambda: simulated(impact="impulsive"), ("impact is 'impulsive'", "rk.Impulsive()")),
+        (
+            lambda: simulated(impact=rk.Impulsive),
+            ("impact is the class Impulsive", "rk.Impulsive()"),
+        ),
+        (lambda: simulated(options={"rtol": 1e-8}), ("options is a dict", "rk.SolverOptions(rtol")),
+        (lambda: simulated(motion=SAMPLES["list"]), ("motion is a list", "from_array(values, dt)")),
+        (
+            lambda: simulated(motion=SAMPLES["series"]),
+            ("motion is a Series of shape (3,)", "from_arr"),
+        ),
+        (
+            lambda: simulated(motion="quake.AT2"),
+            ("motion is 'quake.AT2'", "GroundMotion.read(path)"),
+        ),
+        (lambda: simulated(motion=None), ("motion is None", "GroundMotion.none(duration)")),
+        (
+            lambda: simulated(vertical=SAMPLES["array"]),
+            ("vertical is a ndarray of shape", "from_array"),
+        ),
+        (lambda: rk.simulate(SHAKE, BLOCK), ("structure and motion are swapped", "first")),
+        (
+            lambda: simulated(structure=rk.RigidBlock),
+            ("structure is the class RigidBlock", "half_width="),
+        ),
+        (lambda: simulated(initial=0.1), ("initial is 0.1", "{'theta': 0.01}")),
+        (lambda: simulated(initial={"theta": "0.1"}), ("state theta is '0.1'", "give a number")),
+        (lambda: simulated(initial={"theta": [0.1]}), ("state theta is a list", "give a number")),
+        (lambda: simulated(initial={0: 0.1}), ("unknown state 0", "theta")),
+        (lambda: simulated(duration="10"), ("duration is '10'", "give a number")),
+        (lambda: simulated(phase=1), ("phase is 1", "left, both, right")),
+        (
+            lambda: rk.RigidBlock(0.1, 0.4),
+            ("RigidBlock takes its parameters by name", "half_width"),
+        ),
+        (lambda: rk.RigidBlock.from_frequency("2", 0.3), ("RigidBlock: p is '2'", "give a number")),
+        (lambda: rk.EnergyRatio("0.9"), ("energy ratio r is '0.9'", "give a number")),
+        (lambda: rk.VelocityRatio([0.9]), ("velocity ratio e is a list", "give a number")),
+        (
+            lambda: rk.EnergyRatioAtSpeed(0.9),
+            ("pieces of an energy ratio are 0.9", "three numbers"),
+        ),
+        (lambda: rk.EnergyRatioAtSpeed(((math.inf, 0.9),)), ("pieces", "three numbers")),
+        (lambda: rk.EnergyRatioAtSpeed(((math.inf, "0.9", 0),)), ("pieces", "three numbers")),
+        (lambda: rk.ControlledWall.from_wall("thesis"), ("wall is 'thesis'", "Wall.thesis()")),
+        (
+            lambda: rk.ControlledWallOscillator.thesis("0.9"),
+            ("ControlledWallOscillator: energy_ratio is '0.9'", "give a number"),
+        ),
+        (
+            lambda: rk.ControlledWallOscillator.thesis(0.9, held="no"),
+            ("held is 'no'", "True or False"),
+        ),
+    ],
+)
+def test_what_a_mistaken_call_is_told(call, words):
+    with pytest.raises((TypeError, ValueError)) as caught:
+        call()
+    for word in words:
+        assert word in str(caught.value)
+
+
+@pytest.mark.parametrize("kind", sorted(set(OTHERS) - NUMBERS))
+def test_parameter_that_is_no_number(kind):
+    """A word is no number, whatever it says: 0.1 and "0.1" are told apart."""
+    with raises(TypeError, "RigidBlock: mass is ", "give a number in SI units"):
+        block(mass=OTHERS[kind]) if OTHERS[kind] is not None else block(mass="none")
+
+
+@pytest.mark.parametrize(
+    "value",
+    [0.5, Fraction(1, 2), np.float32(0.5), np.float64(0.5), np.array(0.5), xr.DataArray(0.5)],
+)
+def test_numbers_of_every_make_are_taken(value):
+    structure = block(half_width=value)
+    assert structure.vector.tolist() == block(half_width=0.5).vector.tolist()
+    assert structure.state({"theta": value}).tolist() == [0.5, 0.0]
+    assert rk.EnergyRatio(value).r == 0.5
+    assert rk.Case(structure, QUIET, duration=value).problem().end == 0.5
+
+
+@pytest.mark.parametrize(
+    "option",
+    [
+        "rtol",
+        "atol",
+        "max_step",
+        "rest_tolerance",
+        "max_impacts",
+        "max_steps",
+        "steps_per_law",
+        "output_step",
+    ],
+)
+@pytest.mark.parametrize("value", ["1", [1.0], True, {}, np.ones(2), rk.SolverOptions])
+def test_option_that_is_no_number(option, value):
+    with raises(TypeError, f"{option} is ", "number"):
+        rk.SolverOptions(**{option: value})
+
+
+METHODS = {
+    "accelerations": lambda state, **others: BLOCK.accelerations(state, **others),
+    "energies": lambda state, **others: BLOCK.energies(state, **others),
+    "reactions": lambda state, **others: BLOCK.reactions(state, **others),
+    "after_impact": lambda state, **others: BLOCK.after_impact(
+        state, **({"phase": "right"} | others)
+    ),
+    "state": lambda state: BLOCK.state(state),
+}
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_method_asked_of_what_is_no_state(method):
+    for kind in set(OTHERS) - MAPPINGS:
+        with raises(TypeError, "state is ", "name the states, as in {'theta': 0.01}"):
+            METHODS[method](OTHERS[kind])
+
+
+@pytest.mark.parametrize(
+    ("method", "argument", "value"),
+    [
+        ("accelerations", "ground_acceleration", "1.2"),
+        ("accelerations", "ground_acceleration", [1.2]),
+        ("accelerations", "vertical_ground_acceleration", SHAKE),
+        ("reactions", "ground_acceleration", np.ones(3)),
+        ("reactions", "vertical_ground_acceleration", None),
+        ("reactions", "phase", 1),
+        ("energies", "phase", ["right"]),
+        ("after_impact", "phase", np.array(["right"])),
+        ("after_impact", "impact", 0.9),
+        ("after_impact", "impact", rk.Impulsive),
+    ],
+)
+def test_method_with_an_argument_of_another_kind(method, argument, value):
+    with raises(TypeError, f"{argument} is ", "give"):
+        METHODS[method]({"theta_dot": -0.1}, **{argument: value})
+
+
+@pytest.mark.parametrize("structure", [BLOCK, on_springs(), rk.ControlledWall.thesis()])
+def test_pushover_at_what_is_no_rotation(structure):
+    with raises(TypeError, "rotations is '0.1', which is no number"):
+        structure.pushover("0.1")
+    with raises(TypeError, re.escape("rotations[1] is '0.1', which is no number")):
+        structure.pushover([0.1, "0.1"])
+    with raises(ValueError, "rotations hold nan", "finite"):
+        structure.pushover([0.1, math.nan])
+
+
+# -- sweeps
+
+
+@pytest.mark.parametrize(
+    ("returned", "words"),
+    [
+        (BLOCK, ("returned RigidBlock", "rk.Case(structure, motion)")),
+        (None, ("returned None", "rk.Case(structure, motion)")),
+        ((BLOCK, SHAKE), ("returned a tuple", "rk.Case(structure, motion)")),
+        (rk.Case, ("returned the class Case", "rk.Case(structure, motion)")),
+    ],
+)
+def test_sweep_whose_function_returns_no_case(returned, words):
+    with raises(TypeError, *map(re.escape, words)):
+        rk.simulate_many(lambda a: returned, over={"a": [1.0, 2.0]})
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "words"),
+    [
+        ({"case": rk.Case(BLOCK, SHAKE)}, TypeError, ("case is Case", "function")),
+        ({"case": BLOCK}, TypeError, ("case is RigidBlock", "function", "lambda a")),
+        ({"case": lambda b: None}, TypeError, ("over has a", "takes others", "'b'")),
+        ({"over": [1.0, 2.0]}, TypeError, ("over is a list", "frequency")),
+        ({"over": None}, TypeError, ("over is None", "frequency")),
+        ({"over": {1: [1.0]}}, TypeError, ("over has the name 1", "argument")),
+        ({"over": {"a": 1.0}}, TypeError, ("over has a = 1.0", "list of values")),
+        ({"over": {"a": np.array(1.0)}}, TypeError, ("over has a = ", "list of values")),
+        ({"over": {"a": "El Centro"}}, TypeError, ("over has a = 'El Centro'", "list of values")),
+        ({"over": {}}, ValueError, ("`over` is empty",)),
+        ({"over": {"a": []}}, ValueError, ("`over` is empty",)),
+        ({"options": {"rtol": 1e-8}}, TypeError, ("options is a dict", "SolverOptions")),
+        ({"options": rk.SolverOptions}, TypeError, ("options is the class SolverOptions",)),
+        ({"threads": "2"}, TypeError, ("threads is '2'", "whole number of at least 1")),
+        ({"threads": 1.5}, ValueError, ("threads is 1.5", "whole number of at least 1")),
+        ({"chunk": 0}, ValueError, ("chunk is 0", "whole number of at least 1")),
+        ({"impact_times": -1}, ValueError, ("impact_times is -1", "at least 0")),
+        ({"impact_times": "3"}, TypeError, ("impact_times is '3'", "at least 0")),
+        ({"quantities": ["theta"], "times": ["0.1"]}, TypeError, ("times.* is '0.1'", "no number")),
+    ],
+)
+def test_sweep_with_an_argument_of_another_kind(changes, error, words):
+    arguments = {"case": lambda a: rk.Case(BLOCK, SHAKE), "over": {"a": [1.0]}, "threads": 1}
+    with raises(error, *words):
+        rk.simulate_many(**(arguments | changes))
 
 
 # -- questions to a response

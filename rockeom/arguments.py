@@ -1,0 +1,91 @@
+"""What a caller gave, told in the words of an error, and what counts as one number."""
+
+from __future__ import annotations
+
+from numbers import Real
+from typing import Any
+
+import numpy as np
+
+_LONGEST = 60  # letters of a value in an error
+
+
+def told(value: Any) -> str:
+    """A given value in few words: a class as such, what has a shape by its shape."""
+    if isinstance(value, type):
+        return f"the class {value.__name__}"
+    shape = getattr(value, "shape", None)
+    if isinstance(shape, tuple) and shape:
+        return f"{_kind(value)} of shape {shape}"
+    if isinstance(value, list | tuple | dict | set):
+        return f"{_kind(value)} of length {len(value)}"
+    if callable(value) and (name := getattr(value, "__name__", "")):
+        return f"the function {name}"
+    text = repr(value)
+    return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+
+
+def _kind(value: Any) -> str:
+    name = type(value).__name__
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is one real number: of Python, of NumPy, or an array without dimensions.
+
+    A word is none, whatever it says, nor is True.
+    """
+    dtype = getattr(value, "dtype", None)
+    if dtype is not None:
+        return getattr(dtype, "kind", None) in ("i", "u", "f") and value.ndim == 0
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def number(what: str, value: Any, remedy: str = "give a number") -> float:
+    """The number given for what is named; infinite where a float cannot hold it.
+
+    Raises TypeError for anything but a number.
+    """
+    if type(value) is float:
+        return value
+    if not is_number(value):
+        raise TypeError(f"{what} is {told(value)}: {remedy}")
+    try:
+        return float(value)
+    except OverflowError:
+        return float("inf") if value > 0 else -float("inf")
+
+
+def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
+    """The numbers given for what is named, of any shape, as an array of float.
+
+    Raises TypeError where one is no number, masked or complex.
+    """
+    if type(value) is np.ndarray and value.dtype == float:
+        return value
+    try:
+        found = np.asarray(value)
+    except ValueError as error:
+        raise TypeError(f"{what} is {told(value)} ({error}): {remedy}") from None
+    if np.ma.is_masked(value) or np.iscomplexobj(found):
+        raise TypeError(
+            f"{what} is masked or complex: fill the gaps, or take the real part, yourself"
+        )
+    if found.dtype.kind not in "iuf":
+        for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
+            if not is_number(element):
+                place = f"[{', '.join(map(str, index))}]" if index else ""
+                raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
+    return found.astype(float)
+
+
+def whole_number(what: str, value: Any, least: int) -> int:
+    """The whole number given for what is named, which may be written as a float.
+
+    Raises TypeError for anything but a number and ValueError for one that is not whole or is
+    below the least.
+    """
+    given = number(what, value, f"give a whole number of at least {least}")
+    if not (given >= least and given.is_integer()):
+        raise ValueError(f"{what} is {given:g}: give a whole number of at least {least}")
+    return int(given)
