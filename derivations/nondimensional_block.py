@@ -499,8 +499,8 @@ for w in (0.5, 1.0, 2.0, 5.0, 10.0):
 # %% [markdown]
 # **A full sine.** Now the push reverses, and the block may be hit at the right or the wrong moment.
 # Nothing as simple as (10) holds. We let the engine try all combinations, for the block of Figure
-# 2-13 of the thesis: $\alpha = 7.12°$ and the energy ratio $r = 0.954$. Its text calls the block "1 m
-# wide by 8 m high", which is an erratum: these are the half-dimensions. Only then is the period
+# 2-13 of the thesis: $\alpha = 7.12°$ and the energy ratio $r = 0.954$. Its text calls the block "1
+# m wide by 8 m high", which is an erratum: these are the half-dimensions. Only then is the period
 # of its pulses, 2.192 s, a third of $2\pi/p$; a block of half the size is overturned by both of
 # the pulses that we come to.
 

@@ -75,8 +75,10 @@ def _within(expr: sp.Basic, everything: bool) -> Iterator[Slip]:
             yield f"more of {expr}", MORE * expr
             if everything:
                 yield f"less of {expr}", LESS * expr
+    elif isinstance(expr, sp.MatrixSymbol):  # its size is no number of the equation
+        return
     elif expr.is_Symbol or isinstance(expr, AppliedUndef | sp.Derivative):
-        if everything and not isinstance(expr, sp.MatrixSymbol) and str(expr) != r"\pm":
+        if everything and str(expr) != r"\pm":
             yield f"more of {expr}", MORE * expr
     else:
         yield from _signs(expr)
