@@ -499,7 +499,10 @@ for w in (0.5, 1.0, 2.0, 5.0, 10.0):
 # %% [markdown]
 # **A full sine.** Now the push reverses, and the block may be hit at the right or the wrong moment.
 # Nothing as simple as (10) holds. We let the engine try all combinations, for the block of Figure
-# 2-13 of the thesis: $\alpha = 7.12°$ and the energy ratio $r = 0.954$.
+# 2-13 of the thesis: $\alpha = 7.12°$ and the energy ratio $r = 0.954$. Its text calls the block "1
+# m wide by 8 m high", which is an erratum: these are the half-dimensions. Only then is the period
+# of its pulses, 2.192 s, a third of $2\pi/p$; a block of half the size is overturned by both of
+# the pulses that we come to.
 
 # %%
 tall = rk.RigidBlock(half_width=1.0, half_height=8.0)
@@ -530,12 +533,16 @@ ax.annotate("falls at once", (2.2, 7.0))
 ax.annotate("falls after impacts", (4.75, 5.3))
 ax.annotate("stands", (7.0, 1.8))
 tested = 2 * math.pi / (2.192 * p_tall)
+assert math.isclose(tested, 3.0, rel_tol=1e-3)
+half_as_large = rk.RigidBlock(half_width=0.5, half_height=4.0)
 marks = [(0.172, rk.Outcome.OVERTURNED), (0.454, None)]
 for in_g, expected in marks:
     strength = in_g * tall.gravity / static
     case = full_sine(tested, strength)
     outcome = rk.simulate(case.structure, case.motion, impact=case.impact).outcome
     assert (outcome is rk.Outcome.OVERTURNED) == (expected is rk.Outcome.OVERTURNED)
+    as_stated = rk.simulate(half_as_large, case.motion, impact=case.impact)
+    assert as_stated.outcome is rk.Outcome.OVERTURNED
     ax.plot(tested, strength, "x" if expected else "o", color="black", mfc="white", ms=7)
 ax.set(xlabel=r"$\omega = \Omega/p$", ylabel=r"$A/(g\tan\alpha)$", ylim=(0.9, 9))
 plt.show()

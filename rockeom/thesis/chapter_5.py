@@ -436,6 +436,9 @@ MODEL_B = (
         Kind.CLOSED_FORM,
         "force after lift-off",
         says(P, W * R_c * sin(alpha_c - theta) / (R_e * cos(alpha_e - theta))),
+        remark="Exact where the pressed foot is held horizontally, about which the moments are "
+        "taken. Where the centre of the base is guided instead, as by the two springs, the exact "
+        "force is greater by the factor 1 + (B/H_e) tan(theta).",
         sides=POSITIVE,
     ),
     Equation(

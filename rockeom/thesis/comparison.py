@@ -128,11 +128,11 @@ def in_engine_notation(
     for radius, angle, height in POLAR:
         polar |= {sp.sin(angle): half_width / radius, sp.cos(angle): height / radius}
     known = known or {}
-    expr = expr.subs(polar)
+    expr = expr.xreplace(polar)
     unknown = expr.free_symbols - set(TO_ENGINE) - OWN - set(known)
     if unknown:
         raise ValueError(f"not translated: {sorted(map(str, unknown))}")
-    return expr.subs({**TO_ENGINE, **known}, simultaneous=True)
+    return expr.xreplace({**TO_ENGINE, **known})
 
 
 def normal_form(expr: sp.Expr) -> sp.Expr:

@@ -188,7 +188,8 @@ SECTION_2_6: tuple[Equation, ...] = (
         says(g, -log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
         says(g, log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
         THE_MINUS,
-        remark="The tanh stands for the signum of the velocity; its n is that of 2-20.",
+        remark="The tanh stands for the signum of the velocity; its n is that of 2-20, by choice: "
+        "as n goes to zero any width of the tanh takes the same energy.",
     ),
     Equation(
         "2-28",

@@ -14,10 +14,13 @@ GRAVITY = 9.81
 
 
 # -- Figure 2-13: a stronger pulse may be the safer one
+#
+# Erratum: the text says "1 m wide by 8 m high". These are the half-dimensions: only so is the
+# stated period of 2.192 s a third of the block's 2 pi/p, and only so does the figure come out.
 
 
-def pulse_on_tall_block(peak_in_g):
-    block = rk.RigidBlock(half_width=1.0, half_height=8.0)
+def pulse_on_tall_block(peak_in_g, half_width=1.0, half_height=8.0):
+    block = rk.RigidBlock(half_width=half_width, half_height=half_height)
     motion = rk.GroundMotion.single_sine(peak_in_g * GRAVITY, period=2.192, duration=25.0)
     return block, rk.simulate(block, motion, impact=rk.EnergyRatio(0.954))
 
@@ -40,7 +43,25 @@ def test_figure_2_13_borders_of_overturning(safe, fatal):
     assert pulse_on_tall_block(fatal)[1].outcome is rk.Outcome.OVERTURNED
 
 
+def test_figure_2_13_block_has_the_period_of_the_stated_pulse():
+    stated, taken = (
+        2 * math.pi / (3 * rk.RigidBlock(half_width=b, half_height=h).frequency_parameter)
+        for b, h in ((0.5, 4.0), (1.0, 8.0))
+    )
+    assert taken == pytest.approx(2.192, abs=5e-4)
+    assert stated == pytest.approx(1.550, abs=5e-4)
+
+
+@pytest.mark.parametrize("peak_in_g", [0.172, 0.454])
+def test_figure_2_13_as_its_text_states_the_block_both_pulses_overturn_it(peak_in_g):
+    _, run = pulse_on_tall_block(peak_in_g, half_width=0.5, half_height=4.0)
+    assert run.outcome is rk.Outcome.OVERTURNED
+
+
 # -- Figure 2-14: neighbours in shape, strangers in response
+#
+# The text gives the ratios of the sides and no size. A half-width of 1 m is taken, as of Figure
+# 2-13; of blocks 1 m wide 4.26 and 4.28 both overturn, and the second pair would not differ.
 
 
 @pytest.mark.parametrize(
@@ -55,6 +76,13 @@ def test_figure_2_14(half_height, peak):
     else:
         assert run.outcome is not rk.Outcome.OVERTURNED
         assert np.abs(run["theta"]).max() / block.alpha == pytest.approx(peak, abs=5e-4)
+
+
+@pytest.mark.parametrize("half_height", [4.26 / 2, 4.28 / 2])
+def test_figure_2_14_blocks_1_m_wide_would_both_overturn(half_height):
+    block = rk.RigidBlock(half_width=0.5, half_height=half_height)
+    motion = rk.GroundMotion.single_sine(0.3 * GRAVITY, period=2.0, duration=25.0)
+    assert rk.simulate(block, motion).outcome is rk.Outcome.OVERTURNED
 
 
 # -- Figure 2-16: slender block in theta/alpha and p t

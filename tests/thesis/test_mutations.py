@@ -11,7 +11,7 @@ import sympy as sp
 from rockeom.symbolic import SHIPPED, RockingModel, impulse, lagrange
 from rockeom.symbolic.model import GROUND_X, Body, Phase
 from rockeom.thesis import EQUATIONS, Verdict, decide, notation as th
-from rockeom.thesis.checks.engine import THETA, B, disagreement, shipped
+from rockeom.thesis.checks.engine import THETA, B, disagreement, shipped, values_of_shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 
 U, H_E, H_B = PIER["u"], PIER["height"], PIER["base_height"]
@@ -205,9 +205,11 @@ DECIDED = {
 @pytest.fixture
 def derived_anew():
     """Models are kept once derived: forget them before and after."""
-    shipped.cache_clear()
+    for kept in (shipped, values_of_shipped):
+        kept.cache_clear()
     yield
-    shipped.cache_clear()
+    for kept in (shipped, values_of_shipped):
+        kept.cache_clear()
 
 
 @pytest.mark.parametrize("name", DECIDED)

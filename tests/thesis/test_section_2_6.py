@@ -10,10 +10,10 @@ from rockeom.thesis.checks.section_2_6 import (
     ENERGY_RATIO,
     RELEASE,
     Passages,
-    energy_left,
     peaks_with_impacts,
     potential,
     right,
+    velocity_left,
 )
 
 
@@ -30,9 +30,9 @@ def test_printed_force_overturns_the_block_of_figure_2_16():
 def test_function_of_the_velocity_without_its_sign_speeds_up_the_way_back():
     """2-26 as it stands is for one direction only: for the other it gives 1/r."""
     g = right("2-26")
-    forth, back = energy_left(g, 1), energy_left(g, -1)
+    forth, back = velocity_left(g, 1), velocity_left(g, -1)
     assert forth * back == 1
-    assert forth == energy_left(right("2-27"), -1)
+    assert forth == velocity_left(right("2-27"), -1)
 
 
 def test_peaks_of_figure_2_16():

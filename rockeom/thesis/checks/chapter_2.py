@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 import sympy as sp
 from scipy.integrate import quad
@@ -13,7 +14,7 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.check import Check, Finding, Means, close, positive, vanishes
 from rockeom.thesis.checks.engine import (
     CONTACT,
     THETA,
@@ -69,6 +70,7 @@ def _period(equation: Equation, relations: Relations) -> Iterator[Finding]:
     period, frequency = relations
     turning = acceleration(shipped("slender_block"), 1)
     stated = in_engine_notation(frequency.rhs**2, 1)
+    yield positive("p, a frequency,", frequency.rhs)
     yield vanishes("growth of a rotation minus p**2", normal_form(sp.diff(turning, THETA) - stated))
     motion = th.alpha - (th.alpha - th.theta_0) * cosh(th.p * th.t)
     inertia = BLOCK["mass"] * R * PIER["gravity"] / th.p**2 - BLOCK["mass"] * R**2
@@ -120,13 +122,18 @@ def _period_error(equation: Equation, relations: Relations) -> Iterator[Finding]
 # --- scaling of the block
 
 
+def _growth(relation: sp.Eq) -> sp.Expr:
+    """Of the left side of 2-10, 2-11 or 2-12 with the one quantity of the block that it scales."""
+    (quantity,) = relation.rhs.free_symbols & {th.theta, th.Omega, th.tau}
+    return sp.diff(relation.rhs, quantity)
+
+
 def _scaling(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """2-10 to 2-12, one of them as given, put into the engine's 2-9, give 2-13."""
     given = {n: EQUATIONS[n].right for n in ("2-10", "2-11", "2-12")} | {equation.number: relations}
-    (rotation,), (frequency,), (time,) = given.values()
-    (angle,) = sp.solve(rotation.lhs - rotation.rhs, th.theta)
-    (excitation,) = sp.solve(frequency.lhs - frequency.rhs, th.Omega)
-    (clock,) = sp.solve(time.lhs - time.rhs, th.tau)
+    for relation in relations:
+        yield positive("growth of the scaled quantity", _growth(relation))
+    angle, excitation, clock = (relation.lhs / _growth(relation) for (relation,) in given.values())
     angular = sp.diff(angle, th.x) * th.x_dd / sp.diff(clock, th.t) ** 2
     ground = th.alpha * th.beta * th.g * sp.cos(sp.simplify(excitation * clock))
     (scaled,) = EQUATIONS["2-13"].right
@@ -190,6 +197,7 @@ def _uplifted_motion(equation: Equation, relations: Relations) -> Iterator[Findi
 
 
 def _uplifted_frequency(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    yield positive("lambda_r, a frequency,", relations[0].rhs)
     stated = in_engine_notation(relations[0].rhs, 1, _fixed_base())
     yield vanishes("lambda_r**2 minus the engine's", sp.simplify(stated**2 - uplifted()[0]))
 
@@ -382,9 +390,9 @@ def flag_loop() -> Loop:
 
 
 DAMPING = {
-    "2-32a": lambda: equivalent(bilinear_loop()),
-    "2-32b": lambda: equivalent(takeda_loop()),
-    "2-32c": lambda: 2 * equivalent(flag_loop()),  # one flag on each side
+    "2-32a": cache(lambda: equivalent(bilinear_loop())),
+    "2-32b": cache(lambda: equivalent(takeda_loop())),
+    "2-32c": cache(lambda: 2 * equivalent(flag_loop())),  # one flag on each side
 }
 
 

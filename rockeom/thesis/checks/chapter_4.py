@@ -8,7 +8,7 @@ and energies in J.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 
 import numpy as np
@@ -387,6 +387,7 @@ def restoring_force() -> Callable:
     return sp.lambdify(size, sp.diff(whole, size).subs(WALL), "numpy")
 
 
+@cache
 def conservative_quarter(start: float, mass: float) -> float:
     """Time in which the wall falls from rest at `start` [mm] to upright, by energy [s].
 
@@ -578,19 +579,15 @@ def _time(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield vanishes("time of no way", step.subs(th.Delta_end, th.Delta_start).doit())
 
 
-def _time_of_motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """From 30.41 mm to a quarter of it: 4-24 with 4-23, and 4-27 integrated in time."""
+@cache
+def fall_in_time(begin: float, end: float) -> tuple[float, float]:
+    """Time [s] and speed [m/s] at `end` of the motion 4-27 without losses, from `begin` on.
+
+    It was released at FALL; its speed at `begin` is by energy.
+    """
     mass = corner_inertia() / (HEIGHT / 1e3) ** 2
     energy, force = potential_energy(), restoring_force()
-    begin, end = 0.99 * FALL, 0.25 * FALL
     speed = math.sqrt(2 * (energy(FALL) - energy(begin)) / mass)
-    (relation,) = relations
-    fraction = sp.solve(relation.lhs - relation.rhs, th.step)[0] / relation.lhs
-
-    def slowness(place: float) -> float:
-        return 1e-3 / math.sqrt(2 * (energy(FALL) - energy(place)) / mass)
-
-    by_energy = float(fraction) * quad(slowness, end, begin)[0]
 
     def arrives(t, state):
         return state[0] - end
@@ -604,7 +601,35 @@ def _time_of_motion(equation: Equation, relations: Relations) -> Iterator[Findin
         rtol=1e-10,
         atol=1e-10,
     )
-    yield close("time in s, against the motion in time", by_energy, run.t_events[0][0], 1e-8)
+    return float(run.t_events[0][0]), -float(run.y_events[0][0][1])
+
+
+def _speed_of_motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """The root of 4-23 and 4-26 is the positive one: the speed of 4-27 at a quarter of the peak."""
+    end = FALL / 4
+    energy = potential_energy()
+    parts = {th.U_start: energy(FALL), th.U_peak: energy(FALL), th.I_o: corner_inertia()}
+    parts |= {th.U_of: energy(end), th.U_limit: energy(end), th.H: HEIGHT / 1e3}
+    elastic = dict.fromkeys((th.U_E_start, th.U_E_peak, th.U_E_of, th.U_E_limit), 0)
+    stated = float(relations[0].rhs.subs({**parts, **elastic}))
+    _, speed = fall_in_time(0.99 * FALL, end)
+    yield close("speed in m/s, against the motion in time", stated, speed, 1e-8)
+
+
+def _time_of_motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """From 30.41 mm to a quarter of it: 4-24 with 4-23, and 4-27 integrated in time."""
+    mass = corner_inertia() / (HEIGHT / 1e3) ** 2
+    energy = potential_energy()
+    begin, end = 0.99 * FALL, 0.25 * FALL
+    (relation,) = relations
+    fraction = sp.solve(relation.lhs - relation.rhs, th.step)[0] / relation.lhs
+
+    def slowness(place: float) -> float:
+        return 1e-3 / math.sqrt(2 * (energy(FALL) - energy(place)) / mass)
+
+    by_energy = float(fraction) * quad(slowness, end, begin)[0]
+    time, _ = fall_in_time(begin, end)
+    yield close("time in s, against the motion in time", by_energy, time, 1e-8)
 
 
 def _limit(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -646,8 +671,8 @@ def _passage(equation: Equation, relations: Relations) -> Iterator[Finding]:
     for direction in BOTH:
         slope = sp.simplify((force / th.Delta_d**2).subs(th.Delta_d, direction * w))
         growth = direction * sp.integrate(slope, (th.Delta, -sp.oo, sp.oo))
-        what = f"ratio of kinetic energies of a passage to {'+-'[direction < 0]}Delta minus r"
-        yield vanishes(what, sp.simplify(sp.exp(2 * growth) - th.r))
+        what = f"ratio of the velocities of a passage to {'+-'[direction < 0]}Delta minus sqrt(r)"
+        yield vanishes(what, sp.simplify(sp.exp(growth) - sp.sqrt(th.r)))
 
 
 def _peaks_of_constant_r(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -751,6 +776,16 @@ def _gradient(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield close("against rockeom.analysis", float(gone), 0, 1e-9)
 
 
+def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Iterator[Finding]:
+    """The bands, each by its own two ends, meet at the stated speeds and nowhere overlap."""
+    inside = [sp.lambdify(th.Delta_d, condition, "math") for _, condition in bands.args]
+    for band, speed in enumerate(jumps):
+        for beside, wanted in ((speed - 1e-4, band), (speed + 1e-4, band + 1)):
+            found = [i for i, holds in enumerate(inside) if holds(beside)]
+            what = f"bands at {beside:.4f} m/s, counted from 0: {found}, and that of the text"
+            yield Finding(what, wanted, found == [wanted])
+
+
 def _bands(name: str, jumps: dict[float, float]) -> Callable:
     """A fit of r by bands of the speed, and what the text says of it."""
 
@@ -758,6 +793,7 @@ def _bands(name: str, jumps: dict[float, float]) -> Callable:
         from rockeom import analysis
 
         (relation,) = relations
+        yield from _one_band_for_each_speed(relation.rhs, jumps)
         stated = sp.lambdify(th.Delta_d, relation.rhs, "math")
         function = getattr(analysis, name)
         for speed in (0.05, 0.2, 0.299, 0.32, 0.36, 0.4, 0.46, 0.48, 0.6, 0.77, 0.79, 0.87):
@@ -1036,13 +1072,19 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
         reproduced("list of Figure 4-29", _energies_at_peaks),
     ),
     "4-22": derived("constant in the motion 4-27 without losses", _conserved),
-    "4-23": derived("4-22 is 4-21", _trajectory),
+    "4-23": (
+        derived("4-22 is 4-21", _trajectory),
+        derived("4-27 integrated in time", _speed_of_motion),
+    ),
     "4-24": (
         derived("derivative by its end", _time),
         derived("4-27 integrated in time", _time_of_motion),
     ),
     "4-25": Check(Means.TRANSCRIBED, "the words of 4.7", _limit),
-    "4-26": derived("4-22 there is that of the peak", _limit_speed),
+    "4-26": (
+        derived("4-22 there is that of the peak", _limit_speed),
+        derived("4-27 integrated in time", _speed_of_motion),
+    ),
     "4-27": derived("Lagrange's equation", _oscillator),
     "4-28": (
         derived("the velocity after one passage, in 4-27", _passage),

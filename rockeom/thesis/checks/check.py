@@ -72,6 +72,11 @@ def vanishes(what: str, difference: Any) -> Finding:
     return Finding(what, difference, bool(sp.sympify(difference) == 0))
 
 
+def positive(what: str, value: Any) -> Finding:
+    """Finding that an expression or a number is positive, of symbols whatever they stand for."""
+    return Finding(f"{what} is positive", value, bool(sp.sympify(value).is_positive))
+
+
 def close(what: str, found: float, stated: float, within: float) -> Finding:
     """Finding that two numbers differ by at most `within`, absolutely."""
     difference = abs(float(found) - float(stated))

@@ -60,11 +60,21 @@ def shipped(name: str) -> RockingModel:
 
 def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple[list[Value], dict]:
     """The engine's values for the relations of an equation, and the known symbols."""
-    entry = DERIVED[number]
-    model = model or shipped(entry.structure)
-    value = entry.value(model, side)
+    value, known = (
+        values_of_shipped(number, side) if model is None else _values(number, side, model)
+    )
     relations = len(EQUATIONS[number].right)
-    return (value if isinstance(value, list) else [value] * relations), entry.known(model, side)
+    return (value if isinstance(value, list) else [value] * relations), known
+
+
+@cache
+def values_of_shipped(number: str, side: int) -> tuple[Value, dict]:
+    return _values(number, side, shipped(DERIVED[number].structure))
+
+
+def _values(number: str, side: int, model: RockingModel) -> tuple[Value, dict]:
+    entry = DERIVED[number]
+    return entry.value(model, side), entry.known(model, side)
 
 
 @cache
