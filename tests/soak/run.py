@@ -1,0 +1,240 @@
+"""Many seeds in worker processes, each run watched: compiled code that hangs hears no signal."""
+
+from __future__ import annotations
+
+import collections
+import multiprocessing
+import queue
+import sys
+import time
+import traceback
+import warnings
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+import rockeom as rk
+from tests.soak.cases import Dice, draw, method_of, model_of
+from tests.soak.checks import COMPARED, Record, on_record
+
+BATCH = 100
+LONGEST = 20.0
+"""A run with all its checks may take so long [s]; most take some milliseconds."""
+COMPILING = 900.0
+"""The first of a structure and method may [s]."""
+TO_EXPLAIN = ("chatter", "stalled", "not finite")
+
+
+@dataclass(frozen=True)
+class Result:
+    """What came of a seed. outcome : a label, or "refused" with what the error said."""
+
+    seed: int
+    outcome: str
+    violations: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    def __str__(self) -> str:
+        lines = [f"seed {self.seed}, {model_of(self.seed)}, {method_of(self.seed)}: {self.outcome}"]
+        lines += [f"    {v}" for v in self.violations]
+        return "\n".join([*lines, f"    python -m tests.soak --seed {self.seed}"])
+
+
+def checked(seed: int, only: str | None = None) -> Result:
+    """Run a seed with its checks; `only` one of those that compare, whether drawn or not."""
+    started = time.perf_counter()
+    found: list[str] = []
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of odd input, which is meant
+            motion = draw(seed)
+            try:
+                run = motion.run()
+            except ValueError as error:
+                return Result(seed, f"refused: {error}")
+            record = Record(motion, run)
+            found += on_record(record)
+            for name, (share, check) in COMPARED.items():
+                if name == only or (only is None and Dice(seed, 0, ord(name[0])).chance(share)):
+                    found += check(record)
+        outcome = str(run.outcome)
+    except Exception as error:
+        outcome = "error"
+        found.append(f"{type(error).__name__}: {error} " + traceback.format_exc(limit=-3))
+    return Result(seed, outcome, tuple(found), time.perf_counter() - started)
+
+
+@dataclass
+class Summary:
+    """What came of all seeds."""
+
+    runs: collections.Counter = field(default_factory=collections.Counter)
+    violations: list[Result] = field(default_factory=list)
+    to_explain: dict[str, list[int]] = field(
+        default_factory=lambda: {word: [] for word in TO_EXPLAIN}
+    )
+    seconds: collections.Counter = field(default_factory=collections.Counter)
+
+    def add(self, result: Result) -> None:
+        word = result.outcome.partition(":")[0]
+        self.runs[model_of(result.seed), method_of(result.seed), word] += 1
+        self.seconds[model_of(result.seed), method_of(result.seed)] += result.seconds
+        if result.violations:
+            self.violations.append(result)
+        if word in self.to_explain:
+            self.to_explain[word].append(result.seed)
+
+    @property
+    def total(self) -> int:
+        return sum(self.runs.values())
+
+    def table(self) -> str:
+        outcomes = sorted({key[2] for key in self.runs}, key=lambda word: -sum(
+            n for key, n in self.runs.items() if key[2] == word
+        ))  # fmt: skip
+        rows = [("", "", "runs", *outcomes, "ms")]
+        for model, method in sorted({key[:2] for key in self.runs}):
+            counts = [self.runs[model, method, word] for word in outcomes]
+            each = 1e3 * self.seconds[model, method] / max(sum(counts), 1)
+            rows.append((model, method, *(str(n) for n in (sum(counts), *counts)), f"{each:.1f}"))
+        wide = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+        return "\n".join(
+            "  ".join(c.ljust(w) if i < 2 else c.rjust(w) for i, (c, w) in enumerate(zip(row, wide)))
+            for row in rows
+        )
+
+    def __str__(self) -> str:
+        lines = [self.table(), ""]
+        for word, seeds in self.to_explain.items():
+            if seeds:
+                lines.append(f"{word}: {' '.join(map(str, sorted(seeds)))}")
+        lines.append(f"{self.total:,} runs, {len(self.violations)} with a violation")
+        return "\n".join(lines)
+
+
+# -- in workers
+
+
+def batches(seeds: Iterable[int]) -> list[list[int]]:
+    """Seeds by structure and method, so that a worker loads few programs."""
+    groups: dict[tuple[str, str], list[int]] = collections.defaultdict(list)
+    for seed in seeds:
+        groups[model_of(seed), method_of(seed)].append(seed)
+    return [
+        group[i : i + BATCH] for group in groups.values() for i in range(0, len(group), BATCH)
+    ]
+
+
+def _work(jobs, results, present) -> None:
+    """Present holds the seed under way and when it began, for the watch."""
+    loaded: set[tuple[str, str]] = set()
+    while True:
+        batch = jobs.get()
+        if batch is None:
+            return
+        for seed in batch:
+            key = model_of(seed), method_of(seed)
+            present[0], present[1] = float(seed), time.monotonic()
+            present[2] = LONGEST if key in loaded else COMPILING
+            result = checked(seed)
+            if result.outcome.partition(":")[0] not in ("refused", "error"):
+                loaded.add(key)
+            results.put(result)
+        present[0] = -1.0
+        results.put(len(batch))
+
+
+class _Worker:
+    """A process, its queue of one batch at a time, and the seed that it is at."""
+
+    def __init__(self, context, results) -> None:
+        self.context, self.results = context, results
+        self.start()
+
+    def start(self) -> None:
+        self.present = self.context.Array("d", [-1.0, 0.0, COMPILING], lock=False)
+        self.jobs = self.context.Queue()
+        self.process = self.context.Process(
+            target=_work, args=(self.jobs, self.results, self.present), daemon=True
+        )
+        self.process.start()
+        self.batch: list[int] = []
+
+    def give(self, batch: list[int]) -> None:
+        self.batch = batch
+        self.jobs.put(batch)
+
+    def hung(self) -> int | None:
+        """The seed that takes too long or has ended the process, if there is one."""
+        seed, began, longest = self.present[:]
+        if not self.batch or seed < 0:
+            return None
+        if not self.process.is_alive() or time.monotonic() - began > longest:
+            return int(seed)
+        return None
+
+    def restart(self) -> None:
+        self.process.kill()
+        self.process.join()
+        self.start()
+
+
+def soak(seeds: Iterable[int], workers: int = 2) -> Iterator[Result]:
+    """Results in the order in which they come. A seed that hangs is a violation, and passed over."""
+    context = multiprocessing.get_context("spawn")
+    results = context.Queue()
+    waiting = collections.deque(batches(seeds))
+    team = [_Worker(context, results) for _ in range(min(workers, len(waiting)))]
+    done: set[int] = set()
+    for worker in team:
+        worker.give(waiting.popleft())
+    while any(worker.batch for worker in team):
+        try:
+            found = results.get(timeout=1.0)
+        except queue.Empty:
+            found = None
+        if isinstance(found, Result) and found.seed not in done:
+            done.add(found.seed)
+            yield found
+        for worker in team:
+            if worker.batch and all(seed in done for seed in worker.batch):
+                worker.batch = []
+                if waiting:
+                    worker.give(waiting.popleft())
+            elif found is None and (seed := worker.hung()) is not None:
+                alive = worker.process.is_alive()
+                left = [s for s in worker.batch if s not in done and s != seed]
+                worker.restart()
+                done.add(seed)
+                what = "hang: no end" if alive else "crash: the process ended"
+                yield Result(seed, "hang", (f"{what} after {LONGEST:g} s or more",), LONGEST)
+                if left:
+                    worker.give(left)
+                elif waiting:
+                    worker.give(waiting.popleft())
+    for worker in team:
+        worker.jobs.put(None)
+        worker.process.join(5.0)
+
+
+def soaked(seeds: Iterable[int], workers: int = 2, stream=sys.stderr) -> Summary:
+    """Run all, with a line of progress and each violation as it is found."""
+    seeds = list(seeds)
+    summary = Summary()
+    started = last = time.monotonic()
+    for result in soak(seeds, workers) if workers else map(checked, seeds):
+        summary.add(result)
+        if result.violations:
+            print(result, file=stream, flush=True)
+        now = time.monotonic()
+        if now - last > 10.0:
+            last = now
+            left = (now - started) * (len(seeds) - summary.total) / summary.total
+            print(
+                f"{summary.total:,} of {len(seeds):,} runs, {len(summary.violations)} with a "
+                f"violation, {left:.0f} s left",
+                file=stream, flush=True,
+            )  # fmt: skip
+    return summary
+
+
+__all__ = ["Summary", "checked", "rk", "soak", "soaked"]
