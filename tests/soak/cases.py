@@ -128,8 +128,11 @@ class Scales:
     fast: float = 0.0
 
 
-def draw(seed: int, sibling: int = 0) -> Motion:
-    """The motion of a seed. Siblings have the same model, method and tolerances."""
+def draw(seed: int, sibling: int = 0, linear: bool = False) -> Motion:
+    """The motion of a seed. Siblings have the same model, method and options.
+
+    linear : under records, steps or nothing, as lanes want them.
+    """
     model = model_of(seed)
     options = _options(Dice(seed, 0, 1), method_of(seed))
     dice = Dice(seed, sibling)
@@ -137,11 +140,11 @@ def draw(seed: int, sibling: int = 0) -> Motion:
     length = dice.over(1.0, 25.0) / scales.p
     if scales.fast:  # a stiff one is not followed for hours
         length = min(length, dice.over(20.0, 2000.0) / scales.fast)
-    motion = _motion(dice, scales, length)
+    motion = _motion(dice, scales, length, linear)
     vertical = None
     if dice.chance(0.25):
         size = dice.over(0.02, 1.5) * scales.gravity
-        vertical = _motion(dice, replace(scales, lift=size), length)
+        vertical = _motion(dice, replace(scales, lift=size), length, linear)
     initial, phase = _start(dice, structure, scales)
     return Motion(
         seed, structure, motion, vertical, _law(dice, structure), initial, phase, options
@@ -172,12 +175,13 @@ def _options(dice: Dice, method: str) -> rk.SolverOptions:
 # -- ground motions
 
 
-def _motion(dice: Dice, scales: Scales, length: float) -> rk.GroundMotion:
+LINEAR = ("none", "constant", "record", "record", "jumps", "jumps")
+CURVED = ("half_sine", "single_sine", "single_cosine", "harmonic", "ricker", "antisymmetric")
+
+
+def _motion(dice: Dice, scales: Scales, length: float, linear: bool) -> rk.GroundMotion:
     """Most within a decade of what lifts the structure, of periods around its own."""
-    kind = dice.one_of(
-        "none", "constant", "half_sine", "single_sine", "single_cosine", "harmonic", "ricker",
-        "antisymmetric", "record", "record", "jumps", "jumps",
-    )  # fmt: skip
+    kind = dice.one_of(*LINEAR, *(() if linear else CURVED))
     if kind == "none":
         return rk.GroundMotion.none(length)
     size = scales.lift * dice.over(0.2, 8.0) * dice.one_of(1.0, -1.0)

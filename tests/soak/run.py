@@ -17,7 +17,7 @@ from tests.soak.cases import Dice, draw, method_of, model_of
 from tests.soak.checks import COMPARED, Record, on_record
 
 BATCH = 100
-LONGEST = 20.0
+LONGEST = 60.0
 """A run with all its checks may take so long [s]; most take some milliseconds."""
 COMPILING = 900.0
 """The first of a structure and method may [s]."""
@@ -54,7 +54,7 @@ def checked(seed: int, only: str | None = None) -> Result:
             record = Record(motion, run)
             found += on_record(record)
             for name, (share, check) in COMPARED.items():
-                if name == only or (only is None and Dice(seed, 0, ord(name[0])).chance(share)):
+                if name == only or (only is None and Dice(seed, 0, *name.encode()).chance(share)):
                     found += check(record)
         outcome = str(run.outcome)
     except Exception as error:
