@@ -9,13 +9,17 @@ import warnings
 
 from tests.soak.cases import draw
 from tests.soak.checks import COMPARED
-from tests.soak.run import checked, soaked
+from tests.soak.run import DECLARED, checked, soaked
 
 
 def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.soak", description=__doc__)
     parser.add_argument("--seed", type=int, help="run one seed again, and tell all of it")
-    parser.add_argument("--check", choices=COMPARED, help="this comparison, drawn or not")
+    parser.add_argument(
+        "--check",
+        choices=[*COMPARED, *DECLARED, "pushover"],
+        help="with --seed: this check that is not made for all, drawn or not",
+    )
     parser.add_argument("--runs", type=int, default=20_000, help="how many seeds")
     parser.add_argument("--first", type=int, default=0, help="the first of them")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)

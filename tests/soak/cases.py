@@ -146,9 +146,7 @@ def draw(seed: int, sibling: int = 0, linear: bool = False) -> Motion:
         size = dice.over(0.02, 1.5) * scales.gravity
         vertical = _motion(dice, replace(scales, lift=size), length, linear)
     initial, phase = _start(dice, structure, scales)
-    return Motion(
-        seed, structure, motion, vertical, _law(dice, structure), initial, phase, options
-    )
+    return Motion(seed, structure, motion, vertical, _law(dice, structure), initial, phase, options)
 
 
 # -- options
@@ -277,12 +275,11 @@ def _law(dice: Dice, structure: Structure) -> Any:
 def _at_speed(dice: Dice, structure: Structure) -> Any:
     height = None if structure.speed_height is not None else dice.over(0.1, 10.0)
     ends = sorted({dice.over(1e-3, 10.0) for _ in range(dice.one_of(0, 1, 2))})
-    pieces, start = [], 0.0
+    pieces = []
     for end in (*ends, math.inf):
         r = dice.between(0.2, 0.95)
         slope = 0.0 if end == math.inf else (dice.between(0.2, 0.95) - r) / end
         pieces.append((end, r, slope))
-        start = end
     return rk.EnergyRatioAtSpeed(tuple(pieces), height=height)
 
 

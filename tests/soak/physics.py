@@ -137,9 +137,7 @@ def _power(model: RockingModel, contact: str) -> list[sp.Expr]:
 def _guards(model: RockingModel, contact: str) -> list[sp.Expr]:
     leaving = [t for t in model.transitions if t.source == contact]
     return [
-        -_opening(model, t.target)
-        if t.kind == "uplift"
-        else model.in_contact(t.guard, contact)
+        -_opening(model, t.target) if t.kind == "uplift" else model.in_contact(t.guard, contact)
         for t in leaving
     ]
 

@@ -11,10 +11,11 @@ import traceback
 import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from typing import TextIO
 
-import rockeom as rk
 from tests.soak.cases import Dice, draw, method_of, model_of
 from tests.soak.checks import COMPARED, Record, on_record
+from tests.soak.declared import named_otherwise, pushed, unequal_feet
 
 BATCH = 100
 LONGEST = 60.0
@@ -39,22 +40,43 @@ class Result:
         return "\n".join([*lines, f"    python -m tests.soak --seed {self.seed}"])
 
 
-def checked(seed: int, only: str | None = None) -> Result:
-    """Run a seed with its checks; `only` one of those that compare, whether drawn or not."""
+DECLARED = {"names": (0.002, named_otherwise), "feet": (0.0005, unequal_feet)}
+PUSHED = 0.1
+"""Shares of the seeds for which checks without a motion are made."""
+
+
+def checked(seed: int, only: str | None = None, compared: Iterable[str] | None = None) -> Result:
+    """Run a seed with its checks.
+
+    only : one of those that compare or look at a declaration, whether it is drawn or not.
+    compared : which of them may be drawn; all if not given.
+    """
     started = time.perf_counter()
+    known = {*COMPARED, *DECLARED, "pushover"} if compared is None else set(compared)
+
+    def asked(name: str, share: float) -> bool:
+        if only is not None:
+            return name == only
+        return name in known and Dice(seed, 0, *name.encode()).chance(share)
+
     found: list[str] = []
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of odd input, which is meant
+            for name, (share, check) in DECLARED.items():
+                if asked(name, share):
+                    found += check(seed)
             motion = draw(seed)
+            if asked("pushover", PUSHED):
+                found += pushed(seed, motion.structure)
             try:
                 run = motion.run()
             except ValueError as error:
-                return Result(seed, f"refused: {error}")
+                return Result(seed, f"refused: {error}", tuple(found))
             record = Record(motion, run)
             found += on_record(record)
             for name, (share, check) in COMPARED.items():
-                if name == only or (only is None and Dice(seed, 0, *name.encode()).chance(share)):
+                if asked(name, share):
                     found += check(record)
         outcome = str(run.outcome)
     except Exception as error:
@@ -96,11 +118,16 @@ class Summary:
             counts = [self.runs[model, method, word] for word in outcomes]
             each = 1e3 * self.seconds[model, method] / max(sum(counts), 1)
             rows.append((model, method, *(str(n) for n in (sum(counts), *counts)), f"{each:.1f}"))
-        wide = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-        return "\n".join(
-            "  ".join(c.ljust(w) if i < 2 else c.rjust(w) for i, (c, w) in enumerate(zip(row, wide)))
-            for row in rows
-        )
+        columns = zip(*rows, strict=True)
+        wide = [max(map(len, column)) for column in columns]
+
+        def line(row: tuple[str, ...]) -> str:
+            names = (word.ljust(w) for word, w in zip(row[:2], wide, strict=False))
+            return "  ".join(
+                (*names, *(n.rjust(w) for n, w in zip(row[2:], wide[2:], strict=True)))
+            )
+
+        return "\n".join(map(line, rows))
 
     def __str__(self) -> str:
         lines = [self.table(), ""]
@@ -119,12 +146,10 @@ def batches(seeds: Iterable[int]) -> list[list[int]]:
     groups: dict[tuple[str, str], list[int]] = collections.defaultdict(list)
     for seed in seeds:
         groups[model_of(seed), method_of(seed)].append(seed)
-    return [
-        group[i : i + BATCH] for group in groups.values() for i in range(0, len(group), BATCH)
-    ]
+    return [group[i : i + BATCH] for group in groups.values() for i in range(0, len(group), BATCH)]
 
 
-def _work(jobs, results, present) -> None:
+def _work(jobs, results, present, compared) -> None:
     """Present holds the seed under way and when it began, for the watch."""
     loaded: set[tuple[str, str]] = set()
     while True:
@@ -135,7 +160,7 @@ def _work(jobs, results, present) -> None:
             key = model_of(seed), method_of(seed)
             present[0], present[1] = float(seed), time.monotonic()
             present[2] = LONGEST if key in loaded else COMPILING
-            result = checked(seed)
+            result = checked(seed, compared=compared)
             if result.outcome.partition(":")[0] not in ("refused", "error"):
                 loaded.add(key)
             results.put(result)
@@ -146,15 +171,15 @@ def _work(jobs, results, present) -> None:
 class _Worker:
     """A process, its queue of one batch at a time, and the seed that it is at."""
 
-    def __init__(self, context, results) -> None:
-        self.context, self.results = context, results
+    def __init__(self, context, results, compared) -> None:
+        self.context, self.results, self.compared = context, results, compared
         self.start()
 
     def start(self) -> None:
         self.present = self.context.Array("d", [-1.0, 0.0, COMPILING], lock=False)
         self.jobs = self.context.Queue()
         self.process = self.context.Process(
-            target=_work, args=(self.jobs, self.results, self.present), daemon=True
+            target=_work, args=(self.jobs, self.results, self.present, self.compared), daemon=True
         )
         self.process.start()
         self.batch: list[int] = []
@@ -178,12 +203,17 @@ class _Worker:
         self.start()
 
 
-def soak(seeds: Iterable[int], workers: int = 2) -> Iterator[Result]:
-    """Results in the order in which they come. A seed that hangs is a violation, and passed over."""
+def soak(
+    seeds: Iterable[int], workers: int = 2, compared: Iterable[str] | None = None
+) -> Iterator[Result]:
+    """Results in the order in which they come. A seed that hangs is a violation, and passed over.
+
+    compared : as in `checked`.
+    """
     context = multiprocessing.get_context("spawn")
     results = context.Queue()
     waiting = collections.deque(batches(seeds))
-    team = [_Worker(context, results) for _ in range(min(workers, len(waiting)))]
+    team = [_Worker(context, results, compared) for _ in range(min(workers, len(waiting)))]
     done: set[int] = set()
     for worker in team:
         worker.give(waiting.popleft())
@@ -216,12 +246,18 @@ def soak(seeds: Iterable[int], workers: int = 2) -> Iterator[Result]:
         worker.process.join(5.0)
 
 
-def soaked(seeds: Iterable[int], workers: int = 2, stream=sys.stderr) -> Summary:
-    """Run all, with a line of progress and each violation as it is found."""
+def soaked(
+    seeds: Iterable[int],
+    workers: int = 2,
+    compared: Iterable[str] | None = None,
+    stream: TextIO | None = None,
+) -> Summary:
+    """Run all, with a line of progress and each violation as it is found, to stderr or `stream`."""
+    stream = stream or sys.stderr
     seeds = list(seeds)
     summary = Summary()
     started = last = time.monotonic()
-    for result in soak(seeds, workers) if workers else map(checked, seeds):
+    for result in soak(seeds, workers, compared):
         summary.add(result)
         if result.violations:
             print(result, file=stream, flush=True)
@@ -235,6 +271,3 @@ def soaked(seeds: Iterable[int], workers: int = 2, stream=sys.stderr) -> Summary
                 file=stream, flush=True,
             )  # fmt: skip
     return summary
-
-
-__all__ = ["Summary", "checked", "rk", "soak", "soaked"]
