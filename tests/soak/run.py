@@ -5,6 +5,7 @@ from __future__ import annotations
 import collections
 import multiprocessing
 import queue
+import re
 import sys
 import time
 import traceback
@@ -45,29 +46,41 @@ PUSHED = 0.1
 """Shares of the seeds for which checks without a motion are made."""
 
 
-def checked(seed: int, only: str | None = None, compared: Iterable[str] | None = None) -> Result:
-    """Run a seed with its checks.
+def drawn(seed: int, compared: Iterable[str] | None = None) -> set[str]:
+    """The checks, besides those that all have, which are made for a seed."""
+    shares = {name: share for name, (share, _) in (COMPARED | DECLARED).items()}
+    shares["pushover"] = PUSHED
+    known = shares if compared is None else [name for name in shares if name in compared]
+    return {name for name in known if Dice(seed, 0, *name.encode()).chance(shares[name])}
 
-    only : one of those that compare or look at a declaration, whether it is drawn or not.
-    compared : which of them may be drawn; all if not given.
+
+@dataclass(frozen=True)
+class Checks:
+    """Which checks are made besides those that all seeds have.
+
+    drawn : which may be drawn; all if not given. always : one that every seed has, and no other.
     """
+
+    drawn: tuple[str, ...] | None = None
+    always: str | None = None
+
+    def of(self, seed: int) -> set[str]:
+        return {self.always} if self.always else drawn(seed, self.drawn)
+
+
+def checked(seed: int, checks: Checks = Checks()) -> Result:
+    """Run a seed with its checks."""
     started = time.perf_counter()
-    known = {*COMPARED, *DECLARED, "pushover"} if compared is None else set(compared)
-
-    def asked(name: str, share: float) -> bool:
-        if only is not None:
-            return name == only
-        return name in known and Dice(seed, 0, *name.encode()).chance(share)
-
+    asked = checks.of(seed)
     found: list[str] = []
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of odd input, which is meant
-            for name, (share, check) in DECLARED.items():
-                if asked(name, share):
+            for name, (_, check) in DECLARED.items():
+                if name in asked:
                     found += check(seed)
             motion = draw(seed)
-            if asked("pushover", PUSHED):
+            if "pushover" in asked:
                 found += pushed(seed, motion.structure)
             try:
                 run = motion.run()
@@ -75,8 +88,8 @@ def checked(seed: int, only: str | None = None, compared: Iterable[str] | None =
                 return Result(seed, f"refused: {error}", tuple(found))
             record = Record(motion, run)
             found += on_record(record)
-            for name, (share, check) in COMPARED.items():
-                if asked(name, share):
+            for name, (_, check) in COMPARED.items():
+                if name in asked:
                     found += check(record)
         outcome = str(run.outcome)
     except Exception as error:
@@ -95,6 +108,7 @@ class Summary:
         default_factory=lambda: {word: [] for word in TO_EXPLAIN}
     )
     seconds: collections.Counter = field(default_factory=collections.Counter)
+    refused: collections.Counter = field(default_factory=collections.Counter)
 
     def add(self, result: Result) -> None:
         word = result.outcome.partition(":")[0]
@@ -102,6 +116,8 @@ class Summary:
         self.seconds[model_of(result.seed), method_of(result.seed)] += result.seconds
         if result.violations:
             self.violations.append(result)
+        if word == "refused":
+            self.refused[re.sub(r"-?\d[-\d.e+]*", "#", result.outcome.partition(": ")[2])] += 1
         if word in self.to_explain:
             self.to_explain[word].append(result.seed)
 
@@ -134,6 +150,7 @@ class Summary:
         for word, seeds in self.to_explain.items():
             if seeds:
                 lines.append(f"{word}: {' '.join(map(str, sorted(seeds)))}")
+        lines += [f"refused {n}: {text}" for text, n in self.refused.most_common(12)]
         lines.append(f"{self.total:,} runs, {len(self.violations)} with a violation")
         return "\n".join(lines)
 
@@ -149,20 +166,21 @@ def batches(seeds: Iterable[int]) -> list[list[int]]:
     return [group[i : i + BATCH] for group in groups.values() for i in range(0, len(group), BATCH)]
 
 
-def _work(jobs, results, present, compared) -> None:
+def _work(jobs, results, present, checks) -> None:
     """Present holds the seed under way and when it began, for the watch."""
-    loaded: set[tuple[str, str]] = set()
+    loaded: set[tuple[str, str, str]] = set()
     while True:
         batch = jobs.get()
         if batch is None:
             return
         for seed in batch:
-            key = model_of(seed), method_of(seed)
+            programs = {"integrate"} | (checks.of(seed) & {"many", "lanes"})
+            keys = {(model_of(seed), method_of(seed), program) for program in programs}
             present[0], present[1] = float(seed), time.monotonic()
-            present[2] = LONGEST if key in loaded else COMPILING
-            result = checked(seed, compared=compared)
+            present[2] = LONGEST if keys <= loaded else COMPILING
+            result = checked(seed, checks)
             if result.outcome.partition(":")[0] not in ("refused", "error"):
-                loaded.add(key)
+                loaded |= keys
             results.put(result)
         present[0] = -1.0
         results.put(len(batch))
@@ -171,15 +189,15 @@ def _work(jobs, results, present, compared) -> None:
 class _Worker:
     """A process, its queue of one batch at a time, and the seed that it is at."""
 
-    def __init__(self, context, results, compared) -> None:
-        self.context, self.results, self.compared = context, results, compared
+    def __init__(self, context, results, checks) -> None:
+        self.context, self.results, self.checks = context, results, checks
         self.start()
 
     def start(self) -> None:
         self.present = self.context.Array("d", [-1.0, 0.0, COMPILING], lock=False)
         self.jobs = self.context.Queue()
         self.process = self.context.Process(
-            target=_work, args=(self.jobs, self.results, self.present, self.compared), daemon=True
+            target=_work, args=(self.jobs, self.results, self.present, self.checks), daemon=True
         )
         self.process.start()
         self.batch: list[int] = []
@@ -204,63 +222,69 @@ class _Worker:
 
 
 def soak(
-    seeds: Iterable[int], workers: int = 2, compared: Iterable[str] | None = None
+    seeds: Iterable[int],
+    workers: int = 2,
+    checks: Checks = Checks(),
 ) -> Iterator[Result]:
-    """Results in the order in which they come. A seed that hangs is a violation, and passed over.
-
-    compared : as in `checked`.
-    """
+    """Results in the order in which they come. A seed that hangs is a violation; others go on."""
     context = multiprocessing.get_context("spawn")
     results = context.Queue()
     waiting = collections.deque(batches(seeds))
-    team = [_Worker(context, results, compared) for _ in range(min(workers, len(waiting)))]
+    team = [_Worker(context, results, checks) for _ in range(min(workers, len(waiting)))]
     done: set[int] = set()
     for worker in team:
         worker.give(waiting.popleft())
-    while any(worker.batch for worker in team):
-        try:
-            found = results.get(timeout=1.0)
-        except queue.Empty:
-            found = None
-        if isinstance(found, Result) and found.seed not in done:
-            done.add(found.seed)
-            yield found
+    try:
+        while any(worker.batch for worker in team):
+            try:
+                found = results.get(timeout=1.0)
+            except queue.Empty:
+                found = None
+            if isinstance(found, Result) and found.seed not in done:
+                done.add(found.seed)
+                yield found
+            for worker in team:
+                if worker.batch and all(seed in done for seed in worker.batch):
+                    worker.batch = []
+                elif found is None and (seed := worker.hung()) is not None:
+                    what = "hang: no end" if worker.process.is_alive() else "crash: process ended"
+                    left = [s for s in worker.batch if s not in done and s != seed]
+                    worker.restart()
+                    done.add(seed)
+                    yield Result(seed, "hang", (f"{what} after {LONGEST:g} s or more",), LONGEST)
+                    if left:
+                        worker.give(left)
+                if not worker.batch and waiting:
+                    worker.give(waiting.popleft())
+    finally:
         for worker in team:
-            if worker.batch and all(seed in done for seed in worker.batch):
-                worker.batch = []
-                if waiting:
-                    worker.give(waiting.popleft())
-            elif found is None and (seed := worker.hung()) is not None:
-                alive = worker.process.is_alive()
-                left = [s for s in worker.batch if s not in done and s != seed]
-                worker.restart()
-                done.add(seed)
-                what = "hang: no end" if alive else "crash: the process ended"
-                yield Result(seed, "hang", (f"{what} after {LONGEST:g} s or more",), LONGEST)
-                if left:
-                    worker.give(left)
-                elif waiting:
-                    worker.give(waiting.popleft())
-    for worker in team:
-        worker.jobs.put(None)
-        worker.process.join(5.0)
+            worker.process.kill()
+            worker.process.join()
 
 
 def soaked(
     seeds: Iterable[int],
     workers: int = 2,
-    compared: Iterable[str] | None = None,
+    checks: Checks = Checks(),
     stream: TextIO | None = None,
+    stop: bool = False,
 ) -> Summary:
-    """Run all, with a line of progress and each violation as it is found, to stderr or `stream`."""
+    """Run all, with a line of progress and each violation as it is found, to stderr or `stream`.
+
+    stop : at the first violation.
+    """
     stream = stream or sys.stderr
     seeds = list(seeds)
     summary = Summary()
     started = last = time.monotonic()
-    for result in soak(seeds, workers, compared):
+    coming = soak(seeds, workers, checks)
+    for result in coming:
         summary.add(result)
         if result.violations:
             print(result, file=stream, flush=True)
+            if stop:
+                coming.close()
+                break
         now = time.monotonic()
         if now - last > 10.0:
             last = now

@@ -11,7 +11,7 @@ from rockeom.numeric.response import Outcome
 from tests.soak.cases import MODELS, draw, method_of, model_of
 from tests.soak.checks import IMPACT, Record, on_record
 from tests.soak.declared import AWKWARD, pushed
-from tests.soak.run import soaked
+from tests.soak.run import Checks, soaked
 
 SHORT = [seed for seed in range(28 * len(MODELS)) if method_of(seed) == "DOP853"][:250]
 """Seeds of the method whose programs other tests compile, too."""
@@ -20,7 +20,7 @@ SHORT = [seed for seed in range(28 * len(MODELS)) if method_of(seed) == "DOP853"
 def test_some_hundred_seeds(tmp_path):
     """In a process of their own, so that one that hangs is named and ended."""
     with (tmp_path / "progress").open("w") as progress:
-        summary = soaked(SHORT, workers=1, compared=("mirror", "cut", "equal"), stream=progress)
+        summary = soaked(SHORT, 1, Checks(drawn=("mirror", "cut", "equal")), stream=progress)
     assert summary.total == len(SHORT)
     assert not summary.violations, "\n".join(map(str, summary.violations))
 
@@ -116,7 +116,7 @@ def test_event_left_out_is_noticed():
 def test_energy_from_nothing_is_noticed():
     """One step in which the motion changes by a hundred-thousandth more."""
     powers = block().run.steps.powers.copy()
-    moving = int(np.abs(powers[:, 0, 1]).argmax())
+    moving = int(np.abs(powers[:, 1:, 1].sum(axis=1) * powers[:, 0, 1]).argmax())
     powers[moving, 1:] *= 1 + 1e-5
     assert "energy" in words(tampered(block(), powers=powers))
 
