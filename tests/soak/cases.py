@@ -173,13 +173,14 @@ def _options(dice: Dice, method: str) -> rk.SolverOptions:
 # -- ground motions
 
 
-LINEAR = ("none", "constant", "record", "record", "jumps", "jumps")
+LINEAR = ("none", "constant")
 CURVED = ("half_sine", "single_sine", "single_cosine", "harmonic", "ricker", "antisymmetric")
+RECORDS = ("record", "record", "jumps", "jumps")
 
 
 def _motion(dice: Dice, scales: Scales, length: float, linear: bool) -> rk.GroundMotion:
     """Most within a decade of what lifts the structure, of periods around its own."""
-    kind = dice.one_of(*LINEAR, *(() if linear else CURVED))
+    kind = dice.one_of(*LINEAR, *(() if linear else CURVED), *RECORDS)
     if kind == "none":
         return rk.GroundMotion.none(length)
     size = scales.lift * dice.over(0.2, 8.0) * dice.one_of(1.0, -1.0)

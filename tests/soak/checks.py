@@ -163,6 +163,7 @@ def on_record(r: Record) -> Found:
     yield from guarded(r)
     yield from balanced(r)
     yield from ended(r)
+    yield from gave_up(r)
 
 
 def finite(r: Record) -> Found:
@@ -444,6 +445,23 @@ def ended(r: Record) -> Found:
         error = r.error(r.last[-1:])[0] / SLACK + 1e-9 * np.abs(r.last[-1])
         if (np.abs(run.end - r.last[-1]) > error).any():
             yield "end: the final state is not that of the last step"
+
+
+def gave_up(r: Record) -> Found:
+    """No motion is given up that default options follow to its end.
+
+    Except for as many steps, of a length to be seen, as its options allow.
+    """
+    words = rk.Outcome.CHATTER, rk.Outcome.STALLED, rk.Outcome.NOT_FINITE
+    if r.run.outcome not in words:
+        return
+    crawls = r.run.outcome is not rk.Outcome.STALLED or r.length[-1] < 1e-10 * r.run.duration
+    o = r.motion.options
+    free = rk.SolverOptions(max_impacts=o.max_impacts, max_steps=5 * o.max_steps)
+    if crawls and free != o:
+        default = replace(r.motion, options=free).run()
+        if default.outcome not in words:
+            yield f"gave up: {r.run.outcome} at {r.stop[-1]:.9g} s, by default {default.outcome}"
 
 
 # -- compared with another
