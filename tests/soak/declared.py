@@ -59,12 +59,15 @@ def named_otherwise(seed: int) -> Iterator[str]:
                 replace(p, name=n) for p, n in zip(model.parameters, renamed, strict=True)
             ),
         )
-        text = module_text(other)
+        rk.structure(other, **dict.fromkeys(renamed, 1.0))
     except (ValueError, TypeError):
         return  # refused
+    except Exception as error:
+        yield f"names: {', '.join(renamed)}: {type(error).__name__}: {error}"
+        return
     told = f"{model.name} with the parameters {', '.join(renamed)}"
     try:
-        pair = [as_python(module_text(model)), as_python(text)]
+        pair = [as_python(module_text(m)) for m in (model, other)]
         values = [numbers(m, Dice(seed, 0, 6)) for m in pair]
     except Exception as error:
         yield f"names: {told}: {type(error).__name__}: {error}"
@@ -106,12 +109,13 @@ def numbers(m: types.ModuleType, dice: Dice) -> dict[str, np.ndarray]:
 def unequal_feet(seed: int) -> Iterator[str]:
     """A block on feet at b1 and b2: angular momentum about either is conserved, or an error."""
     dice = Dice(seed, 0, 7)
+    model = _on_unequal_feet()
     try:
-        m = as_python(module_text(_on_unequal_feet()))
+        rk.structure(model, mass=1.0, b1=0.1, b2=0.2, height=1.0, inertia=0.3)
     except (ValueError, TypeError, NotImplementedError):
         return  # refused
     try:
-        yield from _turned_over(m, dice)
+        yield from _turned_over(as_python(module_text(model)), dice)
     except Exception as error:
         yield f"feet: {type(error).__name__}: {error}"
 
