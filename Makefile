@@ -4,9 +4,11 @@ VENV    := .venv
 BIN     := $(VENV)/bin
 PYTHON  ?= python3.11 python3.12 python3.13 python3
 OUT     ?= out
+RUNS    ?= 20000
+FIRST   ?= 0
 
 .DEFAULT_GOAL := help
-.PHONY: help run test generated check bench docs clean
+.PHONY: help run test soak generated check bench docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -18,6 +20,9 @@ run: $(VENV)/.test ## derive, generate and simulate the flexible structure under
 
 test: $(VENV)/.test ## run the tests
 	$(BIN)/python -m pytest -n 2
+
+soak: $(VENV)/.test ## check random motions, RUNS=20000 of them from seed FIRST=0 on (minutes, and compiling)
+	$(BIN)/python -m tests.soak --runs $(RUNS) --first $(FIRST)
 
 generated: $(VENV)/.dev ## rewrite generated/ from the symbolic models
 	$(BIN)/rockeom generate

@@ -1,0 +1,59 @@
+"""python -m tests.soak: run many seeds, one seed again, or many with a fault planted."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import warnings
+
+from tests.soak.cases import METHODS, MODELS, draw, method_of, model_of
+from tests.soak.checks import COMPARED
+from tests.soak.faults import FAULTS, planted
+from tests.soak.run import DECLARED, Checks, checked, soaked
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="python -m tests.soak", description=__doc__)
+    parser.add_argument("--runs", type=int, default=20_000, help="how many seeds")
+    parser.add_argument("--first", type=int, default=0, help="the first of them")
+    parser.add_argument("--models", nargs="*", choices=MODELS, help="only these structures")
+    parser.add_argument("--methods", nargs="*", choices=sorted(set(METHODS)), help="only these")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--stop", action="store_true", help="at the first violation")
+    parser.add_argument("--seed", type=int, help="run one seed again, and tell all of it")
+    parser.add_argument(
+        "--check",
+        choices=[*COMPARED, *DECLARED, "pushover"],
+        help="make this check, of those that are drawn, for every seed, and no other of them",
+    )
+    parser.add_argument("--fault", choices=FAULTS, help="plant this fault; the soak must find it")
+    given = parser.parse_args(arguments)
+    checks = Checks(always=given.check)
+    if given.fault is not None:
+        return planted(given.fault)
+    if given.seed is not None:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            print(draw(given.seed))
+        result = checked(given.seed, checks)
+        print(result)
+        return bool(result.violations)
+    last = given.first + given.runs - 1
+    seeds = [
+        seed
+        for seed in range(given.first, last + 1)
+        if (not given.models or model_of(seed) in given.models)
+        and (not given.methods or method_of(seed) in given.methods)
+    ]
+    print(
+        f"{len(seeds):,} seeds from {given.first} to {last}, {given.workers} workers",
+        file=sys.stderr, flush=True,
+    )  # fmt: skip
+    summary = soaked(seeds, given.workers, checks, stop=given.stop)
+    print(summary)
+    return bool(summary.violations)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

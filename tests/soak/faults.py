@@ -1,0 +1,155 @@
+"""Faults to plant: each class of wrong answers that was once found, as a change of the text.
+
+`python -m tests.soak --fault NAME` plants one in a copy of the package and soaks that. Most change
+what is compiled, which takes a minute or more; the cheap ones are among the tests.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import rockeom
+from rockeom.numeric.specialise import cache_folder
+
+ROOT = Path(rockeom.__file__).parent.parent
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Texts of a file that are replaced, and the seeds that must notice."""
+
+    what: str
+    file: str
+    changes: tuple[tuple[str, str], ...]
+    models: tuple[str, ...]
+    runs: int = 4000
+    check: str | None = None
+    methods: tuple[str, ...] = ("DOP853",)
+
+    def text(self) -> str:
+        """The file with the fault; raises LookupError where it is not as the fault knows it."""
+        text = (ROOT / self.file).read_text(encoding="utf-8")
+        for old, new in self.changes:
+            if text.count(old) != 1:
+                raise LookupError(f"{self.file} has {text.count(old)} times {old!r}")
+            text = text.replace(old, new)
+        return text
+
+
+LOOP = "rockeom/numeric/loop.py"
+STRUCTURES = "rockeom/numeric/structures.py"
+_FULL = """\
+        if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
+            outcome = FULL
+            break
+"""
+_NONE_FITS = """\
+        raise ValueError(
+            f"no phase of"""
+_EQUAL = ("bound = coarse\n", "bound = np.inf\n")
+
+FAULTS = {
+    "contact": Fault(
+        "a state that fits no contact state is taken for the first",
+        STRUCTURES,
+        ((_NONE_FITS, f"        return 0\n{_NONE_FITS}"),),
+        ("controlled_wall", "substitute_gravity_wall", "flexible_controlled_wall"),
+    ),
+    "phase": Fault(
+        "a phase named against the state is taken",
+        STRUCTURES,
+        (("(self._margins(number, y) < -1.0).any()", "False"),),
+        ("two_spring_cart",),
+    ),
+    "equal": Fault(
+        "the error of an equal step is not looked at", LOOP, (_EQUAL,), ("slender_block",)
+    ),
+    "lanes": Fault(
+        "nor that of a step of many lanes",
+        "rockeom/numeric/lanes.py",
+        (("coarse = max(1.0, COARSE / how[0])", "coarse = np.inf"),),
+        ("flexible_structure",),
+        check="lanes",
+    ),
+    "nan": Fault(
+        "a state that is not a number is taken for one",
+        LOOP,
+        (("finite = math.isfinite(error) and finite_end(k)", "finite = True"), _EQUAL),
+        ("two_spring_structure",),
+    ),
+    "event step": Fault(
+        "the error of a step that ends on an event is not looked at",
+        LOOP,
+        (("if not finite or error > bound:", "if not finite or (target < 0 and error > bound):"),),
+        ("simplified_substitute_gravity_wall", "controlled_wall"),
+        runs=40_000,
+    ),
+    "rest": Fault(
+        "what still moves while impacts fade is left where it is",
+        LOOP,
+        (("if N_STATES > 2 and h > 0.0:\n        rates(", "if N_STATES > 99:\n        rates("),),
+        ("flexible_structure",),
+    ),
+    "jump at a call": Fault(
+        "a call that ends where a law does forgets that the ground jumps there",
+        LOOP,
+        (
+            (_FULL, ""),
+            ("    while True:\n        # a call", f"    while True:\n{_FULL}        # a call"),
+        ),
+        ("rigid_block", "two_spring_structure"),
+        runs=40_000,
+        check="many",
+    ),
+    "upright": Fault(
+        "where shaking begins by nothing, the side is that of the middle of its first law",
+        "rockeom/numeric/case.py",
+        (("start + 1e-3 * own", "0.5 * (start + end)"),),
+        ("dirac_delta_block", "controlled_wall_oscillator"),
+        check="mirror",
+    ),
+    "chatter": Fault(
+        "an opening that a dense output hides is a passage back",
+        LOOP,
+        (("== 0.0 or not rocks", "== 0.0 and rocks"),),
+        ("substitute_gravity_wall", "two_spring_structure"),
+    ),
+    "pushover": Fault(
+        "unknowns of a pushover in metres, equations in newtons",
+        "rockeom/numeric/statics.py",
+        (
+            ("length[length == 0.0] = length.max() or 1.0", "length[:] = 1.0"),
+            ("lacking(length * x)[0] / (stiffness * length)", "lacking(length * x)[0]"),
+        ),
+        ("two_spring_structure",),
+        check="pushover",
+    ),
+}
+
+
+def planted(name: str, extra: tuple[str, ...] = ()) -> int:
+    """Soak a copy of the package with a fault. 0 if it was found, 1 if not."""
+    fault = FAULTS[name]
+    with tempfile.TemporaryDirectory(prefix="rockeom-fault-") as folder:
+        copy = Path(folder)
+        for part in ("rockeom", "generated", "tests/soak"):
+            shutil.copytree(ROOT / part, copy / part)
+        shutil.copy(ROOT / "pyproject.toml", copy)
+        (copy / fault.file).write_text(fault.text(), encoding="utf-8")
+        cache = copy / "cache"
+        cache.mkdir()
+        for path in cache_folder().glob("soak_*.py"):
+            shutil.copy(path, cache)
+        command = [sys.executable, "-m", "tests.soak", "--stop", "--runs", str(fault.runs)]
+        command += ["--models", *fault.models, "--methods", *fault.methods]
+        command += ["--check", fault.check] if fault.check else []
+        environment = os.environ | {"PYTHONPATH": str(copy), "ROCKEOM_CACHE_DIR": str(cache)}
+        done = subprocess.run([*command, *extra], cwd=copy, env=environment, check=False)
+    print(f"{name}, {fault.what}: {'found' if done.returncode == 1 else 'NOT FOUND'}")
+    return int(done.returncode != 1)

@@ -1,0 +1,172 @@
+"""The short form of the soak, and that its checks can fail."""
+
+import warnings
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.numeric.response import Outcome
+from tests.soak.cases import MODELS, draw, method_of, model_of
+from tests.soak.checks import IMPACT, Record, on_record
+from tests.soak.declared import AWKWARD, pushed
+from tests.soak.run import Checks, soaked
+
+SHORT = [seed for seed in range(28 * len(MODELS)) if method_of(seed) == "DOP853"][:250]
+"""Seeds of the method whose programs other tests compile, too."""
+
+
+def test_some_hundred_seeds(tmp_path):
+    """In a process of their own, so that one that hangs is named and ended."""
+    with (tmp_path / "progress").open("w") as progress:
+        summary = soaked(SHORT, 1, Checks(drawn=("mirror", "cut", "equal")), stream=progress)
+    assert summary.total == len(SHORT)
+    assert not summary.violations, "\n".join(map(str, summary.violations))
+
+
+def test_a_seed_always_gives_the_same_motion():
+    for seed in range(30):
+        assert str(draw(seed)) == str(draw(seed))
+        assert model_of(seed) == draw(seed).structure.model
+        assert draw(seed).options == draw(seed, sibling=1).options
+
+
+# -- each check notices what it is for: a response that is right, and the same tampered with
+
+
+def a_record(model: str, wanted) -> Record:
+    """The first seed of a model whose response is as wanted."""
+    for seed in range(MODELS.index(model), 4000, len(MODELS)):
+        if method_of(seed) != "DOP853":
+            continue
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            motion = replace(draw(seed), phase=None)
+            motion = replace(motion, options=rk.SolverOptions())
+            try:
+                run = motion.run()
+            except ValueError:
+                continue
+        record = Record(motion, run)
+        if wanted(record) and not list(on_record(record)):
+            return record
+    raise LookupError(f"no seed of {model}")
+
+
+def tampered(record: Record, **changes) -> Record:
+    """With other arrays: span, contact, powers, times, kinds, states, end, outcome."""
+    run = record.run
+    steps = replace(
+        run.steps, **{k: v for k, v in changes.items() if k in ("span", "contact", "powers")}
+    )
+    passages = tuple(
+        changes.get(k, v) for k, v in zip(("times", "kinds", "states"), run.passages, strict=True)
+    )
+    rest = {k: v for k, v in changes.items() if k in ("end", "outcome")}
+    return Record(record.motion, replace(run, steps=steps, passages=passages, **rest))
+
+
+def bounced(record: Record) -> bool:
+    return (record.kinds == IMPACT).sum() > 3 and record.run.outcome is Outcome.COMPLETED
+
+
+BLOCK = [None]
+
+
+def block() -> Record:
+    if BLOCK[0] is None:
+        BLOCK[0] = a_record("rigid_block", bounced)
+    return BLOCK[0]
+
+
+def words(record: Record) -> set[str]:
+    return {found.split(":")[0].split()[0] for found in on_record(record)}
+
+
+def test_nan_with_an_outcome_of_success_is_noticed():
+    powers = block().run.steps.powers.copy()
+    powers[-1, 1, 0] = np.nan
+    assert "not" in words(tampered(block(), powers=powers))
+    assert "not" in words(
+        tampered(block(), end=np.array([np.nan, 0.0]), outcome=Outcome.OVERTURNED)
+    )
+
+
+def test_gap_in_time_is_noticed():
+    span = block().run.steps.span.copy()
+    span[5:, 0] += 1e-9
+    assert "time" in words(tampered(block(), span=span))
+
+
+def test_fall_through_the_ground_is_noticed():
+    """An impact left out: the motion goes on on the same side."""
+    contact = block().contact.copy()
+    contact[contact == 0] = 2
+    assert "guard" in words(tampered(block(), contact=contact))
+
+
+def test_event_left_out_is_noticed():
+    times, kinds, states = block().run.passages
+    keep = np.arange(len(times)) != 1
+    found = words(tampered(block(), times=times[keep], kinds=kinds[keep], states=states[keep]))
+    assert {"joined", "phases"} <= found
+
+
+def test_energy_from_nothing_is_noticed():
+    """One step in which the motion changes by a hundred-thousandth more."""
+    powers = block().run.steps.powers.copy()
+    moving = int(np.abs(powers[:, 1:, 1].sum(axis=1) * powers[:, 0, 1]).argmax())
+    powers[moving, 1:] *= 1 + 1e-5
+    assert "energy" in words(tampered(block(), powers=powers))
+
+
+def test_impact_that_gives_energy_or_is_not_at_the_ground_is_noticed():
+    for what, factor, shift in (("gives", 1.5, 0.0), ("aloft", 1.0, 1e-3)):
+        states = block().run.passages[2].copy()
+        impact = int(np.flatnonzero(block().kinds == IMPACT)[0])
+        states[impact, 1, 1] = factor * states[impact, 0, 1]
+        states[impact, 0, 0] += shift
+        assert "impact" in words(tampered(block(), states=states)), what
+
+
+def test_success_short_of_the_end_is_noticed():
+    run = block().run
+    short = replace(run, duration=1.1 * run.duration)
+    assert "end" in words(Record(block().motion, short))
+
+
+def test_state_that_is_not_overturned_is_noticed():
+    span = block().run.steps.span[:5]
+    early = tampered(
+        block(), span=span, contact=block().contact[:5], powers=block().run.steps.powers[:5],
+        times=np.empty(0), kinds=np.empty((0, 3), int), states=np.empty((0, 2, 2)),
+        end=block().last[4], outcome=Outcome.OVERTURNED,
+    )  # fmt: skip
+    assert "end" in words(early)
+
+
+@pytest.mark.parametrize("name", ["c0", "RIGHT", "theta_ddot", "lambda"])
+def test_awkward_names_are_among_those_tried(name):
+    assert name in AWKWARD
+
+
+def test_load_of_a_pushover_that_is_wrong_is_noticed(monkeypatch):
+    structure = draw(5).structure
+    monkeypatch.setattr(type(structure), "pushover", lambda self, r: np.full(len(r), 1.0))
+    assert list(pushed(5, structure))
+
+
+# -- planted: the contact state of a start
+
+
+def test_contact_that_falls_back_to_the_first_is_noticed(monkeypatch):
+    """Whatever the state: the first contact state, "left"."""
+    wall = rk.ControlledWall.thesis()
+    motion = replace(
+        draw(MODELS.index("controlled_wall")), structure=wall, motion=rk.GroundMotion.none(0.5),
+        vertical=None, impact=None, initial={"theta": 0.05, "theta_dot": -0.1}, phase=None,
+        options=rk.SolverOptions(),
+    )  # fmt: skip
+    monkeypatch.setattr(type(wall), "contact", lambda self, y, phase=None, towards=0.0: 0)
+    assert {"impact", "event"} & words(Record(motion, motion.run()))
