@@ -441,8 +441,7 @@ def ended(r: Record) -> Found:
     if len(r.times) and r.times[-1] >= end:
         if (run.end != r.after[-1]).any():
             yield "end: the final state is not that after the last event"
-    elif run.outcome is not rk.Outcome.NOT_FINITE:
-        # the step of no length that stands for a motion without steps holds the start
+    elif went_on or run.outcome is rk.Outcome.OVERTURNED:
         error = r.error(r.last[-1:])[0] / SLACK + 1e-9 * np.abs(r.last[-1])
         if (np.abs(run.end - r.last[-1]) > error).any():
             yield "end: the final state is not that of the last step"

@@ -66,7 +66,7 @@ FAULTS = {
         STRUCTURES,
         ((_NONE_FITS, f"        return 0\n{_NONE_FITS}"),),
         ("controlled_wall", "substitute_gravity_wall", "flexible_controlled_wall"),
-        ("impact", "event"),
+        ("impact", "event", "energy", "gave up"),
     ),
     "phase": Fault(
         "a phase named against the state is taken",
