@@ -249,7 +249,8 @@ def _start(dice: Dice, structure: Structure, scales: Scales) -> tuple[dict[str, 
     if abs(initial.get(states[rotation], 0.0)) >= bound:
         initial[states[rotation]] *= 0.99 * bound / abs(initial[states[rotation]])
     phase = None
-    if dice.chance(0.08):
+    # below 1e-9 a rotation is taken for a rounding error of an impact, and any side may be named
+    if dice.chance(0.08) and not 0.0 < abs(initial.get(states[rotation], 0.0)) < 1e-9:
         phase = dice.one_of(*structure.module.CONTACTS)
     return initial, phase
 

@@ -21,7 +21,7 @@ from tests.soak.physics import Physics, physics
 
 IMPACT, UPLIFT, SWITCH, REST = range(4)
 EPS = np.finfo(float).eps
-SLACK = 60.0
+SLACK = 100.0
 FINEST = 1e-11
 """Below this relative tolerance rounding errors are as large."""
 COARSE = 1e-7
@@ -143,7 +143,7 @@ class Record:
     def energy_error(self, contact: np.ndarray, y: np.ndarray) -> np.ndarray:
         """(n,) what the energy may be wrong by, for states that are."""
         total = self.energies(contact, y)
-        error = 100 * EPS * np.abs(total).sum(axis=0)
+        error = 2000 * EPS * np.abs(total).sum(axis=0)
         total = total.sum(axis=0)
         for i, step in enumerate(self.error(y).T):
             moved = y.copy()
@@ -361,7 +361,7 @@ def _rests(r: Record) -> Found:
     they give nothing.
     """
     m = r.program
-    law, ratio = r.motion.structure.law(r.motion.impact)
+    _, ratio = r.motion.structure.law(r.motion.impact)
     half, rotation = m.N_STATES // 2, m.ROTATION
     ax, ay = r.ground
     for e in np.flatnonzero(r.kinds == REST)[:20]:
@@ -387,10 +387,11 @@ def _rests(r: Record) -> Found:
         where = f"rest at {r.times[e]:.9g} s: {lost:.9g} J are lost"
         if abs(lost - told) > error:
             yield f"{where}, the event tells {told:.9g}; {error:.3g} may be"
-        if isinstance(r.motion.impact, rk.EnergyRatioAtSpeed):
-            continue
-        least, most = 0.0, math.inf
-        if law == 0 and 0.0 <= ratio < 1.0:
+        impulsive = isinstance(r.motion.impact, rk.Impulsive)
+        least, most = 0.0 if impulsive else -math.inf, math.inf
+        others = [i for i in range(half, m.N_STATES) if i != half + rotation]
+        steady = np.abs(r.after[e] - r.before[e])[others] <= 1e-2 * np.abs(r.before[e][others])
+        if not impulsive and 0.0 <= ratio < 1.0 and steady.all():
             least = most = _taken(r, start, int(r.sources[e]), ratio, rotation, half + rotation)
             error += 0.03 * abs(most)  # the other rates change a little
         if not least - error <= lost <= most + error:
@@ -440,8 +441,7 @@ def ended(r: Record) -> Found:
     if len(r.times) and r.times[-1] >= end:
         if (run.end != r.after[-1]).any():
             yield "end: the final state is not that after the last event"
-    elif run.outcome is not rk.Outcome.NOT_FINITE:
-        # the step of no length that stands for a motion without steps holds the start
+    elif went_on or run.outcome is rk.Outcome.OVERTURNED:
         error = r.error(r.last[-1:])[0] / SLACK + 1e-9 * np.abs(r.last[-1])
         if (np.abs(run.end - r.last[-1]) > error).any():
             yield "end: the final state is not that of the last step"

@@ -10,7 +10,8 @@ import rockeom as rk
 from rockeom.numeric.response import Outcome
 from tests.soak.cases import MODELS, draw, method_of, model_of
 from tests.soak.checks import IMPACT, Record, on_record
-from tests.soak.declared import AWKWARD, pushed
+from tests.soak.declared import pushed
+from tests.soak.faults import FAULTS, ROOT
 from tests.soak.run import Checks, soaked
 
 SHORT = [seed for seed in range(28 * len(MODELS)) if method_of(seed) == "DOP853"][:250]
@@ -146,9 +147,9 @@ def test_state_that_is_not_overturned_is_noticed():
     assert "end" in words(early)
 
 
-@pytest.mark.parametrize("name", ["c0", "RIGHT", "theta_ddot", "lambda"])
-def test_awkward_names_are_among_those_tried(name):
-    assert name in AWKWARD
+@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
+def test_fault_to_plant_still_fits_the_code(fault):
+    assert fault.text() != (ROOT / fault.file).read_text(encoding="utf-8")
 
 
 def test_load_of_a_pushover_that_is_wrong_is_noticed(monkeypatch):
