@@ -38,7 +38,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "f88d348f47b6e912"
+SOURCE_HASH = "3dac9488b2845927"
 
 NAME = "controlled_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -157,6 +157,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
+NARROW = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -48,7 +48,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "ff5a634657178ab7"
+SOURCE_HASH = "761fd0cc39091051"
 
 NAME = "controlled_wall_oscillator"
 STATES = (
@@ -303,6 +303,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_slack
     (-1, -1, -1, -1,),  # right_yield
 )
+NARROW = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

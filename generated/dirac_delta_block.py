@@ -26,7 +26,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "22a31eef634ba9d4"
+SOURCE_HASH = "0b8bd1f65b634065"
 
 NAME = "dirac_delta_block"
 STATES = ("x", "x_dot",)
@@ -94,6 +94,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right_core
     (-1, -1,),  # right_tail
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -40,7 +40,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "64c4b7225825665c"
+SOURCE_HASH = "d86f541f8445a3d9"
 
 NAME = "flexible_controlled_wall"
 STATES = ("theta", "u", "permanent_extension", "theta_dot", "u_dot", "permanent_extension_dot",)
@@ -165,6 +165,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
+NARROW = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -35,7 +35,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "4f4a3c0204ca2776"
+SOURCE_HASH = "c5fe840ef7476074"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -103,6 +103,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "baa3ea4b75ff6348"
+SOURCE_HASH = "63f4dc66cbe8456c"
 
 NAME = "lumped_mass_structure"
 STATES = ("theta", "theta_dot",)
@@ -97,6 +97,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -27,7 +27,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "99e0bf213345d997"
+SOURCE_HASH = "62336e81ba034f33"
 
 NAME = "nondimensional_block"
 STATES = ("x", "x_dot",)
@@ -76,6 +76,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -37,7 +37,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "f1bb43ccb9198ebc"
+SOURCE_HASH = "86f874d2cd013b83"
 
 NAME = "simplified_substitute_gravity_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -158,6 +158,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
+NARROW = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

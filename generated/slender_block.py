@@ -30,7 +30,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "1e2929ea73b15a10"
+SOURCE_HASH = "0d99371546fcb8f7"
 
 NAME = "slender_block"
 STATES = ("theta", "theta_dot",)
@@ -82,6 +82,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -36,7 +36,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "35dd4268cc335148"
+SOURCE_HASH = "273d8b419bb3847a"
 
 NAME = "substitute_gravity_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -136,6 +136,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
+NARROW = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

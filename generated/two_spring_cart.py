@@ -32,7 +32,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "ec2aff99df04df87"
+SOURCE_HASH = "5f7cf69fecc6a5e8"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -104,6 +104,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both_right
     (-1, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_LEFT = 0

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "1ac39f42b45e8b24"
+SOURCE_HASH = "be3390a33c93c7ee"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -109,6 +109,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (2, 4,),  # flight
     (2, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

@@ -31,7 +31,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "1d65bff8d465ccbb"
+SOURCE_HASH = "4ce4ae4168d4f6b8"
 
 NAME = "uplifting_oscillator"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -84,6 +84,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
+NARROW = False  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0

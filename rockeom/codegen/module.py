@@ -717,6 +717,7 @@ class _Module:
                 for c in model.contacts
             ),
             ")",
+            f"NARROW = {bool(model.laws)}  # whether forces may act in a small part of a step",
             f"HAS_IMPULSIVE = {self.impulsive}",
             "RATIO, IMPULSIVE = 0, 1",
             *(f"{self.contacts[c]} = {i}" for c, i in number.items()),

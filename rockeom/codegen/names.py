@@ -21,7 +21,7 @@ rates reactions sine_cosine statics velocity_ratio _compiled _inlined
 contact s y p ax ay dy g i out law ratio guard load found value parameters total_gravity
 
 CLOSED CONTACTS ENERGIES GUARDS HAS_IMPULSIVE IMPULSIVE KINDS KINEMATICS NAME N_GUARDS N_PARTS
-N_STATES OPTIONS PARAMETERS PARAMETER_MEANINGS PARAMETER_UNITS PARTS RATIO REACTIONS ROTATION
+N_STATES NARROW OPTIONS PARAMETERS PARAMETER_MEANINGS PARAMETER_UNITS PARTS RATIO REACTIONS ROTATION
 ROTATION_RATE ROUNDER SIDES SOURCE_HASH STATES STATE_UNITS TARGETS TRANSITIONS
 """
 """What the text uses of Python and its libraries, its functions, their arguments, its tables."""

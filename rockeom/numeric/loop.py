@@ -356,6 +356,29 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
     return True
 
 
+@_compiled
+def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
+    """Whether a step passed over forces that act beside a closed gap only, unseen by its stages.
+
+    The dense output is asked closer and closer to the end of the step, or to its start, whether it
+    obeys the equations: what it lacks there of velocity must be small beside the tolerance.
+    """
+    n = N_STATES // 2
+    part = 0.25
+    for _ in range(11):
+        part *= 0.5
+        x = 1.0 - part if at_end else part
+        tau = t + x * h
+        dense_at(coefficients, x, w)
+        rates(contact, w, p, shaking(gx, tau), shaking(gy, tau), rate)
+        for i in range(n, N_STATES):
+            slope, _ = slope_at(coefficients, x, i)
+            lacks = part * abs(h * rate[i] - slope)
+            if lacks > 100.0 * (atol[i] + rtol * abs(w[i])):
+                return True
+    return False
+
+
 @_inlined
 def clearly_open(b, at):
     """Whether all coefficients are positive by a margin far above the error of a quintic."""
@@ -692,7 +715,7 @@ def integrate(
                 h = last - t
             target = -1
             slope = 0.0
-            corrections = 0
+            corrections = overlooked = 0
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
@@ -724,7 +747,8 @@ def integrate(
                         corrections += 1
                         h += move
                         continue
-                    if abs(move) >= 0.01 * h and h > 1e-6 * h_next:
+                    misplaced = abs(move) >= 0.01 * h or closed_before(contact, target, h, y_new, g)
+                    if misplaced and h > 1e-6 * h_next:
                         # the guard is not where its polynomial put it: look again in less time
                         h *= 0.5
                         target = -1
@@ -744,8 +768,21 @@ def integrate(
                     open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = abs(y_new[ROTATION]) >= fallen
                 turned = follow and widens(peaks, h, y, y_new, k)
-                if keep or turned or beyond or not (open_ or landed >= 0):
+                leaves = NARROW and touching >= 0 and KINDS[contact][touching] == IMPACT
+                closes = NARROW and landed >= 0 and KINDS[contact][landed] == IMPACT
+                if keep or turned or beyond or leaves or closes or not (open_ or landed >= 0):
                     dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
+                again = (leaves or closes) and overlooked < 20
+                if again and overlooks(
+                    contact, t, h, p, gx, gy, rtol, atol, coefficients, closes, w, after
+                ):
+                    overlooked += 1
+                    h *= 0.3
+                    h_next = h
+                    cut = False
+                    target = landed = -1
+                    corrections = 0
+                    continue
                 if landed >= 0 or open_:
                     break
                 place = NEVER
@@ -769,7 +806,7 @@ def integrate(
                     break
                 if place * h <= 4.0 * EPS * max(t, h):
                     slow = y[ROTATION_RATE] == 0.0 or not rocks
-                    if touching == target and slow and h > 1e-6 * h_next:
+                    if touching == target and slow and h > max(1e-6 * h_next, 1e3 * EPS * t):
                         # an opening so short that rounding, or the error of a dense output of
                         # low order, hides it in a step of this length
                         h *= 0.1
@@ -897,6 +934,16 @@ def integrate(
         rate[i] = k[i]
     clock[0], clock[1], clock[2], clock[3] = t, h_next, last_error, refined_to
     return outcome
+
+
+@_inlined
+def closed_before(contact, target, h, y, g):
+    """Whether a gap has closed before the event that a step ends on, by more than rounding."""
+    late = 0.0
+    for i in range(GUARDS[contact]):
+        if i != target and KINDS[contact][i] == IMPACT and g[i] < 0.0:
+            late = -g[i] - 1e-9 * h * abs(y[ROTATION_RATE])
+    return late > 0.0
 
 
 @_inlined

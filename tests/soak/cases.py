@@ -209,7 +209,7 @@ def _motion(dice: Dice, scales: Scales, length: float, linear: bool) -> rk.Groun
         values[2 * n // 3 :] = 0.0
     if kind == "record":
         dt = 0.8 * length / (n - 1)
-        return rk.GroundMotion.from_array(size * values, dt).padded(length)
+        return rk.GroundMotion.from_array(size * values, dt).padded_to(length)
     # steps, each with an acceleration and a slope of its own
     ends = np.cumsum(dice.rng.uniform(0.1, 1.0, n))
     ends *= length / ends[-1]

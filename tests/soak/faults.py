@@ -71,7 +71,7 @@ FAULTS = {
     "phase": Fault(
         "a phase named against the state is taken",
         STRUCTURES,
-        (("(self._margins(number, y) < -1.0).any()", "False"),),
+        (("self._margin(number, y, asked) < -1.0", "False"),),
         ("two_spring_cart",),
         ("impact", "event"),
     ),
