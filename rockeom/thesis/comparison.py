@@ -10,9 +10,11 @@ sin**2 + cos**2 - 1. None of the engine's simplification is used for it.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Mapping
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from rockeom.symbolic import (
     RockingModel,
@@ -149,6 +151,22 @@ def normal_form(expr: sp.Expr) -> sp.Expr:
             result = sp.rem(result, radius**2 - PIER["half_width"] ** 2 - height**2, radius)
             result = sp.fraction(sp.together(result))[0]
     return sp.expand(result).subs({v: f for f, v in trig.items()})
+
+
+def differs_somewhere(difference: sp.Expr) -> bool:
+    """Whether a difference is certainly not zero for some positive numbers, with their R.
+
+    False decides nothing: there may be no number, or one too close to zero to tell.
+    """
+    draw = random.Random(1)
+    unknown = difference.atoms(sp.Symbol, AppliedUndef, sp.Derivative)
+    at = {x: sp.Rational(draw.randrange(100, 900), 1000) for x in sorted(unknown, key=str)}
+    if any(x.is_negative or x.is_integer for x in at):
+        return False
+    for radius, _, height in POLAR:
+        at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at)
+    value = difference.xreplace({x: at[x] for x in at if not x.is_Symbol}).evalf(20, subs=at)
+    return bool(value.is_number and value.is_finite and abs(value) > 1e-12)
 
 
 def differences(
