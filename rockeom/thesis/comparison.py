@@ -104,8 +104,9 @@ OWN = {th.beta, th.omega, th.t, th.R_e, th.R_b, th.R_c}
 
 def at_side(expr, side: int):
     """sgn(theta), |theta|, the double sign and the cases of a brace for one sign of theta."""
-    expr = expr.replace(sp.sign, lambda _: sp.Integer(side))
-    expr = expr.replace(sp.Abs, lambda argument: side * argument)
+    if expr.has(sp.sign, sp.Abs):
+        expr = expr.replace(sp.sign, lambda _: sp.Integer(side))
+        expr = expr.replace(sp.Abs, lambda argument: side * argument)
     cases = {th.theta > 0: side > 0, th.theta < 0: side < 0}
     return expr.subs({k: sp.sympify(v) for k, v in cases.items()}).subs(th.PM, side)
 
@@ -164,9 +165,10 @@ def differs_somewhere(difference: sp.Expr) -> bool:
     if any(x.is_negative or x.is_integer for x in at):
         return False
     for radius, _, height in POLAR:
-        at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at)
-    value = difference.xreplace({x: at[x] for x in at if not x.is_Symbol}).evalf(20, subs=at)
-    return bool(value.is_number and value.is_finite and abs(value) > 1e-12)
+        at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at).evalf(50)
+    value = difference.xreplace({x: at[x] for x in at if not x.is_Symbol})
+    value = value.evalf(15, subs=at, maxn=40)
+    return bool(value.is_number and value.is_finite and abs(value) > 1e-9)
 
 
 def differences(

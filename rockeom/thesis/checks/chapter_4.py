@@ -89,8 +89,9 @@ def r_squared(known, found) -> float:
 
 def of_displacement(expr: sp.Expr, **more: sp.Expr) -> Callable:
     """`expr` with the wall's numbers, as a function of Delta [mm]."""
-    numbers = {**WALL, **{getattr(th, name): value for name, value in more.items()}}
-    return sp.lambdify(th.Delta, expr.subs(numbers), "numpy")
+    put = {**WALL, **{getattr(th, name): value for name, value in more.items()}}
+    numbers = {symbol: sp.sympify(value) for symbol, value in put.items()}
+    return sp.lambdify(th.Delta, expr.xreplace(numbers), "numpy")
 
 
 # --- geometry
@@ -123,7 +124,7 @@ def placed(expr: sp.Expr, side: int) -> sp.Expr:
         th.H: height * SCALE,
         UP: up * SCALE,
     }
-    return expr.subs(at, simultaneous=True)
+    return expr.xreplace(at)
 
 
 def reduced(expr: sp.Expr) -> sp.Expr:
