@@ -114,7 +114,8 @@ def at_side(expr, side: int):
 def spread(expr: sp.Expr) -> sp.Expr:
     """Sines and cosines of sums as products."""
     tangents = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
-    return sp.expand_trig(sp.expand(tangents))
+    angles = {f: f.func(sp.expand(f.args[0])) for f in tangents.atoms(sp.sin, sp.cos)}
+    return sp.expand_trig(tangents.xreplace(angles))
 
 
 def in_engine_notation(
@@ -140,7 +141,7 @@ def in_engine_notation(
 
 def normal_form(expr: sp.Expr) -> sp.Expr:
     """The numerator of `expr`, reduced: zero if and only if `expr` is."""
-    numerator = sp.fraction(sp.together(spread(expr)))[0]
+    numerator = sp.fraction(sp.together(sp.expand(spread(expr))))[0]
     trig: dict[sp.Expr, sp.Symbol] = {}
     for angle in {f.args[0] for f in numerator.atoms(sp.sin, sp.cos)}:
         trig |= {sp.sin(angle): sp.Dummy("S"), sp.cos(angle): sp.Dummy("C")}

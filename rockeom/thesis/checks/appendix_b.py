@@ -91,10 +91,6 @@ def _inertia(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield close("r of 2-6 about the corner, 0.835 by 4.9.2.1", (1 - arm) ** 2, 0.835, 5e-4)
 
 
-def _in_fractions(expr: sp.Expr) -> sp.Expr:
-    return sp.expand(sp.nsimplify(expr, rational=True))
-
-
 def _parallel_axes(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """A panel that has lifted up to its far edge, and a mass on its centreline."""
     (relation,) = relations
@@ -104,8 +100,9 @@ def _parallel_axes(equation: Equation, relations: Relations) -> Iterator[Finding
     )
     added = Rational("2.537") ** 2 + (th.d_lifted - th.B) ** 2
     exact = 686 + Rational("577.56") * panel + 442 + Rational("1438.5") * added
-    rest = relation.rhs.doit() - exact
-    yield vanishes("thesis minus both by the theorem of Steiner", rest, _in_fractions)
+    fractions = {number: Rational(str(number)) for number in relation.rhs.atoms(sp.Float)}
+    rest = relation.rhs.xreplace(fractions).doit() - exact
+    yield vanishes("thesis minus both by the theorem of Steiner", rest, sp.expand)
 
 
 def _work(equation: Equation, relations: Relations) -> Iterator[Finding]:

@@ -63,6 +63,7 @@ def right(number: str, which: int = 0) -> sp.Expr:
     return EQUATIONS[number].right[which].rhs
 
 
+@cache
 def corner_inertia() -> float:
     """I_o about a corner of the wall by B-9 put right [kg m2]."""
     metres = {th.H: HEIGHT / 1e3, th.B: HALF_WIDTH / 1e3, th.d_lifted: 2 * HALF_WIDTH / 1e3}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -116,7 +117,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
         x = shipped(MODEL_A).phase(CONTACT[side]).bodies[0].position[0]
         x = x.subs(SIDE, side)
         displacement = x - x.subs(THETA, 0)
-        stated = branch(relation, side).subs(known, simultaneous=True)
+        stated = branch(relation, side).xreplace(known)
         stated = stated.subs(sp.atan(B / PIER["height"]), angle)
         left = sp.expand(angle - side * stated)
         what = "sine of the angle that is left to the balance"
@@ -206,9 +207,9 @@ def _centre_moves(equation: Equation, relations: Relations) -> Iterator[Finding]
 # --- damping
 
 
-def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """Of the engine's column on a fixed base; its peaks are a period of exp(rate t) apart."""
-    (relation,) = relations
+@cache
+def ratio_of_free_peaks() -> tuple[sp.Symbol, sp.Expr]:
+    """xi, and by it the ratio of two peaks a period of exp(rate t) apart, on a fixed base."""
     xi, rate = sp.Dummy("xi", positive=True), sp.Dummy("rate")
     mass, stiffness = PIER["mass"], PIER["stiffness"]
     damping = 2 * xi * sp.sqrt(mass * stiffness)
@@ -216,7 +217,12 @@ def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
     root = sp.simplify(roots[0].subs({mass: 1, stiffness: 1}))
     real = sp.simplify(sum(r.subs({mass: 1, stiffness: 1}) for r in roots) / 2)
     circular = sp.sqrt(sp.simplify(-((root - real) ** 2)))
-    ratio = sp.exp(-real * 2 * sp.pi / circular)
+    return xi, sp.exp(-real * 2 * sp.pi / circular)
+
+
+def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    xi, ratio = ratio_of_free_peaks()
     stated = relation.rhs.subs(th.Delta_i, ratio * th.Delta_next)
     stated = sp.simplify(sp.expand_log(stated))
     *below, leading = taylor(stated - xi, (xi,), 3)

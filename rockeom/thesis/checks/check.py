@@ -79,9 +79,7 @@ class Unreduced:
         return str(self.reduce(self.difference))
 
 
-def vanishes(
-    what: str, difference: Any, reduce: Callable[[sp.Expr], Any] = sp.sympify
-) -> Finding:
+def vanishes(what: str, difference: Any, reduce: Callable[[sp.Expr], Any] = sp.sympify) -> Finding:
     """Finding that a difference is exactly zero.
 
     reduce : makes zero of every difference that is zero. Only it can show that one is; that one
