@@ -10,9 +10,11 @@ sin**2 + cos**2 - 1. None of the engine's simplification is used for it.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Mapping
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from rockeom.symbolic import (
     RockingModel,
@@ -102,8 +104,9 @@ OWN = {th.beta, th.omega, th.t, th.R_e, th.R_b, th.R_c}
 
 def at_side(expr, side: int):
     """sgn(theta), |theta|, the double sign and the cases of a brace for one sign of theta."""
-    expr = expr.replace(sp.sign, lambda _: sp.Integer(side))
-    expr = expr.replace(sp.Abs, lambda argument: side * argument)
+    if expr.has(sp.sign, sp.Abs):
+        expr = expr.replace(sp.sign, lambda _: sp.Integer(side))
+        expr = expr.replace(sp.Abs, lambda argument: side * argument)
     cases = {th.theta > 0: side > 0, th.theta < 0: side < 0}
     return expr.subs({k: sp.sympify(v) for k, v in cases.items()}).subs(th.PM, side)
 
@@ -111,7 +114,8 @@ def at_side(expr, side: int):
 def spread(expr: sp.Expr) -> sp.Expr:
     """Sines and cosines of sums as products."""
     tangents = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
-    return sp.expand_trig(sp.expand(tangents))
+    angles = {f: f.func(sp.expand(f.args[0])) for f in tangents.atoms(sp.sin, sp.cos)}
+    return sp.expand_trig(tangents.xreplace(angles))
 
 
 def in_engine_notation(
@@ -137,7 +141,7 @@ def in_engine_notation(
 
 def normal_form(expr: sp.Expr) -> sp.Expr:
     """The numerator of `expr`, reduced: zero if and only if `expr` is."""
-    numerator = sp.fraction(sp.together(spread(expr)))[0]
+    numerator = sp.fraction(sp.together(sp.expand(spread(expr))))[0]
     trig: dict[sp.Expr, sp.Symbol] = {}
     for angle in {f.args[0] for f in numerator.atoms(sp.sin, sp.cos)}:
         trig |= {sp.sin(angle): sp.Dummy("S"), sp.cos(angle): sp.Dummy("C")}
@@ -149,6 +153,23 @@ def normal_form(expr: sp.Expr) -> sp.Expr:
             result = sp.rem(result, radius**2 - PIER["half_width"] ** 2 - height**2, radius)
             result = sp.fraction(sp.together(result))[0]
     return sp.expand(result).subs({v: f for f, v in trig.items()})
+
+
+def differs_somewhere(difference: sp.Expr) -> bool:
+    """Whether a difference is certainly not zero for some positive numbers, with their R.
+
+    False decides nothing: there may be no number, or one too close to zero to tell.
+    """
+    draw = random.Random(1)
+    unknown = difference.atoms(sp.Symbol, AppliedUndef, sp.Derivative)
+    at = {x: sp.Rational(draw.randrange(100, 900), 1000) for x in sorted(unknown, key=str)}
+    if any(x.is_negative or x.is_integer for x in at):
+        return False
+    for radius, _, height in POLAR:
+        at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at).evalf(50)
+    value = difference.xreplace({x: at[x] for x in at if not x.is_Symbol})
+    value = value.evalf(15, subs=at, maxn=40)
+    return bool(value.is_number and value.is_finite and abs(value) > 1e-9)
 
 
 def differences(

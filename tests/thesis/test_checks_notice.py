@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
-from rockeom.thesis import EQUATIONS
+from rockeom.thesis import EQUATIONS, notation as th
 from rockeom.thesis.checks import appendix_b, chapter_2, chapter_4, section_2_6
+from rockeom.thesis.comparison import PIER, differs_somewhere
 
 from .wrong import unnoticed
 
@@ -26,3 +28,13 @@ def test_slip_of_a_number_or_a_sign_is_noticed(number):
     """By one hundredth, and by a sign; of the equations in BY_HAND also of each symbol."""
     found = unnoticed(EQUATIONS[number], everything=number in BY_HAND)
     assert len(found) == WITHOUT_EFFECT.get(number, (0, ""))[0], found
+
+
+def test_numbers_tell_no_two_forms_of_the_same_apart():
+    """They may refute only: a difference that is zero is left to the reduction."""
+    theta, width, height = (PIER[name] for name in ("theta", "half_width", "height"))
+    turn = sp.sin(2 * theta) - 2 * sp.sin(theta) * sp.cos(theta)
+    radius = th.R_e**2 - width**2 - height**2
+    assert not any(differs_somewhere(e) for e in (turn, radius, turn / radius, sp.nan, sp.oo))
+    assert differs_somewhere(turn + sp.Rational(1, 10**8) * theta)
+    assert differs_somewhere(radius * sp.Rational(101, 100) + height**2 / 100)

@@ -11,7 +11,7 @@ import sympy as sp
 from rockeom.symbolic import SHIPPED, RockingModel, impulse, lagrange
 from rockeom.symbolic.model import GROUND_X, Body, Phase
 from rockeom.thesis import EQUATIONS, Verdict, decide, notation as th
-from rockeom.thesis.checks.engine import THETA, B, disagreement, shipped, values_of_shipped
+from rockeom.thesis.checks.engine import THETA, B, compared, shipped, values_of_shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 
 U, H_E, H_B = PIER["u"], PIER["height"], PIER["base_height"]
@@ -21,9 +21,9 @@ def notices(number: str, model: RockingModel) -> bool:
     """Whether the corrected equation differs from what `model` gives, on any of its sides."""
     equation = EQUATIONS[number]
     return any(
-        term != 0
+        not finding.holds
         for side in equation.sides
-        for term in disagreement(number, equation.right, side, model)
+        for finding in compared(number, equation.right, side, model)
     )
 
 

@@ -13,8 +13,8 @@ from rockeom.thesis.equation import Relations
 MORE, LESS = sp.Rational(101, 100), sp.Rational(99, 100)
 EVEN = (sp.cos, sp.cosh, sp.Abs, sp.DiracDelta)
 
-Slip = tuple[str, sp.Basic]
-"""What is wrong, and the expression with it."""
+Slip = tuple[tuple, sp.Basic]
+"""What is wrong, in words and expressions, and the expression with it."""
 
 
 def notices(equation: Equation, relations: Relations) -> bool:
@@ -31,10 +31,11 @@ def notices(equation: Equation, relations: Relations) -> bool:
 def unnoticed(equation: Equation, everything: bool) -> list[str]:
     """Slips of an equation that none of its checks notices."""
     tried = {relations: words for words, relations in slips(equation, everything)}
-    return [words for relations, words in tried.items() if not notices(equation, relations)]
+    found = [words for relations, words in tried.items() if not notices(equation, relations)]
+    return [" ".join(map(str, words)) for words in found]
 
 
-def slips(equation: Equation, everything: bool) -> Iterator[tuple[str, Relations]]:
+def slips(equation: Equation, everything: bool) -> Iterator[tuple[tuple, Relations]]:
     """Every number 1 % more, every sign turned, and the right side 1 % more.
 
     Signs are those of the right side, of each term of any sum within it, and of the argument of
@@ -55,7 +56,7 @@ def slips(equation: Equation, everything: bool) -> Iterator[tuple[str, Relations
                 changed = relation.func(*sides, evaluate=False)
                 if changed != relation:
                     one = (*equation.right[:i], changed, *equation.right[i + 1 :])
-                    yield f"{words}, relation {i}", one
+                    yield (*words, "relation", i), one
 
 
 def _of_whole(expr: sp.Basic) -> Iterator[Slip]:
@@ -65,35 +66,35 @@ def _of_whole(expr: sp.Basic) -> Iterator[Slip]:
             for words, wrong in _of_whole(value):
                 yield words, _with(expr, k, sp.Tuple(wrong, condition))
     else:
-        yield f"sign of {expr}", -expr
-        yield f"more of {expr}", MORE * expr
+        yield ("sign of", expr), -expr
+        yield ("more of", expr), MORE * expr
 
 
 def _within(expr: sp.Basic, everything: bool) -> Iterator[Slip]:
     if expr.is_Number or expr.is_NumberSymbol:
         if expr not in (0, -1) and expr.is_finite:
-            yield f"more of {expr}", MORE * expr
+            yield ("more of", expr), MORE * expr
             if everything:
-                yield f"less of {expr}", LESS * expr
+                yield ("less of", expr), LESS * expr
     elif isinstance(expr, sp.MatrixSymbol):  # its size is no number of the equation
         return
     elif expr.is_Symbol or isinstance(expr, AppliedUndef | sp.Derivative):
         if everything and str(expr) != r"\pm":
-            yield f"more of {expr}", MORE * expr
+            yield ("more of", expr), MORE * expr
     else:
         yield from _signs(expr)
         for k, child in _parts(expr):
             for words, wrong in _within(child, everything):
-                yield f"{words} in {expr}", _with(expr, k, wrong)
+                yield (*words, "in", expr), _with(expr, k, wrong)
 
 
 def _signs(expr: sp.Basic) -> Iterator[Slip]:
     if isinstance(expr, sp.Add):
         for k, term in enumerate(expr.args):
-            yield f"sign of {term} in {expr}", _with(expr, k, -term)
+            yield ("sign of", term, "in", expr), _with(expr, k, -term)
     elif isinstance(expr, sp.Function) and not isinstance(expr, (sp.Piecewise, *EVEN)):
         for k, argument in enumerate(expr.args):
-            yield f"sign of {argument} in {expr}", _with(expr, k, -argument)
+            yield ("sign of", argument, "in", expr), _with(expr, k, -argument)
 
 
 def _parts(expr: sp.Basic) -> list[tuple[int, sp.Basic]]:

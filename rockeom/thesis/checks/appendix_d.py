@@ -58,7 +58,7 @@ def _lagrange(equation: Equation, relations: Relations) -> Iterator[Finding]:
         derived = lagranges_equation(statement, lagrangian, coordinate, stated)
         rest = in_engine_notation(derived, 1) - residual(shipped(MODEL_C), 1, row)
         what = f"D-5 with D-14, D-15 and {force} minus engine, theta > 0"
-        yield vanishes(what, normal_form(rest))
+        yield vanishes(what, rest, normal_form)
 
 
 # --- angles
@@ -72,7 +72,7 @@ def _sum_of_angles(equation: Equation, relations: Relations) -> Iterator[Finding
         first = turned((0, 1), (0, 0), th.A_angle)
         twice = turned(first, (0, 0), side * th.B_angle)
         stated = at_side(relation.rhs, side)
-        yield vanishes("right side minus two turns", sp.expand(stated - twice[axis]))
+        yield vanishes("right side minus two turns", stated - twice[axis], sp.expand)
         whole = cmath.exp(1j * (1.3 + side * 0.4))
         value = at_side(relation.lhs, side).subs({th.A_angle: 1.3, th.B_angle: 0.4})
         yield close("left side at 1.3 and 0.4", value, (whole.imag, whole.real)[axis], 1e-14)
@@ -106,7 +106,7 @@ def _rows(equation: Equation, relations: Relations) -> Iterator[Finding]:
         derived = (0, residual(model, side, 1), 0, residual(model, side, 0))
         for i, (relation, exact) in enumerate(zip(relations, derived, strict=True), 1):
             rest = in_engine_notation(relation.lhs - relation.rhs, side, known) - exact
-            yield vanishes(f"row {i} minus engine", normal_form(rest))
+            yield vanishes(f"row {i} minus engine", rest, normal_form)
 
 
 def _coefficients(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -114,7 +114,7 @@ def _coefficients(equation: Equation, relations: Relations) -> Iterator[Finding]
         inertia = shipped(MODEL_C).equations(CONTACT[side]).mass_matrix
         for relation, exact in zip(relations, (inertia[0, 1], inertia[0, 0]), strict=True):
             rest = in_engine_notation(relation.rhs, side, STATES) - exact
-            yield vanishes(f"{relation.lhs} minus the engine's inertia", normal_form(rest))
+            yield vanishes(f"{relation.lhs} minus the engine's inertia", rest, normal_form)
 
 
 def _first_order(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -125,7 +125,7 @@ def _first_order(equation: Equation, relations: Relations) -> Iterator[Finding]:
     whole = {th.M_matrix: matrix, th.y_d_column: sp.Matrix(RATES), th.f_column: right}
     left, column = (side.subs(whole).doit() for side in (relation.lhs, relation.rhs))
     for i, row in enumerate(sp.Matrix(left - column) - rows, 1):
-        yield vanishes(f"row {i} minus that of D-28", sp.expand(row))
+        yield vanishes(f"row {i} minus that of D-28", row, sp.expand)
     rng = np.random.default_rng(27)
     for side in equation.sides:
         model, known = shipped(MODEL_C), {**STATES, **coefficients(side)}

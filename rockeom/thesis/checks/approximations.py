@@ -326,9 +326,9 @@ def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
             stated, exact, error = map(stiff, (stated, exact, error))
         *below, leading = taylor(exact - stated, case.small, case.order)
         for n, term in enumerate(below):
-            yield vanishes(f"term of order {n} of exact minus thesis", normal_form(term))
+            yield vanishes(f"term of order {n} of exact minus thesis", term, normal_form)
         what = f"its term of order {case.order} minus the stated error"
-        yield vanishes(what, normal_form(leading - error))
+        yield vanishes(what, leading - error, normal_form)
 
 
 def _checks() -> Iterator[tuple[str, Check]]:

@@ -58,14 +58,14 @@ def equals(value: Callable[[int], sp.Expr]) -> Callable:
         for side in equation.sides:
             (rest,) = differences(relation, value(side), side)
             what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
-            yield vanishes(what, normal_form(rest))
+            yield vanishes(what, rest, normal_form)
 
     return find
 
 
 def _spring(equation: Equation, relations: Relations) -> Iterator[Finding]:
     (relation,) = relations
-    yield vanishes("thesis minus work", sp.expand(relation.rhs - spring(th.theta)))
+    yield vanishes("thesis minus work", relation.rhs - spring(th.theta), sp.expand)
 
 
 def ratio_of_peaks(
@@ -78,13 +78,6 @@ def ratio_of_peaks(
 
     def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
         for side in equation.sides:
-            inertia = sp.diff(kinetic(side, name), THETA_D, 2)
-            free = in_thesis_lengths(name, acceleration(shipped(name), side)).subs(GROUND_X, 0)
-            free -= sp.diff(more(THETA), THETA) / inertia
-            energy = kinetic(side, name) + potential(side, name=name) + more(THETA)
-            power = sp.diff(energy, THETA) * THETA_D + sp.diff(energy, THETA_D) * free
-            yield vanishes("change of the energy between impacts", normal_form(power))
-
             before = potential(side, th.theta_before, name) + more(th.theta_before)
             after = potential(-side, th.theta_after, name) + more(th.theta_after)
             known = {x: x for x in (th.theta_before, th.theta_after, th.k_rot)}
@@ -93,7 +86,14 @@ def ratio_of_peaks(
             for relation in relations:
                 stated = relation.rhs.subs(sp.Abs(th.theta_after), -side * th.theta_after)
                 rest = in_engine_notation(stated, side, known) - after / before
-                yield vanishes("thesis minus ratio of energies", normal_form(rest))
+                yield vanishes("thesis minus ratio of energies", rest, normal_form)
+
+            inertia = sp.diff(kinetic(side, name), THETA_D, 2)
+            free = in_thesis_lengths(name, acceleration(shipped(name), side)).subs(GROUND_X, 0)
+            free -= sp.diff(more(THETA), THETA) / inertia
+            energy = kinetic(side, name) + potential(side, name=name) + more(THETA)
+            power = sp.diff(energy, THETA) * THETA_D + sp.diff(energy, THETA_D) * free
+            yield vanishes("change of the energy between impacts", power, normal_form)
 
     return find
 
@@ -162,7 +162,7 @@ def _of_circle(equation: Equation, relations: Relations) -> Iterator[Finding]:
                 about_pivot = about_pivot.subs(derivative, symbol)
             whole = relation.rhs.subs({th.a_g: ground, th.u_cg_dd: about_pivot})
             rest = whole - at_side(EQUATIONS[number].right[0].rhs, side)
-            yield vanishes(f"3-5 minus {number}", sp.expand(sp.expand_trig(rest)))
+            yield vanishes(f"3-5 minus {number}", sp.expand_trig(rest), sp.expand)
 
 
 def _largest_speed(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -176,7 +176,7 @@ def _largest_speed(equation: Equation, relations: Relations) -> Iterator[Finding
         fall = rectangular(potential(-direction, -direction * ALPHA))
         speed_squared = in_engine_notation(stated**2, direction)
         gained = rectangular(kinetic(-direction)).subs(THETA_D, sp.sqrt(speed_squared))
-        yield vanishes("kinetic energy minus what the fall gives", normal_form(gained - fall))
+        yield vanishes("kinetic energy minus what the fall gives", gained - fall, normal_form)
         velocity = float(stated.subs(block_numbers()))
         yield positive("velocity times its sign, block of chapter 3,", direction * velocity)
 

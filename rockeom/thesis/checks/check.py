@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from rockeom.thesis.comparison import differs_somewhere
 from rockeom.thesis.equation import Equation, Relations
 
 
@@ -67,9 +68,28 @@ def reproduced(route: str, find: Find, error: str = "") -> Check:
     return Check(Means.REPRODUCED, route, find, error)
 
 
-def vanishes(what: str, difference: Any) -> Finding:
-    """Finding that a difference, reduced before, is exactly zero."""
-    return Finding(what, difference, bool(sp.sympify(difference) == 0))
+@dataclass(frozen=True)
+class Unreduced:
+    """A difference known not to be zero; reduced only to be read."""
+
+    difference: sp.Expr
+    reduce: Callable[[sp.Expr], Any]
+
+    def __str__(self) -> str:
+        return str(self.reduce(self.difference))
+
+
+def vanishes(what: str, difference: Any, reduce: Callable[[sp.Expr], Any] = sp.sympify) -> Finding:
+    """Finding that a difference is exactly zero.
+
+    reduce : makes zero of every difference that is zero. Only it can show that one is; that one
+        is not, its value for some numbers shows sooner.
+    """
+    difference = sp.sympify(difference)
+    if reduce is not sp.sympify and differs_somewhere(difference):
+        return Finding(what, Unreduced(difference, reduce), False)
+    rest = reduce(difference)
+    return Finding(what, rest, bool(rest == 0))
 
 
 def positive(what: str, value: Any) -> Finding:

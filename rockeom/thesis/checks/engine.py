@@ -82,16 +82,15 @@ def bilinear() -> BilinearPushover:
     return bilinear_pushover()
 
 
-def disagreement(
+def compared(
     number: str, relations, side: int, model: RockingModel | None = None
-) -> list[sp.Expr]:
-    """Thesis minus engine for each component of each relation, reduced: all zero in agreement."""
+) -> Iterator[Finding]:
+    """Thesis minus engine for each component of each relation."""
     values, known = evaluate(number, side, model)
-    return [
-        normal_form(difference)
-        for relation, value in zip(relations, values, strict=True)
-        for difference in differences(relation, value, side, known)
-    ]
+    what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
+    for relation, value in zip(relations, values, strict=True):
+        for rest in differences(relation, value, side, known):
+            yield vanishes(what, rest, normal_form)
 
 
 # --- motion
@@ -417,8 +416,7 @@ _ROUTES = {
 
 def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
     for side in equation.sides:
-        for rest in disagreement(equation.number, relations, side):
-            yield vanishes(f"thesis minus engine, theta {'>' if side > 0 else '<'} 0", rest)
+        yield from compared(equation.number, relations, side)
 
 
 def _checks() -> Iterator[tuple[str, Check]]:
