@@ -786,6 +786,7 @@ def integrate(
                 if landed >= 0 or open_:
                     break
                 place = NEVER
+                unclear = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
                     noise = 0.0
@@ -798,6 +799,8 @@ def integrate(
                     else:
                         grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
                         x = first_fall(b, 8 * i, grain, touching == i, noise, stack)
+                    if touching == i:
+                        unclear = abs(b[8 * row + 1]) <= noise
                     if x < place:
                         place = x
                         target = i
@@ -805,7 +808,10 @@ def integrate(
                 if target < 0:
                     break
                 if place * h <= 4.0 * EPS * max(t, h):
-                    slow = y[ROTATION_RATE] == 0.0 or not rocks
+                    if rocks:
+                        slow = y[ROTATION_RATE] == 0.0
+                    else:
+                        slow = unclear or opens_soon(contact, target, t, h, y, p, gx, gy, k, w, g)
                     if touching == target and slow and h > max(1e-6 * h_next, 1e3 * EPS * t):
                         # an opening so short that rounding, or the error of a dense output of
                         # low order, hides it in a step of this length
@@ -934,6 +940,17 @@ def integrate(
         rate[i] = k[i]
     clock[0], clock[1], clock[2], clock[3] = t, h_next, last_error, refined_to
     return outcome
+
+
+@_compiled
+def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g):
+    """Whether a guard that is closed at t is open a little later, by its motion to second order."""
+    tau, n = h / 64.0, N_STATES // 2
+    for i in range(n):
+        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
+        w[n + i] = y[n + i] + tau * k[n + i]
+    guards(contact, w, p, shaking(gx, t + tau), shaking(gy, t + tau), g)
+    return g[index] > 0.0
 
 
 @_inlined
