@@ -125,12 +125,10 @@ class Structure:
                     f"the phase {phase!r} of {self.model} contradicts {name} = {rotation}, "
                     f"{name}_dot = {rate}: leave `phase` out, it follows from them"
                 )
-            asked = (SWITCH, IMPACT) if turned and not self.rocks_on_rigid_ground else (SWITCH,)
-            known = set(m.KINDS[number][: m.GUARDS[number]])
-            if known & set(asked) and self._margin(number, y, asked) < -1.0:
+            if not self.rocks_on_rigid_ground and turned and self._impact_is_over(number, y):
                 raise ValueError(
-                    f"the phase {phase!r} of {self.model} contradicts {_named(m.STATES, y)}: it "
-                    "would have ended before; leave `phase` out, it follows from the state"
+                    f"the phase {phase!r} of {self.model} contradicts {_named(m.STATES, y)}: an "
+                    "impact would have ended it; leave `phase` out, it follows from the state"
                 )
             return number
         direction = rotation or rate
@@ -144,7 +142,7 @@ class Structure:
         leaning = y.copy()
         if rotation == 0.0:  # on the border of both sides: where it is about to go decides
             leaning[m.ROTATION] = math.copysign(1e-200, direction) if direction else 0.0
-        margins = {c: self._margin(c, leaning, (SWITCH, IMPACT)) for c in fits}
+        margins = {c: self._margin(c, leaning) for c in fits}
         for least in (0.0, -1.0):  # as it is, or where a rounding error hides that it is
             for number, margin in margins.items():
                 if margin >= least:
@@ -155,28 +153,49 @@ class Structure:
             "correct the state"
         )
 
-    def _margin(self, contact: int, y: np.ndarray, kinds: tuple[int, ...]) -> float:
-        """The lowest guard of these kinds, by how much it changes with the ninth digit of y.
+    def _impact_is_over(self, contact: int, y: np.ndarray) -> bool:
+        """Whether a gap has closed before, in a contact state or in one that follows at once."""
+        m, kinds = self.module, self.module.KINDS
+        for _ in range(10):
+            over = [i for i, margin in enumerate(self._margins(contact, y)) if margin < -1.0]
+            if any(kinds[contact][i] == IMPACT for i in over):
+                return True
+            passages = [i for i in over if kinds[contact][i] == SWITCH]
+            if not passages:
+                return False
+            after = y.copy()
+            contact, y = m.jump(contact, passages[0], 0, 1.0, y, self.vector, after), after
+        return False
 
-        It is not below zero inside the contact state, and not below -1 within rounding of it.
+    def _margin(self, contact: int, y: np.ndarray) -> float:
+        """The lowest of the margins of a contact state, but for uplift, which is up to the ground."""
+        kinds = self.module.KINDS[contact]
+        margins = self._margins(contact, y)
+        return min(
+            (x for x, kind in zip(margins, kinds, strict=False) if kind != UPLIFT), default=0
+        )
+
+    def _margins(self, contact: int, y: np.ndarray) -> np.ndarray:
+        """The guards of a contact state, each by how much it changes with the ninth digit of y.
+
+        None is below zero inside the contact state, and none below -1 within rounding of it.
         """
         m = self.module
-        asked = [i for i in range(m.GUARDS[contact]) if m.KINDS[contact][i] in kinds]
 
         def guards(state: np.ndarray) -> np.ndarray:
             g = np.zeros(m.N_GUARDS + m.N_PARTS)
             m.guards(contact, state, self.vector, 0.0, 0.0, g)
-            return g[asked]
+            return g[: m.GUARDS[contact]]
 
         here = guards(y)
         if (here >= 0.0).all():
-            return float(here.min(initial=math.inf))
-        doubt = np.full(len(asked), 1e-300)
+            return here
+        doubt = np.full(len(here), 1e-300)
         for i, value in enumerate(y):
             nudged = y.copy()
             nudged[i] = value * (1.0 + 1e-9)
             doubt += np.abs(guards(nudged) - here)
-        return float((here / doubt).min())
+        return here / doubt
 
     def accelerations(
         self,
@@ -740,7 +759,7 @@ class _ControlledWall(Structure):
         beyond = self._yields(side, y)
         if "permanent_extension" not in values and beyond > 0.0:
             yielding = m.CONTACTS.index(f"{side}_yield")
-            if self._margin(yielding, y, (SWITCH,)) < 0.0:
+            if self._margin(yielding, y) < 0.0:
                 y[m.STATES.index("permanent_extension")] = beyond / self.tendon_stiffness
         return y
 

@@ -152,10 +152,9 @@ def test_events_at_the_start(options):
     assert times(run) == [0.0] * 5
 
 
-def test_phase_whose_guard_is_negative_at_the_start_is_refused():
-    """The mark at 4 m has been passed: nobody knows what else that passage did."""
-    with pytest.raises(ValueError, match="the phase 'one' of clock contradicts x = 5"):
-        thrown("one", start=5.0, a=4.0, spacing=10.0, duration=1.0)
+def test_guard_that_is_negative_at_the_start_acts_at_once():
+    run = thrown("one", start=5.0, a=4.0, spacing=10.0, duration=1.0)
+    assert (times(run), passed(run)) == ([0.0], ["two"])
 
 
 @STEPS

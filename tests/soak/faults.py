@@ -71,7 +71,7 @@ FAULTS = {
     "phase": Fault(
         "a phase named against the state is taken",
         STRUCTURES,
-        (("self._margin(number, y, asked) < -1.0", "False"),),
+        (("self._impact_is_over(number, y)", "False"),),
         ("two_spring_cart",),
         ("impact", "event"),
     ),
