@@ -168,12 +168,10 @@ class Structure:
         return False
 
     def _margin(self, contact: int, y: np.ndarray) -> float:
-        """The lowest of the margins of a contact state, but for uplift, which is up to the ground."""
+        """The lowest margin of a contact state, but for uplift, which is up to the ground."""
         kinds = self.module.KINDS[contact]
-        margins = self._margins(contact, y)
-        return min(
-            (x for x, kind in zip(margins, kinds, strict=False) if kind != UPLIFT), default=0
-        )
+        margins = zip(self._margins(contact, y), kinds, strict=False)
+        return min((margin for margin, kind in margins if kind != UPLIFT), default=0.0)
 
     def _margins(self, contact: int, y: np.ndarray) -> np.ndarray:
         """The guards of a contact state, each by how much it changes with the ninth digit of y.
