@@ -33,7 +33,6 @@ _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 SCRATCH = _STACK + 640
 
 EPS = 2.220446049250313e-16
-COARSE = 1e-7  # estimated relative error of an equal step from which on it is not left as it is
 EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
 NEVER = 2.0  # a place behind the end of any step
 MOST_PARTS = 4096  # of a polynomial that are looked at: seven roots need some 600

@@ -1141,6 +1141,10 @@ def structure(model: Any, /, **parameters: float) -> Structure:
     if "gravity" in names:
         parameters.setdefault("gravity", STANDARD_GRAVITY)
     check_names(model.name, names, names, set(parameters))
+    parameters = {
+        name: number(f"{model.name}: {name}", value, "give a number in SI units")
+        for name, value in parameters.items()
+    }
     signed = frozenset(p.name for p in model.parameters if not p.symbol.is_nonnegative)
     check_values(model.name, parameters, frozenset(names), signed)
     model.check_values(parameters)

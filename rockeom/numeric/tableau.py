@@ -57,6 +57,14 @@ class Tableau:
         return len(self.b)
 
     @property
+    def coarse(self) -> float:
+        """Estimated relative error of an equal step from which on it is not left as it is.
+
+        An estimate of a much lower order than the method's says little of its error.
+        """
+        return 1e-7 if self.error_order + 1 >= self.order else 1e-3
+
+    @property
     def degree(self) -> int:
         return self.dense.shape[1]
 
@@ -206,6 +214,7 @@ N_ALL_STAGES = {all_stages}
 DEGREE = {method.degree}
 STAGE_TIMES = np.array({method.c.tolist()!r})  # in the length of a step
 ERROR_EXPONENT = {-1.0 / (method.error_order + 1)!r}
+COARSE = {method.coarse!r}  # estimated relative error above which an equal step is refused
 SAMPLES_TO_BERNSTEIN = np.array({samples_to_bernstein().tolist()!r})
 POWERS_TO_BERNSTEIN = np.array({powers_to_bernstein().tolist()!r})
 NODES = np.array({NODES.tolist()!r})

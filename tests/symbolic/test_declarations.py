@@ -520,7 +520,7 @@ SLIP = coordinate("s", "slip", "m", "way of the feet")
 @pytest.mark.parametrize("what", WRONG)
 def test_wrong_declaration_is_an_error_that_names_it(what):
     declare, named = WRONG[what]
-    with pytest.raises((ValueError, TypeError)) as caught:  # noqa: PT011
+    with pytest.raises((ValueError, TypeError)) as caught:
         module_text(declare())
     message = str(caught.value)
     assert [word for word in named if word not in message] == [], message
