@@ -25,9 +25,10 @@ class SolverOptions:
     steps_per_law : 0 for steps controlled by the tolerances; n > 0 for n equal steps in each law of
         the ground's motion: between two samples of a record, or over a whole pulse or quiet time.
         Impacts are landed on all the same. Where the estimated error of such a step exceeds 1e-7
-        (with Radau, whose estimate is of a much lower order, 1e-3; or rtol, if that is more) it is refused, and the rest of that law is integrated with
-        steps controlled by the tolerances; `statistics["refined"]` of a response counts these
-        laws. Behind the end of the motion steps are controlled.
+        (1e-3 with Radau, whose estimate is of a much lower order than its error; or rtol, if that
+        is more) it is refused, and the rest of that law is integrated with steps controlled by the
+        tolerances; `statistics["refined"]` of a response counts these laws. Behind the end of the
+        motion steps are controlled.
     rest_tolerance : impacts that will all happen within this time, in units of the rocking
         motion's own time 1/sqrt(acceleration), are completed at once by their closed-form sum.
     max_impacts, max_steps : where a motion is given up, with an outcome that says so.
