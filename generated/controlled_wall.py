@@ -22,8 +22,8 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32.
 
 Operations before and after common subexpressions were shared:
     accelerations           1280   357
-    guards                   466   200
-    jump                     116    64
+    guards                   254   107
+    jump                     122    66
     energies                 616   213
     reactions               1893   291
     kinematics               396   126
@@ -38,7 +38,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "3dac9488b2845927"
+SOURCE_HASH = "3cfdc7920f8be9cd"
 
 NAME = "controlled_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -457,7 +457,8 @@ def guards(contact, y, p, ax, ay, g):
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         anchor_height = p[7]
@@ -470,86 +471,18 @@ def guards(contact, y, p, ax, ay, g):
         c16 = p[30]  # anchor_depth + anchor_height
         c19 = p[33]  # initial_force - yield_force
         sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c10*(1 - math.exp(-c0*sin_theta**2)) - eccentricity
-        x1 = -x0
-        x2 = (
-            tendon_stiffness*(-c16 - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*cos_theta - sin_theta*x1)**2 + (anchor_height*sin_theta + cos_theta*x1
-            + x0)**2))
-        )
-        g[0] = -theta
-        g[1] = -c19 - x2
-        g[2] = initial_force + x2
-    elif contact == LEFT_SLACK:
-        theta = y[0]
-        permanent_extension = y[1]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        c0 = p[14]  # height**2/transition**2
-        c10 = p[24]  # edge_distance - half_width
-        c16 = p[30]  # anchor_depth + anchor_height
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c10*(1 - math.exp(-c0*sin_theta**2)) - eccentricity
-        x1 = -x0
-        g[0] = -theta
-        g[1] = (
-            -initial_force - tendon_stiffness*(-c16 - permanent_extension +
-            math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
-            (anchor_height*sin_theta + cos_theta*x1 + x0)**2))
-        )
-    elif contact == LEFT_YIELD:
-        theta = y[0]
-        theta_dot = y[2]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        c0 = p[14]  # height**2/transition**2
-        c10 = p[24]  # edge_distance - half_width
-        c11 = p[25]  # 2*anchor_height
-        c12 = p[26]  # 4*height**2*(-edge_distance + half_width)/transition**2
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = sin_theta**2
-        x1 = math.exp(-c0*x0)
-        x2 = c10*(1 - x1) - eccentricity
-        x3 = -x2
-        x4 = sin_theta*x3
-        x5 = anchor_depth + anchor_height*cos_theta - x4
-        x6 = cos_theta*x3
-        x7 = anchor_height*sin_theta + x2 + x6
-        x8 = c12*x1
-        x9 = cos_theta*x8
-        g[0] = -theta
-        g[1] = (
-            theta_dot*((1/2)*x5*(-c11*sin_theta - x0*x9 - 2*x6) + (1/2)*x7*(c11*cos_theta +
-            cos_theta**2*sin_theta*x8 - sin_theta*x9 - 2*x4))/math.sqrt(x5**2 + x7**2)
-        )
-    elif contact == RIGHT:
-        theta = y[0]
-        permanent_extension = y[1]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        c0 = p[14]  # height**2/transition**2
-        c10 = p[24]  # edge_distance - half_width
-        c16 = p[30]  # anchor_depth + anchor_height
-        c19 = p[33]  # initial_force - yield_force
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c10*(1 - math.exp(-c0*sin_theta**2))
+        x0 = c10*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         x2 = (
             tendon_stiffness*(-c16 - permanent_extension + math.sqrt((anchor_depth +
             anchor_height*cos_theta - sin_theta*x1)**2 + (anchor_height*sin_theta + cos_theta*x1
             - eccentricity - x0)**2))
         )
-        g[0] = theta
+        g[0] = s*theta
         g[1] = -c19 - x2
         g[2] = initial_force + x2
-    elif contact == RIGHT_SLACK:
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
         anchor_height = p[7]
@@ -561,15 +494,16 @@ def guards(contact, y, p, ax, ay, g):
         c10 = p[24]  # edge_distance - half_width
         c16 = p[30]  # anchor_depth + anchor_height
         sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c10*(1 - math.exp(-c0*sin_theta**2))
+        x0 = c10*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
-        g[0] = theta
+        g[0] = s*theta
         g[1] = (
             -initial_force - tendon_stiffness*(-c16 - permanent_extension +
             math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
-    elif contact == RIGHT_YIELD:
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         anchor_height = p[7]
@@ -582,16 +516,16 @@ def guards(contact, y, p, ax, ay, g):
         sin_theta, cos_theta = sine_cosine(theta)
         x0 = sin_theta**2
         x1 = math.exp(-c0*x0)
-        x2 = c10*(1 - x1)
+        x2 = c10*s*(1 - x1)
         x3 = eccentricity + x2
         x4 = sin_theta*x3
         x5 = anchor_depth + anchor_height*cos_theta - x4
         x6 = cos_theta*x3
         x7 = anchor_height*sin_theta - eccentricity - x2 + x6
-        x8 = c12*x1
-        g[0] = theta
+        x8 = c12*s*x1
+        g[0] = s*theta
         g[1] = (
-            theta_dot*((1/2)*x5*(-c11*sin_theta + c12*cos_theta*x0*x1 - 2*x6) +
+            theta_dot*((1/2)*x5*(-c11*sin_theta + c12*cos_theta*s*x0*x1 - 2*x6) +
             (1/2)*x7*(c11*cos_theta - cos_theta**2*sin_theta*x8 + cos_theta*sin_theta*x8 -
             2*x4))/math.sqrt(x5**2 + x7**2)
         )
@@ -635,6 +569,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         out[2] = 0.0
         return RIGHT_YIELD
     if contact == LEFT_YIELD and guard == 1:
+        s = -1.0
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -648,11 +583,11 @@ def jump(contact, guard, law, ratio, y, p, out):
         eccentricity = p[12]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity + x2
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity - x2
         out[1] = (
             -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -
-            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2) - (-initial_force +
+            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) - (-initial_force +
             yield_force)/tendon_stiffness
         )
         return LEFT
@@ -684,6 +619,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         out[2] = 0.0
         return LEFT_YIELD
     if contact == RIGHT_YIELD and guard == 1:
+        s = 1.0
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -697,7 +633,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         eccentricity = p[12]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
         x3 = eccentricity - x2
         out[1] = (
             -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -

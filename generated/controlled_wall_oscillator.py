@@ -33,7 +33,7 @@ Source: thesis 4-18, 4-20, 4-27 to 4-31, 4-39.
 Operations before and after common subexpressions were shared:
     accelerations            852   208
     guards                  1292   548
-    jump                     477   323
+    jump                     484   330
     energies                 142    94
     reactions                 47    35
     kinematics               129    69
@@ -48,7 +48,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "761fd0cc39091051"
+SOURCE_HASH = "21cf702c9b5156f5"
 
 NAME = "controlled_wall_oscillator"
 STATES = (
@@ -999,6 +999,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     for i in range(N_STATES):
         out[i] = y[i]
     if contact == LEFT and guard == 0:
+        s = -1.0
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -1012,20 +1013,19 @@ def jump(contact, guard, law, ratio, y, p, out):
         initial_force = p[7]
         eccentricity = p[9]
         gravity = p[23]
-        x0 = 1/tendon_stiffness
+        x0 = (1/2)/tendon_stiffness
         x1 = u**2
         x2 = math.sqrt(1 - x1/height**2)
         x3 = 1/x2
         x4 = (
-            x3*(half_width*(1 - x2) + (1 - math.exp(-x1/transition**2))*(-edge_distance +
-            half_width))
+            half_width*(1 - x2) + (1 - math.exp(-x1/transition**2))*(-edge_distance +
+            half_width)
         )
         x5 = 1/height
         out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, -gravity*mass*u*x4*x5 + (1/2)*x0*(initial_force +
-            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity - x4)))**2 -
-            1/2*x0*max(0, initial_force -
-            permanent_extension*tendon_stiffness)**2)/effective_mass)
+            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*x3*x4*x5 + x0*(initial_force +
+            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity + s*x3*x4)))**2 -
+            x0*max(0, initial_force - permanent_extension*tendon_stiffness)**2)/effective_mass)
         )
         return LEFT_INWARD
     if contact == LEFT and guard == 1:
@@ -1051,6 +1051,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     if contact == LEFT_INWARD_YIELD and guard == 1:
         return LEFT_YIELD
     if contact == LEFT_INWARD_YIELD and guard == 2:
+        s = -1.0
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1064,8 +1065,8 @@ def jump(contact, guard, law, ratio, y, p, out):
         x1 = math.sqrt(1 - x0/height**2)
         x2 = 1/x1
         out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity -
-            x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
         return LEFT_INWARD
@@ -1088,6 +1089,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     if contact == LEFT_NEAR_YIELD and guard == 1:
         return LEFT_YIELD
     if contact == LEFT_NEAR_YIELD and guard == 2:
+        s = -1.0
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1101,12 +1103,13 @@ def jump(contact, guard, law, ratio, y, p, out):
         x1 = math.sqrt(1 - x0/height**2)
         x2 = 1/x1
         out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity -
-            x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
         return LEFT_NEAR
     if contact == LEFT_SLACK and guard == 0:
+        s = -1.0
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -1122,7 +1125,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         x0 = u**2
         x1 = math.sqrt(1 - x0/height**2)
         out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, -gravity*mass*u*(half_width*(1 - x1) + (1 -
+            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*(half_width*(1 - x1) + (1 -
             math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1) - 1/2*max(0,
             initial_force -
             permanent_extension*tendon_stiffness)**2/tendon_stiffness)/effective_mass)
@@ -1131,6 +1134,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     if contact == LEFT_SLACK and guard == 1:
         return LEFT
     if contact == LEFT_YIELD and guard == 0:
+        s = -1.0
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1144,12 +1148,13 @@ def jump(contact, guard, law, ratio, y, p, out):
         x1 = math.sqrt(1 - x0/height**2)
         x2 = 1/x1
         out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity -
-            x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
         return LEFT
     if contact == RIGHT and guard == 0:
+        s = 1.0
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -1173,8 +1178,8 @@ def jump(contact, guard, law, ratio, y, p, out):
         )
         x5 = 1/height
         out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*u*x3*x4*x5 + x0*(initial_force +
-            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity + x3*x4)))**2 -
+            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*x3*x4*x5 + x0*(initial_force +
+            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity + s*x3*x4)))**2 -
             x0*max(0, initial_force - permanent_extension*tendon_stiffness)**2)/effective_mass)
         )
         return RIGHT_INWARD
@@ -1201,6 +1206,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     if contact == RIGHT_INWARD_YIELD and guard == 1:
         return RIGHT_YIELD
     if contact == RIGHT_INWARD_YIELD and guard == 2:
+        s = 1.0
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1215,7 +1221,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         x2 = 1/x1
         out[1] = (
             -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
         return RIGHT_INWARD
@@ -1238,6 +1244,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     if contact == RIGHT_NEAR_YIELD and guard == 1:
         return RIGHT_YIELD
     if contact == RIGHT_NEAR_YIELD and guard == 2:
+        s = 1.0
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1252,11 +1259,12 @@ def jump(contact, guard, law, ratio, y, p, out):
         x2 = 1/x1
         out[1] = (
             -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
         return RIGHT_NEAR
     if contact == RIGHT_SLACK and guard == 0:
+        s = 1.0
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -1272,7 +1280,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         x0 = u**2
         x1 = math.sqrt(1 - x0/height**2)
         out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*u*(half_width*(1 - x1) + (1 -
+            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*(half_width*(1 - x1) + (1 -
             math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1) - 1/2*max(0,
             initial_force -
             permanent_extension*tendon_stiffness)**2/tendon_stiffness)/effective_mass)
@@ -1281,6 +1289,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     if contact == RIGHT_SLACK and guard == 1:
         return RIGHT
     if contact == RIGHT_YIELD and guard == 0:
+        s = 1.0
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1295,7 +1304,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         x2 = 1/x1
         out[1] = (
             -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
         return RIGHT

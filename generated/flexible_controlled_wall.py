@@ -24,8 +24,8 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32; the fi
 
 Operations before and after common subexpressions were shared:
     accelerations           1745   535
-    guards                   466   200
-    jump                     116    64
+    guards                   254   107
+    jump                     122    66
     energies                 951   306
     reactions               2082   378
     kinematics               399   129
@@ -40,7 +40,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "d86f541f8445a3d9"
+SOURCE_HASH = "4c8d26586d325544"
 
 NAME = "flexible_controlled_wall"
 STATES = ("theta", "u", "permanent_extension", "theta_dot", "u_dot", "permanent_extension_dot",)
@@ -565,7 +565,8 @@ def guards(contact, y, p, ax, ay, g):
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[2]
         anchor_height = p[7]
@@ -578,86 +579,18 @@ def guards(contact, y, p, ax, ay, g):
         c19 = p[35]  # anchor_depth + anchor_height
         c23 = p[39]  # initial_force - yield_force
         sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c11*(1 - math.exp(-c0*sin_theta**2)) - eccentricity
-        x1 = -x0
-        x2 = (
-            tendon_stiffness*(-c19 - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*cos_theta - sin_theta*x1)**2 + (anchor_height*sin_theta + cos_theta*x1
-            + x0)**2))
-        )
-        g[0] = -theta
-        g[1] = -c23 - x2
-        g[2] = initial_force + x2
-    elif contact == LEFT_SLACK:
-        theta = y[0]
-        permanent_extension = y[2]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        c0 = p[16]  # height**2/transition**2
-        c11 = p[27]  # edge_distance - half_width
-        c19 = p[35]  # anchor_depth + anchor_height
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c11*(1 - math.exp(-c0*sin_theta**2)) - eccentricity
-        x1 = -x0
-        g[0] = -theta
-        g[1] = (
-            -initial_force - tendon_stiffness*(-c19 - permanent_extension +
-            math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
-            (anchor_height*sin_theta + cos_theta*x1 + x0)**2))
-        )
-    elif contact == LEFT_YIELD:
-        theta = y[0]
-        theta_dot = y[3]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        c0 = p[16]  # height**2/transition**2
-        c11 = p[27]  # edge_distance - half_width
-        c13 = p[29]  # 2*anchor_height
-        c14 = p[30]  # 4*height**2*(-edge_distance + half_width)/transition**2
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = sin_theta**2
-        x1 = math.exp(-c0*x0)
-        x2 = c11*(1 - x1) - eccentricity
-        x3 = -x2
-        x4 = sin_theta*x3
-        x5 = anchor_depth + anchor_height*cos_theta - x4
-        x6 = cos_theta*x3
-        x7 = anchor_height*sin_theta + x2 + x6
-        x8 = c14*x1
-        x9 = cos_theta*x8
-        g[0] = -theta
-        g[1] = (
-            theta_dot*((1/2)*x5*(-c13*sin_theta - x0*x9 - 2*x6) + (1/2)*x7*(c13*cos_theta +
-            cos_theta**2*sin_theta*x8 - sin_theta*x9 - 2*x4))/math.sqrt(x5**2 + x7**2)
-        )
-    elif contact == RIGHT:
-        theta = y[0]
-        permanent_extension = y[2]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        c0 = p[16]  # height**2/transition**2
-        c11 = p[27]  # edge_distance - half_width
-        c19 = p[35]  # anchor_depth + anchor_height
-        c23 = p[39]  # initial_force - yield_force
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c11*(1 - math.exp(-c0*sin_theta**2))
+        x0 = c11*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         x2 = (
             tendon_stiffness*(-c19 - permanent_extension + math.sqrt((anchor_depth +
             anchor_height*cos_theta - sin_theta*x1)**2 + (anchor_height*sin_theta + cos_theta*x1
             - eccentricity - x0)**2))
         )
-        g[0] = theta
+        g[0] = s*theta
         g[1] = -c23 - x2
         g[2] = initial_force + x2
-    elif contact == RIGHT_SLACK:
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[2]
         anchor_height = p[7]
@@ -669,15 +602,16 @@ def guards(contact, y, p, ax, ay, g):
         c11 = p[27]  # edge_distance - half_width
         c19 = p[35]  # anchor_depth + anchor_height
         sin_theta, cos_theta = sine_cosine(theta)
-        x0 = c11*(1 - math.exp(-c0*sin_theta**2))
+        x0 = c11*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
-        g[0] = theta
+        g[0] = s*theta
         g[1] = (
             -initial_force - tendon_stiffness*(-c19 - permanent_extension +
             math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
-    elif contact == RIGHT_YIELD:
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[3]
         anchor_height = p[7]
@@ -690,16 +624,16 @@ def guards(contact, y, p, ax, ay, g):
         sin_theta, cos_theta = sine_cosine(theta)
         x0 = sin_theta**2
         x1 = math.exp(-c0*x0)
-        x2 = c11*(1 - x1)
+        x2 = c11*s*(1 - x1)
         x3 = eccentricity + x2
         x4 = sin_theta*x3
         x5 = anchor_depth + anchor_height*cos_theta - x4
         x6 = cos_theta*x3
         x7 = anchor_height*sin_theta - eccentricity - x2 + x6
-        x8 = c14*x1
-        g[0] = theta
+        x8 = c14*s*x1
+        g[0] = s*theta
         g[1] = (
-            theta_dot*((1/2)*x5*(-c13*sin_theta + c14*cos_theta*x0*x1 - 2*x6) +
+            theta_dot*((1/2)*x5*(-c13*sin_theta + c14*cos_theta*s*x0*x1 - 2*x6) +
             (1/2)*x7*(c13*cos_theta - cos_theta**2*sin_theta*x8 + cos_theta*sin_theta*x8 -
             2*x4))/math.sqrt(x5**2 + x7**2)
         )
@@ -743,6 +677,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         out[3] = 0.0
         return RIGHT_YIELD
     if contact == LEFT_YIELD and guard == 1:
+        s = -1.0
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -756,11 +691,11 @@ def jump(contact, guard, law, ratio, y, p, out):
         eccentricity = p[12]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity + x2
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity - x2
         out[2] = (
             -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -
-            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2) - (-initial_force +
+            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) - (-initial_force +
             yield_force)/tendon_stiffness
         )
         return LEFT
@@ -792,6 +727,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         out[3] = 0.0
         return LEFT_YIELD
     if contact == RIGHT_YIELD and guard == 1:
+        s = 1.0
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -805,7 +741,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         eccentricity = p[12]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
         x3 = eccentricity - x2
         out[2] = (
             -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -

@@ -20,8 +20,8 @@ Source: thesis 4-32.
 
 Operations before and after common subexpressions were shared:
     accelerations             82    62
-    guards                   190   135
-    jump                      47    45
+    guards                   100    72
+    jump                      48    46
     energies                  43    40
     reactions                485   210
     kinematics               120   105
@@ -37,7 +37,7 @@ import math
 import numpy as np
 from numba import njit
 
-SOURCE_HASH = "86f874d2cd013b83"
+SOURCE_HASH = "22cbe3b90f571485"
 
 NAME = "simplified_substitute_gravity_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -337,7 +337,8 @@ def guards(contact, y, p, ax, ay, g):
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         half_width = p[4]
@@ -349,14 +350,15 @@ def guards(contact, y, p, ax, ay, g):
         c8 = p[20]  # initial_force - yield_force
         sin_theta, cos_theta = sine_cosine(theta)
         x0 = (
-            tendon_stiffness*(-permanent_extension + (-eccentricity - (-c3*(1 -
+            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1 -
             math.exp(-c2*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
-        g[0] = -theta
+        g[0] = s*theta
         g[1] = -c8 - x0
         g[2] = initial_force + x0
-    elif contact == LEFT_SLACK:
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
         half_width = p[4]
@@ -366,13 +368,14 @@ def guards(contact, y, p, ax, ay, g):
         c2 = p[14]  # height**2/transition**2
         c3 = p[15]  # edge_distance - half_width
         sin_theta, cos_theta = sine_cosine(theta)
-        g[0] = -theta
+        g[0] = s*theta
         g[1] = (
-            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity - (-c3*(1 -
-            math.exp(-c2*sin_theta**2)) + half_width*(1 -
+            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1
+            - math.exp(-c2*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
-    elif contact == LEFT_YIELD:
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         half_width = p[4]
@@ -385,10 +388,10 @@ def guards(contact, y, p, ax, ay, g):
         x1 = 1/cos_theta
         x2 = math.exp(-c2*sin_theta**2)
         x3 = -c3*(1 - x2) + half_width*(1 - cos_theta)
-        g[0] = -theta
+        g[0] = s*theta
         g[1] = (
-            theta_dot*(x0*(-x1*(c9*cos_theta*sin_theta*x2 + half_width*sin_theta) -
-            sin_theta*x3/cos_theta**2) + (-eccentricity - x1*x3)*(x0**2 + 1))
+            theta_dot*(x0*(s*x1*(c9*cos_theta*sin_theta*x2 + half_width*sin_theta) +
+            s*sin_theta*x3/cos_theta**2) + (-eccentricity + s*x1*x3)*(x0**2 + 1))
         )
     elif contact == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
@@ -396,59 +399,6 @@ def guards(contact, y, p, ax, ay, g):
     elif contact == BOTH_SLACK:
         g[0] = -opening_acceleration(LEFT_SLACK, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT_SLACK, y, p, ax, ay)
-    elif contact == RIGHT:
-        theta = y[0]
-        permanent_extension = y[1]
-        half_width = p[4]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
-        c8 = p[20]  # initial_force - yield_force
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = (
-            tendon_stiffness*(-permanent_extension + (-eccentricity + (-c3*(1 -
-            math.exp(-c2*sin_theta**2)) + half_width*(1 -
-            cos_theta))/cos_theta)*math.tan(theta))
-        )
-        g[0] = theta
-        g[1] = -c8 - x0
-        g[2] = initial_force + x0
-    elif contact == RIGHT_SLACK:
-        theta = y[0]
-        permanent_extension = y[1]
-        half_width = p[4]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
-        sin_theta, cos_theta = sine_cosine(theta)
-        g[0] = theta
-        g[1] = (
-            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + (-c3*(1 -
-            math.exp(-c2*sin_theta**2)) + half_width*(1 -
-            cos_theta))/cos_theta)*math.tan(theta))
-        )
-    elif contact == RIGHT_YIELD:
-        theta = y[0]
-        theta_dot = y[2]
-        half_width = p[4]
-        eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
-        c9 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
-        sin_theta, cos_theta = sine_cosine(theta)
-        x0 = math.tan(theta)
-        x1 = 1/cos_theta
-        x2 = math.exp(-c2*sin_theta**2)
-        x3 = -c3*(1 - x2) + half_width*(1 - cos_theta)
-        g[0] = theta
-        g[1] = (
-            theta_dot*(x0*(x1*(c9*cos_theta*sin_theta*x2 + half_width*sin_theta) +
-            sin_theta*x3/cos_theta**2) + (-eccentricity + x1*x3)*(x0**2 + 1))
-        )
 
 
 @_compiled
@@ -489,6 +439,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         out[2] = 0.0
         return BOTH
     if contact == LEFT_YIELD and guard == 1:
+        s = -1.0
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -500,7 +451,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         eccentricity = p[10]
         x0 = math.cos(theta)
         out[1] = (
-            (-eccentricity - (half_width*(1 - x0) + (1 -
+            (-eccentricity + s*(half_width*(1 - x0) + (1 -
             math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
             half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
         )
@@ -541,6 +492,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         out[2] = 0.0
         return BOTH
     if contact == RIGHT_YIELD and guard == 1:
+        s = 1.0
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -552,7 +504,7 @@ def jump(contact, guard, law, ratio, y, p, out):
         eccentricity = p[10]
         x0 = math.cos(theta)
         out[1] = (
-            (-eccentricity + (half_width*(1 - x0) + (1 -
+            (-eccentricity + s*(half_width*(1 - x0) + (1 -
             math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
             half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
         )

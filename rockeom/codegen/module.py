@@ -379,18 +379,30 @@ class _Module:
 
     def guards(self) -> None:
         body: list[str] = []
+        done: set[str] = set()
         for contact in self.model.contacts:
             transitions = self.outgoing(contact)
-            if not transitions:
+            if not transitions or contact in done:
                 continue
-            body.append(f"    {'elif' if body else 'if'} contact == {self.contacts[contact]}:")
-            expressions = {
-                f"g[{i}]": self.model.in_contact(t.guard, contact)
-                for i, t in enumerate(transitions)
-                if t.guard is not None
-            }
-            for parts in self.parts(contact):
-                expressions |= {f"g[{i}]": e for i, e in parts.items()}
+            image = self.image(contact)
+            done |= {contact, image or contact}
+            served = [f"contact == {self.contacts[c]}" for c in (contact, image) if c]
+            body.append(f"    {'elif' if body else 'if'} {' or '.join(served)}:")
+            if image:
+                body += self.side(self.model.phase(contact), " " * 8)
+                turned = SIDE * self.model.rotation.position
+                expressions = {
+                    f"g[{i}]": turned if t.kind == "impact" else t.guard
+                    for i, t in enumerate(transitions)
+                }
+            else:
+                expressions = {
+                    f"g[{i}]": self.model.in_contact(t.guard, contact)
+                    for i, t in enumerate(transitions)
+                    if t.guard is not None
+                }
+                for parts in self.parts(contact):
+                    expressions |= {f"g[{i}]": e for i, e in parts.items()}
             body += self.evaluate("guards", expressions, " " * 8, hoist=True)
             body += [
                 f"        g[{i}] = -opening_acceleration({self.contacts[t.target]}, y, p, ax, ay)"
@@ -406,6 +418,25 @@ class _Module:
             body or ["    pass"],
             "_inlined",
         )
+
+    def image(self, contact: str) -> str | None:
+        """The contact state on the other side, where its guards are the same but for laws of s.
+
+        They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
+        """
+        phase = self.model.phase(contact)
+        if sorted(phase.contacts.values()) != [-1, 1]:
+            return None
+        (other,) = (c for c in phase.contacts if c != contact)
+        mine, others = self.outgoing(contact), self.outgoing(other)
+        alike = len(mine) == len(others) and all(
+            t.kind == o.kind and (t.kind == "impact" or (t.kind == "switch" and t.guard == o.guard))
+            for t, o in zip(mine, others, strict=True)
+        )
+        switches = [self.model.written_out(t.guard) for t in mine if t.kind == "switch"]
+        if alike and any(e.has(SIDE) for e in switches):
+            return other
+        return None
 
     def parts(self, contact: str) -> list[dict[int, sp.Expr]]:
         """For each guard of a contact state: its two parts by their place in g, if it has any."""
@@ -451,11 +482,11 @@ class _Module:
 
     def passage(self, t: Transition, theta: int, theta_dot: int, indent: str) -> list[str]:
         if t.kind != "impact":
-            sets = {
-                f"out[{self.index(x)}]": self.model.in_contact(e, t.source)
-                for x, e in t.sets.items()
-            }
-            lines = self.evaluate("jump", sets, indent) if sets else []
+            sets = {f"out[{self.index(x)}]": self.model.written_out(e) for x, e in t.sets.items()}
+            lines = []
+            if any(e.has(SIDE) for e in sets.values()):
+                lines.append(f"{indent}s = {self.model.phase(t.source).side_of(t.source)}.0")
+            lines += self.evaluate("jump", sets, indent) if sets else []
             return [*lines, f"{indent}return {self.contacts[t.target]}"]
         side = self.model.phase(t.target).side_of(t.target)
         opens = f"{'' if side == 1 else '-'}out[{theta_dot}] > 0.0 and y[{theta_dot}] != 0.0"

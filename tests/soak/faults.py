@@ -135,7 +135,7 @@ FAULTS = {
     "chatter": Fault(
         "an opening that a dense output hides is a passage back",
         LOOP,
-        (("== 0.0 or not rocks", "== 0.0 and rocks"),),
+        (("slow = unclear or opens_soon(", "slow = unclear or 0.0 > opens_soon("),),
         ("substitute_gravity_wall", "two_spring_structure"),
         ("gave up",),
     ),
