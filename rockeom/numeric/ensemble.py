@@ -23,6 +23,7 @@ from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.specialise import program
+from rockeom.numeric.structures import IMPACT, UPLIFT
 
 _OUTCOMES = tuple(Outcome)
 NOT_RUN = -1
@@ -228,9 +229,8 @@ def _made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
 
 def _check_lanes(module: ModuleType, options: SolverOptions) -> None:
     """Lanes know contact states that an impact ends, and full contact, and equal steps."""
-    impact, uplift = 0, 1
     for side, guards, kinds in zip(module.SIDES, module.GUARDS, module.KINDS, strict=True):
-        known = (impact,) if side else (uplift,) * guards
+        known = (IMPACT,) if side else (UPLIFT,) * guards
         if kinds[:guards] != known:
             raise ValueError(
                 f"lanes are for structures on rigid ground, and {module.NAME} is none: leave "

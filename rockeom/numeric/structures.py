@@ -222,7 +222,7 @@ class Structure:
         m = self.module
         y = self.state(state)
         contact = self.contact(y, phase)
-        if m.KINDS[contact][0] != 0 or m.GUARDS[contact] == 0:
+        if m.KINDS[contact][0] != IMPACT or m.GUARDS[contact] == 0:
             raise ValueError(f"no impact ends the phase {phase!r} of {self.model}")
         law, ratio = self.law(impact)
         if isinstance(impact, EnergyRatioAtSpeed):
@@ -752,21 +752,23 @@ class _ControlledWall(Structure):
         A permanent_extension that is not given is then that which leaves the yield force.
         """
         y = super().state(values)
+        if "permanent_extension" in values:
+            return y
         m = self.module
         side = "left" if (y[m.ROTATION] or y[m.ROTATION_RATE]) < 0 else "right"
-        beyond = self._yields(side, y)
-        if "permanent_extension" not in values and beyond > 0.0:
+        beyond = self._elastic_force(side, y) - self.yield_force
+        if beyond > 0.0:
             yielding = m.CONTACTS.index(f"{side}_yield")
             if self._margin(yielding, y) < 0.0:
                 y[m.STATES.index("permanent_extension")] = beyond / self.tendon_stiffness
         return y
 
-    def _yields(self, side: str, y: np.ndarray) -> float:
-        """Force of the tendon, if it were elastic, above its yield force [N]."""
+    def _elastic_force(self, side: str, y: np.ndarray) -> float:
+        """Force of the tendon [N], if it neither yields nor is slack."""
         m = self.module
-        told = np.empty(len(m.REACTIONS))
-        m.reactions(m.CONTACTS.index(side), y, self.vector, 0.0, 0.0, told)
-        return float(told[m.REACTIONS.index("tendon_force")]) - self.yield_force
+        forces = np.empty(len(m.REACTIONS))
+        m.reactions(m.CONTACTS.index(side), y, self.vector, 0.0, 0.0, forces)
+        return float(forces[m.REACTIONS.index("tendon_force")])
 
     def pushover(self, rotations) -> np.ndarray:
         """Force at the load point that holds the wall at each rotation, or displacement [N].
@@ -774,7 +776,7 @@ class _ControlledWall(Structure):
         rotations : any shape, in the unit of the model's first state. Each is reached from upright
         by a growing rotation: a tendon that yields has its yield force.
         """
-        m, p = self.module, self.vector
+        m = self.module
         from rockeom.numeric.statics import angles
 
         rotations = angles(rotations)
@@ -783,10 +785,7 @@ class _ControlledWall(Structure):
             y = np.zeros(m.N_STATES)
             y[m.ROTATION] = rotations[index]
             side = "left" if rotations[index] < 0 else "right"
-            contact = m.CONTACTS.index(side)
-            told = np.empty(len(m.REACTIONS))
-            m.reactions(contact, y, p, 0.0, 0.0, told)
-            elastic = told[m.REACTIONS.index("tendon_force")]
+            elastic = self._elastic_force(side, y)
             state = "_yield" if elastic > self.yield_force else "_slack" if elastic < 0 else ""
             forces[index] = self._load(m.CONTACTS.index(side + state), y)
         return forces

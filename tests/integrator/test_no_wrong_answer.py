@@ -8,12 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.numeric.specialise import program
-
-S1 = {
-    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
-    "base_inertia": 1.37, "half_width": 0.285,
-}  # fmt: skip
-ENDED_WELL = (rk.Outcome.COMPLETED, rk.Outcome.CAME_TO_REST)
+from tests.numeric.structures import S1
 
 
 def column(stiffness=50e6):
