@@ -380,7 +380,7 @@ def run_lanes(z, w, home, ground, data, how, work):
     p, fallen = data[0], data[3]
     h_rows, v_rows, stop = ground[1], ground[3], ground[4]
     h_max, fixed = how[2], how[3]
-    coarse = max(1.0, COARSE / how[0])  # as in `integrate`: such a step is left to it
+    coarse = most_error(how[0])  # such a step is left to `integrate`
     waiting = 0
     w[W_CASE : W_CASE + LANES] = -1
     while True:

@@ -502,8 +502,7 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
         total += flight
         if total > tolerance / math.sqrt(a):
             return np.inf, contact
-        if N_STATES > 2:
-            rates(held, w, p, ax, ay, smooth)
+        rates(held, w, p, ax, ay, smooth)
         for i in range(N_STATES):
             w[i] += flight * out[i]
             if i >= N_STATES // 2:
@@ -537,7 +536,7 @@ def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     """
     for i in range(N_STATES):
         y_new[i] = y[i]
-    if N_STATES > 2 and h > 0.0:
+    if h > 0.0:
         rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
         take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
         y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
@@ -557,6 +556,12 @@ def first_step(y, rate, rtol, atol):
     if size < 1e-5 or speed < 1e-5:
         return 1e-6
     return 0.01 * size / speed
+
+
+@_inlined
+def most_error(rtol):
+    """Estimated error above which an equal step is refused, in units of the tolerance."""
+    return max(1.0, COARSE / rtol)
 
 
 @_compiled
@@ -660,7 +665,7 @@ def integrate(
     for i in range(N_STATES):
         k[i] = rate[i]
     t, h_next, last_error, refined_to = clock[0], clock[1], clock[2], clock[3]
-    coarse = max(1.0, COARSE / rtol)  # the same in the norm of the estimated error
+    coarse = most_error(rtol)
     nx, gx = row_at(horizontal, np.int64(0), t)
     ny, gy = row_at(vertical, np.int64(0), t)
     keep = steps.shape[0] > 0
@@ -765,7 +770,7 @@ def integrate(
                     open_ = stays_open(side, h, y, y_new, k, touching)
                 elif landed < 0 and touching < 0:
                     open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
-                beyond = abs(y_new[ROTATION]) >= fallen
+                beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and KINDS[contact][touching] == IMPACT
                 closes = NARROW and landed >= 0 and KINDS[contact][landed] == IMPACT
@@ -828,8 +833,10 @@ def integrate(
                 break
 
             # -- fallen over: the step ends where it passed the bound
+            x = NEVER
             if h > 0.0 and beyond:
-                x = bound_passed(coefficients, fallen)
+                x = bound_passed(coefficients, fallen, b, stack)
+            if x < NEVER:
                 dense_at(coefficients, x, y_new)
                 shorten(coefficients, x)
                 h *= x
@@ -903,12 +910,7 @@ def integrate(
         if t + rests < last or rests < 16.0 * EPS * t:
             stand(follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new)
             if keep and t + rests > t:
-                if N_STATES > 2:
-                    dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
-                else:
-                    for i in range(N_STATES):
-                        for j in range(8):
-                            coefficients[j * N_STATES + i] = after[i] if j == 0 else 0.0
+                dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
                 record_step(
                     n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
                 )
@@ -955,11 +957,10 @@ def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g):
 @_inlined
 def closed_before(contact, target, h, y, g):
     """Whether a gap has closed before the event that a step ends on, by more than rounding."""
-    late = 0.0
     for i in range(GUARDS[contact]):
-        if i != target and KINDS[contact][i] == IMPACT and g[i] < 0.0:
-            late = -g[i] - 1e-9 * h * abs(y[ROTATION_RATE])
-    return late > 0.0
+        if i != target and KINDS[contact][i] == IMPACT and -g[i] > 1e-9 * h * abs(y[ROTATION_RATE]):
+            return True
+    return False
 
 
 @_inlined
@@ -1054,9 +1055,34 @@ def slope_at(coefficients, x, i):
     return slope, bend
 
 
+@_inlined
+def may_reach(bound, h, y, y_new, k):
+    """Whether the rotation's size may reach `bound` in a step, by the quintic of `widens`."""
+    q0, q1 = y[ROTATION], y_new[ROTATION]
+    v0, v1 = h * y[ROTATION_RATE] / 5.0, h * y_new[ROTATION_RATE] / 5.0
+    a0 = h * h * k[ROTATION_RATE] / 20.0
+    a1 = h * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
+    within = max(
+        max(abs(q0 + v0), abs(q0 + 2.0 * v0 + a0)), max(abs(q1 - v1), abs(q1 - 2.0 * v1 + a1))
+    )
+    return abs(q1) >= bound or 1.001 * within >= bound
+
+
 @_compiled
-def bound_passed(coefficients, bound):
-    """Place in a step at which the rotation's size reaches `bound`, by bisection."""
+def bound_passed(coefficients, bound, b, stack):
+    """Place in a step at which the rotation's size reaches `bound`, or NEVER."""
+    if abs(power_sum(coefficients, 1.0, ROTATION)) < bound:
+        # there and back within the step
+        place = NEVER
+        for turn in range(2):
+            side = 2.0 * turn - 1.0
+            for i in range(8):
+                b[i] = bound
+                for j in range(i + 1):
+                    power = side * coefficients[j * N_STATES + ROTATION]
+                    b[i] -= POWERS_TO_BERNSTEIN[i, j] * power
+            place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
+        return place
     low, high = 0.0, 1.0
     for _ in range(60):
         x = 0.5 * (low + high)

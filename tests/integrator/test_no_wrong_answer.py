@@ -57,6 +57,23 @@ def test_heavily_damped_springs_in_equal_steps(count):
     assert equal.statistics["refined"] > 0
 
 
+@pytest.mark.parametrize("speed", [1.5, 1.51, 1.52])
+def test_block_thrown_to_the_ground_and_pulled_back_within_a_step_lies_there(speed):
+    """It reaches the horizontal slowly, where a strong pull of the ground would turn it back."""
+    thrown = {
+        "structure": rk.RigidBlock(half_width=1.0, half_height=1.2),
+        "motion": rk.GroundMotion.constant(60.0, 0.18, 0.3),
+        "initial": {"theta": 1.5, "theta_dot": speed},
+    }
+    small = rk.simulate(**thrown, options=rk.SolverOptions(max_step=1e-3))
+    assert small.end[0] == pytest.approx(math.pi / 2, abs=1e-12)
+    for options in (rk.SolverOptions(), *map(in_equal_steps, (1, 2, 3, 4, 5))):
+        run = rk.simulate(**thrown, options=options)
+        assert run.outcome is rk.Outcome.OVERTURNED
+        assert run.t[-1] == pytest.approx(small.t[-1], abs=1e-5)
+        np.testing.assert_allclose(run.end, small.end, atol=1e-5)
+
+
 def test_stiff_columns_in_equal_steps_and_in_lanes_end_as_controlled_ones():
     """Two periods of the column between two samples: the steps of a whole sample are worthless."""
 

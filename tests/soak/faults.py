@@ -85,7 +85,7 @@ FAULTS = {
     "lanes": Fault(
         "nor that of a step of many lanes",
         LANES,
-        (("coarse = max(1.0, COARSE / how[0])", "coarse = np.inf"),),
+        (("coarse = most_error(how[0])", "coarse = np.inf"),),
         ("flexible_structure",),
         ("lanes",),
         check="lanes",
@@ -108,7 +108,7 @@ FAULTS = {
     "rest": Fault(
         "what still moves while impacts fade is left where it is",
         LOOP,
-        (("if N_STATES > 2 and h > 0.0:\n        rates(", "if N_STATES > 99:\n        rates("),),
+        (("if h > 0.0:\n        rates(", "if N_STATES > 99:\n        rates("),),
         ("flexible_structure",),
         ("rest",),
     ),
