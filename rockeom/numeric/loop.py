@@ -705,12 +705,11 @@ def integrate(
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
-            bound = 1.0
-            if fixed > 0 and t >= refined_to:
-                span = min(gx[1] - gx[0], gy[1] - gy[0])
-                if span < np.inf:
-                    bound = coarse
-                    h_next = span / fixed
+            span = min(gx[1] - gx[0], gy[1] - gy[0])
+            equal = fixed > 0 and t >= refined_to and span < np.inf
+            if equal:
+                h_next = span / fixed
+            bound = coarse if equal else 1.0
             h = min(h_next, h_max)
             if not rocks:
                 h = min(h, sampling_step(gx), sampling_step(gy))
@@ -726,8 +725,8 @@ def integrate(
                 finite = math.isfinite(error) and finite_end(k)
                 if not finite or error > bound:
                     # refused: too inaccurate, or not finite
-                    if bound > 1.0:
-                        bound = 1.0
+                    if equal:
+                        equal, bound = False, 1.0
                         refined_to = last
                         refined += 1
                     cut = False

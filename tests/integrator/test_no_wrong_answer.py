@@ -44,6 +44,18 @@ def test_block_set_in_motion_lands_however_few_steps_are_asked_for(count):
     assert run.statistics["refined"] == (count < 50)
 
 
+def test_equal_step_refused_at_a_coarse_tolerance_is_refined_like_any_other():
+    """The rest of its law is controlled: no step of half the law is tried again and again."""
+    run = rk.simulate(
+        rk.RigidBlock(half_width=0.1, half_height=0.5),
+        rk.GroundMotion.none(2.0),
+        initial={"theta": 0.15},
+        options=rk.SolverOptions(steps_per_law=1, rtol=1e-6, atol=1e-8),
+    )
+    assert run.statistics["refined"] == 1
+    assert np.diff(run.steps.span[:, 0])[0] < 0.3
+
+
 @pytest.mark.parametrize("count", [1, 4])
 def test_heavily_damped_springs_in_equal_steps(count):
     """Steps of 0.1 s and more, where an explicit method is stable to 0.01 s."""

@@ -58,7 +58,7 @@ _FULL = """\
 _NONE_FITS = """\
         raise ValueError(
             f"no phase of"""
-_EQUAL = ("bound = coarse\n", "bound = np.inf\n")
+_EQUAL = ("bound = coarse if equal", "bound = np.inf if equal")
 
 FAULTS = {
     "contact": Fault(
