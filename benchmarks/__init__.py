@@ -7,6 +7,6 @@ python -m benchmarks.precision        error against time of each method, out/pre
 python -m benchmarks.convergence      orders of convergence through impacts
 python -m benchmarks.reference        the references of 30 digits anew (minutes)
 
-workloads says what is done, with_c, with_rockeom, with_heyoka and with_scipy do it, ways lists the
-settings that are tried.
+workloads says what is done; with_c, with_best_c, with_rockeom, with_heyoka and with_scipy do it;
+ways lists the settings that are tried.
 """

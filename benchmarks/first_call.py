@@ -23,7 +23,7 @@ Taken = tuple[float, float]
 
 
 def _new_process(folder: str) -> Taken:
-    caches = {"ROCKEOM_CACHE_DIR": f"{folder}/rockeom", "NUMBA_CACHE_DIR": f"{folder}/numba"}
+    caches = {"ROCKEOM_CACHE_DIR": f"{folder}/rockeom"}
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM],
         env=os.environ | caches,

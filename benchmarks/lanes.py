@@ -16,7 +16,7 @@ import numpy as np
 import rockeom as rk
 from benchmarks import report, timing, with_c, with_rockeom, workloads as w
 from rockeom.numeric.ensemble import _Results
-from rockeom.numeric.specialise import program
+from rockeom.numeric.program import program
 
 RTOL = 1e-6
 """Of the controlled steps: so loose that hardly one is shorter than a sample."""

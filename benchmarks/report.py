@@ -54,7 +54,7 @@ def machine() -> dict[str, str]:
     except (RuntimeError, OSError, subprocess.CalledProcessError):
         found["compiler"] = "none"
     found["Python"] = platform.python_version()
-    for name in ("numba", "numpy", "scipy", "heyoka"):
+    for name in ("llvmlite", "numpy", "scipy", "heyoka"):
         try:
             found[name] = importlib.metadata.version(name)
         except importlib.metadata.PackageNotFoundError:
@@ -149,6 +149,7 @@ def whole(found: dict) -> str:
     parts += [f"{line}.\n" for line in found["missing"].values()]
     if found["ratios to C"]:
         parts += ["", "### rockeom against C, by the same method", "", ratios(found), ""]
+        parts += ["### rockeom against the best C", "", BEST_C, "", best_c(found), ""]
     parts += [workload(name, found["workloads"][name]) for name in found["workloads"]]
     if "others" in found:
         parts += ["### Threads and the first call", "", others(found["others"]), ""]
@@ -166,10 +167,42 @@ def ratios(found: dict) -> str:
     return table(("rockeom's time over that of", "", *names), rows)
 
 
+def best_c(found: dict) -> str:
+    """rockeom's time over that of the best C at equal error, with both errors."""
+    rows = []
+    for name, result in found["workloads"].items():
+        for pair in result["best C"]:
+            ours, c, many = pair["rockeom"], pair["C"], pair["simulate_many"]
+            rows.append(
+                (
+                    name,
+                    ours["setting"],
+                    c["setting"],
+                    scientific(ours["error"]),
+                    scientific(c["error"]),
+                    seconds(ours["seconds"]),
+                    seconds(c["seconds"]),
+                    times(c["ratio"]),
+                    times(many["ratio"]),
+                )
+            )
+    head = (
+        "", "rockeom", "best C", "its error", "of C", "time", "of C", "ratio (goal 1.2)",
+        "by rk.simulate_many (goal 1.3)",
+    )  # fmt: skip
+    return table(head, rows)
+
+
 def others(found: dict) -> str:
     rows = [(row["what"], row["how"], row["measured"], row["goal"]) for row in found]
     return table(("", "how", "measured", "goal"), rows)
 
+
+BEST_C = """\
+C by the method that suits each work, and with no more than it needs. The first line of each work
+has the cheapest setting of either whose error is below that of the work's table, the second
+rockeom's default and the cheapest C whose error is not larger, and which completes rests as finely.
+Ratios are rockeom's time over that of C."""
 
 INTRODUCTION = """\
 Written by `python -m benchmarks --write docs/benchmarks.md`; what is compared, and how, is told in

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import functools
 import importlib
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from types import ModuleType
+from typing import Any
 
-from benchmarks import with_c, with_rockeom, with_scipy, workloads as w
+from benchmarks import with_best_c, with_c, with_rockeom, with_scipy, workloads as w
 
 Run = Callable[[], object]
 
@@ -40,12 +42,16 @@ TOLERANCES = tuple(10.0**-n for n in range(3, 15))
 
 @dataclass(frozen=True)
 class Way:
-    """One way of doing a workload; `make` builds all that need not be timed."""
+    """One way of doing a workload; `make` builds all that need not be timed.
+
+    options : of rockeom's solver, where it is that which does it.
+    """
 
     who: str
     setting: str
     make: Callable[[], Run]
     pieces: int = 1
+    options: Mapping[str, Any] = field(default_factory=dict)
 
 
 def _exponent(x: float) -> str:
@@ -78,13 +84,33 @@ def rockeom(workload: str, *, thin: bool, **options) -> Way:
         setting = f"{method}, rtol {_exponent(rtol)}, rest {_exponent(rest)}"
     solver = with_rockeom.options(**{"rtol": 1e-10, **options})
     make = functools.partial(with_rockeom.RUNS[workload], solver, **_ours(workload, thin))
-    return Way("rockeom", setting, make, pieces(workload, thin))
+    return Way("rockeom", setting, make, pieces(workload, thin), options)
+
+
+def through_simulate_many(workload: str, way: Way) -> Way:
+    """The same motions with the same options, from what a user writes to the labelled result."""
+    solver = with_rockeom.options(**{"rtol": 1e-10, **way.options})
+    make = functools.partial(with_rockeom.MANY[workload], solver, **_ours(workload, True))
+    many = with_rockeom.REPEATED if workload in ("W2", "W3") else pieces(workload, True)
+    return Way("rockeom, rk.simulate_many", way.setting, make, many)
 
 
 def c(workload: str, variant: str, *, thin: bool, **options) -> Way:
     solver = with_rockeom.options(**{"rtol": 1e-10, **options})
     make = functools.partial(with_c.RUNS[workload], solver, variant, **_ours(workload, thin))
     return Way(variant, "", make, pieces(workload, thin))
+
+
+def best_c(workload: str, *, thin: bool, **options) -> Way:
+    """The other program in C; equal steps as long as a sample."""
+    chosen = with_best_c.Options(**options)
+    if n := chosen.steps_per_law:
+        setting = f"{chosen.method}, {n} step{'s' if n > 1 else ''} a sample"
+    else:
+        setting = f"{chosen.method}, rtol {_exponent(chosen.rtol)}"
+    setting += f", rest {_exponent(chosen.rest_tolerance)}"
+    make = functools.partial(with_best_c.RUNS[workload], chosen, **_ours(workload, thin))
+    return Way("best C", setting, make, pieces(workload, thin))
 
 
 # -- the families of settings that are searched --------------------------------------------------
@@ -110,10 +136,14 @@ SCIPY: dict[str, list[tuple[str, Sequence[float], float]]] = {
 """(method, relative tolerances, threshold of rest): what a wider search left as worth a try."""
 
 
-def families(who: str, workload: str) -> Iterator[list[Way]]:
-    """Settings of one kind, from loose to tight: the first that meets a target is its cheapest."""
+def families(who: str, workload: str, rests: Sequence[float] | None = None) -> Iterator[list[Way]]:
+    """Settings of one kind, from loose to tight: the first that meets a target is its cheapest.
+
+    rests : thresholds of rest for rockeom and the best C, if not all that are tried.
+    """
+    rests = rests or OUR_RESTS[workload]
     if who == "rockeom":
-        for rest in OUR_RESTS[workload]:
+        for rest in rests:
             yield [
                 rockeom(workload, thin=True, rtol=rtol, rest_tolerance=rest) for rtol in TOLERANCES
             ]
@@ -125,6 +155,25 @@ def families(who: str, workload: str) -> Iterator[list[Way]]:
                         )
                         for n in (1, 2, 4)
                     ]
+    elif who == "best C":
+        for rest, method in itertools.product(rests, ("DOP853", "Tsit5")):
+            if workload in ("W2", "W3"):
+                # what is left to an event is extrapolated within rtol
+                yield [
+                    best_c(
+                        workload,
+                        thin=True,
+                        method=method,
+                        steps_per_law=n,
+                        rtol=rtol,
+                        rest_tolerance=rest,
+                    )
+                    for n, rtol in ((1, 1e-6), (2, 1e-6), (2, 1e-10), (3, 1e-10))
+                ]
+            yield [
+                best_c(workload, thin=True, method=method, rtol=rtol, rest_tolerance=rest)
+                for rtol in TOLERANCES
+            ]
     elif who == "heyoka":
         for rest in THEIR_RESTS[workload]:
             yield [heyoka_way(workload, tolerance, rest) for tolerance in TOLERANCES]

@@ -79,24 +79,31 @@ def compiler() -> str:
 
 @functools.cache
 def library(model: str, variant: str, flags: tuple[str, ...] = FLAGS) -> ctypes.CDLL:
-    """The shared library of a model, built where its text or flags are new."""
-    coefficients = header(tableau("DOP853"))
+    """The shared library of a model by the program of loop.h."""
+    return built(model, "loop.h", header(tableau("DOP853")), (*flags, *VARIANTS[variant]))
+
+
+def built(model: str, program: str, method: str, flags: tuple[str, ...]) -> ctypes.CDLL:
+    """A model's equations with a program, made where their text or flags are new.
+
+    method : text of the header method.h, which the program includes.
+    """
     texts = [path.read_text(encoding="utf-8") for path in sorted(FOLDER.iterdir())]
-    command = [compiler(), *flags, *VARIANTS[variant], "-shared", "-fPIC"]
-    digest = hashlib.sha256("\0".join([coefficients, *texts, *command]).encode()).hexdigest()[:16]
+    command = [compiler(), *flags, f'-DPROGRAM="{program}"', "-shared", "-fPIC"]
+    digest = hashlib.sha256("\0".join([method, *texts, *command]).encode()).hexdigest()[:16]
     folder = Path(tempfile.gettempdir()) / f"rockeom-benchmarks-{os.getuid()}" / digest
-    built = folder / f"{model}.so"
-    if not built.exists():
+    library = folder / f"{model}.so"
+    if not library.exists():
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / "dop853.h").write_text(coefficients, encoding="utf-8")
+        (folder / "method.h").write_text(method, encoding="utf-8")
         temporary = folder / f"{model}.{os.getpid()}.tmp"
         source = FOLDER / f"{model}.c"
         subprocess.run(
             [*command, f"-I{folder}", f"-I{FOLDER}", str(source), "-o", str(temporary), "-lm"],
             check=True,
         )
-        temporary.replace(built)
-    return ctypes.CDLL(str(built))
+        temporary.replace(library)
+    return ctypes.CDLL(str(library))
 
 
 class _Options(ctypes.Structure):
@@ -163,9 +170,9 @@ class Problem:
             events = np.empty(256, self.event)
             state.n_events = 0
             outcome = self.library.run(
-                ctypes.byref(state), ctypes.c_double(self.end), _at(self.segments),
-                ctypes.c_long(len(self.segments)), _at(self.parameters),
-                ctypes.byref(self.options), _at(events), ctypes.c_long(len(events)),
+                ctypes.byref(state), ctypes.c_double(self.end), at(self.segments),
+                ctypes.c_long(len(self.segments)), at(self.parameters),
+                ctypes.byref(self.options), at(events), ctypes.c_long(len(events)),
             )  # fmt: skip
             chunks.append(events[: state.n_events])
         events = np.concatenate(chunks) if len(chunks) > 1 else chunks[0]
@@ -181,8 +188,8 @@ class Problem:
         n, m, _ = motions.shape
         outcomes, peaks = np.empty(n, np.int64), np.empty(n)
         self.library.map(
-            ctypes.c_long(n), ctypes.c_double(self.end), _at(motions), ctypes.c_long(m),
-            _at(self.parameters), ctypes.byref(self.options), _at(outcomes), _at(peaks),
+            ctypes.c_long(n), ctypes.c_double(self.end), at(motions), ctypes.c_long(m),
+            at(self.parameters), ctypes.byref(self.options), at(outcomes), at(peaks),
         )  # fmt: skip
         return outcomes == OVERTURNED, peaks
 
@@ -190,14 +197,14 @@ class Problem:
         """Times (m, n) of the first n impacts from each start (m, N), nan where there are fewer."""
         times = np.full((len(starts), n), np.nan)
         self.library.many(
-            ctypes.c_long(len(starts)), _at(starts), ctypes.c_long(self.contact),
-            ctypes.c_double(self.end), _at(self.segments), ctypes.c_long(len(self.segments)),
-            _at(self.parameters), ctypes.byref(self.options), _at(times), ctypes.c_long(n),
+            ctypes.c_long(len(starts)), at(starts), ctypes.c_long(self.contact),
+            ctypes.c_double(self.end), at(self.segments), ctypes.c_long(len(self.segments)),
+            at(self.parameters), ctypes.byref(self.options), at(times), ctypes.c_long(n),
         )  # fmt: skip
         return times
 
 
-def _at(array: np.ndarray) -> ctypes.c_void_p:
+def at(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
 
 

@@ -11,8 +11,8 @@ import rockeom as rk
 from benchmarks import workloads as w
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.program import program
 from rockeom.numeric.simulate import run
-from rockeom.numeric.specialise import program
 
 IMPACT, REST = 0, 3  # as in rockeom/numeric/loop.py
 
@@ -127,6 +127,23 @@ def pulse_map(solver: rk.SolverOptions, threads: int = 1, stride: int = 1) -> Ca
     return call
 
 
+def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callable:
+    """A workload by simulate_many on one core, from the values to a labelled dataset."""
+
+    def made(solver: rk.SolverOptions, amplitudes=values) -> Callable[[], object]:
+        options = replace(solver, **changes)
+        return lambda: rk.simulate_many(
+            lambda **value: case(value[name]),
+            {name: amplitudes},
+            impact_times=changes.get("max_impacts", -1) + 1,
+            options=options,
+            threads=1,
+            progress=False,
+        )
+
+    return made
+
+
 def bifurcation(solver: rk.SolverOptions, amplitudes=w.AMPLITUDES) -> Callable:
     runs = {float(a): loop(w.driven(a), solver) for a in amplitudes}
     return lambda: {a: w.kept(call()) for a, call in runs.items()}
@@ -140,6 +157,18 @@ RUNS = {
     "W5": bifurcation,
 }
 """Workload -> options -> what runs it."""
+
+REPEATED = 20
+"""So many times one record is given to simulate_many, which is meant for more than one."""
+
+MANY = {
+    "W1": sweep("release", w.decay, w.RELEASES, max_impacts=w.N_IMPACTS - 1),
+    "W2": sweep("copy", lambda _: Case(w.BLOCK, w.record()), np.arange(REPEATED)),
+    "W3": sweep("copy", lambda _: Case(w.COLUMN, w.record()), np.arange(REPEATED)),
+    "W4": pulse_map,
+    "W5": sweep("amplitude", w.driven, w.AMPLITUDES),
+}
+"""Workload -> options -> the same motions by rk.simulate_many on one core."""
 
 SINGLE = {"W1": free_decay, "W2": RUNS["W2"], "W3": RUNS["W3"]}
 """Workload -> (options, entry) -> one motion by that entry."""

@@ -48,12 +48,22 @@ static inline void rates_upright(const double *y, const constants *c, double a, 
     dy[3] = -a - c->k_m * y[1] - c->c_m * y[3];
 }
 
+/* With both feet down: side s lifts where s times the pull is more than what holds. */
+static inline double pull(const double *y, const constants *c, double a)
+{
+    double F = -a - c->k_m * y[1] - c->c_m * y[3];
+    return c->g * c->m * y[1] - c->S * a - c->mH * F;
+}
+
+static inline double hold(const constants *c)
+{
+    return c->g * (c->m * c->B + c->mbB);
+}
+
 static inline double opening(double s, const double *y, const constants *c, double a)
 {
-    double w = y[1] - s * c->B, mw = c->m * w;
-    double F = -a - c->k_m * y[1] - c->c_m * y[3];
-    double moment = c->g * (mw - s * c->mbB) - c->S * a - c->mH * F;
-    return s * moment / (c->J + mw * w);
+    double w = y[1] - s * c->B;
+    return (s * pull(y, c, a) - hold(c)) / (c->J + c->m * w * w);
 }
 
 static inline int rebound(int contact, const double *y, double ratio, double *out)
@@ -68,4 +78,4 @@ static inline int rebound(int contact, const double *y, double ratio, double *ou
     return 1;
 }
 
-#include "loop.h"
+#include PROGRAM

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "dop853.h"
+#include "method.h"
 
 enum { COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE, FULL };
 enum { IMPACT, UPLIFT, SWITCH, REST };

@@ -28,9 +28,20 @@ static inline void rates_upright(const double *y, const constants *c, double a, 
     dy[0] = dy[1] = 0.0;
 }
 
+/* With both feet down: side s lifts where s times the pull is more than what holds. */
+static inline double pull(const double *y, const constants *c, double a)
+{
+    return -a * c->P;
+}
+
+static inline double hold(const constants *c)
+{
+    return c->Q;
+}
+
 static inline double opening(double s, const double *y, const constants *c, double a)
 {
-    return -s * a * c->P - c->Q;
+    return s * pull(y, c, a) - hold(c);
 }
 
 static inline int rebound(int contact, const double *y, double ratio, double *out)
@@ -43,4 +54,4 @@ static inline int rebound(int contact, const double *y, double ratio, double *ou
     return 1;
 }
 
-#include "loop.h"
+#include PROGRAM
