@@ -8,7 +8,7 @@ RUNS    ?= 20000
 FIRST   ?= 0
 
 .DEFAULT_GOAL := help
-.PHONY: help run test soak generated check bench docs clean
+.PHONY: help run test soak oracle generated check bench docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -23,6 +23,9 @@ test: $(VENV)/.test ## run the tests
 
 soak: $(VENV)/.test ## check random motions, RUNS=20000 of them from seed FIRST=0 on (minutes, and compiling)
 	$(BIN)/python -m tests.soak --runs $(RUNS) --first $(FIRST)
+
+oracle: $(VENV)/.test ## compare the machine code of every structure with Python and with numba (minutes)
+	$(BIN)/python -m tests.oracle
 
 generated: $(VENV)/.dev ## rewrite generated/ from the symbolic models
 	$(BIN)/rockeom generate

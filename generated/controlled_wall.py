@@ -36,9 +36,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "3cfdc7920f8be9cd"
+SOURCE_HASH = "37a987eaa9eef709"
 
 NAME = "controlled_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -167,16 +167,14 @@ RIGHT = 3
 RIGHT_SLACK = 4
 RIGHT_YIELD = 5
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -208,7 +206,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     mass = p[0]
@@ -287,7 +285,7 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     return (theta_ddot, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_slack or right_slack."""
     mass = p[0]
@@ -340,7 +338,7 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     return (theta_ddot, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_yield or right_yield."""
     mass = p[0]
@@ -412,7 +410,7 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     return (theta_ddot, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == LEFT or contact == RIGHT:
@@ -426,7 +424,6 @@ def accelerations(contact, theta, permanent_extension, theta_dot, permanent_exte
         return accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
@@ -443,14 +440,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[3] = found[1]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -531,7 +528,6 @@ def guards(contact, y, p, ax, ay, g):
         )
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -644,7 +640,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == RIGHT:
@@ -780,7 +775,6 @@ def energies(contact, y, p, out):
         out[2] = (1/2)*yield_force**2/tendon_stiffness
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
@@ -948,7 +942,6 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = yield_force
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
@@ -1025,7 +1018,6 @@ def kinematics(contact, y, p, out):
         )
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -1156,21 +1148,18 @@ def statics(contact, y, p, load, out):
         out[1] = 0
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (14,) with the constants that follow from them: p (34,)."""
     p = np.empty(34)

@@ -46,9 +46,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "21cf702c9b5156f5"
+SOURCE_HASH = "74a660332ca021c0"
 
 NAME = "controlled_wall_oscillator"
 STATES = (
@@ -325,16 +325,14 @@ RIGHT_NEAR_YIELD = 15
 RIGHT_SLACK = 16
 RIGHT_YIELD = 17
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -366,7 +364,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_0(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
     """Accelerations of the coordinates of phase 0."""
     half_width = p[3]
@@ -424,7 +422,7 @@ def accelerations_0(s, u, permanent_extension, passage_speed, u_dot, permanent_e
     return (u_ddot, 0.0, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_1(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
     """Accelerations of the coordinates of phase 1."""
     half_width = p[3]
@@ -471,7 +469,7 @@ def accelerations_1(s, u, permanent_extension, passage_speed, u_dot, permanent_e
     return (u_ddot, 0.0, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_2(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
     """Accelerations of the coordinates of phase 2."""
     half_width = p[3]
@@ -525,7 +523,7 @@ def accelerations_2(s, u, permanent_extension, passage_speed, u_dot, permanent_e
     return (u_ddot, 0.0, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -539,7 +537,6 @@ def accelerations(contact, u, permanent_extension, passage_speed, u_dot, permane
         return accelerations_2(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -560,14 +557,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[5] = found[2]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], y[2], 0.0, y[4], y[5], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -988,7 +985,6 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -1311,7 +1307,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -1387,7 +1382,6 @@ def energies(contact, y, p, out):
         )
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -1428,7 +1422,6 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = yield_force
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -1478,7 +1471,6 @@ def kinematics(contact, y, p, out):
         out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -1583,7 +1575,6 @@ def statics(contact, y, p, load, out):
         out[2] = 0
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     half_width = p[3]
@@ -1592,14 +1583,12 @@ def overturning(p):
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (24,) with the constants that follow from them: p (41,)."""
     p = np.empty(41)

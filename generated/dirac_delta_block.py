@@ -24,9 +24,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "0b8bd1f65b634065"
+SOURCE_HASH = "2a9ee72201544b2d"
 
 NAME = "dirac_delta_block"
 STATES = ("x", "x_dot",)
@@ -104,16 +104,14 @@ RIGHT = 3
 RIGHT_CORE = 4
 RIGHT_TAIL = 5
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -145,7 +143,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_left_right(s, x, x_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     c0 = p[3]  # 1/alpha
@@ -154,7 +152,7 @@ def accelerations_left_right(s, x, x_dot, p, ax, ay):
     return (x_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations_left_core_left_tail_right_core_right_tail(x, x_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_core or left_tail or right_core or right_tail."""
     c0 = p[3]  # 1/alpha
@@ -169,7 +167,7 @@ def accelerations_left_core_left_tail_right_core_right_tail(x, x_dot, p, ax, ay)
     return (x_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, x, x_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == LEFT or contact == RIGHT:
@@ -179,7 +177,6 @@ def accelerations(contact, x, x_dot, p, ax, ay):
         return accelerations_left_core_left_tail_right_core_right_tail(x, x_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
@@ -190,14 +187,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[1] = found[0]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, 0.0, p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -237,7 +234,6 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -c5 - x0
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -270,7 +266,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == RIGHT:
@@ -296,7 +291,6 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
@@ -311,7 +305,6 @@ def reactions(contact, y, p, ax, ay, out):
         out[0] = alpha*x_ddot + ax
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
@@ -324,7 +317,6 @@ def kinematics(contact, y, p, out):
         out[0] = alpha*x
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -341,7 +333,6 @@ def statics(contact, y, p, load, out):
         out[0] = -alpha*load - x*x0 + x0*math.tanh(x/regularisation)
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     alpha = p[0]
@@ -349,14 +340,12 @@ def overturning(p):
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (3,) with the constants that follow from them: p (9,)."""
     p = np.empty(9)

@@ -33,9 +33,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "c5fe840ef7476074"
+SOURCE_HASH = "0bb250f1095994fc"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -110,16 +110,14 @@ LEFT = 0
 BOTH = 1
 RIGHT = 2
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -151,7 +149,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     mass = p[0]
@@ -189,7 +187,7 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
     return (theta_ddot, u_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
     stiffness = p[8]
@@ -199,7 +197,7 @@ def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
     return (0.0, u_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == LEFT or contact == RIGHT:
@@ -209,7 +207,6 @@ def accelerations(contact, theta, u, theta_dot, u_dot, p, ax, ay):
         return accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
@@ -223,14 +220,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[3] = found[1]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -248,7 +245,6 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = theta
 
 
-@_compiled
 def impulse_to_opposite(s, y, p, out):
     """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
     u = y[1]
@@ -278,7 +274,6 @@ def impulse_to_opposite(s, y, p, out):
     out[3] = u_dot_after
 
 
-@_compiled
 def impulse_to_both(s, y, p, out):
     """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
@@ -288,7 +283,6 @@ def impulse_to_both(s, y, p, out):
     out[3] = u_dot_after
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -329,7 +323,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == RIGHT:
@@ -379,7 +372,6 @@ def energies(contact, y, p, out):
         out[2] = (1/2)*stiffness*u**2
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
@@ -453,7 +445,6 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x12*(x11 - x3 - x4 - x5 + x7 + x8)
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
@@ -474,7 +465,6 @@ def kinematics(contact, y, p, out):
         out[2] = 0
 
 
-@_compiled
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     if contact == LEFT or contact == RIGHT:
@@ -509,7 +499,6 @@ def momentum(contact, y, p, out):
         out[1] = 0
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -540,14 +529,12 @@ def statics(contact, y, p, load, out):
         out[1] = -load + stiffness*u
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     mass = p[0]
@@ -563,7 +550,6 @@ def velocity_ratio(p):
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (10,) with the constants that follow from them: p (25,)."""
     p = np.empty(25)

@@ -23,7 +23,7 @@ Operations before and after common subexpressions were shared:
     guards                   100    72
     jump                      48    46
     energies                  43    40
-    reactions                485   210
+    reactions                401   169
     kinematics               120   105
     momentum                  60    45
     statics                   94    79
@@ -35,9 +35,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "22cbe3b90f571485"
+SOURCE_HASH = "c01583af8e0ed708"
 
 NAME = "simplified_substitute_gravity_wall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
@@ -170,16 +170,14 @@ RIGHT = 5
 RIGHT_SLACK = 6
 RIGHT_YIELD = 7
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -211,7 +209,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     half_width = p[4]
@@ -239,7 +237,7 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     return (theta_ddot, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_slack or right_slack."""
     gravity = p[11]
@@ -252,7 +250,7 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     return (theta_ddot, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_yield or right_yield."""
     gravity = p[11]
@@ -270,19 +268,19 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     return (theta_ddot, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_both(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
     return (0.0, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations_both_slack(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both_slack."""
     return (0.0, 0.0,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == LEFT or contact == RIGHT:
@@ -300,7 +298,6 @@ def accelerations(contact, theta, permanent_extension, theta_dot, permanent_exte
         return accelerations_both_slack(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == LEFT or contact == RIGHT:
@@ -323,14 +320,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[3] = found[1]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -401,7 +398,6 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -opening_acceleration(RIGHT_SLACK, y, p, ax, ay)
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -512,7 +508,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == RIGHT:
@@ -570,7 +565,6 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == LEFT or contact == RIGHT:
@@ -663,64 +657,45 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x10*(x9 + 1/2)
         out[3] = yield_force
     elif contact == BOTH:
-        theta = y[0]
         permanent_extension = y[1]
         mass = p[0]
         centroid_height = p[2]
-        height = p[3]
         half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
         tendon_stiffness = p[7]
         initial_force = p[8]
-        eccentricity = p[10]
         gravity = p[11]
         x0 = ax*mass
         x1 = centroid_height*x0
-        x2 = math.cos(theta)
-        x3 = half_width*mass
-        x4 = (
-            ay*x3 + gravity*x3 + half_width*(initial_force +
-            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(half_width*(1 - x2) +
-            (1 - math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
-            half_width))/x2)*math.tan(theta)))
-        )
+        x2 = half_width*mass
+        x3 = permanent_extension*tendon_stiffness
+        x4 = ay*x2 + gravity*x2 + half_width*initial_force - half_width*x3
         x5 = (1/2)/half_width
         out[0] = x0
         out[1] = x5*(x1 + x4)
         out[2] = x5*(-x1 + x4)
-        out[3] = initial_force - permanent_extension*tendon_stiffness
+        out[3] = initial_force - x3
     elif contact == BOTH_SLACK:
-        theta = y[0]
         permanent_extension = y[1]
         mass = p[0]
         centroid_height = p[2]
-        height = p[3]
         half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
         tendon_stiffness = p[7]
         initial_force = p[8]
-        eccentricity = p[10]
         gravity = p[11]
         x0 = ax*mass
         x1 = centroid_height*x0
-        x2 = math.cos(theta)
-        x3 = half_width*mass
-        x4 = (
-            ay*x3 + gravity*x3 + half_width*(initial_force +
-            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(half_width*(1 - x2) +
-            (1 - math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
-            half_width))/x2)*math.tan(theta)))
+        x2 = half_width*mass
+        x3 = (
+            ay*x2 + gravity*x2 + half_width*initial_force -
+            half_width*permanent_extension*tendon_stiffness
         )
-        x5 = (1/2)/half_width
+        x4 = (1/2)/half_width
         out[0] = x0
-        out[1] = x5*(x1 + x4)
-        out[2] = x5*(-x1 + x4)
+        out[1] = x4*(x1 + x3)
+        out[2] = x4*(-x1 + x3)
         out[3] = 0
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
@@ -799,7 +774,6 @@ def kinematics(contact, y, p, out):
         out[4] = 0
 
 
-@_compiled
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     if contact == LEFT or contact == RIGHT:
@@ -849,7 +823,6 @@ def momentum(contact, y, p, out):
         out[1] = 0
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -917,14 +890,12 @@ def statics(contact, y, p, load, out):
         out[1] = 0
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/3)*math.pi
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     mass = p[0]
@@ -934,7 +905,6 @@ def velocity_ratio(p):
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (12,) with the constants that follow from them: p (22,)."""
     p = np.empty(22)

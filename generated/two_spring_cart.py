@@ -30,9 +30,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5f7cf69fecc6a5e8"
+SOURCE_HASH = "990c691410d3879b"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -112,16 +112,14 @@ LEFT = 1
 BOTH_RIGHT = 2
 RIGHT = 3
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -153,7 +151,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_both_left_both_right(s, u, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both_left or both_right."""
     c0 = p[9]
@@ -161,7 +159,7 @@ def accelerations_both_left_both_right(s, u, u_dot, p, ax, ay):
     return (u_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations_left_right(s, u, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     c1 = p[10]
@@ -171,7 +169,7 @@ def accelerations_left_right(s, u, u_dot, p, ax, ay):
     return (u_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, u, u_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -182,7 +180,6 @@ def accelerations(contact, u, u_dot, p, ax, ay):
         return accelerations_left_right(s, u, u_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -193,14 +190,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[1] = found[0]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, 0.0, p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -227,7 +224,6 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = -c4 + u
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -262,7 +258,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -319,7 +314,6 @@ def energies(contact, y, p, out):
         )
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -336,7 +330,6 @@ def reactions(contact, y, p, ax, ay, out):
         out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -347,7 +340,6 @@ def kinematics(contact, y, p, out):
         out[0] = u
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -389,7 +381,6 @@ def statics(contact, y, p, load, out):
         out[0] = gravity**2*height*s*x0*x12*x4*x7 - load + s*x8 - u*x12*x8
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     height = p[1]
@@ -398,7 +389,6 @@ def overturning(p):
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     mass = p[0]
@@ -414,7 +404,6 @@ def velocity_ratio(p):
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (9,) with the constants that follow from them: p (14,)."""
     p = np.empty(14)

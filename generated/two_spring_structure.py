@@ -31,9 +31,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from numba import njit
+from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "be3390a33c93c7ee"
+SOURCE_HASH = "305dd0d6f27b018d"
 
 NAME = "two_spring_structure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
@@ -117,16 +117,14 @@ BOTH = 1
 FLIGHT = 2
 RIGHT = 3
 
-# Nothing here allocates: no array's references need to be counted. Equations are not
-# contracted to a*b + c in one rounding: they give one number wherever they stand.
-OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}
-_compiled = njit(cache=True, **OPTIONS)
-_inlined = njit(forceinline=True, **OPTIONS)
+# In machine code equations are not contracted to a*b + c in one rounding: they give
+# one number wherever they stand.
 
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -158,7 +156,7 @@ def sine_cosine(x):
     return sine, cosine
 
 
-@_inlined
+@inlined
 def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
     gravity = p[7]
@@ -191,7 +189,7 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     return (theta_ddot, heave_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     half_width = p[6]
@@ -232,7 +230,7 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     return (theta_ddot, heave_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates with contact flight."""
     gravity = p[7]
@@ -257,7 +255,7 @@ def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
     return (theta_ddot, heave_ddot,)
 
 
-@_inlined
+@inlined
 def accelerations(contact, theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     if contact == BOTH:
@@ -269,7 +267,6 @@ def accelerations(contact, theta, heave, theta_dot, heave_dot, p, ax, ay):
         return accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay)
 
 
-@_compiled
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     if contact == BOTH:
@@ -286,14 +283,14 @@ def rates(contact, y, p, ax, ay, dy):
     dy[3] = found[1]
 
 
-@_inlined
+@inlined
 def opening_acceleration(contact, y, p, ax, ay):
     """Acceleration with which a contact state's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
-@_inlined
+@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
@@ -378,7 +375,6 @@ def guards(contact, y, p, ax, ay, g):
         g[3] = x4
 
 
-@_compiled
 def jump(contact, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
@@ -407,7 +403,6 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-@_compiled
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == BOTH:
@@ -521,7 +516,6 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-@_compiled
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if contact == BOTH:
@@ -607,7 +601,6 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-@_compiled
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
     if contact == BOTH:
@@ -642,7 +635,6 @@ def kinematics(contact, y, p, out):
         out[2] = heave - x1
 
 
-@_compiled
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == BOTH:
@@ -700,21 +692,18 @@ def statics(contact, y, p, load, out):
         out[1] = x1 + x2
 
 
-@_compiled
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
     return value
 
 
-@_compiled
 def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
 
 
-@njit(cache=True, error_model="numpy")
 def prepare(parameters):
     """Parameters (10,) with the constants that follow from them: p (26,)."""
     p = np.empty(26)

@@ -2,7 +2,8 @@
 
 The module is the whole of what the numeric side knows about a structure: tables (states,
 parameters, contacts, transitions) and functions of plain numbers and arrays (rates, guards,
-jump, energies, reactions, kinematics, statics). It imports only math, numpy and numba.
+jump, energies, reactions, kinematics, statics). It imports only math and
+numpy, and the marks for who makes machine code of it.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ Operations before and after common subexpressions were shared:
 
 IMPORTS = """
 
-{imports}from numba import njit
+{imports}from rockeom.marks import fused, inlined
 
 SOURCE_HASH = "{digest}"
 """
@@ -50,7 +51,8 @@ SINE_COSINE = '''
 ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
 
 
-@njit(forceinline=True, **(OPTIONS | {"fastmath": {"contract"}}))
+@inlined
+@fused
 def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
@@ -275,10 +277,9 @@ class _Module:
         parameters = {self.names[p.symbol] for p in self.model.parameters}
         return self.plain(expr).free_symbols <= parameters
 
-    def function(
-        self, signature: str, doc: str, body: list[str], decorator: str = "_compiled"
-    ) -> None:
-        self.text += ["", "", f"@{decorator}", f"def {signature}:", docstring(doc, "    "), *body]
+    def function(self, signature: str, doc: str, body: list[str], mark: str = "") -> None:
+        marked = [mark] if mark else []
+        self.text += ["", "", *marked, f"def {signature}:", docstring(doc, "    "), *body]
 
     def by_phase(self, signature: str, doc: str, branch: Callable[[Phase, str], list[str]]) -> None:
         """A function with one branch a phase."""
@@ -320,7 +321,7 @@ class _Module:
                 f"{name}({side}{states}, p, ax, ay)",
                 f"Accelerations of the coordinates {which}.",
                 [*body, f"    return ({', '.join(found)},)"],
-                "_inlined",
+                "@inlined",
             )
             last = i == len(model.phases) - 1
             test = "else" if last else f"{'elif' if chosen else 'if'} {self.test(phase)}"
@@ -332,7 +333,7 @@ class _Module:
             f"accelerations(contact, {states}, p, ax, ay)",
             "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
             chosen,
-            "_inlined",
+            "@inlined",
         )
 
     def function_name(self, wanted: str, otherwise: str) -> str:
@@ -374,7 +375,7 @@ class _Module:
                 f"    found = accelerations(contact, {states}, p, ax, ay)",
                 f"    return SIDES[contact] * found[{self.index(rotation.position)}]",
             ],
-            "_inlined",
+            "@inlined",
         )
 
     def guards(self) -> None:
@@ -416,7 +417,7 @@ class _Module:
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.""",
             body or ["    pass"],
-            "_inlined",
+            "@inlined",
         )
 
     def image(self, contact: str) -> str | None:
@@ -624,7 +625,6 @@ class _Module:
                 *lines,
                 "    return p",
             ],
-            'njit(cache=True, error_model="numpy")',
         )
 
     def statics(self) -> None:
@@ -753,11 +753,8 @@ class _Module:
             "RATIO, IMPULSIVE = 0, 1",
             *(f"{self.contacts[c]} = {i}" for c, i in number.items()),
             "",
-            "# Nothing here allocates: no array's references need to be counted. Equations are not",
-            "# contracted to a*b + c in one rounding: they give one number wherever they stand.",
-            'OPTIONS = {"error_model": "numpy", "fastmath": False, "_nrt": False}',
-            "_compiled = njit(cache=True, **OPTIONS)",
-            "_inlined = njit(forceinline=True, **OPTIONS)",
+            "# In machine code equations are not contracted to a*b + c in one rounding: they give",
+            "# one number wherever they stand.",
         ]
         return lines
 

@@ -97,7 +97,9 @@ class Case:
         if not (math.isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
-        towards = 0.0 if structure.rocks_on_rigid_ground else -_first_push(motion)
+        towards = 0.0
+        if not (structure.rocks_on_rigid_ground or rotation or y0[structure.module.ROTATION_RATE]):
+            towards = self._about_to_turn(y0) or -_first_push(motion)
         return Problem(
             contact=structure.contact(y0, self.phase, towards),
             y0=y0,
@@ -112,6 +114,20 @@ class Case:
             quiet_from=max(m.shaking_ends for m in (motion, self.vertical) if m is not None),
         )
 
+    def _about_to_turn(self, y0: np.ndarray) -> float:
+        """Sign of the rotation to come from upright and at rest, by the equations; 0 if none is.
+
+        Weight or springs may turn a structure, too, that shaking does not. Those of both sides are
+        added: what only one of them has is its support.
+        """
+        structure, m = self.structure, self.structure.module
+        ground = [_soon(self.motion), 0.0 if self.vertical is None else _soon(self.vertical)]
+        turn, rate = 0.0, np.zeros(len(y0))
+        for side in (-1.0, 1.0):
+            m.rates(structure.contact(y0, None, side), y0, structure.vector, *ground, rate)
+            turn += float(rate[m.ROTATION_RATE])
+        return float(np.sign(turn))
+
 
 def _check_motion(name: str, motion: Any) -> None:
     if not isinstance(motion, GroundMotion):
@@ -122,17 +138,26 @@ def _check_motion(name: str, motion: Any) -> None:
         )
 
 
-def _first_push(motion: GroundMotion) -> float:
-    """Sign of the ground acceleration with which shaking begins; 0 if there is none.
+def _soon(motion: GroundMotion) -> float:
+    """The ground acceleration soon after the start [m/s2]."""
+    return float(_pushes(motion)[0])
 
-    Each law of the ground is asked a thousandth of its own time behind its start: neither at the
-    start, where a sine is zero, nor in its middle, where it may be so again.
+
+def _first_push(motion: GroundMotion) -> float:
+    """Sign of the ground acceleration with which shaking begins; 0 if there is none."""
+    pushes = _pushes(motion)
+    return float(np.sign(pushes[pushes != 0.0][0])) if pushes.any() else 0.0
+
+
+def _pushes(motion: GroundMotion) -> np.ndarray:
+    """The ground acceleration of each law, a thousandth of the law's own time behind its start.
+
+    Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
     """
     start, end, kind, rate = motion.segments[:, [START, END, KIND, C1]].T
     curved = (kind != LINEAR) & (rate != 0.0)
     own = np.minimum(end - start, 1.0 / np.where(curved, np.abs(rate), 1e-9))
-    pushes = motion.acceleration(start + 1e-3 * own)
-    return float(np.sign(pushes[pushes != 0.0][0])) if pushes.any() else 0.0
+    return motion.acceleration(start + 1e-3 * own)
 
 
 def _table(motion: GroundMotion | None) -> np.ndarray:

@@ -20,9 +20,9 @@ import xarray as xr
 from rockeom.arguments import numbers, told, whole_number
 from rockeom.numeric.case import Case, Problem
 from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.program import Program, program
 from rockeom.numeric.response import Outcome
 from rockeom.numeric.simulate import simulate
-from rockeom.numeric.specialise import program
 from rockeom.numeric.structures import IMPACT, UPLIFT
 
 _OUTCOMES = tuple(Outcome)
@@ -321,7 +321,7 @@ class _Results:
         self,
         first: int,
         batch: list[Problem],
-        compiled: ModuleType,
+        compiled: Program,
         options: SolverOptions,
         lanes: bool = False,
     ) -> int:

@@ -65,7 +65,6 @@ def radau() -> Tableau:
 
 _STEP = '''
 
-@_compiled
 def factor(m, size, order):
     """Triangular factors of m (size * size,) with partial pivoting, in its place.
 
@@ -92,7 +91,6 @@ def factor(m, size, order):
     return True
 
 
-@_compiled
 def solve(m, size, order, x):
     """Solve m x = x by the factors of m."""
     for c in range(size):
@@ -107,7 +105,6 @@ def solve(m, size, order, x):
         x[r] /= m[r * size + r]
 
 
-@_compiled
 def differences(contact, y, p, ax, ay, w, f, other, jacobian):
     """Derivatives of the accelerations by the states, jacobian[i * N_STATES + j]."""
     for j in range(N_STATES):
@@ -125,7 +122,6 @@ def differences(contact, y, p, ax, ay, w, f, other, jacobian):
             jacobian[i * N_STATES + j] = (f[N + i] - other[N + i]) / (above - below)
 
 
-@_compiled
 def stage_state(s, h, y, w, state):
     """The state at a stage, from the increments w (3 * N,) of the velocities."""
     for i in range(N):
@@ -136,7 +132,6 @@ def stage_state(s, h, y, w, state):
         state[N + i] = y[N + i] + w[s * N + i]
 
 
-@_compiled
 def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     """One step from y at t, into y_new. k: the rates at t, and those at the new state on return.
 
@@ -267,7 +262,6 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     return norm
 
 
-@_compiled
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
     for i in range(N_STATES):

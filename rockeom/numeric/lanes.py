@@ -1,6 +1,6 @@
 """Many motions as lanes of one stream of instructions: the loop of `simulate_many(lanes=True)`.
 
-This file is not imported. `rockeom.numeric.specialise` joins it to the text of the scalar loop and
+This file is not imported. `rockeom.numeric.program` joins it to the text of the scalar loop and
 to that of a step of many lanes (step_lanes, judge_lanes, judge_held_lanes, accept_lanes).
 
 Each lane has a time and a step of its own. All lanes take their next step together, whatever it is
@@ -43,17 +43,17 @@ DOUBTFUL, REPEATED, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0
 """Verdicts on a step; what has landed stands, too."""
 
 
-@_inlined
+@inlined
 def ground_x(z, lane):
     return z[Z_START_X + lane], np.inf, 0.0, z[Z_X0 + lane], z[Z_X1 + lane], 0.0, 0.0
 
 
-@_inlined
+@inlined
 def ground_y(z, lane):
     return z[Z_START_Y + lane], np.inf, 0.0, z[Z_Y0 + lane], z[Z_Y1 + lane], 0.0, 0.0
 
 
-@_inlined
+@inlined
 def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
     """(verdict, length of the step when repeated) by the quintic through both ends of a step.
 
@@ -109,7 +109,7 @@ def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
     return verdict, new_h if repeated else h
 
 
-@_inlined
+@inlined
 def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fastest):
     """The opposite of `widens` for one coordinate and its rate."""
     v0, v1 = h * v0, h * v1
@@ -128,7 +128,6 @@ def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fa
     return rate & (up | down | ((least - margin >= least_known) & (most + margin <= most_known)))
 
 
-@_compiled
 def plan_lanes(z, fixed, h_max):
     """The next step of each lane; that of a lane which is landing is known."""
     for lane in range(LANES):
@@ -143,7 +142,6 @@ def plan_lanes(z, fixed, h_max):
 # -- one lane ------------------------------------------------------------------------------------
 
 
-@_compiled
 def take_in(lane, z, w, home, fallen):
     """A case's own state into its lane."""
     status, clock, states, rates_, peaks, _, _ = home
@@ -164,7 +162,6 @@ def take_in(lane, z, w, home, fallen):
         z[Z_MOST + i * LANES + lane] = peaks[case, 1, i]
 
 
-@_compiled
 def take_out(lane, z, w, home):
     """A lane's state back into its case's own arrays."""
     status, clock, states, rates_, peaks, _, _ = home
@@ -182,7 +179,6 @@ def take_out(lane, z, w, home):
         peaks[case, 1, i] = z[Z_MOST + i * LANES + lane]
 
 
-@_compiled
 def alone(lane, z, w, home, ground, data, how, work):
     """Carry a lane to the end of the ground's law by the scalar loop."""
     status, clock, states, rates_, peaks, outcome, impact_times = home
@@ -213,7 +209,6 @@ def alone(lane, z, w, home, ground, data, how, work):
     take_in(lane, z, w, home, fallen)
 
 
-@_compiled
 def impact(lane, z, w, home, data, how, work):
     """Pass a lane that has landed into the contact state that follows, as the loop does."""
     status, _, states, rates_, _, outcome, impact_times = home
@@ -251,11 +246,13 @@ def impact(lane, z, w, home, data, how, work):
                 contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after,
                 scratch[_POWERS:_GUARDS],
             )  # fmt: skip
-        if t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t:
-            stand(
-                follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
-                scratch[_K:_W], y,
-            )  # fmt: skip
+        short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
+        if short and stand(
+            follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
+            scratch[_K:_W], y_w,
+        ):  # fmt: skip
+            for i in range(N_STATES):
+                y[i] = y_w[i]
             z[Z_T + lane] = t + rests
             contact, touching = follows, np.int64(-1)
             status[case, 5] = status[case, 6] = 1
@@ -267,7 +264,6 @@ def impact(lane, z, w, home, data, how, work):
         z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
 
 
-@_compiled
 def fresh_rates(lane, z, case, home, p):
     """The rates of a rocking lane at its time, found anew."""
     status, _, states, rates_, _, _, _ = home
@@ -282,7 +278,7 @@ def fresh_rates(lane, z, case, home, p):
     status[case, 5] = status[case, 6] = 0
 
 
-@_inlined
+@inlined
 def next_laws(lane, z, w, case, ground):
     """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
     horizontal, h_rows, vertical, v_rows, stop = ground
@@ -310,7 +306,6 @@ def next_laws(lane, z, w, case, ground):
     return jumps(ax, shaking(ground_x(z, lane), t)) or jumps(ay, shaking(ground_y(z, lane), t))
 
 
-@_compiled
 def pass_rest(lane, z, w, case, home, ground, p):
     """Pass a structure that cannot move on both its feet over the laws in which it stays there.
 
@@ -343,7 +338,7 @@ def pass_rest(lane, z, w, case, home, ground, p):
         status[case, 5] = status[case, 6] = 1
 
 
-@_inlined
+@inlined
 def ready(lane, z, w, home, ground, data, how, work):
     """Bring a lane to where it takes its next step with the others; False where its way ends."""
     status, outcome, stop = home[0], home[5], ground[4]
@@ -369,7 +364,6 @@ def ready(lane, z, w, home, ground, data, how, work):
     return False
 
 
-@_loop
 def run_lanes(z, w, home, ground, data, how, work):
     """Run all cases to their times `stop`, or to the outcomes that end them.
 
@@ -430,11 +424,13 @@ def run_lanes(z, w, home, ground, data, how, work):
         accept_lanes(z)
 
 
-@_entry
+@entry
 def integrate_lanes(
-    status, clock, states, rates, stop, horizontal, h_rows, vertical, v_rows, p, law, ratio,
-    rtol, atol, h_max, fixed, fallen, rest_tolerance, max_impacts, max_steps,
-    outcome, peaks, impact_times,
+    status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, stop: Floats,
+    horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2, p: Floats2, law: Ints,
+    ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int, fallen: Floats,
+    rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints, peaks: Floats3,
+    impact_times: Floats2,
 ):  # fmt: skip
     """Integrate n motions under linear laws of the ground, each to its time `stop`.
 

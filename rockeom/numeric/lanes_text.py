@@ -29,7 +29,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
     """
     s, size, r = method.stages, generated.N_STATES, generated.ROTATION
     n = size // 2
-    parameters = len(generated.prepare.py_func(np.ones(len(generated.PARAMETERS))))
+    parameters = len(generated.prepare(np.ones(len(generated.PARAMETERS))))
     rocking = [c for c, side in enumerate(generated.SIDES) if side != 0.0]
 
     def at(rows: str, i: int) -> str:
@@ -106,7 +106,6 @@ LANES = {LANES}
 N_PARAMETERS = {parameters}
 
 
-@_compiled
 def step_lanes(z, rtol, atol):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     for lane in range(LANES):
@@ -115,7 +114,6 @@ def step_lanes(z, rtol, atol):
         z[Z_ERROR + lane] = error if s0 != 0.0 else 0.0
 
 
-@_compiled
 def judge_lanes(z, coarse):
     """What becomes of the step of each rocking lane; the length of one to be repeated.
 
@@ -130,7 +128,6 @@ def judge_lanes(z, coarse):
         z[Z_H + lane] = new_h
 
 
-@_compiled
 def judge_held_lanes(z, coarse):
     """What becomes of the step of each lane in full contact: it stands where no foot lifts."""
     for lane in range(LANES):
@@ -140,7 +137,6 @@ def judge_held_lanes(z, coarse):
 {within}        z[Z_VERDICT + lane] = STANDS if within else z[Z_VERDICT + lane]
 
 
-@_compiled
 def accept_lanes(z):
     """Move the lanes whose step stands to its end."""
     for lane in range(LANES):

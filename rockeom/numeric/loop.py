@@ -1,6 +1,6 @@
 """The integration loop: one text for every structure and method.
 
-This file is not imported. `rockeom.numeric.specialise` joins it to a generated module (which
+This file is not imported. `rockeom.numeric.program` joins it to a generated module (which
 defines rates, guards, jump, opening_acceleration and the tables) and to the text of a step
 (take_step, dense_output), so that the compiler sees one self-contained program.
 
@@ -8,16 +8,18 @@ It reads in the order of the work: settle what is due, step, find the first even
 jump, go on.
 """
 
+import math
+
+import numpy as np
+
+from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
+
 # Outcomes, numbered as in rockeom.numeric.response.Outcome
 COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
 FULL = 7  # no outcome: the records must be emptied before the loop goes on
 
 # Columns of the record of events
 IMPACT, UPLIFT, SWITCH, REST = range(4)
-
-_entry = njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True)
-"""What is called from Python, and may allocate."""
-_loop = njit(cache=True, nogil=True, **FUSED)
 
 AT_SPEED = 2  # the law of impact besides RATIO and IMPULSIVE, see `ratio_at`
 
@@ -30,7 +32,8 @@ _POWERS = _AFTER + N_STATES
 _GUARDS = _POWERS + 8 * N_STATES
 _BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
 _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
-SCRATCH = _STACK + 640
+_NOISE = _STACK + 640
+SCRATCH = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
 
 EPS = 2.220446049250313e-16
 EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
@@ -38,7 +41,6 @@ NEVER = 2.0  # a place behind the end of any step
 MOST_PARTS = 4096  # of a polynomial that are looked at: seven roots need some 600
 
 
-@_compiled
 def pulse(row, t):
     """Ground acceleration at t by a curved law, see `shaking`."""
     kind = row[2]
@@ -53,7 +55,7 @@ def pulse(row, t):
     return row[3] * x * (x * x - 3.0) / (1.0 + math.expm1(0.5 * x * x))
 
 
-@_inlined
+@inlined
 def shaking(row, t):
     """Ground acceleration at t by the law in a row of a motion's table."""
     if row[2] == 0.0:  # linear
@@ -61,7 +63,6 @@ def shaking(row, t):
     return pulse(row, t)
 
 
-@_compiled
 def shake(row, t, h, first, last, out, at):
     """Ground accelerations by a curved law at the stages from `first` to before `last` of a step.
 
@@ -76,7 +77,7 @@ def shake(row, t, h, first, last, out, at):
             out[at + j] = pulse(row, t + STAGE_TIMES[j] * h)
 
 
-@_inlined
+@inlined
 def at_stage(row, t, shaken):
     """Ground acceleration at a stage: of a line, or what `shake` has found."""
     return row[3] + row[4] * (t - row[0]) if row[2] == 0.0 else shaken
@@ -86,7 +87,7 @@ QUIET = (0.0, np.inf, 0.0, 0.0, 0.0, 0.0, 0.0)
 """The row of ground that stands still."""
 
 
-@_inlined
+@inlined
 def row_at(table, n, t):
     """(n, row) of a motion's table that holds at t and after it, from row n on; quiet behind it."""
     while n < table.shape[0] and t >= table[n, 1]:
@@ -96,7 +97,7 @@ def row_at(table, n, t):
     return n, row_of(table, n)
 
 
-@_inlined
+@inlined
 def row_of(table, n):
     return (
         table[n, 0], table[n, 1], table[n, 2], table[n, 3], table[n, 4], table[n, 5], table[n, 6]
@@ -106,7 +107,7 @@ def row_of(table, n):
 # -- first fall of a guard through zero ----------------------------------------------------------
 
 
-@_inlined
+@inlined
 def bernstein_at(b, at, x):
     """Value and slope at x of the polynomial with Bernstein coefficients b[at : at + 8].
 
@@ -127,7 +128,6 @@ def bernstein_at(b, at, x):
     return a0 + x * (a1 - a0), 7.0 * (a1 - a0)
 
 
-@_compiled
 def first_fall(b, at, grain, touching, noise, stack):
     """Smallest x in (0, 1] at which a polynomial falls through zero, or NEVER.
 
@@ -194,7 +194,6 @@ def first_fall(b, at, grain, touching, noise, stack):
     return NEVER if before > 0 or b[at] >= -noise else 0.0  # 0: below zero all along
 
 
-@_compiled
 def larger_falls(b, part, touching, noise, stack):
     """(place, part): where the larger of two polynomials first falls through zero, and which it is.
 
@@ -202,15 +201,25 @@ def larger_falls(b, part, touching, noise, stack):
         places are scratch. Each may fall and rise while the other holds the guard open.
     """
     p = 0.0
+    risen = -1.0  # where the guard opens that begins below zero
     open_ = part if b[8 * part] >= b[8 * part + 8] else part + 1
     rest = 8 * (N_GUARDS + N_PARTS)
     if not touching and not starts_open(b, 8 * open_):
         open_ = 2 * part + 1 - open_
         if not starts_open(b, 8 * open_):
-            return 0.0, open_
+            p = NEVER
+            for i in range(part, part + 2):
+                for j in range(8):
+                    b[rest + j] = -b[8 * i + j]
+                x = first_fall(b, rest, SAMPLED, False, 0.0, stack)
+                if x < p:
+                    p, open_ = x, i
+            if p == NEVER:
+                return 0.0, open_
+            risen = p
     for _ in range(32):  # two polynomials of degree seven cross zero 14 times
         part_from(b, 8 * open_, p, rest)
-        touches = touching and p == 0.0
+        touches = (touching and p == 0.0) or p == risen
         x = first_fall(b, rest, SAMPLED, touches, noise if p == 0.0 else 0.0, stack)
         if x == NEVER:
             return NEVER, open_
@@ -222,7 +231,6 @@ def larger_falls(b, part, touching, noise, stack):
     return p, open_
 
 
-@_compiled
 def starts_open(b, at):
     """Whether a polynomial is positive at zero, or opens there."""
     noise = SAMPLED * size(b, at)
@@ -232,7 +240,6 @@ def starts_open(b, at):
     return False
 
 
-@_compiled
 def part_from(b, at, x, to):
     """Bernstein coefficients b[to : to + 8] on [x, 1] of a polynomial."""
     for i in range(8):
@@ -242,7 +249,6 @@ def part_from(b, at, x, to):
             b[to + i] += x * (b[to + i + 1] - b[to + i])
 
 
-@_compiled
 def size(b, at):
     largest = 0.0
     for i in range(8):
@@ -250,7 +256,6 @@ def size(b, at):
     return largest
 
 
-@_compiled
 def fall(b, at):
     """The single fall through zero on [0, 1], by Newton's method within a bracket."""
     low, high = 0.0, 1.0
@@ -277,7 +282,7 @@ def fall(b, at):
     return min(max(x, low), high)
 
 
-@_inlined
+@inlined
 def power_sum(coefficients, x, i):
     """State i at x in [0, 1] of a step from its dense output (8 * N,)."""
     value = coefficients[7 * N_STATES + i]
@@ -286,14 +291,13 @@ def power_sum(coefficients, x, i):
     return value
 
 
-@_compiled
 def dense_at(coefficients, x, out):
     """All states at x in [0, 1] of a step, into out (N,)."""
     for i in range(N_STATES):
         out[i] = power_sum(coefficients, x, i)
 
 
-@_inlined
+@inlined
 def stays_open(side, h, y, y_new, k, touching):
     """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
 
@@ -315,7 +319,6 @@ def stays_open(side, h, y, y_new, k, touching):
     )
 
 
-@_compiled
 def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
     """Whether all guards of a contact state clearly stay open in a step, without dense output.
 
@@ -355,7 +358,6 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
     return True
 
 
-@_compiled
 def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
     """Whether a step passed over forces that act beside a closed gap only, unseen by its stages.
 
@@ -378,7 +380,7 @@ def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rat
     return False
 
 
-@_inlined
+@inlined
 def clearly_open(b, at):
     """Whether all coefficients are positive by a margin far above the error of a quintic."""
     least, most = b[at], abs(b[at])
@@ -387,7 +389,6 @@ def clearly_open(b, at):
     return least > 1e-3 * most
 
 
-@_compiled
 def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
     """Bernstein coefficients of all guards over the step of the dense output, into b (m * 8,)."""
     sampled = False
@@ -418,7 +419,38 @@ def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
                     b[8 * n + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
 
 
-@_compiled
+def noise_of(contact, index, p, fallen, noise, w, g):
+    """Size of the rounding errors of a switch's guard, by what the last digits of parameters make.
+
+    The force of a tendon is that of its length less another one; near upright nothing but the
+    rounding of both may be left, or less than counts beside any other force. Found where the
+    structure leans a little, once in each call of the loop: noise holds what is known of the guards
+    of each contact state, or -1, and has room for one more.
+    """
+    if KINDS[contact][index] != SWITCH:
+        return 0.0
+    first = contact * (N_GUARDS + N_PARTS)
+    other = noise[len(SIDES) * (N_GUARDS + N_PARTS) :]
+    if noise[first] < 0.0:
+        for i in range(N_STATES):
+            w[i] = 0.0
+        w[ROTATION] = 0.01 * SIDES[contact] * min(fallen, 1.0)
+        for i in range(N_GUARDS):
+            noise[first + i] = 0.0
+        for j in range(p.shape[0]):
+            value = p[j]
+            p[j] = value * (1.0 + 1e-6)
+            guards(contact, w, p, 0.0, 0.0, other)
+            p[j] = value * (1.0 - 1e-6)
+            guards(contact, w, p, 0.0, 0.0, g)
+            p[j] = value
+            for i in range(GUARDS[contact]):
+                change = abs(other[i] - g[i])
+                if change < np.inf:
+                    noise[first + i] += 0.5e6 * SAMPLED * change
+    return noise[first + index]
+
+
 def rounding(contact, index, h, y, p, ax, ay, b):
     """Size of the rounding errors of a guard that opens from closed.
 
@@ -443,7 +475,7 @@ def rounding(contact, index, h, y, p, ax, ay, b):
 # -- impacts -------------------------------------------------------------------------------------
 
 
-@_inlined
+@inlined
 def ratio_at(law, ratio, y, p):
     """Ratio of the rates of rotation at an impact from the state y; `ratio`, unless AT_SPEED.
 
@@ -466,7 +498,6 @@ def ratio_at(law, ratio, y, p):
 # -- infinitely many impacts ---------------------------------------------------------------------
 
 
-@_compiled
 def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
@@ -527,25 +558,25 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
     return np.inf, contact
 
 
-@_compiled
 def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     """Move what still moves in full contact through the time h in which impacts faded.
 
     One step of the method, from y at t into y_new: so the work of the ground and of dampers in that
-    time is theirs. k : scratch, the rates of a step.
+    time is theirs. k : scratch, the rates of a step. Returns whether its error is tolerable.
     """
     for i in range(N_STATES):
         y_new[i] = y[i]
-    if h > 0.0:
-        rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
-        take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
-        y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
+    if h == 0.0:
+        return True
+    rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
+    error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+    y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
+    return error <= 1.0
 
 
 # -- the loop ------------------------------------------------------------------------------------
 
 
-@_compiled
 def first_step(y, rate, rtol, atol):
     """A cautious first step, from the sizes of the state and of its rate."""
     size = speed = 0.0
@@ -558,14 +589,13 @@ def first_step(y, rate, rtol, atol):
     return 0.01 * size / speed
 
 
-@_inlined
+@inlined
 def most_error(rtol):
     """Estimated error above which an equal step is refused, in units of the tolerance."""
     return max(1.0, COARSE / rtol)
 
 
-@_compiled
-def settle(contact, t, h, y, p, gx, gy, touching, g, w, rate):
+def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, noise):
     """Index of a guard that is below zero and stays there, the lowest if there are several; or -1.
 
     Ground acceleration may jump where a law of the ground begins, and a new contact state may be
@@ -581,19 +611,23 @@ def settle(contact, t, h, y, p, gx, gy, touching, g, w, rate):
         if i == touching or KINDS[contact][i] == IMPACT or not g[i] < 0.0:
             continue
         if not moved:
-            # look a few rounding errors of time ahead
+            # look ahead, by some of the errors that the time of an event may have
             moved = True
-            tau = 64.0 * EPS * max(t, h)
+            tau = max(64.0 * EPS * max(t, h), 1e-4 * rtol * h)
             rates(contact, y, p, shaking(gx, t), shaking(gy, t), rate)
             for n in range(N_STATES):
                 w[n] = y[n] + tau * rate[n]
             guards(contact, w, p, shaking(gx, t + tau), shaking(gy, t + tau), g)
         if g[i] < 0.0 and (due < 0 or g[i] < g[due]):
             due = i
+    if due >= 0:
+        value = g[due]
+        if value >= -noise_of(contact, due, p, fallen, noise, w, g):
+            return -1
     return due
 
 
-@_inlined
+@inlined
 def sampling_step(row):
     """Largest step in which eight samples of a guard follow a law of the ground.
 
@@ -605,7 +639,6 @@ def sampling_step(row):
     return (1.0 if row[2] == 1.0 else 0.5) / abs(row[4])
 
 
-@_compiled
 def record_step(row, t, h, contact, coefficients, steps, step_contact, step_states):
     steps[row, 0] = t
     steps[row, 1] = h
@@ -615,7 +648,6 @@ def record_step(row, t, h, contact, coefficients, steps, step_contact, step_stat
             step_states[row, j, i] = coefficients[j * N_STATES + i]
 
 
-@_compiled
 def record_event(row, t, kind, before, follows, y, after, events, event_kinds, event_states):
     events[row] = t
     event_kinds[row, 0] = kind
@@ -626,12 +658,14 @@ def record_event(row, t, kind, before, follows, y, after, events, event_kinds, e
         event_states[row, 1, i] = after[i]
 
 
-@_loop
+@entry
 def integrate(
-    status, clock, y, rate, t_end, horizontal, vertical, p, law, ratio, rtol, atol, h_max, fixed,
-    fallen, rest_tolerance, max_impacts, max_steps, steps, step_contact, step_states,
-    events, event_kinds, event_states, peaks, scratch,
-):  # fmt: skip
+    status: Ints, clock: Floats, y: Floats, rate: Floats, t_end: float, horizontal: Floats2,
+    vertical: Floats2, p: Floats, law: int, ratio: float, rtol: float, atol: Floats, h_max: float,
+    fixed: int, fallen: float, rest_tolerance: float, max_impacts: int, max_steps: int,
+    steps: Floats2, step_contact: Ints, step_states: Floats3, events: Floats, event_kinds: Ints2,
+    event_states: Floats3, peaks: Floats2, scratch: Floats,
+) -> int:  # fmt: skip
     """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
 
     status : contact, guard closed at t (or -1), impacts, steps taken, passages since time last
@@ -658,7 +692,8 @@ def integrate(
     coefficients = scratch[_POWERS:_GUARDS]
     g = scratch[_GUARDS:_BERNSTEIN]
     b = scratch[_BERNSTEIN:_STACK]
-    stack = scratch[_STACK:SCRATCH]
+    stack = scratch[_STACK:_NOISE]
+    noises = scratch[_NOISE:SCRATCH]
     contact, touching, impacts, taken = status[0], status[1], status[2], status[3]
     idle, news, fresh, n_steps, n_events = status[4], status[5], status[6], status[7], status[8]
     refined = status[9]
@@ -673,6 +708,8 @@ def integrate(
     rocks = rocking(contact)
     side = SIDES[contact]
     outcome = COMPLETED
+    for i in range(noises.shape[0]):
+        noises[i] = -1.0
 
     while True:
         # a call that ends where a law does must tell the next one of the jump
@@ -696,7 +733,9 @@ def integrate(
         landed = -1  # the guard that ends this contact state now
         if fresh == 1:
             if news == 1 and not rocks:
-                landed = settle(contact, t, h_next, y, p, gx, gy, touching, g, w, k)
+                landed = settle(
+                    contact, t, h_next, y, p, gx, gy, touching, rtol, g, w, k, fallen, noises
+                )
             if landed < 0:
                 rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
                 fresh = news = 0
@@ -719,6 +758,7 @@ def integrate(
             target = -1
             slope = 0.0
             corrections = overlooked = 0
+            beyond = turned = False
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
@@ -789,13 +829,14 @@ def integrate(
                 if landed >= 0 or open_:
                     break
                 place = NEVER
-                unclear = False
+                unclear = from_closed = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
                     noise = 0.0
                     if touching == i:
                         ax, ay = shaking(gx, t), shaking(gy, t)
                         noise = rounding(contact, i, h, y, p, ax, ay, b)
+                        noise = max(noise, noise_of(contact, i, p, fallen, noises, w, g))
                     row = np.int64(i)
                     if N_PARTS > 0 and PARTS[contact][i] >= 0:
                         x, row = larger_falls(b, PARTS[contact][i], touching == i, noise, stack)
@@ -804,9 +845,14 @@ def integrate(
                         x = first_fall(b, 8 * i, grain, touching == i, noise, stack)
                     if touching == i:
                         unclear = abs(b[8 * row + 1]) <= noise
+                    hover = size(b, 8 * row)
+                    if x < place and hover <= noise_of(contact, i, p, fallen, noises, w, g):
+                        continue  # nothing but rounding errors
                     if x < place:
                         place = x
                         target = i
+                        from_closed = touching == i
+                        from_closed |= not rocks and abs(b[8 * row]) <= SAMPLED * hover
                         slope = bernstein_at(b, 8 * row, x)[1] / h
                 if target < 0:
                     break
@@ -814,8 +860,11 @@ def integrate(
                     if rocks:
                         slow = y[ROTATION_RATE] == 0.0
                     else:
-                        slow = unclear or opens_soon(contact, target, t, h, y, p, gx, gy, k, w, g)
-                    if touching == target and slow and h > max(1e-6 * h_next, 1e3 * EPS * t):
+                        slow = unclear or opens_soon(
+                            contact, target, t, h, y, p, gx, gy, k, w, g, after,
+                            noise_of(contact, target, p, fallen, noises, w, g),
+                        )  # fmt: skip
+                    if from_closed and slow and h > max(1e-6 * h_next, 1e3 * EPS * t):
                         # an opening so short that rounding, or the error of a dense output of
                         # low order, hides it in a step of this length
                         h *= 0.1
@@ -906,8 +955,9 @@ def integrate(
         rests, follows = time_to_rest(
             contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after, coefficients
         )
-        if t + rests < last or rests < 16.0 * EPS * t:
-            stand(follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new)
+        if (t + rests < last or rests < 16.0 * EPS * t) and stand(
+            follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new
+        ):
             if keep and t + rests > t:
                 dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
                 record_step(
@@ -942,18 +992,30 @@ def integrate(
     return outcome
 
 
-@_compiled
-def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g):
-    """Whether a guard that is closed at t is open a little later, by its motion to second order."""
+def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g, later, noise):
+    """Whether a guard that is closed at t is open a little later, by its motion to third order.
+
+    Where shaking begins from nothing it is the change of the acceleration that opens it. It may be
+    open for a short part of the step only. noise : rounding errors of the guard.
+    """
     tau, n = h / 64.0, N_STATES // 2
-    for i in range(n):
-        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
-        w[n + i] = y[n + i] + tau * k[n + i]
-    guards(contact, w, p, shaking(gx, t + tau), shaking(gy, t + tau), g)
-    return g[index] > 0.0
+    for _ in range(4):
+        for i in range(n):
+            w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
+            w[n + i] = y[n + i] + tau * k[n + i]
+        ax, ay = shaking(gx, t + tau), shaking(gy, t + tau)
+        rates(contact, w, p, ax, ay, later)
+        for i in range(n):
+            w[i] += tau * tau * (later[n + i] - k[n + i]) / 6.0
+            w[n + i] += 0.5 * tau * (later[n + i] - k[n + i])
+        guards(contact, w, p, ax, ay, g)
+        if g[index] > noise:
+            return True
+        tau /= 32.0
+    return 0.0 < noise >= abs(g[index])  # nothing but rounding errors at first: who knows
 
 
-@_inlined
+@inlined
 def closed_before(contact, target, h, y, g):
     """Whether a gap has closed before the event that a step ends on, by more than rounding."""
     for i in range(GUARDS[contact]):
@@ -962,7 +1024,7 @@ def closed_before(contact, target, h, y, g):
     return False
 
 
-@_inlined
+@inlined
 def finite_end(k):
     """Whether the rates at the end of a step are finite: the state is not, if they are not."""
     total = 0.0
@@ -971,19 +1033,17 @@ def finite_end(k):
     return math.isfinite(total)
 
 
-@_inlined
+@inlined
 def jumps(before, after):
     """Whether the ground's acceleration jumps between two laws, by more than rounding."""
     return not abs(after - before) <= 1e-10 * (abs(before) + abs(after))
 
 
-@_compiled
 def rocking(contact):
     """Whether a contact state ends by an impact and in no other way."""
     return GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT
 
 
-@_compiled
 def widen(peaks, y):
     """Let the smallest and largest values (2, N) take in a state."""
     for i in range(N_STATES):
@@ -991,7 +1051,6 @@ def widen(peaks, y):
         peaks[1, i] = max(peaks[1, i], y[i])
 
 
-@_compiled
 def widens(peaks, h, y, y_new, k):
     """Whether a state may turn back within a step, outside of the extremes known so far.
 
@@ -1021,7 +1080,6 @@ def widens(peaks, h, y, y_new, k):
     return far
 
 
-@_compiled
 def widen_within(peaks, coefficients):
     """Take in the turning points of the states inside a step, from its dense output."""
     for i in range(N_STATES):
@@ -1043,7 +1101,6 @@ def widen_within(peaks, coefficients):
                 peaks[end, i] = sign * best
 
 
-@_compiled
 def slope_at(coefficients, x, i):
     """First and second derivative of state i by x."""
     slope, bend = 7.0 * coefficients[7 * N_STATES + i], 42.0 * coefficients[7 * N_STATES + i]
@@ -1054,7 +1111,7 @@ def slope_at(coefficients, x, i):
     return slope, bend
 
 
-@_inlined
+@inlined
 def may_reach(bound, h, y, y_new, k):
     """Whether the rotation's size may reach `bound` in a step, by the quintic of `widens`."""
     q0, q1 = y[ROTATION], y_new[ROTATION]
@@ -1067,7 +1124,6 @@ def may_reach(bound, h, y, y_new, k):
     return abs(q1) >= bound or 1.001 * within >= bound
 
 
-@_compiled
 def bound_passed(coefficients, bound, b, stack):
     """Place in a step at which the rotation's size reaches `bound`, or NEVER."""
     if abs(power_sum(coefficients, 1.0, ROTATION)) < bound:
@@ -1092,7 +1148,6 @@ def bound_passed(coefficients, bound, b, stack):
     return high
 
 
-@_compiled
 def shorten(coefficients, x):
     """Make [0, x] of a step its whole [0, 1]."""
     factor = 1.0
@@ -1102,8 +1157,8 @@ def shorten(coefficients, x):
         factor *= x
 
 
-@_entry
-def at_rest(contact, y, p):
+@entry
+def at_rest(contact: int, y: Floats, p: Floats) -> bool:
     """Full contact, and a kinetic energy below a billionth of the weight's potential energy."""
     if SIDES[contact] != 0.0 or KINDS[contact][0] != UPLIFT:
         return False
@@ -1112,16 +1167,17 @@ def at_rest(contact, y, p):
     return energy[0] <= 1e-9 * abs(energy[1])
 
 
-@_entry
 def own_time(contact, y, p):
     """Time in which a rocking motion goes on, 1/sqrt(acceleration); 0 where nothing drives it."""
     a = abs(opening_acceleration(contact, y, p, 0.0, 0.0))
     return 1.0 / math.sqrt(a) if a > 0.0 else 0.0
 
 
+@entry
 def falls(
-    contact, y, still, p, law, ratio, rtol, atol, fallen, max_impacts, max_steps, reach
-):  # fmt: skip
+    contact: int, y: Floats, still: Floats2, p: Floats, law: int, ratio: float, rtol: float,
+    atol: Floats, fallen: float, max_impacts: int, max_steps: int, reach: float,
+) -> bool:  # fmt: skip
     """Whether free motion from here leads to the ground, and not back upright.
 
     It is followed until the next impact, or, on springs, while the structure leans further;
@@ -1140,7 +1196,9 @@ def falls(
     status = np.array([contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
     rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
     clock = np.zeros(4)
-    state = y.copy()
+    state = np.empty(N_STATES)
+    for i in range(N_STATES):
+        state[i] = y[i]
     for n in range(1000):
         lean = abs(state[ROTATION])
         status[7] = status[8] = 0
@@ -1156,15 +1214,13 @@ def falls(
     return False
 
 
-_falls = njit(error_model="numpy")(falls)
-"""For many motions; one motion asks the plain function, and spares itself its compilation."""
-
-
-@_entry
+@entry
 def integrate_many(
-    status, clock, states, rates, t_end, quiet_from, horizontal, h_rows, vertical, v_rows, p, law,
-    ratio, rtol, atol, h_max, fixed, fallen, rest_tolerance, max_impacts, max_steps,
-    outcome, peaks, impact_times,
+    status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, t_end: Floats,
+    quiet_from: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2,
+    p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int,
+    fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints,
+    peaks: Floats3, impact_times: Floats2,
 ):  # fmt: skip
     """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
 
@@ -1197,7 +1253,7 @@ def integrate_many(
                     noted += 1
         if code == COMPLETED and quiet_from[n] <= t_end[n]:
             reach = 0.1 * t_end[n]
-            if _falls(
+            if falls(
                 status[n, 0], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol, fallen[n],
                 max_impacts, max_steps, reach,
             ):  # fmt: skip
@@ -1207,7 +1263,6 @@ def integrate_many(
         outcome[n] = code
 
 
-@_compiled
 def row_for(table, n, t):
     """As row_at, but the very end of a motion still belongs to its last law."""
     if table.shape[0] > 0 and t == table[-1, 1]:
@@ -1215,8 +1270,11 @@ def row_for(table, n, t):
     return row_at(table, n, t)
 
 
-@_entry
-def evaluate(contacts, t, states, horizontal, vertical, p, energy, force, motion):
+@entry
+def evaluate(
+    contacts: Ints, t: Floats, states: Floats2, horizontal: Floats2, vertical: Floats2, p: Floats,
+    energy: Floats2, force: Floats2, motion: Floats2,
+):  # fmt: skip
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
     nx = ny = 0
     for n in range(t.shape[0]):

@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +16,7 @@ from rockeom.numeric.extremes import Extremes, extremes, last_crest
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
+    from rockeom.numeric.program import Program
     from rockeom.numeric.structures import Structure
 
 
@@ -128,7 +128,7 @@ class Response:
     end: np.ndarray
     passages: tuple[np.ndarray, np.ndarray, np.ndarray]
     tables: tuple[np.ndarray, np.ndarray]
-    program: ModuleType
+    program: Program
 
     @cached_property
     def _samples(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -362,7 +362,7 @@ class Response:
         """
         if not hasattr(self.program, "momentum"):
             return math.nan
-        momentum, p = self.program.momentum.py_func, self.structure.vector
+        momentum, p = self.program.momentum, self.structure.vector
         _, kinds, states = self.passages
         largest = 0.0
         before, after = np.zeros(2), np.zeros(2)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,8 +11,8 @@ import numpy as np
 from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.program import Program, program
 from rockeom.numeric.response import Outcome, Response, Steps
-from rockeom.numeric.specialise import compiling, program
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -84,11 +83,9 @@ class Record:
     refined: int
 
 
-def run(
-    compiled: ModuleType, problem: Problem, options: SolverOptions, keep: bool = True
-) -> Record:
+def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool = True) -> Record:
     """Run the compiled loop to its end, emptying its records whenever they are full."""
-    n, q, p = len(problem.y0), problem, problem.p()
+    n, q, p = len(problem.y0), problem, problem.p().copy()  # the loop nudges it for a moment
     atol = np.full(n, options.atol)
     status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
     clock = np.zeros(4)
@@ -101,13 +98,12 @@ def run(
         steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
         marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
         status[7:9] = 0
-        with compiling(compiled.integrate):
-            code = compiled.integrate(
-                status, clock, y, rate, q.end, q.horizontal, q.vertical, p, q.law, q.ratio,
-                options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
-                options.rest_tolerance, options.max_impacts, options.max_steps,
-                *steps, *marks, peaks, scratch,
-            )  # fmt: skip
+        code = compiled.integrate(
+            status, clock, y, rate, q.end, q.horizontal, q.vertical, p, q.law, q.ratio,
+            options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
+            options.rest_tolerance, options.max_impacts, options.max_steps,
+            *steps, *marks, peaks, scratch,
+        )  # fmt: skip
         chunks.append((*(a[: status[7]] for a in steps), *(a[: status[8]] for a in marks)))
     span, contacts, powers, times, kinds, states = (
         np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks, strict=True)

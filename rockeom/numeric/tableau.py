@@ -200,13 +200,8 @@ def _stage(j: int, row: np.ndarray, c: float, n: int, ground: str = GROUND) -> s
 
 
 def method_header(method: Tableau, stages: int, all_stages: int) -> str:
-    """The constants that the loop wants of every method, and how what follows is compiled."""
+    """The constants that the loop wants of every method."""
     return f'''
-
-# from here on a*b + c may be rounded once
-FUSED = OPTIONS | {{"fastmath": {{"contract"}}}}
-_compiled = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **FUSED)
-_inlined = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=True, **FUSED)
 
 METHOD = "{method.name}"
 N_STAGES = {stages}
@@ -292,7 +287,6 @@ GROUND_X = N_ALL_STAGES * N_STATES
 GROUND_Y = GROUND_X + N_ALL_STAGES
 
 
-@_compiled
 def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     """One step from y at t, into y_new. k: the rates of stage j begin at j * N.
 
@@ -306,7 +300,6 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
 {start}{known}{stages}{ends}{kept}{errors}    return {norm} if s0 != 0.0 else 0.0
 
 
-@_compiled
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
     if gx[2] != 0.0:

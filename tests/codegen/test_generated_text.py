@@ -44,15 +44,15 @@ def test_same_text_in_every_process():
 
 
 @STRUCTURES
-def test_module_imports_only_math_numpy_and_numba(name):
+def test_module_imports_only_math_numpy_and_marks(name):
     found = set()
     for node in ast.walk(ast.parse(text_of(name))):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             found.add(node.module)
-    assert "numba" in found
-    assert found <= {"math", "numpy", "numba"}
+    assert "rockeom.marks" in found
+    assert found <= {"math", "numpy", "rockeom.marks"}
 
 
 @STRUCTURES

@@ -1,19 +1,16 @@
 """The ground in the compiled loop: the same motion as GroundMotion's, stopped at every break."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
-from numba import njit
 
 import rockeom as rk
 from rockeom.motion.segments import SegmentKind
-from rockeom.numeric.specialise import program
+from tests.machine_code import functions
 
 BLOCK = rk.RigidBlock(half_width=0.25, half_height=1.0, gravity=9.81)
-LOOP = program(BLOCK.module, "DOP853")
-row_at, shaking = LOOP.row_at, LOOP.shaking
-
 MOTIONS = {
     "none": rk.GroundMotion.none(3.0),
     "constant": rk.GroundMotion.constant(-1.5, duration=1.0, total_duration=3.0),
@@ -27,20 +24,27 @@ MOTIONS = {
 }
 
 
-@njit
-def in_rows(table, times):
-    """Rows are looked up going on from the last one."""
-    found = np.empty(len(times))
-    n = np.int64(0)
+IN_ROWS = """
+@entry
+def in_rows(table: Floats2, times: Floats, found: Floats):
+    n = 0
     for i in range(len(times)):
         n, row = row_at(table, n, times[i])
         found[i] = shaking(row, times[i])
-    return found
+"""
+"""Rows are looked up going on from the last one."""
+
+
+@cache
+def in_rows():
+    return functions(IN_ROWS, BLOCK.module)["in_rows"]
 
 
 def in_loop(motion, times):
     """Acceleration as the loop has it."""
-    return in_rows(motion.segments, np.asarray(times))
+    found = np.empty(len(times))
+    in_rows()(motion.segments, np.array(times, dtype=float), found)
+    return found
 
 
 def test_every_kind_of_law_is_among_the_motions():

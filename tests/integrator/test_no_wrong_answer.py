@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric.specialise import program
+from rockeom.numeric.program import program
 from tests.numeric.structures import S1
 
 

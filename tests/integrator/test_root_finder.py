@@ -7,34 +7,43 @@ from math import comb
 import numpy as np
 import pytest
 from hypothesis import assume, example, given, settings, strategies as st
-from numba import njit
 
 import rockeom as rk
-from rockeom.numeric.specialise import program
 from rockeom.numeric.tableau import NODES, powers_to_bernstein, samples_to_bernstein
+from tests.machine_code import functions
 
-LOOP = program(rk.RigidBlock(half_width=0.25, half_height=1.0).module, "DOP853")
-inner, single_fall, bernstein_at, EXACT = LOOP.first_fall, LOOP.fall, LOOP.bernstein_at, LOOP.EXACT
+LOOP = functions(
+    """
+@entry
+def the_fall(b: Floats) -> float:
+    return fall(b, 0)
+
+@entry
+def at(b: Floats, x: float, out: Floats):
+    out[0], out[1] = bernstein_at(b, 0, x)
+
+@entry
+def the_first_fall(b: Floats, touching: bool, noise: float, stack: Floats) -> float:
+    return first_fall(b, 0, EXACT, touching, noise, stack)
+""",
+    rk.RigidBlock(half_width=0.25, half_height=1.0).module,
+)
 NEVER = 2.0
 
 
-@njit
 def fall(b):
-    return single_fall(b, 0)
+    return LOOP["the_fall"](b)
 
 
-@njit
 def at(b, x):
-    return bernstein_at(b, 0, x)
-
-
-@njit
-def _first_fall(b, touching, noise, stack):
-    return inner(b, 0, EXACT, touching, noise, stack)
+    found = np.empty(2)
+    LOOP["at"](b, x, found)
+    return found
 
 
 def first_fall(b, touching=False, noise=0.0):
-    return _first_fall(np.array(b, dtype=float), touching, noise, np.empty(640))
+    stack = np.empty(640)
+    return LOOP["the_first_fall"](np.array(b, dtype=float), touching, noise, stack)
 
 
 def value(b, x):

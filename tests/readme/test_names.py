@@ -40,13 +40,6 @@ VALUES = {
     "gravity": 9.81,
 }
 COORDINATES = ("theta", "u1", "u2")
-UNCOMPILED = """
-def njit(**options):
-    def same(function):
-        function.py_func = function
-        return function
-    return same
-"""
 
 NAMES = (
     # what numbers were computed wrongly with, without a word
@@ -60,12 +53,19 @@ NAMES = (
     *("g", "dy", "i", "found", "value", "guard", "law", "ratio", "contact", "parameters"),
     *("accelerations", "accelerations_left_right", "guards", "jump", "rates", "prepare", "np"),
     *("energies", "reactions", "kinematics", "statics", "overturning", "velocity_ratio"),
-    *("impulse_to_opposite", "impulse_to_both", "opening_acceleration", "sine_cosine", "njit"),
-    *("STATES", "SIDES", "N_STATES", "IMPULSIVE", "RATIO", "LEFT", "BOTH", "NAME", "OPTIONS"),
+    *(
+        "impulse_to_opposite",
+        "impulse_to_both",
+        "opening_acceleration",
+        "sine_cosine",
+        "fused",
+        "inlined",
+    ),
+    *("STATES", "SIDES", "N_STATES", "IMPULSIVE", "RATIO", "LEFT", "BOTH", "NAME"),
     # Python's own
     *("self", "model", "name", "abs", "max", "min", "range", "float", "print", "__debug__"),
     *("class", "None", "True", "import", "_", "__", "lambda_", "c0_", "c0__", "s_", "µ".upper()),
-    *("match", "int", "len", "__name__", "_compiled", "x", "n", "r", "z", "ROUNDER", "EPS"),
+    *("match", "int", "len", "__name__", "entry", "Floats", "x", "n", "r", "z", "ROUNDER", "EPS"),
 )
 
 
@@ -111,10 +111,8 @@ def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
 
 
 def uncompiled(model: RockingModel) -> types.ModuleType:
-    text = module_text(model)
-    assert text.count("from numba import njit\n") == 1
     module = types.ModuleType(model.name)
-    exec(text.replace("from numba import njit\n", UNCOMPILED), vars(module))
+    exec(module_text(model), vars(module))
     return module
 
 

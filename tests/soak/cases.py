@@ -249,9 +249,11 @@ def _start(dice: Dice, structure: Structure, scales: Scales) -> tuple[dict[str, 
     if abs(initial.get(states[rotation], 0.0)) >= bound:
         initial[states[rotation]] *= 0.99 * bound / abs(initial[states[rotation]])
     phase = None
-    # below 1e-9 a rotation is taken for a rounding error of an impact, and any side may be named
-    if dice.chance(0.08) and not 0.0 < abs(initial.get(states[rotation], 0.0)) < 1e-9:
+    # what is less is taken for a rounding error of an impact, and any side may be named
+    if dice.chance(0.08) and not 0.0 < abs(initial.get(states[rotation], 0.0)) < 2e-6 * bound:
         phase = dice.one_of(*structure.module.CONTACTS)
+        if "yield" in phase and not initial.get(states[rotation]):
+            phase = None  # upright a tendon yields neither out nor in: a tie of both
     return initial, phase
 
 

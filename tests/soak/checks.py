@@ -21,10 +21,16 @@ from tests.soak.physics import Physics, physics
 
 IMPACT, UPLIFT, SWITCH, REST = range(4)
 EPS = np.finfo(float).eps
-SLACK = 100.0
+SLACK = 1000.0
+"""By how much a step may be less accurate than its estimated error says."""
+SMOOTH = 20_000.0
+"""The same of Radau's estimate, which is of order 3 and leaves out what is damped."""
+NARROW = 50_000.0
+"""The same of structures with forces in narrow places, or a law of impact with kinks: steps were
+seen that are a thousand times less accurate, and the dense output within them still less."""
 FINEST = 1e-11
 """Below this relative tolerance rounding errors are as large."""
-COARSE = 1e-7
+COARSE = {"DOP853": 1e-7, "RK45": 1e-7, "Radau": 1e-3}
 """Relative error from which on an equal step is refined, as in the loop."""
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -125,12 +131,18 @@ class Record:
         ends = self.times[self.kinds == REST]
         return np.isin(self.stop, ends) if len(ends) else np.zeros(len(self.start), bool)
 
+    @property
+    def slack(self) -> float:
+        if self.motion.options.method == "Radau":
+            return SMOOTH
+        return NARROW if self.program.NARROW else SLACK
+
     def error(self, y: np.ndarray) -> np.ndarray:
         """(n, N) what each of the states y (n, N) may be wrong by."""
         o = self.motion.options
         size = np.abs(y)
-        coarser = max(1.0, COARSE / o.rtol) if o.steps_per_law else 1.0
-        return SLACK * coarser * (o.atol + max(o.rtol, FINEST) * size)
+        coarser = max(1.0, COARSE[o.method] / o.rtol) if o.steps_per_law else 1.0
+        return self.slack * coarser * (o.atol + max(o.rtol, FINEST) * size)
 
     def energies(self, contact: np.ndarray, y: np.ndarray) -> np.ndarray:
         """(3, n) of states (n, N) in contact states (n,)."""
@@ -222,7 +234,7 @@ def joined(r: Record) -> Found:
              r.targets[until - 1], r.first[into], r.contact[into]),
         )),
     ):  # fmt: skip
-        room = r.error(state) / SLACK + 1e-9 * np.abs(state) + rounding
+        room = r.error(state) / r.slack + 1e-9 * np.abs(state) + rounding
         off = these & (np.abs(target_state - state) > room).any(axis=1)
         if off.any():
             yield f"joined: {kind} at {r.start[into[off][0]]:.9g} s begins from another state"
@@ -315,7 +327,7 @@ def guarded(r: Record) -> Found:
             room += np.abs(r.physics.guards(c, moved.T, r.p, gx, gy) - g)
         for dx, dy in ((1.0, 0.0), (0.0, 1.0)):
             shaken = r.physics.guards(c, y.T, r.p, gx + dx, gy + dy) - g
-            room += SLACK * 1e-13 * np.abs(shaken) * (1.0 + np.abs(gx) + np.abs(gy))
+            room += r.slack * 1e-13 * np.abs(shaken) * (1.0 + np.abs(gx) + np.abs(gy))
         beyond = -g - room
         if (beyond > 0.0).any():
             guard, at = np.unravel_index(int(beyond.argmax()), beyond.shape)
@@ -345,6 +357,9 @@ def balanced(r: Record) -> Found:
     room += 1e-13 * np.abs(work).sum(axis=0)
     with np.errstate(invalid="ignore"):
         ratio = np.where(r.rests, 0.0, np.abs(lacks) / room)
+    for i in np.flatnonzero(ratio > 1.0):  # is it the power that has a narrow peak in the step?
+        lacks[i] = (new - old).sum(axis=0)[i] - _work_in_parts(r, i)
+        ratio[i] = abs(lacks[i]) / room[i]
     if len(ratio) and ratio.max() > 1.0:
         i = int(ratio.argmax())
         yield (
@@ -353,6 +368,17 @@ def balanced(r: Record) -> Found:
             f"may be, {abs(lacks[i]) / max(np.abs(new[:, i]).max(), 1e-300):.3g} of the energy"
         )
     yield from _rests(r)
+
+
+def _work_in_parts(r: Record, step: int, parts: int = 64) -> float:
+    """What all forces do in a step, looked at in many places."""
+    x = ((np.arange(parts)[:, None] + NODES) / parts).ravel()
+    y = x[:, None] ** np.arange(8) @ r.run.steps.powers[step]
+    t = r.start[step] + r.length[step] * x
+    vertical = r.motion.vertical
+    ay = np.zeros(t.shape) if vertical is None else vertical.acceleration(t)
+    power = r.physics.power(r.contact[step], y.T, r.p, r.motion.motion.acceleration(t), ay)
+    return float(power.sum(axis=0) @ np.tile(WEIGHTS, parts) / parts * r.length[step])
 
 
 def _rests(r: Record) -> Found:
@@ -371,21 +397,33 @@ def _rests(r: Record) -> Found:
         if e and r.kinds[e - 1] == IMPACT and r.targets[e - 1] == r.sources[e]:
             start = r.after[e - 1]
         steps = np.flatnonzero(r.rests & (r.stop == r.times[e]))
-        work = 0.0
+        work = doubt = 0.0
         if len(steps):
             i = int(steps[0])
             power = r.physics.power(r.contact[i], r.inside[i].T, r.p, ax[i], ay[i])
             work = float((power.sum(axis=0) @ WEIGHTS) * r.length[i])
+            # the rates change in this time, and the step has them all changed from its beginning
+            both = np.array([start, r.first[i]])
+            power = r.physics.power(r.contact[i], both.T, r.p, ax[i, [0, 0]], ay[i, [0, 0]])
+            doubt = abs(np.diff(power.sum(axis=0))[0]) * r.length[i]
+            contacts = np.array([r.sources[e], r.targets[e]])
+            early = -np.diff(r.energies(contacts, both).sum(axis=0))[0]
+            upright = start.copy()
+            upright[half + rotation] = 0.0
+            both[0] = upright
+            given = np.diff(r.energies(contacts[[1, 1]], both).sum(axis=0))[0]
             jump = np.abs(r.first[i] - start)[:half]
             jump[rotation] = 0.0
-            room = r.error(start[None])[0, :half] / SLACK + 1e-12 * np.abs(start[:half])
+            room = r.error(start[None])[0, :half] / r.slack + 1e-12 * np.abs(start[:half])
             if (jump > room).any():
                 yield f"rest at {r.times[e]:.9g} s: a position jumps by {jump.max():.3g}"
         contacts = r.sources[e], r.targets[e], r.sources[e], r.targets[e]
         states = np.array([start, r.after[e], r.before[e], r.after[e]])
         total = r.energies(np.array(contacts), states).sum(axis=0)
         lost, told = total[0] + work - total[1], total[2] - total[3]
-        error = r.energy_error(r.targets[[e]], r.after[[e]])[0] + 0.03 * abs(lost)
+        error = r.energy_error(r.targets[[e]], r.after[[e]])[0] + 0.03 * abs(lost) + 2 * doubt
+        if len(steps):  # what the impacts give to the other rates, and take again
+            error += abs(early - told) + 0.1 * abs(given)
         where = f"rest at {r.times[e]:.9g} s: {lost:.9g} J are lost"
         if abs(lost - told) > error:
             yield f"{where}, the event tells {told:.9g}; {error:.3g} may be"
@@ -452,7 +490,7 @@ def ended(r: Record) -> Found:
         if (run.end != r.after[-1]).any():
             yield "end: the final state is not that after the last event"
     elif went_on or run.outcome is rk.Outcome.OVERTURNED:
-        error = r.error(r.last[-1:])[0] / SLACK + 1e-9 * np.abs(r.last[-1])
+        error = r.error(r.last[-1:])[0] / r.slack + 1e-9 * np.abs(r.last[-1])
         if (np.abs(run.end - r.last[-1]) > error).any():
             yield "end: the final state is not that of the last step"
 
@@ -492,11 +530,8 @@ def mirrored(r: Record) -> Found:
         return
     swapped = np.array([names.index(other_side(n)) if other_side(n) in names else i
                         for i, n in enumerate(names)])  # fmt: skip
-    a = [(t, k, s, e) for t, k, s, e in zip(r.times, r.kinds, r.sources, r.targets, strict=True)]
-    b = [
-        (t, k, swapped[s], swapped[e])
-        for t, k, s, e in zip(image.times, image.kinds, image.sources, image.targets, strict=True)
-    ]
+    a = _chains(r, np.arange(len(names)))
+    b = _chains(image, swapped)
     if a != b:
         first = next(
             (i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b))
@@ -514,6 +549,20 @@ def mirrored(r: Record) -> Found:
         yield "mirror: other steps"
     elif (r.first != signs * image.first).any() or (r.run.end != signs * image.run.end).any():
         yield "mirror: other states"
+
+
+def _chains(r: Record, names: np.ndarray) -> list[tuple]:
+    """(time, kinds, first source, last target) of the events, those of one moment together.
+
+    Both feet may lift, or land, at once: then it is all the same which is called the first.
+    """
+    found: list[tuple] = []
+    for t, k, s, e in zip(r.times, r.kinds, names[r.sources], names[r.targets], strict=True):
+        if found and found[-1][0] == t and found[-1][1] == k == SWITCH:
+            found[-1] = (t, k, found[-1][2], e)
+        else:
+            found.append((t, k, s, e))
+    return found
 
 
 def _gravity(structure) -> float:
@@ -684,6 +733,8 @@ def lanes(r: Record) -> Found:
     for i, motion in enumerate(kept):
         outcome, free = str(fast.outcome.values[i]), replace(motion, options=controlled)
         adaptive = free.run().outcome
+        if "too many impacts" in (outcome, str(adaptive)) or "stalled" in (outcome, str(adaptive)):
+            continue
         if str(adaptive) != outcome and not _decided_by_little(free, adaptive):
             yield (
                 f"lanes: sibling {i} with {options.steps_per_law} steps is {outcome}, with "
@@ -708,7 +759,7 @@ def lanes(r: Record) -> Found:
         grown = np.max([np.abs(t.final.values[i] - end) for t in twins], axis=0)
         of_states = [v.values[i] for v in plain.data_vars.values() if "state" in v.dims]
         largest = np.abs(of_states).max(axis=0)
-        bound = 1e-8 * largest + 30 * grown + 100 * options.atol
+        bound = max(1e-8, 10 * options.rtol) * largest + 30 * grown + 100 * options.atol
         off = np.abs(fast.final.values[i] - end)
         if (bound < 1e-3 * largest).all() and (off > bound).any():
             n = int(np.flatnonzero(off > bound)[0])
@@ -739,6 +790,8 @@ def equal(r: Record) -> Found:
         steps = Dice(r.motion.seed, 0, 3).one_of(1, 2, 3, 5, 10)
         fixed = replace(r.motion, options=replace(options, steps_per_law=steps)).run().outcome
         adaptive = r.run.outcome
+    if rk.Outcome.STALLED in (fixed, adaptive) or rk.Outcome.TOO_MANY_IMPACTS in (fixed, adaptive):
+        return  # as many steps or impacts as were allowed
     if fixed is not adaptive and not _decided_by_little(free, adaptive):
         yield f"equal steps: {fixed}, with controlled ones {adaptive}"
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import rockeom
-from rockeom.numeric.specialise import cache_folder
+from rockeom.numeric.store import cache_folder
 
 ROOT = Path(rockeom.__file__).parent.parent
 
@@ -71,7 +71,7 @@ FAULTS = {
     "phase": Fault(
         "a phase named against the state is taken",
         STRUCTURES,
-        (("self._impact_is_over(number, y)", "False"),),
+        (("all(m.SIDES) and over", "False and over"),),
         ("two_spring_cart",),
         ("impact", "event"),
     ),
@@ -108,7 +108,7 @@ FAULTS = {
     "rest": Fault(
         "what still moves while impacts fade is left where it is",
         LOOP,
-        (("if h > 0.0:\n        rates(", "if N_STATES > 99:\n        rates("),),
+        (("if h == 0.0:\n        return True", "if h < 9.9:\n        return True"),),
         ("flexible_structure",),
         ("rest",),
     ),

@@ -539,10 +539,8 @@ def test_what_is_declared_rightly_is_accepted():
 def module_of(model: RockingModel, **globals_) -> types.ModuleType:
     """The generated module, executed by Python itself."""
     module = types.ModuleType(model.name)
-    stub = "def njit(**_):\n    def same(f):\n        f.py_func = f\n        return f\n"
-    stub += "    return same\n"
     vars(module).update(globals_)
-    exec(module_text(model).replace("from numba import njit\n", stub), vars(module))
+    exec(module_text(model), vars(module))
     return module
 
 
@@ -556,7 +554,7 @@ TEXTS = {
     "lines": "a\nran.append(1)\r\nran.append(2)\u2028ran.append(3)\x0cran.append(4)",
     "NUL and a lone surrogate": "a\x00b\ud800c",
     "braces and percent signs": "{digest} {} %s $x$ \\N{DASH} \\x41",
-    "a compiled function": "njit(cache=True, **OPTIONS) math. np.",
+    "a marked function": "@inlined @fused math. np.",
 }
 
 

@@ -1,0 +1,35 @@
+"""Marks of functions and arguments for the printer of machine code. Python itself ignores them.
+
+The texts that become machine code (generated modules, steps, the loop) are plain Python, and run as
+such. What they cannot say in Python stands here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+_F = TypeVar("_F", bound=Callable[..., object])
+
+
+def inlined(function: _F) -> _F:
+    """To be written out wherever it is called."""
+    return function
+
+
+def fused(function: _F) -> _F:
+    """a*b + c may be rounded once, in a text where it is rounded twice elsewhere."""
+    return function
+
+
+def entry(function: _F) -> _F:
+    """Called from Python; its arguments have annotations: int, float, bool, or one of the below."""
+    return function
+
+
+Floats = Floats2 = Floats3 = NDArray[np.float64]
+"""Arrays of one, two and three dimensions."""
+Ints = Ints2 = NDArray[np.int64]

@@ -1,0 +1,168 @@
+"""A structure and a method as one program of machine code.
+
+The generated module, the text of a step and the loop are joined, printed for LLVM and compiled; the
+machine code is kept on disk under the hash of all that it follows from. So a changed structure,
+method, loop or processor has another program, and what was compiled for an old text is never used
+for a new one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import linecache
+import sys
+import threading
+import time
+from collections.abc import Callable
+from functools import cache
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from rockeom.numeric.machine import Loaded, target
+from rockeom.numeric.printer import NOTHING, Array, Entry, Text
+from rockeom.numeric.store import kept
+
+_LANES = ("lanes.py", "lanes_text.py")
+
+
+class Program:
+    """The functions of a structure with a method in machine code, and the tables of its module.
+
+    integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
+    in loop.py and lanes.py; SCRATCH, the size of the scratch array that they want; all else is that
+    of the generated module.
+    """
+
+    integrate: Callable[..., int]
+    integrate_many: Callable[..., None]
+    integrate_lanes: Callable[..., None]
+    falls: Callable[..., bool]
+    at_rest: Callable[..., bool]
+    evaluate: Callable[..., None]
+
+    def __init__(self, name: str, module: ModuleType, code: bytes) -> None:
+        header, _, machine_code = code.partition(b"\n")
+        described = json.loads(header)
+        entries = {n: Entry(*_of_lists(e)) for n, e in described["entries"].items()}
+        self.name, self.module, self.SCRATCH = name, module, described["SCRATCH"]
+        self.__dict__ |= Loaded(machine_code, entries).functions
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "module":  # not there yet
+            raise AttributeError(name)
+        return getattr(self.module, name)
+
+
+def _of_lists(entry: list[Any]) -> tuple[Any, Any]:
+    arguments, returns = entry
+    return tuple((n, Array(*t) if isinstance(t, list) else t) for n, t in arguments), (
+        returns if isinstance(returns, str) else NOTHING
+    )
+
+
+_LOCK = threading.Lock()
+
+
+def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
+    """The program of a generated module and a method's name, compiled where it is not kept yet.
+
+    lanes : with `integrate_lanes`, too.
+    """
+    with _LOCK:
+        return _program(generated, method, lanes)
+
+
+@cache
+def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
+    if lanes and method == "Radau":
+        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
+    # all that the code follows from; SciPy holds the coefficients of the methods
+    digest = _digest(
+        _source(generated), method, target(), version("scipy"), _own("loop.py"), _own("tableau.py"),
+        _own("implicit.py"), _own("printer.py"), _own("machine.py"), _own("program.py"),
+        *(_own(name) for name in _LANES if lanes),
+    )  # fmt: skip
+    name = f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}"
+    code = kept(name, digest, lambda: _made(generated, method, lanes))
+    return Program(f"{name}_{digest}", generated, code)
+
+
+def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
+    """A line that describes a program, and its machine code."""
+    from rockeom.numeric.machine import compiled
+    from rockeom.numeric.printer import Program as Printed
+
+    started = time.monotonic()
+    printed = Printed(texts(generated, method, lanes))
+    code = compiled(printed.ir(), lanes)
+    described = {"entries": printed.entries, "SCRATCH": int(printed.names["SCRATCH"])}
+    took = time.monotonic() - started
+    if took > 1.0 and sys.stderr is not None:  # None: a program without a console
+        of_lanes = " in lanes" * lanes
+        sys.stderr.write(
+            f"rockeom: compiled {generated.NAME} with {method}{of_lanes} in {took:.1f} s, once on "
+            "this machine\n"
+        )
+        sys.stderr.flush()
+    return json.dumps(described).encode() + b"\n" + code
+
+
+def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
+    """The parts of a program, in the order in which one needs the other."""
+    from rockeom.numeric.tableau import step_text, tableau  # SciPy takes a while to import
+
+    n = generated.N_STATES // 2
+    if method == "Radau":
+        from rockeom.numeric.implicit import implicit_step_text
+
+        step = implicit_step_text(n)
+    else:
+        step = step_text(tableau(method), n)
+    parts = [
+        Text(f"{generated.NAME}.py", _source(generated)),
+        Text(f"the step of {method}", step, fused=True),
+        Text("loop.py", _own("loop.py"), fused=True),
+    ]
+    if lanes:
+        from rockeom.numeric.lanes_text import lanes_text
+
+        step = lanes_text(tableau(method), generated)
+        parts.append(Text(f"the lanes of {method}", step, fused=True))
+        parts.append(Text("lanes.py", _own("lanes.py"), fused=True))
+    return parts
+
+
+def _digest(*sources: str) -> str:
+    return hashlib.sha256("\0".join(sources).encode()).hexdigest()[:20]
+
+
+@cache
+def _own(name: str) -> str:
+    """Text of a file beside this one."""
+    return (files("rockeom.numeric") / name).read_text(encoding="utf-8")
+
+
+# -- generated modules that are in no package ----------------------------------------------------
+
+
+def _source(generated: ModuleType) -> str:
+    own = getattr(generated, "__rockeom_source__", None)
+    return Path(str(generated.__file__)).read_text(encoding="utf-8") if own is None else own
+
+
+def load_text(name: str, text: str) -> ModuleType:
+    """A module of a generated text; the same text gives the same module."""
+    module_name = f"rockeom_{name}_{_digest(name, text)}"
+    if module_name not in sys.modules:
+        module = ModuleType(module_name)
+        module.__file__ = f"<{module_name}>"
+        module.__rockeom_source__ = text  # type: ignore[attr-defined]
+        lines = text.splitlines(keepends=True)
+        linecache.cache[module.__file__] = len(text), None, lines, module.__file__
+        exec(compile(text, module.__file__, "exec"), vars(module))
+        sys.modules[module_name] = module
+    return sys.modules[module_name]

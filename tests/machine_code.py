@@ -1,0 +1,18 @@
+"""Functions of a text as machine code, by name."""
+
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+from rockeom.numeric.machine import Loaded, compiled
+from rockeom.numeric.printer import Program, Text
+from rockeom.numeric.program import texts
+
+
+def functions(
+    text: str, of: ModuleType | None = None, method: str = "DOP853", contract: bool = True
+) -> dict[str, Callable[..., Any]]:
+    """The entries of a text, which may call all that the program of a generated module has."""
+    parts = [] if of is None else texts(of, method)
+    printed = Program([*parts, Text("the test's text", text, fused=True)], contract)
+    return Loaded(compiled(printed.ir()), printed.entries).functions

@@ -1,0 +1,413 @@
+"""Programs in plain Python, and the same as machine code: bit for bit, or refused by file and line.
+
+The texts here are not those that the printer was written for. With contraction off each operation
+is rounded as Python rounds it.
+"""
+
+import math
+import multiprocessing
+import os
+import re
+
+import numpy as np
+import pytest
+
+from rockeom.numeric import printer
+from rockeom.numeric.printer import Program, Refused, Text
+from tests.machine_code import functions
+
+HEAD = """
+import math
+import numpy as np
+from rockeom.marks import *
+"""
+
+GREATEST_DIVISOR = """
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for i in range(len(n) - 1):
+        a, b = abs(n[i]), abs(n[i + 1])
+        while b != 0:
+            rest = a
+            while rest >= b:
+                rest -= b
+            a, b = b, rest
+        out[i] = a
+"""
+
+COLLATZ = """
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for i in range(len(n)):
+        m = abs(n[i]) + 1
+        steps = 0
+        while True:
+            if m == 1 or steps > 40:
+                break
+            steps += 1
+            half = 0
+            while 2 * half + 1 < m:
+                half += 1
+            if 2 * half == m:
+                m = half
+                continue
+            m = 3 * m + 1
+        out[i] = float(steps)
+"""
+
+HORNER = """
+COEFFICIENTS = (0.3, -1.7, 2.9, 0.0, 1e-3)
+
+@inlined
+def value(x):
+    total = 0.0
+    for i in range(len(COEFFICIENTS) - 1, -1, -1):
+        total = total * x + COEFFICIENTS[i]
+    return total, x
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for i in range(len(x)):
+        out[i], _ = value(x[i])
+        out[i] -= value(-x[i])[0] / 3
+"""
+
+DETERMINANT = """
+SIZE = 4
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    m = np.zeros((SIZE, SIZE))
+    for i in range(SIZE):
+        for j in range(SIZE):
+            m[i, j] = x[(SIZE * i + j) % 12]
+        m[i, i] += 1.5
+    sign = 1
+    for c in range(SIZE):
+        best = c
+        for r in range(c + 1, SIZE):
+            if abs(m[r, c]) > abs(m[best, c]):
+                best = r
+        if best != c:
+            sign = -sign
+            for j in range(SIZE):
+                m[c, j], m[best, j] = m[best, j], m[c, j]
+        row = m[c]
+        for r in range(c + 1, SIZE):
+            share = m[r, c] / row[c]
+            for j in range(c, SIZE):
+                m[r, j] -= share * row[j]
+    product = sign
+    for c in range(SIZE):
+        product = product * m[c, c]
+    out[0] = product
+    out[1:3] = x[2]
+    out[-1] = out[0] ** 3 - product**2 + abs(product) ** 0.37
+"""
+
+PLACES = """
+NAMES = ((3, 1), (4, 1), (5, 9))
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    later = x[2:]
+    k = -1
+    for i in range(len(NAMES)):
+        for j in range(2):
+            out[NAMES[i][j]] = later[k] + i - j
+            k -= 1
+    back = later.shape[0]
+    out[0] = later[back - 1] + x[k]
+"""
+
+CHOICES = """
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for i in range(len(x)):
+        a, b = x[i], x[(i + 1) % len(x)]
+        low, high = (a, b) if a < b else (b, a)
+        inside = low < 0.0 <= high and not n[i % len(n)] in (1, 2, 3)
+        outside = low > 1.0 or (i > 0 and x[i - 1] > 2.0) or high != high
+        out[i] = (1 if inside else 2.5) if inside != outside else max(a, 0.25, b) - min(a, b, 0)
+        if not inside and (outside or a > 0.0):
+            pass
+        elif inside | (a > b):
+            out[i] += 100
+        else:
+            out[i] = -out[i]
+"""
+
+LIBRARY = """
+def turned(x, y, angle):
+    s, c = math.sin(angle), math.cos(angle)
+    return (c * x - s * y, s * x + c * y), angle
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    total = 0
+    for i in range(len(x)):
+        (a, b), c = turned(x[i], 0.3, 0.7 * i)
+        total = total + a * b
+        out[i] = total + math.exp(-c) + math.sqrt(abs(a)) + math.atan(b) + math.log(1.0 + c)
+        out[i] += math.tanh(a) + math.expm1(b) + math.tan(c) + float(int(10.0 * a)) + math.pi
+        if not math.isfinite(out[i]):
+            out[i] = 0.0
+"""
+
+INFINITE = """
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    zero = 0.0 * x[0]
+    out[0] = x[1] / zero
+    out[1] = -out[0] * zero
+    out[2] = max(out[1], 1.0)
+    out[3] = max(1.0, out[1])
+    out[4] = min(out[1], 1.0)
+    out[5] = 1.0 if out[1] == out[1] else 2.0
+    out[6] = 1.0 if out[1] != out[1] else 2.0
+    out[7] = 1.0 if math.isfinite(out[0]) else 2.0
+    out[8] = np.inf
+    out[9] = -(zero - zero)
+"""
+
+SIGNS = """
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for i in range(len(n)):
+        out[i] = 1.0 if n[i] < 3 else 2.0
+        if n[i] - n[i] <= 0 and 0.0 * x[i] <= 0.0:
+            out[i] += 0.25
+"""
+
+TEXTS = {
+    "signs": SIGNS,
+    "greatest common divisor": GREATEST_DIVISOR,
+    "Collatz": COLLATZ,
+    "Horner": HORNER,
+    "determinant": DETERMINANT,
+    "places": PLACES,
+    "choices": CHOICES,
+    "library": LIBRARY,
+    "infinite": INFINITE,
+}
+
+
+def given(seed):
+    """Floats (12,), ints (9,) and room for results (12,)."""
+    rng = np.random.default_rng(seed)
+    return rng.normal(size=12) * 2.0, rng.integers(-30, 30, 9), np.zeros(12)
+
+
+def powers_are_products(source):
+    """x**2 and x**3 as the printer has them: C's pow may round otherwise."""
+    return re.sub(r"([\w.]+(?:\[0\])?) ?\*\* ?3", r"(\1 * (\1 * \1))", re.sub(
+        r"([\w.]+(?:\[0\])?) ?\*\* ?2\b", r"(\1 * \1)", source
+    ))  # fmt: skip
+
+
+def differences(source):
+    """Of Python and machine code, over random arguments."""
+    names = {}
+    exec(HEAD + powers_are_products(source), names)
+    run = functions(HEAD + source, contract=False)["run"]
+    found = []
+    for seed in range(20):
+        x, n, wanted = given(seed)
+        with np.errstate(all="ignore"):
+            names["run"](x, n, wanted)
+        x, n, out = given(seed)
+        run(x, n, out)
+        if out.tobytes() != wanted.tobytes() and not np.array_equal(out, wanted, equal_nan=True):
+            found.append((seed, wanted, out))
+    return found
+
+
+@pytest.mark.parametrize("source", TEXTS.values(), ids=TEXTS)
+def test_text_runs_as_in_python_to_the_last_bit(source):
+    assert not differences(source)
+
+
+# -- a printer that is wrong somewhere is noticed
+
+WRONG = {
+    "a minus is a plus": ("_OF_FLOATS", "Sub", "fadd", HORNER),
+    "division multiplies": ("_OF_FLOATS", "Div", "fmul", DETERMINANT),
+    "less or equal is less": ("_COMPARED", "LtE", ("olt", "slt"), SIGNS),
+    "ints are compared without sign": ("_COMPARED", "Lt", ("olt", "ult"), SIGNS),
+    "nan equals itself": ("_COMPARED", "Eq", ("ueq", "eq"), INFINITE),
+    "nan does not differ": ("_COMPARED", "NotEq", ("one", "ne"), INFINITE),
+    "a remainder is a quotient": ("_OF_INTS", "Mod", "sdiv", DETERMINANT),
+    "ints are subtracted the other way": ("_OF_INTS", "Sub", "add nsw", GREATEST_DIVISOR),
+    "a constant is negated": ("_KNOWN_UNARY", printer.ast.USub, lambda a: a, HORNER),
+}
+
+
+def is_noticed(source):
+    """Whether Python and machine code differ; what hangs or crashes does, too.
+
+    In a process of its own, for machine code hears nothing.
+    """
+    child = multiprocessing.get_context("fork").Process(target=_tell, args=(source,))
+    child.start()
+    child.join(20)
+    if child.is_alive():
+        child.kill()
+    return child.exitcode != 0
+
+
+def _tell(source):
+    try:
+        os._exit(1 if differences(source) else 0)
+    except BaseException:
+        os._exit(2)
+
+
+@pytest.mark.parametrize(("table", "key", "value", "source"), WRONG.values(), ids=WRONG)
+def test_wrong_printer_is_noticed(monkeypatch, table, key, value, source):
+    assert not is_noticed(source)
+    monkeypatch.setitem(getattr(printer, table), key, value)
+    assert is_noticed(source)
+
+
+WRONG_METHODS = {
+    "negative indices stay so": ("_index", lambda right: lambda self, n, _: self._int(n), "places"),
+    "tests are turned round": (
+        "_branch", lambda right: lambda self, test, a, b: right(self, test, b, a), "choices",
+    ),
+    "the largest is the least": (
+        "_call_max",
+        lambda right: lambda self, n, v, op=None: right(self, n, v, op or printer.ast.Lt()),
+        "choices",
+    ),
+    "tuples are read from behind": ("_tuple", lambda right: lambda self, n: right(
+        self, printer.ast.Tuple(n.elts[::-1], n.ctx)
+    ), "library"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "wrong", "text"), WRONG_METHODS.values(), ids=WRONG_METHODS)
+def test_wrong_method_of_the_printer_is_noticed(monkeypatch, name, wrong, text):
+    right = getattr(printer._Function, name)
+    monkeypatch.setattr(printer._Function, name, wrong(right))
+    assert is_noticed(TEXTS[text])
+
+
+# -- what is refused
+
+REFUSED = {
+    "x = [1.0, 2.0]": "List is not among the expressions",
+    "x = {}": "Dict is not among the expressions",
+    "x = y.sum()": "y.sum is not among the functions",
+    "x = sum(y)": "no function sum is known",
+    "x = y[0] % 2.0": "Mod of floats",
+    "x = n // 2": "clearly cannot be negative",
+    "x = n % 3": "clearly cannot be negative",
+    "x = n if n else 1": "a test is a bool, and this is int",
+    "while n:\n        n = n - 1": "a test is a bool",
+    "x = n and 3": "a test is a bool",
+    "if n > 0:\n        x = 1.0\n    z = x": "x may be read before it is assigned",
+    "for i in range(n):\n        x = 1.0\n    z = x": "x may be read before it is assigned",
+    "for i in range(n):\n        pass\n    z = i": "i may be read before it is assigned",
+    "while n > 0:\n        x = 1.0\n        n -= 1\n    z = x": "may be read before",
+    "x = 1.0\n    x = (1.0, 2.0)": "x was float, and would become (float, float)",
+    "x = True\n    x = 1": "x was bool, and would become int",
+    "n = 1.5": "the argument n is int, and would change that",
+    "t = (y[0], 2.0)\n    x = t[n]": "the index of a tuple is a constant",
+    "t = (1.0, 2.0)\n    x = t[2]": "a tuple of 2 has no item 2",
+    "x = y[0, 1]": "2 indices of an array of float with 1 dimensions",
+    "x = y[::2]": "a slice is array[first:last]",
+    "x = np.empty(n)": "the shape of an array is constant",
+    "for a in y:\n        pass": "a loop is `for name in range(...)`",
+    "for i in range(0, 3, n):\n        pass": "the step of a range is a constant",
+    "x = other(1.0)": "no function other is known",
+    "x = outer(1.0, 2.0)": "it takes 1 arguments, and got 2",
+    "x = outer(x=1.0)": "arguments are given by their place",
+    "x = recursive(1.0)": "recursive calls itself",
+    "try:\n        x = 1\n    except ValueError:\n        x = 2": "Try is not among the statements",
+    "with y:\n        pass": "With is not among the statements",
+    "raise ValueError": "Raise is not among the statements",
+    "global G": "Global is not among the statements",
+    "x = lambda a: a": "Lambda is not among the expressions",
+    "x = 'word'": "str is no number and no table of numbers",
+    "x = f'{n}'": "JoinedStr is not among the expressions",
+    "return 1.0\n    x = 2.0": "this is never reached",
+    "x = y @ y": "no arithmetic with array of float",
+    "x = y[0] < True": "no comparison with bool",
+    "x = n & 1": "BitAnd of ints is not among the operations",
+    "x = nothing(1.0)": "gives nothing back",
+    "x = y.T": ".T is not known",
+    "x = math.gamma(1.0)": "math.gamma of 1 is not among the functions",
+    "x = undefined": "undefined is not known",
+    "del n": "Delete is not among the statements",
+    "assert n > 0": "Assert is not among the statements",
+}
+FRAME = (
+    HEAD
+    + """
+def outer(a):
+    return a + 1.0
+
+def recursive(a):
+    return recursive(a)
+
+def nothing(a):
+    pass
+
+@entry
+def run(y: Floats, n: int):
+    {}
+"""
+)
+
+
+@pytest.mark.parametrize("line", REFUSED)
+def test_what_is_no_plain_arithmetic_is_refused_by_file_and_line(line):
+    with pytest.raises(Refused) as caught:
+        Program([Text("some file.py", FRAME.format(line))])
+    text = str(caught.value)
+    assert REFUSED[line] in text
+    number = int(re.match(r"some file.py, line (\d+), in ", text).group(1))
+    lines = FRAME.format(line).splitlines()
+    within = lines[number - 1].strip()
+    assert within in line or within.startswith(("def recursive", "return recursive", "def outer"))
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("@entry\ndef run(x):\n    pass", "x has no annotation that is known"),
+        ("@entry\ndef run(x: list):\n    pass", "x has no annotation that is known"),
+        ("@entry\ndef run(x: float) -> tuple:\n    return x, x", "an entry returns a number"),
+        ("@entry\ndef run(x: float, *rest: float):\n    pass", "arguments have names"),
+        ("@entry\ndef run(x: float = 1.0):\n    pass", "no default values"),
+        (
+            "@entry\ndef run(x: float) -> float:\n    if x > 0.0:\n        return x",
+            "ends without `return`",
+        ),
+    ],
+)
+def test_entry_that_python_could_not_call_is_refused(text, word):
+    with pytest.raises(Refused, match=re.escape(word)):
+        Program([Text("some file.py", HEAD + text)])
+
+
+def test_array_that_machine_code_would_misread_is_refused():
+    run = functions(HEAD + "@entry\ndef run(x: Floats2) -> float:\n    return x[1, 0]")["run"]
+    assert run(np.array([[1.0, 2.0], [3.0, 4.0]])) == 3.0
+    for wrong in (np.zeros(4), np.zeros((2, 2), int), np.ones((2, 4)).T):
+        with pytest.raises(TypeError, match="run: x is"):
+            run(wrong)
+
+
+def test_results_come_back_in_their_types():
+    run = functions(
+        HEAD + "@entry\ndef a(x: float, n: int) -> float:\n    return x * n\n"
+        "@entry\ndef b(x: float, n: int) -> int:\n    return n + int(x)\n"
+        "@entry\ndef c(x: float, yes: bool) -> bool:\n    return x > 0.0 and yes\n"
+        "@entry\ndef d(x: float):\n    pass\n"
+    )
+    assert run["a"](1.5, -3) == -4.5
+    assert run["b"](-2.7, 2**40) == 2**40 - 2
+    assert [run["c"](1.0, True), run["c"](1.0, False), run["c"](-1.0, True)] == [True, False, False]
+    assert run["d"](1.0) is None
+    assert math.isnan(run["a"](math.nan, 1))

@@ -1,0 +1,1 @@
+"""The same programs as plain Python, printed for LLVM, and by numba."""

@@ -1,0 +1,28 @@
+"""python -m tests.oracle: every shipped structure by Python, by the printer and by numba."""
+
+from __future__ import annotations
+
+import sys
+import time
+
+from tests.oracle.ways import by_numba, differences, printed, python
+from tests.soak.cases import MODELS, draw
+
+
+def main() -> int:
+    bad = 0
+    for i, model in enumerate(MODELS):
+        structure = draw(i).structure
+        module, started = structure.module, time.monotonic()
+        plain, machine, jitted = python(module, "DOP853"), printed(module), by_numba(module)
+        found = [f"Python: {d}" for d in differences(module, structure.vector, plain, machine, 50)]
+        found += [f"numba: {d}" for d in differences(module, structure.vector, jitted, machine, 50)]
+        bad += len(found)
+        took = time.monotonic() - started
+        print(f"{model}: {len(found)} differences, {took:.0f} s", *found[:10], sep="\n    ")
+        sys.stdout.flush()
+    return min(bad, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,160 @@
+"""Every function of a program, in three ways, on random states.
+
+With contraction off each operation is rounded by itself, and all ways give the same bits.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import warnings
+from collections.abc import Callable, Iterator
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from rockeom.numeric.program import texts
+from tests.machine_code import functions
+
+Ways = dict[str, Callable[..., Any]]
+
+ASKED = {
+    "rates": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, ay, out"),
+    "guards": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, ay, out"),
+    "reactions": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, ay, out"),
+    "statics": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, out"),
+    "energies": ("ax: float, ay: float, out: Floats", "contact, y, p, out"),
+    "kinematics": ("ax: float, ay: float, out: Floats", "contact, y, p, out"),
+    "momentum": ("ax: float, ay: float, out: Floats", "contact, y, p, out"),
+}
+"""Functions of a generated module that fill `out`, and how each is called."""
+FRAME = """
+import math
+import numpy as np
+from rockeom.marks import *
+
+@entry
+def ask_jump(contact: int, y: Floats, p: Floats, ax: float, ay: float, out: Floats):
+    for guard in range(GUARDS[contact]):
+        for law in range(2 if HAS_IMPULSIVE else 1):
+            at = N_STATES * (2 * guard + law)
+            out[at] = jump(contact, guard, law, 0.8, y, p, out[at : at + N_STATES])
+"""
+
+
+def questions(module: ModuleType) -> str:
+    text = FRAME
+    for name, (arguments, call) in ASKED.items():
+        if hasattr(module, name):
+            text += f"\n@entry\ndef ask_{name}(contact: int, y: Floats, p: Floats, {arguments}):\n"
+            text += f"    {name}({call})\n"
+    return text
+
+
+class _Products(ast.NodeTransformer):
+    """x**n as the product that machine code has: C's pow rounds otherwise."""
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:  # noqa: N802
+        self.generic_visit(node)
+        power = isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant)
+        if power and isinstance(node.right.value, int) and 0 < node.right.value < 10:
+            name = ast.Name("product_", ast.Load())
+            return ast.copy_location(ast.Call(name, [node.left, node.right], []), node)
+        return node
+
+
+def product(x: float, n: int) -> float:
+    found = None
+    while n:
+        if n % 2:
+            found = x if found is None else found * x
+        n, x = n // 2, x * x
+    return found
+
+
+def python(module: ModuleType, method: str) -> dict[str, Any]:
+    """All functions of a program as Python runs them."""
+    names: dict[str, Any] = {"__name__": "plain", "product_": product}
+    for text in [*texts(module, method)]:
+        _run(text.source, names)
+    _run(questions(module), names)
+    return names
+
+
+def _run(source: str, names: dict[str, Any]) -> None:
+    tree = ast.fix_missing_locations(_Products().visit(ast.parse(source)))
+    exec(compile(tree, "plain", "exec"), names)
+
+
+def by_numba(module: ModuleType) -> Ways:
+    """The functions of a generated module, each compiled by numba when it is first called."""
+    from numba import njit
+
+    names: dict[str, Any] = {"__name__": "jitted"}
+    exec(texts(module, "DOP853")[0].source + questions(module), names)
+    for name, value in names.items():
+        if isinstance(value, type(by_numba)) and name not in ("entry", "fused", "inlined"):
+            names[name] = njit(error_model="numpy")(value)
+    return {name: value for name, value in names.items() if name.startswith("ask_")}
+
+
+@cache
+def printed(module: ModuleType, contract: bool = False) -> Ways:
+    return functions(questions(module), module, contract=contract)
+
+
+def asked(module: ModuleType, vector: np.ndarray, seed: int) -> Iterator[tuple[str, tuple]]:
+    """Names of functions, with random arguments for each contact state."""
+    rng = np.random.default_rng(seed)
+    for contact in range(len(module.CONTACTS)):
+        y = rng.normal(size=module.N_STATES) * 10.0 ** rng.uniform(-6, 0)
+        ax, ay = rng.normal(size=2) * 5.0
+        for name in ("jump", *ASKED):
+            if hasattr(module, name):
+                size = 2 * module.N_STATES * max(module.N_GUARDS, 1) + 64
+                yield f"ask_{name}", (contact, y, vector, ax, ay, np.zeros(size))
+
+
+def differences(
+    module: ModuleType, vector: np.ndarray, one: Ways, other: Ways, seeds: int, ulps: float = 0.0
+) -> list[str]:
+    """Where two ways differ by more than some units in the last place of the largest number."""
+    found = []
+    for seed in range(seeds):
+        for name, (*given, out) in asked(module, vector, seed):
+            first, second = out.copy(), out.copy()
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                try:
+                    one[name](*given, first)
+                except (ValueError, OverflowError, ZeroDivisionError):
+                    continue  # what Python has no number for
+                other[name](*given, second)
+            room = ulps * np.finfo(float).eps * max(np.abs(first).max(), 1e-300)
+            same = (first == second) | (np.isnan(first) & np.isnan(second))
+            if not (same | (np.abs(first - second) <= room)).all():
+                off = np.abs(first - second).max() / max(np.abs(first).max(), 1e-300)
+                found.append(f"{name} in {module.CONTACTS[given[0]]}, seed {seed}: {off:.3g}")
+    return found
+
+
+def run(integrate: Callable[..., int], structure, scratch: int, duration: float, method: str):
+    """A short motion from a lean: (outcome, state, steps), all of it."""
+    n = len(structure.states)
+    y = np.zeros(n)
+    record = (np.zeros((4000, 2)), np.zeros(4000, np.int64), np.zeros((4000, 8, n)))
+    y[structure.module.ROTATION] = 0.01 * structure.overturning_rotation
+    events = np.zeros(99), np.zeros((99, 3), np.int64), np.zeros((99, 2, n))
+    status = np.array([structure.contact(y), -1, 0, 0, 0, 1, 1, 0, 0, 0])
+    table = np.array([[0.0, duration, 1.0, 3.0, 2 * math.pi / duration, 0.0, 0.0]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        code = integrate(
+            status, np.zeros(4), y, np.zeros(n), duration, table, table[:0],
+            structure.vector.copy(), 0, 0.8, 1e-8, np.full(n, 1e-10), math.inf, 0,
+            structure.overturning_rotation, 1e-6, 1000, 3000, *record, *events, np.empty((0, n)),
+            np.zeros(scratch),
+        )  # fmt: skip
+    return code, y, *record, *events
