@@ -522,7 +522,7 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
     smooth = kick[N_STATES:]
     total = 0.0
     start = abs(y[ROTATION_RATE])
-    loss = 1.0
+    loss = whole = 1.0
     for turn in range(1000):
         rates(contact, w, p, ax, ay, out)
         a = -SIDES[contact] * out[ROTATION_RATE]
@@ -542,12 +542,14 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
         if v <= EPS * start or turn == 999:
             total += flight * (1.0 - loss) / loss  # what a constant loss leaves of the series
             w[ROTATION_RATE] = 0.0
+            if v > EPS * start:
+                whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
         contact = jump(contact, np.int64(0), law, ratio_at(law, ratio, w, p), w, p, out)
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
         if SIDES[contact] == 0.0:
             for i in range(N_STATES):
-                out[i] = y[i] + kick[i]
+                out[i] = y[i] + whole * kick[i]
             out[ROTATION] = out[ROTATION_RATE] = 0.0
             return total, contact
         loss = 1.0 - abs(out[ROTATION_RATE]) / v

@@ -56,7 +56,7 @@ def questions(module: ModuleType) -> str:
 class _Products(ast.NodeTransformer):
     """x**n as the product that machine code has: C's pow rounds otherwise."""
 
-    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:  # noqa: N802
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
         power = isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant)
         if power and isinstance(node.right.value, int) and 0 < node.right.value < 10:

@@ -423,7 +423,7 @@ def _rests(r: Record) -> Found:
         lost, told = total[0] + work - total[1], total[2] - total[3]
         error = r.energy_error(r.targets[[e]], r.after[[e]])[0] + 0.03 * abs(lost) + 2 * doubt
         if len(steps):  # what the impacts give to the other rates, and take again
-            error += abs(early - told) + 0.1 * abs(given)
+            error += abs(early - told) + 0.03 * abs(given)
         where = f"rest at {r.times[e]:.9g} s: {lost:.9g} J are lost"
         if abs(lost - told) > error:
             yield f"{where}, the event tells {told:.9g}; {error:.3g} may be"

@@ -12,7 +12,7 @@ from tests.soak.cases import MODELS, draw, method_of, model_of
 from tests.soak.checks import IMPACT, Record, on_record
 from tests.soak.declared import pushed
 from tests.soak.faults import FAULTS, ROOT
-from tests.soak.run import Checks, soaked
+from tests.soak.run import Checks, checked, soaked
 
 SHORT = [seed for seed in range(28 * len(MODELS)) if method_of(seed) == "DOP853"][:250]
 """Seeds of the method whose programs other tests compile, too."""
@@ -24,6 +24,36 @@ def test_some_hundred_seeds(tmp_path):
         summary = soaked(SHORT, 1, Checks(drawn=("mirror", "cut", "equal")), stream=progress)
     assert summary.total == len(SHORT)
     assert not summary.violations, "\n".join(map(str, summary.violations))
+
+
+ONCE_WRONG = {
+    708146: ("none", "a tendon without tension hovers about none, near upright"),
+    529069: ("none", "the same with a method of low order"),
+    919041: ("none", "a turning point is landed on a little late"),
+    712773: ("none", "both feet lift at once, and their guards begin below zero by rounding"),
+    801195: ("none", "shaking begins from nothing, and so does the opening of a guard"),
+    801316: ("none", "a guard opens for a thousandth of a long step"),
+    577728: ("equal", "an equal step is refused at a coarse tolerance"),
+    5142: ("equal", "a structure lies on the ground and is pulled back within a step"),
+    501127: ("mirror", "a wall with an eccentric tendon starts upright, without shaking"),
+    503758: ("mirror", "a bent wall starts upright"),
+    532929: ("mirror", "both feet are in the air, and one is held by its damper"),
+    813609: ("mirror", "full contact with a slack tendon"),
+    1009897: ("none", "a rest of more than a thousand impacts gives too little to the column"),
+}
+"""Seeds that found something: the check that is made besides those of every response, and what."""
+
+
+@pytest.mark.parametrize("seed", ONCE_WRONG)
+def test_seed_that_once_found_something_is_right(seed):
+    check, _ = ONCE_WRONG[seed]
+    result = checked(seed, Checks(drawn=()) if check == "none" else Checks(always=check))
+    assert not result.violations, result
+
+
+def test_phase_of_the_other_side_is_refused():
+    """A wall that yields leaning right, named for one that leans left."""
+    assert checked(540999, Checks(drawn=())).outcome.startswith("refused: the phase 'right_yield'")
 
 
 def test_a_seed_always_gives_the_same_motion():
