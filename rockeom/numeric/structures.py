@@ -1102,11 +1102,17 @@ _MODULES: dict[int, tuple[Any, ModuleType]] = {}
 
 
 def _module_of(model: Any) -> ModuleType:
-    """The generated module of a declared model, derived once a process."""
+    """The generated module of a declared model, derived once on a machine."""
     if id(model) not in _MODULES:
         from rockeom.numeric.program import load_text
+        from rockeom.numeric.store import kept
 
-        text = importlib.import_module("rockeom.codegen").module_text(model)
+        codegen = importlib.import_module("rockeom.codegen")
+        text = kept(
+            f"{model.name}_module",
+            codegen.declaration_digest(model),
+            lambda: codegen.module_text(model).encode(),
+        ).decode()
         _MODULES[id(model)] = model, load_text(model.name, text)  # the model kept: its id is used
     return _MODULES[id(model)][1]
 
@@ -1114,8 +1120,8 @@ def _module_of(model: Any) -> ModuleType:
 def structure(model: Any, /, **parameters: float) -> Structure:
     """A structure of a model: the name of a shipped one, or a RockingModel that you declared.
 
-    A declared model is derived, written to a module in the user's cache and compiled at its
-    first use (some seconds, once). Raises ParameterError for missing or unknown parameters and
+    A declared model is derived and compiled at its first use (some seconds, once on a machine: the
+    user's cache keeps both). Raises ParameterError for missing or unknown parameters and
     ValueError for values that are not finite or negative, for a model that cannot be simulated,
     and where the values give a body a negative mass or a base a negative width.
     """

@@ -1,0 +1,75 @@
+"""What a declared model is, as a hash: the same one gives the same generated text."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+from collections.abc import Iterator, Mapping
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from rockeom.symbolic.model import RockingModel
+
+
+def declaration_digest(model: RockingModel) -> str:
+    """Hash of all that a generated module follows from: the declaration, SymPy and the derivation.
+
+    Raises TypeError where a declaration holds what is neither text nor number nor expression.
+    """
+    parts = [sp.__version__, _derivation(), *_told(model)]
+    return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:20]
+
+
+_ASSUMED = [
+    "real",
+    "positive",
+    "negative",
+    "nonnegative",
+    "nonpositive",
+    "nonzero",
+    "integer",
+    "finite",
+    "complex",
+]
+"""What may be assumed of a function, which its text does not say."""
+
+
+def _told(value: Any) -> Iterator[str]:
+    """All of a value, symbols with their assumptions: of two that differ it tells them apart."""
+    if isinstance(value, sp.Basic):
+        yield sp.srepr(value)
+        for function in sorted(value.atoms(AppliedUndef), key=sp.default_sort_key):
+            yield repr((str(function), [getattr(function, f"is_{what}") for what in _ASSUMED]))
+    elif dataclasses.is_dataclass(value):
+        yield type(value).__name__
+        for field in dataclasses.fields(value):
+            yield field.name
+            yield from _told(getattr(value, field.name))
+    elif isinstance(value, Mapping):
+        yield f"{len(value)} named"
+        for key, item in value.items():
+            yield from _told(key)
+            yield from _told(item)
+    elif isinstance(value, list | tuple):
+        yield f"{len(value)} in a row"
+        for item in value:
+            yield from _told(item)
+    elif value is None or isinstance(value, str | int | float):
+        yield repr(value)
+    else:
+        raise TypeError(f"a declaration holds {value!r}, which is no text, number or expression")
+
+
+@cache
+def _derivation() -> str:
+    """Hash of the packages that derive and write."""
+    found = hashlib.sha256()
+    for package in ("rockeom.symbolic", "rockeom.codegen"):
+        for file in sorted(files(package).iterdir(), key=lambda path: path.name):
+            if file.name.endswith(".py"):
+                found.update(file.name.encode() + b"\0" + file.read_bytes())
+    return found.hexdigest()
