@@ -735,8 +735,9 @@ def integrate(
         landed = -1  # the guard that ends this contact state now
         if fresh == 1:
             if news == 1 and not rocks:
+                h = min(h_next, last - t)  # at rest the next step may be of any length
                 landed = settle(
-                    contact, t, h_next, y, p, gx, gy, touching, rtol, g, w, k, fallen, noises
+                    contact, t, h, y, p, gx, gy, touching, rtol, g, w, k, fallen, noises
                 )
             if landed < 0:
                 rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
