@@ -625,7 +625,8 @@ def cut(r: Record) -> Found:
         if twin.outcome is not second.outcome or len(twin.passages[0]) != len(second.passages[0]):
             return  # any error decides
         grown = np.maximum(grown, np.abs(twin.end - second.end))
-    bound = 1e-9 * largest + 30 * (grown + o.rtol * largest + o.atol)
+    allowed = 30 * r.slack / SLACK * (grown + o.rtol * largest + o.atol)
+    bound = 1e-9 * largest + allowed
     if (bound > 1e-3 * largest + 1000 * o.atol).any():
         return
     if second.outcome is rk.Outcome.STALLED:
