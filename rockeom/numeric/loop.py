@@ -863,7 +863,7 @@ def integrate(
                     if rocks:
                         slow = y[ROTATION_RATE] == 0.0
                     else:
-                        slow = unclear or opens_soon(
+                        slow = (unclear and touching == target) or opens_soon(
                             contact, target, t, h, y, p, gx, gy, k, w, g, after,
                             noise_of(contact, target, p, fallen, noises, w, g),
                         )  # fmt: skip

@@ -135,7 +135,12 @@ FAULTS = {
     "chatter": Fault(
         "an opening that a dense output hides is a passage back",
         LOOP,
-        (("slow = unclear or opens_soon(", "slow = unclear or 0.0 > opens_soon("),),
+        (
+            (
+                "slow = (unclear and touching == target) or opens_soon(",
+                "slow = unclear and opens_soon(",
+            ),
+        ),
         ("substitute_gravity_wall", "two_spring_structure"),
         ("gave up",),
     ),

@@ -39,6 +39,7 @@ ONCE_WRONG = {
     503758: ("mirror", "a bent wall starts upright"),
     532929: ("mirror", "both feet are in the air, and one is held by its damper"),
     813609: ("mirror", "full contact with a slack tendon"),
+    1063885: ("none", "a wall that yields turns where it has just begun to"),
     1057755: ("none", "an impact ends in full contact, out of which the other foot lifts at once"),
     1009897: ("none", "a rest of more than a thousand impacts gives too little to the column"),
 }
