@@ -67,6 +67,7 @@ FAULTS = {
         ((_NONE_FITS, f"        return 0\n{_NONE_FITS}"),),
         ("controlled_wall", "substitute_gravity_wall", "flexible_controlled_wall"),
         ("impact", "event", "energy", "gave up"),
+        runs=40_000,
     ),
     "phase": Fault(
         "a phase named against the state is taken",
