@@ -8,8 +8,8 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -171,7 +171,7 @@ class _Source:
     module: ModuleType
     lanes: bool
 
-    def __iter__(self) -> Generator[tuple[int, list[tuple[Case, Problem]]], None, None]:
+    def __iter__(self) -> Iterator[tuple[int, list[tuple[Case, Problem]]]]:
         points = itertools.product(*self.values.values())
         first = 0
         while batch := list(itertools.islice(points, self.chunk)):
@@ -266,7 +266,7 @@ def _in_threads(
     thread is the caller's own.
     """
     chunks = iter(source)
-    turn = threading.Lock()
+    turn, stop = threading.Lock(), threading.Event()
 
     def worker() -> None:
         ran = 0
@@ -274,7 +274,7 @@ def _in_threads(
             with turn:
                 if ran:
                     done(ran)
-                made = next(chunks, None)
+                made = None if stop.is_set() else next(chunks, None)
             if made is None:
                 return
             ran = work(*made)
@@ -284,11 +284,14 @@ def _in_threads(
         return
     with ThreadPoolExecutor(threads) as pool:
         try:
-            for finished in as_completed([pool.submit(worker) for _ in range(threads)]):
-                finished.result()
+            running = {pool.submit(worker) for _ in range(threads)}
+            while running:
+                # an interrupt that comes just as a wait begins is answered when the wait is over
+                ended, running = wait(running, timeout=0.2, return_when=FIRST_COMPLETED)
+                for one in ended:
+                    one.result()
         finally:
-            with turn:
-                chunks.close()  # no more work for the others
+            stop.set()  # no more work for the others
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """simulate_many: labels, the same bits however the work is cut, interrupts, errors by name."""
 
+import _thread
 import itertools
 import os
 import signal
@@ -165,6 +166,23 @@ def test_interrupt_keeps_what_was_done(reference, threads):
     for name in ("final_time", "minimum", "maximum", "final", "impact_time"):
         assert np.isnan(result[name].values[~ran.values]).all()
     assert set(result.final_phase.values[~ran.values].tolist()) == {""}
+
+
+def test_interrupt_that_wakes_nobody():
+    """A signal that comes just before the caller waits, or on Windows any, does not end a wait."""
+    calls = 0
+
+    def case(theta_0):
+        nonlocal calls
+        calls += 1
+        if calls == 1000:
+            _thread.interrupt_main()
+        return rk.Case(BLOCK, rk.GroundMotion.none(5.0), initial={"theta": theta_0})
+
+    over = {"theta_0": np.linspace(0.1, 0.2, 200_000)}
+    result = rk.simulate_many(case, over=over, threads=2)
+    assert result.attrs["interrupted"] == 1
+    assert 0 < (result.outcome != "not run").sum() < 150_000
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to another process")
