@@ -16,13 +16,11 @@ import numpy as np
 
 import rockeom as rk
 from benchmarks import with_c, workloads as w
-from benchmarks.with_c import at
+from benchmarks.with_c import Prepared, at, vector
 from rockeom.numeric.tableau import Tableau, tableau
 
 FLAGS = (*with_c.FLAGS, "-DSMALL_ANGLES", "-fopenmp-simd")
 """Only the loop over the ground's sines, which says so, is done in vectors."""
-
-OVERTURNED = 2  # as in best.h
 
 
 @dataclass(frozen=True)
@@ -125,12 +123,6 @@ def library(model: str, name: str) -> ctypes.CDLL:
     return with_c.built(model, "best.h", header(method(name)), FLAGS)
 
 
-def vector(structure: rk.Structure) -> np.ndarray:
-    """The parameters in the order of the generated module, as the program in C takes them."""
-    values = structure.parameters()
-    return np.array([float(values[name]) for name in structure.module.PARAMETERS])
-
-
 def equations_differ(structure: rk.Structure, states: int = 50) -> float:
     """Largest difference of the equations in C from the derived ones, at random states.
 
@@ -185,7 +177,7 @@ def _checked(structure: rk.Structure) -> None:
         )
 
 
-class Problem:
+class Problem(Prepared):
     """A case of rockeom's, prepared for C: the same numbers go to both.
 
     options : their method may be Tsit5, too.
@@ -223,16 +215,6 @@ class Problem:
         found = self.room[:n].copy()
         return w.Impacts(found["time"], found["rate"])
 
-    def map(self, motions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(whether it fell (n,), peaks (n,)) under motions (n, m, 7), from rest."""
-        n, m, _ = motions.shape
-        outcomes, peaks = np.empty(n, np.int64), np.empty(n)
-        self.library.map(
-            ctypes.c_long(n), ctypes.c_double(self.end), at(motions), ctypes.c_long(m),
-            at(self.parameters), ctypes.byref(self.options), at(outcomes), at(peaks),
-        )  # fmt: skip
-        return outcomes == OVERTURNED, peaks
-
     def many(self, starts: np.ndarray, n: int) -> np.ndarray:
         """Impacts (m, n): the first n from each start (m, N), nan where there are fewer."""
         found = np.full((len(starts), n), np.nan, _IMPACT)
@@ -259,30 +241,5 @@ def decays(options: Options) -> Callable[[], w.Impacts]:
     return run
 
 
-def under_record(structure) -> Callable:
-    def made(options: Options) -> Callable[[], w.Impacts]:
-        return Problem(w.Case(structure, w.record()), options).impacts
-
-    return made
-
-
-def pulses(options: Options, stride: int = 1) -> Callable:
-    motions = w.pulses(stride)
-    problem = Problem(w.Case(w.BLOCK, motions[0]), options)
-    table = np.array([motion.segments for motion in motions])
-    return lambda: problem.map(table)
-
-
-def bifurcation(options: Options, amplitudes=w.AMPLITUDES) -> Callable:
-    runs = {float(a): Problem(w.driven(a), options) for a in amplitudes}
-    return lambda: {a: w.kept(problem.impacts()) for a, problem in runs.items()}
-
-
-RUNS = {
-    "W1": decays,
-    "W2": under_record(w.BLOCK),
-    "W3": under_record(w.COLUMN),
-    "W4": pulses,
-    "W5": bifurcation,
-}
+RUNS = with_c.runs(Problem, decays)
 """Workload -> options -> what runs it."""

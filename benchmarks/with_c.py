@@ -18,6 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
+import rockeom as rk
 from benchmarks import workloads as w
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.tableau import (
@@ -36,7 +37,7 @@ FLAGS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math", "-fno-
 AVX and contraction to a*b + c (which is gcc's default). The short loops of two and eight turns are
 better unrolled: with vectors the same program takes 1.4 to 2.2 times as long."""
 
-IMPACT, OVERTURNED, FULL = 0, 2, 7  # as in loop.h
+IMPACT, OVERTURNED, FULL = 0, 2, 7  # as in loop.h; the second in best.h, too
 
 VARIANTS = {"C": (), "C, inlined sine": ("-DINLINE_SINE",)}
 
@@ -128,7 +129,36 @@ def _state_type(n: int) -> type[ctypes.Structure]:
     return State
 
 
-class Problem:
+def at(array: np.ndarray) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def vector(structure: rk.Structure) -> np.ndarray:
+    """The parameters in the order of the generated module, as the programs in C take them."""
+    values = structure.parameters()
+    return np.array([float(values[name]) for name in structure.module.PARAMETERS])
+
+
+class Prepared:
+    """A structure with its options, for a program in C."""
+
+    library: ctypes.CDLL
+    end: float
+    parameters: np.ndarray
+    options: ctypes.Structure
+
+    def map(self, motions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(whether it fell (n,), peaks (n,)) under motions (n, m, 7), from rest."""
+        n, m, _ = motions.shape
+        outcomes, peaks = np.empty(n, np.int64), np.empty(n)
+        self.library.map(
+            ctypes.c_long(n), ctypes.c_double(self.end), at(motions), ctypes.c_long(m),
+            at(self.parameters), ctypes.byref(self.options), at(outcomes), at(peaks),
+        )  # fmt: skip
+        return outcomes == OVERTURNED, peaks
+
+
+class Problem(Prepared):
     """A case of rockeom's, prepared for C: the same numbers go to both."""
 
     def __init__(
@@ -142,8 +172,7 @@ class Problem:
         self.rate_at = module.ROTATION_RATE
         self.y0, self.contact, self.end = q.y0, q.contact, q.end
         self.segments = np.ascontiguousarray(q.horizontal)
-        values = case.structure.parameters()
-        self.parameters = np.array([float(values[name]) for name in module.PARAMETERS])
+        self.parameters = vector(case.structure)
         self.library = library(case.structure.model, variant, flags)
         self.options = _Options(
             options.rtol, options.atol, q.fallen, options.rest_tolerance, q.ratio,
@@ -183,16 +212,6 @@ class Problem:
         events = events[events["kind"] == IMPACT]
         return w.Impacts(events["time"], events["from"][:, self.rate_at])
 
-    def map(self, motions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(whether it fell (n,), peaks (n,)) under motions (n, m, 7), from rest."""
-        n, m, _ = motions.shape
-        outcomes, peaks = np.empty(n, np.int64), np.empty(n)
-        self.library.map(
-            ctypes.c_long(n), ctypes.c_double(self.end), at(motions), ctypes.c_long(m),
-            at(self.parameters), ctypes.byref(self.options), at(outcomes), at(peaks),
-        )  # fmt: skip
-        return outcomes == OVERTURNED, peaks
-
     def many(self, starts: np.ndarray, n: int) -> np.ndarray:
         """Times (m, n) of the first n impacts from each start (m, N), nan where there are fewer."""
         times = np.full((len(starts), n), np.nan)
@@ -202,10 +221,6 @@ class Problem:
             at(self.parameters), ctypes.byref(self.options), at(times), ctypes.c_long(n),
         )  # fmt: skip
         return times
-
-
-def at(array: np.ndarray) -> ctypes.c_void_p:
-    return ctypes.c_void_p(array.ctypes.data)
 
 
 # -- the workloads -------------------------------------------------------------------------------
@@ -229,30 +244,30 @@ def decays(options: SolverOptions, variant: str = "C") -> Callable[[], w.Impacts
     return run
 
 
-def under_record(structure) -> Callable:
-    def made(options: SolverOptions, variant: str = "C") -> Callable[[], w.Impacts]:
-        return Problem(w.Case(structure, w.record()), options, variant).impacts
+def runs(problem: Callable, decays: Callable) -> dict[str, Callable]:
+    """Workload -> what a problem takes besides its case -> what runs it."""
 
-    return made
+    def under_record(structure: rk.Structure) -> Callable:
+        return lambda *how: problem(w.Case(structure, w.record()), *how).impacts
+
+    def pulses(*how, stride: int = 1) -> Callable:
+        motions = w.pulses(stride)
+        prepared = problem(w.Case(w.BLOCK, motions[0]), *how)
+        table = np.array([motion.segments for motion in motions])
+        return lambda: prepared.map(table)
+
+    def bifurcation(*how, amplitudes=w.AMPLITUDES) -> Callable:
+        prepared = {float(a): problem(w.driven(a), *how) for a in amplitudes}
+        return lambda: {a: w.kept(each.impacts()) for a, each in prepared.items()}
+
+    return {
+        "W1": decays,
+        "W2": under_record(w.BLOCK),
+        "W3": under_record(w.COLUMN),
+        "W4": pulses,
+        "W5": bifurcation,
+    }
 
 
-def pulses(options: SolverOptions, variant: str = "C", stride: int = 1) -> Callable:
-    motions = w.pulses(stride)
-    problem = Problem(w.Case(w.BLOCK, motions[0]), options, variant)
-    table = np.array([motion.segments for motion in motions])
-    return lambda: problem.map(table)
-
-
-def bifurcation(options: SolverOptions, variant: str = "C", amplitudes=w.AMPLITUDES) -> Callable:
-    runs = {float(a): Problem(w.driven(a), options, variant) for a in amplitudes}
-    return lambda: {a: w.kept(problem.impacts()) for a, problem in runs.items()}
-
-
-RUNS = {
-    "W1": decays,
-    "W2": under_record(w.BLOCK),
-    "W3": under_record(w.COLUMN),
-    "W4": pulses,
-    "W5": bifurcation,
-}
+RUNS = runs(Problem, decays)
 """Workload -> (options, variant) -> what runs it."""

@@ -8,6 +8,13 @@ from rockeom.numeric.machine import Loaded, compiled
 from rockeom.numeric.printer import Program, Text
 from rockeom.numeric.program import texts
 
+HEAD = """
+import math
+import numpy as np
+from rockeom.marks import *
+"""
+"""What a text needs that stands alone."""
+
 
 def functions(
     text: str, of: ModuleType | None = None, method: str = "DOP853", contract: bool = True

@@ -21,6 +21,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "ground.h"
 #include "method.h"
 
 #define M (N / 2) /* coordinates; their rates stand behind them in the state */
@@ -40,30 +41,9 @@ enum { COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED };
 
 /* -- ground ----------------------------------------------------------------------------------- */
 
-typedef struct {
-    double start, end, kind, c0, c1, c2, c3;
-} law;
-
-static const law quiet = {0.0, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
-
-static inline double ground_at(const law *g, double t)
-{
-    double tau = t - g->start;
-    if (g->kind == 0.0)
-        return g->c0 + g->c1 * tau;
-    return g->c0 * sine_of(g->c1 * tau + g->c2);
-}
-
 static inline double ground_slope(const law *g, double t)
 {
     return g->kind == 0.0 ? g->c1 : g->c0 * g->c1 * cos(g->c1 * (t - g->start) + g->c2);
-}
-
-static inline const law *law_at(const law *motion, long n, long *i, double t)
-{
-    while (*i < n && t >= motion[*i].end)
-        ++*i;
-    return *i < n ? &motion[*i] : &quiet;
 }
 
 /* At all stages of a step, for the mirrored structure; several sines at once. */
@@ -86,14 +66,7 @@ static inline void ground_at_stages(const law *g, double side, double t, double 
         double s = 1.0 / 51090942171709440000.0;
         s = s * z - 1.0 / 121645100408832000.0;
         s = s * z + 1.0 / 355687428096000.0;
-        s = s * z - 1.0 / 1307674368000.0;
-        s = s * z + 1.0 / 6227020800.0;
-        s = s * z - 1.0 / 39916800.0;
-        s = s * z + 1.0 / 362880.0;
-        s = s * z - 1.0 / 5040.0;
-        s = s * z + 1.0 / 120.0;
-        s = s * z - 1.0 / 6.0;
-        s = r + r * z * s;
+        s = sine_series(r, s * z - 1.0 / 1307674368000.0);
         out[j] = amplitude * (s - 2.0 * odd * odd * s);
     }
 }

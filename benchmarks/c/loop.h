@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "ground.h"
 #include "method.h"
 
 enum { COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE, FULL };
@@ -25,35 +26,12 @@ enum { IMPACT, UPLIFT, SWITCH, REST };
 #define STAGES 12
 #define ALL_STAGES 16
 
-/* -- ground ----------------------------------------------------------------------------------- */
-
-typedef struct {
-    double start, end, kind, c0, c1, c2, c3;
-} law;
-
-static const law quiet = {0.0, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
-
-static inline double ground(const law *g, double t)
-{
-    double tau = t - g->start;
-    if (g->kind == 0.0)
-        return g->c0 + g->c1 * tau;
-    return g->c0 * sine_of(g->c1 * tau + g->c2);
-}
-
-static inline const law *law_at(const law *motion, long n, long *i, double t)
-{
-    while (*i < n && t >= motion[*i].end)
-        ++*i;
-    return *i < n ? &motion[*i] : &quiet;
-}
-
 /* -- one step --------------------------------------------------------------------------------- */
 
 static inline void rate(int contact, const double *y, const constants *c, const law *g, double t,
                         double *dy)
 {
-    double a = ground(g, t);
+    double a = ground_at(g, t);
     if (contact == UPRIGHT)
         rates_upright(y, c, a, dy);
     else
@@ -265,7 +243,7 @@ static int stays_held(double t, double h, const double *y, const double *y_new, 
             w[i] = value;
             w[N / 2 + i] = slope * (5.0 / h);
         }
-        double a = ground(g, t + NODES[m] * h);
+        double a = ground_at(g, t + NODES[m] * h);
         double left = -opening(-1.0, w, c, a), right = -opening(1.0, w, c, a);
         for (int i = 0; i < 8; ++i) {
             b[0][i] += SAMPLES_TO_BERNSTEIN[i][m] * left;
@@ -302,7 +280,7 @@ static int guard_polynomials(int contact, double t, double h, const constants *c
         double w[N];
         for (int i = 0; i < N; ++i)
             w[i] = dense_at(poly, NODES[m], i);
-        double a = ground(g, t + NODES[m] * h);
+        double a = ground_at(g, t + NODES[m] * h);
         double left = -opening(-1.0, w, c, a), right = -opening(1.0, w, c, a);
         for (int i = 0; i < 8; ++i) {
             b[0][i] += SAMPLES_TO_BERNSTEIN[i][m] * left;
@@ -317,7 +295,7 @@ static double rounding(int contact, double h, const double *y, const constants *
 {
     if (contact == UPRIGHT)
         return 1e-8 * size(b);
-    double a = ground(g, t);
+    double a = ground_at(g, t);
     double acceleration = fabs(opening(-1.0, y, c, a)) + fabs(opening(1.0, y, c, a));
     return fmax(1e-11 * size(b), 1e-10 * acceleration * h * h);
 }
@@ -365,7 +343,7 @@ static double crest(double (*poly)[N])
 static double time_to_rest(int contact, const double *y, const constants *c, double ratio,
                            const law *g, double t, double tolerance, double *out, int *follows)
 {
-    double w[N], total = 0.0, start = fabs(y[RATE]), a = ground(g, t);
+    double w[N], total = 0.0, start = fabs(y[RATE]), a = ground_at(g, t);
     memcpy(w, y, sizeof w);
     for (;;) {
         rates(contact - 1.0, w, c, a, out);
@@ -436,7 +414,7 @@ static double first_step(const double *y, const double *dy, double rtol, double 
 static int settle(double t, double h, const double *y, const constants *c, const law *g,
                   int touching)
 {
-    double a = ground(g, t);
+    double a = ground_at(g, t);
     int left = touching != 0 && opening(-1.0, y, c, a) > 0.0;
     int right = touching != 1 && opening(1.0, y, c, a) > 0.0;
     if (!left && !right)
@@ -445,7 +423,7 @@ static int settle(double t, double h, const double *y, const constants *c, const
     rates_upright(y, c, a, dy);
     for (int i = 0; i < N; ++i)
         w[i] = y[i] + tau * dy[i];
-    a = ground(g, t + tau);
+    a = ground_at(g, t + tau);
     double up_left = opening(-1.0, w, c, a), up_right = opening(1.0, w, c, a);
     left = left && up_left > 0.0;
     right = right && up_right > 0.0;
@@ -473,9 +451,9 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             break;
         }
         if (t >= g->end) {
-            double before = ground(g, t), after;
+            double before = ground_at(g, t), after;
             g = law_at(motion, n_laws, &i_law, t);
-            after = ground(g, t);
+            after = ground_at(g, t);
             if (fabs(after - before) > 1e-10 * (fabs(before) + fabs(after)))
                 fresh = 1; /* the ground jumps: so do the rates */
         }
@@ -515,7 +493,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                 if (target >= 0) {
                     double left;
                     if (contact == UPRIGHT)
-                        left = -opening(target ? 1.0 : -1.0, y_new, c, ground(g, t + h));
+                        left = -opening(target ? 1.0 : -1.0, y_new, c, ground_at(g, t + h));
                     else
                         left = (contact - 1.0) * y_new[ROTATION];
                     double move = slope < 0.0 ? -left / slope : 0.0;

@@ -8,6 +8,19 @@
 
 #include <math.h>
 
+/* The Taylor series of the sine of r; s : the factor of r^15, with what follows it. */
+static inline double sine_series(double r, double s)
+{
+    double z = r * r;
+    s = s * z + 1.0 / 6227020800.0;
+    s = s * z - 1.0 / 39916800.0;
+    s = s * z + 1.0 / 362880.0;
+    s = s * z - 1.0 / 5040.0;
+    s = s * z + 1.0 / 120.0;
+    s = s * z - 1.0 / 6.0;
+    return r + r * z * s;
+}
+
 static inline void sine_cosine(double x, double *sine, double *cosine)
 {
 #ifdef SMALL_ANGLES
@@ -38,14 +51,7 @@ static inline void sine_cosine(double x, double *sine, double *cosine)
     double n = rint(x * 0.63661977236758134308);
     double r = (x - n * 0x1.921fb54400000p+0) - n * 0x1.0b4611a626331p-34;
     double z = r * r;
-    double s = -1.0 / 1307674368000.0;
-    s = s * z + 1.0 / 6227020800.0;
-    s = s * z - 1.0 / 39916800.0;
-    s = s * z + 1.0 / 362880.0;
-    s = s * z - 1.0 / 5040.0;
-    s = s * z + 1.0 / 120.0;
-    s = s * z - 1.0 / 6.0;
-    s = r + r * z * s;
+    double s = sine_series(r, -1.0 / 1307674368000.0);
     double c = 1.0 / 20922789888000.0;
     c = c * z - 1.0 / 87178291200.0;
     c = c * z + 1.0 / 479001600.0;

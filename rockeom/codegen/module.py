@@ -2,8 +2,8 @@
 
 The module is the whole of what the numeric side knows about a structure: tables (states,
 parameters, contacts, transitions) and functions of plain numbers and arrays (rates, guards,
-jump, energies, reactions, kinematics, statics). It imports only math and
-numpy, and the marks for who makes machine code of it.
+jump, energies, reactions, kinematics, statics). It imports only math, numpy, and the marks for
+what makes machine code of it.
 """
 
 from __future__ import annotations

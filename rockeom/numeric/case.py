@@ -44,12 +44,12 @@ class Problem(NamedTuple):
     quiet_from: float
 
     def p(self, width: int = 0) -> np.ndarray:
-        """The parameters with the table behind them, which is read from its end.
+        """The parameters with the table behind them, which is read from its end; a new array.
 
         width : of the widest table of several cases, so that all have rows of one length.
         """
         if not (self.table or width):
-            return self.vector
+            return self.vector.copy()
         return np.concatenate([self.vector, np.zeros(max(width - len(self.table), 0)), self.table])
 
 
@@ -97,11 +97,10 @@ class Case:
         if not (math.isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
-        towards = 0.0
-        if not (structure.rocks_on_rigid_ground or rotation or y0[structure.module.ROTATION_RATE]):
-            towards = self._about_to_turn(y0) or -_first_push(motion)
+        moves = rotation or y0[structure.module.ROTATION_RATE]
+        known = moves or structure.rocks_on_rigid_ground or self.phase is not None
         return Problem(
-            contact=structure.contact(y0, self.phase, towards),
+            contact=structure.contact(y0, self.phase, 0.0 if known else self._about_to_turn(y0)),
             y0=y0,
             vector=structure.vector,
             table=structure.impact_table(self.impact),
@@ -118,15 +117,19 @@ class Case:
         """Sign of the rotation to come from upright and at rest, by the equations; 0 if none is.
 
         Weight or springs may turn a structure, too, that shaking does not. Those of both sides are
-        added: what only one of them has is its support.
+        added: what only one of them has is its support. Where nothing turns it yet, the first push
+        of the ground will.
         """
         structure, m = self.structure, self.structure.module
-        ground = [_soon(self.motion), 0.0 if self.vertical is None else _soon(self.vertical)]
+        pushes = _pushes(self.motion)
+        lift = 0.0 if self.vertical is None else _pushes(self.vertical, 1)[0]
         turn, rate = 0.0, np.zeros(len(y0))
         for side in (-1.0, 1.0):
-            m.rates(structure.contact(y0, None, side), y0, structure.vector, *ground, rate)
+            contact = structure.contact(y0, None, side)
+            m.rates(contact, y0, structure.vector, pushes[0], lift, rate)
             turn += float(rate[m.ROTATION_RATE])
-        return float(np.sign(turn))
+        first = pushes[pushes != 0.0][:1].sum()
+        return float(np.sign(turn) or -np.sign(first))
 
 
 def _check_motion(name: str, motion: Any) -> None:
@@ -138,23 +141,13 @@ def _check_motion(name: str, motion: Any) -> None:
         )
 
 
-def _soon(motion: GroundMotion) -> float:
-    """The ground acceleration soon after the start [m/s2]."""
-    return float(_pushes(motion)[0])
-
-
-def _first_push(motion: GroundMotion) -> float:
-    """Sign of the ground acceleration with which shaking begins; 0 if there is none."""
-    pushes = _pushes(motion)
-    return float(np.sign(pushes[pushes != 0.0][0])) if pushes.any() else 0.0
-
-
-def _pushes(motion: GroundMotion) -> np.ndarray:
-    """The ground acceleration of each law, a thousandth of the law's own time behind its start.
+def _pushes(motion: GroundMotion, laws: int | None = None) -> np.ndarray:
+    """The ground acceleration of the first laws, a thousandth of the law's own time behind a start.
 
     Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
+    laws : how many; all if not given.
     """
-    start, end, kind, rate = motion.segments[:, [START, END, KIND, C1]].T
+    start, end, kind, rate = motion.segments[:laws, [START, END, KIND, C1]].T
     curved = (kind != LINEAR) & (rate != 0.0)
     own = np.minimum(end - start, 1.0 / np.where(curved, np.abs(rate), 1e-9))
     return motion.acceleration(start + 1e-3 * own)

@@ -389,6 +389,16 @@ def clearly_open(b, at):
     return least > 1e-3 * most
 
 
+@inlined
+def rotation_polynomial(side, coefficients, b, at):
+    """Bernstein coefficients b[at : at + 8] of the rotation to a side, from the dense output."""
+    for i in range(8):
+        b[at + i] = 0.0
+        for j in range(i + 1):
+            power = side * coefficients[j * N_STATES + ROTATION]
+            b[at + i] += POWERS_TO_BERNSTEIN[i, j] * power
+
+
 def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
     """Bernstein coefficients of all guards over the step of the dense output, into b (m * 8,)."""
     sampled = False
@@ -397,12 +407,7 @@ def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
             sampled = True
             continue
         # an impact's guard is the rotation, on its side: exactly the dense output
-        side = SIDES[contact]
-        for i in range(8):
-            b[8 * n + i] = 0.0
-            for j in range(i + 1):
-                power = side * coefficients[j * N_STATES + ROTATION]
-                b[8 * n + i] += POWERS_TO_BERNSTEIN[i, j] * power
+        rotation_polynomial(SIDES[contact], coefficients, b, 8 * n)
     if not sampled:
         return
     for n in range(N_GUARDS + N_PARTS):
@@ -848,10 +853,10 @@ def integrate(
                         x = first_fall(b, 8 * i, grain, touching == i, noise, stack)
                     if touching == i:
                         unclear = abs(b[8 * row + 1]) <= noise
-                    hover = size(b, 8 * row)
-                    if x < place and hover <= noise_of(contact, i, p, fallen, noises, w, g):
-                        continue  # nothing but rounding errors
                     if x < place:
+                        hover = size(b, 8 * row)
+                        if hover <= noise_of(contact, i, p, fallen, noises, w, g):
+                            continue  # nothing but rounding errors
                         place = x
                         target = i
                         from_closed = touching == i
@@ -1133,12 +1138,9 @@ def bound_passed(coefficients, bound, b, stack):
         # there and back within the step
         place = NEVER
         for turn in range(2):
-            side = 2.0 * turn - 1.0
+            rotation_polynomial(1.0 - 2.0 * turn, coefficients, b, 0)
             for i in range(8):
-                b[i] = bound
-                for j in range(i + 1):
-                    power = side * coefficients[j * N_STATES + ROTATION]
-                    b[i] -= POWERS_TO_BERNSTEIN[i, j] * power
+                b[i] += bound
             place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
         return place
     low, high = 0.0, 1.0

@@ -148,7 +148,7 @@ _MATH = {
 }  # fmt: skip
 """Functions of one float, and what LLVM calls them."""
 
-LIBRARY = frozenset({"sin", "cos", "exp", "log", "pow", "atan2", "sincos", *_MATH} - {"sqrt"})
+LIBRARY = frozenset({"sin", "cos", "exp", "log", "pow", "sincos", *_MATH} - {"sqrt"})
 """Functions that a program may ask of the system's library of mathematics."""
 
 
@@ -307,12 +307,7 @@ class _Function:
         self.arguments = [a.arg for a in arguments.args]
         if len(self.arguments) != len(types):
             self.refuse(None, f"it takes {len(self.arguments)} arguments, and got {len(types)}")
-        stored = {
-            node.id
-            for node in ast.walk(tree)
-            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-        }
-        self.locals = stored | set(self.arguments)
+        self.locals = _stored(tree) | set(self.arguments)
         fused = program.contract and (definition.text.fused or "fused" in definition.marks)
         self.fast = "contract " if fused else ""
         self.argument_types = types
@@ -393,7 +388,7 @@ class _Function:
         self._line(f"br label %{label}")
         self.open = False
 
-    def _on_stack(self, element: str, size: int | str = 1) -> str:
+    def _on_stack(self, element: str, size: int = 1) -> str:
         """A place that lasts as long as the call."""
         self.count += 1
         name = f"%s{self.count}"

@@ -18,12 +18,11 @@ from collections.abc import Callable
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from rockeom.numeric.machine import Loaded, target
-from rockeom.numeric.printer import NOTHING, Array, Entry, Text
+from rockeom.numeric.machine import Loaded, compiled, target
+from rockeom.numeric.printer import NOTHING, Array, Entry, Program as Printed, Text
 from rockeom.numeric.store import kept
 
 _LANES = ("lanes.py", "lanes_text.py")
@@ -93,9 +92,6 @@ def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
 
 def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
     """A line that describes a program, and its machine code."""
-    from rockeom.numeric.machine import compiled
-    from rockeom.numeric.printer import Program as Printed
-
     started = time.monotonic()
     printed = Printed(texts(generated, method, lanes))
     code = compiled(printed.ir(), lanes)
@@ -150,8 +146,8 @@ def _own(name: str) -> str:
 
 
 def _source(generated: ModuleType) -> str:
-    own = getattr(generated, "__rockeom_source__", None)
-    return Path(str(generated.__file__)).read_text(encoding="utf-8") if own is None else own
+    """Of a file, or of what `load_text` has put in its place."""
+    return "".join(linecache.getlines(str(generated.__file__)))
 
 
 def load_text(name: str, text: str) -> ModuleType:
@@ -160,7 +156,6 @@ def load_text(name: str, text: str) -> ModuleType:
     if module_name not in sys.modules:
         module = ModuleType(module_name)
         module.__file__ = f"<{module_name}>"
-        module.__rockeom_source__ = text  # type: ignore[attr-defined]
         lines = text.splitlines(keepends=True)
         linecache.cache[module.__file__] = len(text), None, lines, module.__file__
         exec(compile(text, module.__file__, "exec"), vars(module))

@@ -85,7 +85,7 @@ class Record:
 
 def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool = True) -> Record:
     """Run the compiled loop to its end, emptying its records whenever they are full."""
-    n, q, p = len(problem.y0), problem, problem.p().copy()  # the loop nudges it for a moment
+    n, q, p = len(problem.y0), problem, problem.p()
     atol = np.full(n, options.atol)
     status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
     clock = np.zeros(4)

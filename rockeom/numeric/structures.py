@@ -54,7 +54,7 @@ class Structure:
         """What compiled functions take as p: the parameters and constants prepared of them."""
         values = self.parameters()
         parameters = np.array([float(values[n]) for n in self.module.PARAMETERS])
-        return self.module.prepare(parameters)  # once: to compile it takes two seconds
+        return self.module.prepare(parameters)
 
     @property
     def states(self) -> tuple[str, ...]:

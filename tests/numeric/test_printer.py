@@ -14,13 +14,7 @@ import pytest
 
 from rockeom.numeric import printer
 from rockeom.numeric.printer import Program, Refused, Text
-from tests.machine_code import functions
-
-HEAD = """
-import math
-import numpy as np
-from rockeom.marks import *
-"""
+from tests.machine_code import HEAD, functions
 
 GREATEST_DIVISOR = """
 @entry

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.numeric.program import texts
-from tests.machine_code import functions
+from tests.machine_code import HEAD, functions
 
 Ways = dict[str, Callable[..., Any]]
 
@@ -31,10 +31,6 @@ ASKED = {
 }
 """Functions of a generated module that fill `out`, and how each is called."""
 FRAME = """
-import math
-import numpy as np
-from rockeom.marks import *
-
 @entry
 def ask_jump(contact: int, y: Floats, p: Floats, ax: float, ay: float, out: Floats):
     for guard in range(GUARDS[contact]):
@@ -45,7 +41,7 @@ def ask_jump(contact: int, y: Floats, p: Floats, ax: float, ay: float, out: Floa
 
 
 def questions(module: ModuleType) -> str:
-    text = FRAME
+    text = HEAD + FRAME
     for name, (arguments, call) in ASKED.items():
         if hasattr(module, name):
             text += f"\n@entry\ndef ask_{name}(contact: int, y: Floats, p: Floats, {arguments}):\n"
