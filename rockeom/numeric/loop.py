@@ -834,12 +834,14 @@ def integrate(
                     target = landed = -1
                     corrections = 0
                     continue
-                if landed >= 0 or open_:
+                if open_ or (landed >= 0 and not closes):
                     break
                 place = NEVER
                 unclear = from_closed = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
+                    if i == landed:
+                        continue
                     noise = 0.0
                     if touching == i:
                         ax, ay = shaking(gx, t), shaking(gy, t)
@@ -862,8 +864,9 @@ def integrate(
                         from_closed = touching == i
                         from_closed |= not rocks and abs(b[8 * row]) <= SAMPLED * hover
                         slope = bernstein_at(b, 8 * row, x)[1] / h
-                if target < 0:
+                if place == NEVER:
                     break
+                landed = -1
                 if place * h <= 4.0 * EPS * max(t, h):
                     if rocks:
                         slow = y[ROTATION_RATE] == 0.0

@@ -576,14 +576,30 @@ def cut(r: Record) -> Found:
     """Cut in two and continued from the final state and phase: the whole motion.
 
     How much a small error grows is measured by a third motion, which continues from a state moved
-    by what a step is allowed: the bound is 1e-9 of the largest state, and thirty times that.
+    by what a step is allowed: the bound is 1e-9 of the largest state, and thirty times that. What
+    steps err by later may grow more; so both are made again with a thousandth of the tolerance, and
+    a difference that does not become smaller is none of steps.
     """
+    line, apart = _apart(r)
+    o = r.motion.options
+    if apart is not None and o.rtol >= 1e-8:
+        finer = replace(o, rtol=1e-3 * o.rtol, atol=1e-3 * o.atol, max_steps=20 * o.max_steps)
+        motion = replace(r.motion, options=finer)
+        _, still = _apart(Record(motion, motion.run()))
+        if still is None or (still <= 0.1 * apart).all():
+            return
+    if line:
+        yield line
+
+
+def _apart(r: Record) -> tuple[str, np.ndarray | None]:
+    """What is wrong with a motion in two parts, if anything, and how far apart the ends are."""
     dice = Dice(r.motion.seed, 0, 2)
     run, m = r.run, r.program
     if run.outcome not in (rk.Outcome.COMPLETED, rk.Outcome.CAME_TO_REST):
-        return
+        return "", None
     if r.motion.options.steps_per_law:
-        return  # another length of the laws, and so of the steps
+        return "", None  # another length of the laws, and so of the steps
     at = run.duration * dice.between(0.05, 0.95)
     first = rk.simulate(
         r.motion.structure, r.motion.motion, **r.motion.arguments(), duration=at,
@@ -591,8 +607,8 @@ def cut(r: Record) -> Found:
     )  # fmt: skip
     if not math.isclose(first.steps.span[-1].sum(), at, rel_tol=1e-12):
         if first.outcome in (rk.Outcome.COMPLETED, rk.Outcome.CAME_TO_REST):
-            yield f"cut: {first.outcome} at {first.steps.span[-1].sum():.9g} s of {at:.9g} s"
-        return
+            return f"cut: {first.outcome} at {first.steps.span[-1].sum():.9g} s of {at:.9g} s", None
+        return "", None
     events = first.passages[0]
     contact = first.steps.contact[-1]
     if len(events) and events[-1] >= first.steps.span[-1].sum():
@@ -626,21 +642,23 @@ def cut(r: Record) -> Found:
             moved[turned] = moved[turned + len(moved) // 2] = 0.0
         twin = rest(moved)
         if twin.outcome is not second.outcome or len(twin.passages[0]) != len(second.passages[0]):
-            return  # any error decides
+            return "", None  # any error decides
         grown = np.maximum(grown, np.abs(twin.end - second.end))
     bound = 1e-9 * largest + 30 * r.slack / SLACK * (grown + o.rtol * largest + o.atol)
     if (bound > 1e-3 * largest + 1000 * o.atol).any():
-        return
+        return "", None
     if second.outcome is rk.Outcome.STALLED:
-        return  # a tolerance of rounding errors' size: as many steps as were allowed
+        return "", None  # a tolerance of rounding errors' size: as many steps as were allowed
     if second.outcome is not run.outcome:
-        yield f"cut at {at!r} s: {second.outcome}, the whole {run.outcome}"
-    elif (off := np.abs(second.end - run.end) > bound).any():
-        i = int(np.flatnonzero(off)[0])
-        yield (
-            f"cut at {at!r} s: {m.STATES[i]} ends at {second.end[i]!r}, the whole at "
-            f"{run.end[i]!r}; {bound[i]:.3g} may be"
-        )
+        return f"cut at {at!r} s: {second.outcome}, the whole {run.outcome}", None
+    apart = np.abs(second.end - run.end)
+    if not (apart > bound).any():
+        return "", None
+    i = int(np.flatnonzero(apart > bound)[0])
+    return (
+        f"cut at {at!r} s: {m.STATES[i]} ends at {second.end[i]!r}, the whole at "
+        f"{run.end[i]!r}; {bound[i]:.3g} may be"
+    ), apart
 
 
 def later(motion: rk.GroundMotion, t: float, duration: float) -> rk.GroundMotion:

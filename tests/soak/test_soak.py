@@ -41,6 +41,8 @@ ONCE_WRONG = {
     813609: ("mirror", "full contact with a slack tendon"),
     1063885: ("none", "a wall that yields turns where it has just begun to"),
     1057755: ("none", "an impact ends in full contact, out of which the other foot lifts at once"),
+    1068297: ("none", "a tendon slackens just before an impact, a small part of a step"),
+    1040351: ("cut", "small errors of steps grow at impacts whose loss depends on their speed"),
     1009897: ("none", "a rest of more than a thousand impacts gives too little to the column"),
 }
 """Seeds that found something: the check that is made besides those of every response, and what."""
