@@ -180,7 +180,11 @@ def test_interrupt_that_wakes_nobody():
         return rk.Case(BLOCK, rk.GroundMotion.none(5.0), initial={"theta": theta_0})
 
     over = {"theta_0": np.linspace(0.1, 0.2, 200_000)}
-    result = rk.simulate_many(case, over=over, threads=2)
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        result = rk.simulate_many(case, over=over, threads=2)
+    finally:
+        signal.signal(signal.SIGINT, handler)
     assert result.attrs["interrupted"] == 1
     assert 0 < (result.outcome != "not run").sum() < 150_000
 
@@ -189,7 +193,9 @@ def test_interrupt_that_wakes_nobody():
 def test_interrupt_from_the_keyboard():
     """Ctrl-C in the middle of a million: the process goes on with what was done."""
     code = """
+import signal
 import rockeom as rk, numpy as np
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored by what runs in the background
 block, still = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25), rk.GroundMotion.none(50.0)
 theta = np.linspace(0.1, 0.2, 1_000_000)
 def case(theta_0):
