@@ -141,9 +141,9 @@ def simulate_many(
     results = _Results.empty(total, module.N_STATES, impact_times)
     asked = _Asked.empty(total, quantities, times, options)
 
-    def run(first: int, batch: list[tuple[Case, Problem]]) -> int:
-        asked.run(first, [c for c, _ in batch])
-        return results.run(first, [q for _, q in batch], compiled, options, lanes)
+    def run(first: int, batch: list[tuple[Case, Problem]], stop: threading.Event) -> None:
+        asked.run(first, [c for c, _ in batch], stop)
+        results.run(first, [q for _, q in batch], compiled, options, stop, lanes)
 
     interrupted = False
     with _Progress(total, sys.stderr.isatty() if progress is None else progress) as shown:
@@ -257,10 +257,10 @@ def _check_linear(problem: Problem) -> None:
 def _in_threads(
     threads: int,
     source: _Source,
-    work: Callable[[int, list[tuple[Case, Problem]]], int],
+    work: Callable[[int, list[tuple[Case, Problem]], threading.Event], None],
     done: Callable[[int], None],
 ) -> None:
-    """Threads make a chunk in turn, and run it; an interrupt waits for those under way.
+    """Threads make a chunk in turn, and run it, until all are done or `stop` is set.
 
     Making holds Python's lock and running does not: while one thread makes, the others run. One
     thread is the caller's own.
@@ -277,7 +277,8 @@ def _in_threads(
                 made = None if stop.is_set() else next(chunks, None)
             if made is None:
                 return
-            ran = work(*made)
+            work(*made, stop)
+            ran = len(made[1])
 
     if threads == 1:
         worker()
@@ -326,9 +327,10 @@ class _Results:
         batch: list[Problem],
         compiled: Program,
         options: SolverOptions,
+        stop: threading.Event,
         lanes: bool = False,
-    ) -> int:
-        """Run a chunk and write its rows; returns the number of cases."""
+    ) -> None:
+        """Run a chunk and write its rows; those of motions that are stopped stay as not run."""
         rows = slice(first, first + len(batch))
         start = np.array([q.y0 for q in batch])
         n, width = start.shape
@@ -352,15 +354,23 @@ class _Results:
             np.array([q.fallen for q in batch]), options.rest_tolerance, options.max_impacts,
             options.max_steps, outcome, self.peaks[rows], self.times[rows],
         )  # fmt: skip
-        if lanes:
-            records = [np.append(q.horizontal[-1:, 1], q.vertical[-1:, 1]).max() for q in batch]
-            compiled.integrate_lanes(*state, np.minimum(ends, records), *others)
-        compiled.integrate_many(*state, ends, np.array([q.quiet_from for q in batch]), *others)
-        self.final_time[rows] = clock[:, 0]
-        self.contact[rows], self.impacts[rows] = status[:, 0], status[:, 2]
-        self.refined[rows] = status[:, 9]
-        self.outcome[rows] = outcome
-        return n
+        quiet = np.array([q.quiet_from for q in batch])
+        in_lanes = ended = 0
+        try:
+            if lanes:
+                records = [np.append(q.horizontal[-1:, 1], q.vertical[-1:, 1]).max() for q in batch]
+                until = np.minimum(ends, records)
+                while in_lanes < n and not stop.is_set():
+                    in_lanes = compiled.integrate_lanes(in_lanes, *state, until, *others)
+            while ended < n and not stop.is_set():
+                ended = compiled.integrate_many(ended, *state, ends, quiet, *others)
+        finally:
+            there = slice(first, first + ended)
+            self.final_time[there] = clock[:ended, 0]
+            self.contact[there], self.impacts[there] = status[:ended, 0], status[:ended, 2]
+            self.refined[there] = status[:ended, 9]
+            self.outcome[there] = outcome[:ended]
+            self.times[first + ended : first + n] = np.nan
 
     def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> Sweep:
         dims = tuple(values)
@@ -419,8 +429,10 @@ class _Asked:
         extremes, histories = np.full((n, 2, m), np.nan), np.full((n, m, at.size), np.nan)
         return cls(tuple(names), at, how, extremes, histories)
 
-    def run(self, first: int, cases: list[Case]) -> None:
+    def run(self, first: int, cases: list[Case], stop: threading.Event) -> None:
         for row, case in enumerate(cases if self.quantities else (), first):
+            if stop.is_set():
+                return
             response = simulate(
                 case.structure, case.motion, impact=case.impact, initial=case.initial,
                 duration=case.duration, vertical=case.vertical, phase=case.phase,

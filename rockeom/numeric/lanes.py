@@ -364,8 +364,10 @@ def ready(lane, z, w, home, ground, data, how, work):
     return False
 
 
-def run_lanes(z, w, home, ground, data, how, work):
-    """Run all cases to their times `stop`, or to the outcomes that end them.
+def run_lanes(first, z, w, home, ground, data, how, work):
+    """Run cases from `first` on to their times `stop`, or to the outcomes that end them.
+
+    When a TURN is over no more are begun; returns the next one.
 
     z, w : the lanes. home : what each case is taken in from and out to. ground, data, how :
     motions, structures and options, as in `integrate_lanes`. work : records and scratch of
@@ -375,7 +377,7 @@ def run_lanes(z, w, home, ground, data, how, work):
     h_rows, v_rows, stop = ground[1], ground[3], ground[4]
     h_max, fixed = how[2], how[3]
     coarse = most_error(how[0])  # such a step is left to `integrate`
-    waiting = 0
+    waiting, left = first, TURN
     w[W_CASE : W_CASE + LANES] = -1
     while True:
         running, held = 0, False
@@ -398,7 +400,7 @@ def run_lanes(z, w, home, ground, data, how, work):
                         break
                     take_out(lane, z, w, home)
                 w[W_CASE + lane] = -1
-                if waiting == len(stop):
+                if waiting == len(stop) or left < 0:
                     break
                 # the next case
                 w[W_CASE + lane] = waiting
@@ -415,7 +417,8 @@ def run_lanes(z, w, home, ground, data, how, work):
                 waiting += 1
                 goes_on = True
         if running == 0:
-            return
+            return waiting
+        left -= running
         plan_lanes(z, fixed, h_max)
         step_lanes(z, how[0], how[1])
         judge_lanes(z, coarse)
@@ -426,13 +429,16 @@ def run_lanes(z, w, home, ground, data, how, work):
 
 @entry
 def integrate_lanes(
-    status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, stop: Floats,
+    first: int, status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, stop: Floats,
     horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2, p: Floats2, law: Ints,
     ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int, fallen: Floats,
     rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints, peaks: Floats3,
     impact_times: Floats2,
-):  # fmt: skip
+) -> int:  # fmt: skip
     """Integrate n motions under linear laws of the ground, each to its time `stop`.
+
+    first : the motion to begin with. Returns the one that the next call begins with: n if there is
+    none, less if a TURN is over.
 
     status (n, 10), clock (n, 4), states and rates (n, N) are those of `integrate`, so that it may
     go on from there. outcome (n,) gets that of a motion that ends before, and is FULL at the start.
@@ -441,8 +447,8 @@ def integrate_lanes(
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
-    run_lanes(
-        np.zeros(Z_SIZE), np.zeros(3 * LANES, np.int64),
+    return run_lanes(
+        first, np.zeros(Z_SIZE), np.zeros(3 * LANES, np.int64),
         (status, clock, states, rates, peaks, outcome, impact_times),
         (horizontal, h_rows, vertical, v_rows, stop),
         (p, law, ratio, fallen),

@@ -16,7 +16,8 @@ from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 
 # Outcomes, numbered as in rockeom.numeric.response.Outcome
 COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
-FULL = 7  # no outcome: the records must be emptied before the loop goes on
+FULL = 7  # no outcome: the records must be emptied before the loop goes on, or a turn is over
+TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
 
 # Columns of the record of events
 IMPACT, UPLIFT, SWITCH, REST = range(4)
@@ -673,7 +674,7 @@ def integrate(
     steps: Floats2, step_contact: Ints, step_states: Floats3, events: Floats, event_kinds: Ints2,
     event_states: Floats3, peaks: Floats2, scratch: Floats,
 ) -> int:  # fmt: skip
-    """Integrate to t_end, to the outcome that ends the motion, or until a record is FULL.
+    """Integrate to t_end, to the outcome that ends the motion, or until a record or turn is FULL.
 
     status : contact, guard closed at t (or -1), impacts, steps taken, passages since time last
         moved, whether a guard may be due at t (1, or 0), whether the rate at t must be found anew
@@ -715,6 +716,7 @@ def integrate(
     rocks = rocking(contact)
     side = SIDES[contact]
     outcome = COMPLETED
+    turn = taken + TURN
     for i in range(noises.shape[0]):
         noises[i] = -1.0
 
@@ -732,7 +734,8 @@ def integrate(
                 fresh = news = 1
         if not t < t_end:
             break
-        if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
+        full = (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]
+        if full or taken > turn:
             outcome = FULL
             break
         last = min(gx[1], gy[1], t_end)
@@ -1224,14 +1227,16 @@ def falls(
 
 @entry
 def integrate_many(
-    status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, t_end: Floats,
+    first: int, status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, t_end: Floats,
     quiet_from: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2,
     p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int,
     fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints,
     peaks: Floats3, impact_times: Floats2,
-):  # fmt: skip
+) -> int:  # fmt: skip
     """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
 
+    first : the motion to go on with. Returns the one that the next call goes on with: n if there is
+    none, less if a TURN is over.
     status (n, 10), clock (n, 4), states and rates (n, N) as in `integrate`, at the start, and on
     return at the end. horizontal, vertical : the rows of all motions, those of motion i from
     h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from, law, ratio, fallen (n,), p (n, m). outcome
@@ -1241,13 +1246,19 @@ def integrate_many(
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     scratch = np.zeros(SCRATCH)
-    for n in range(len(states)):
+    left = TURN
+    for n in range(first, len(states)):
+        if left < 0:
+            return n
         y = states[n]
         widen(peaks[n], y)
         noted = status[n, 2]
         code = outcome[n]
         while code == FULL:
+            if left < 0:
+                return n
             status[n, 8] = 0
+            left += status[n, 3]
             code = integrate(
                 status[n], clock[n], y, rates[n], t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
                 vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
@@ -1255,6 +1266,7 @@ def integrate_many(
                 steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
                 scratch,
             )  # fmt: skip
+            left -= status[n, 3]
             for e in range(status[n, 8]):
                 if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                     impact_times[n, noted] = events[e]
@@ -1269,6 +1281,7 @@ def integrate_many(
             elif at_rest(status[n, 0], y, p[n]):
                 code = CAME_TO_REST
         outcome[n] = code
+    return len(states)
 
 
 def row_for(table, n, t):

@@ -37,8 +37,8 @@ class Program:
     """
 
     integrate: Callable[..., int]
-    integrate_many: Callable[..., None]
-    integrate_lanes: Callable[..., None]
+    integrate_many: Callable[..., int]
+    integrate_lanes: Callable[..., int]
     falls: Callable[..., bool]
     at_rest: Callable[..., bool]
     evaluate: Callable[..., None]

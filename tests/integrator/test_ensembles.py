@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import tracemalloc
 from pathlib import Path
 
@@ -217,6 +218,74 @@ print(result.attrs["interrupted"], ran.sum(), np.isfinite(result.final_time.valu
     assert (interrupted, finite) == ("1", "True")
     # of 5000 cases made no more than a chunk for each thread, and two, can have been waiting
     assert 4000 <= int(ran) < 1_000_000
+
+
+@pytest.fixture
+def interrupted_soon():
+    """Ctrl-C in half a second; ignored by what runs in the background, so the handler is set."""
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    timer = threading.Timer(0.5, _thread.interrupt_main)
+    timer.start()
+    yield
+    timer.cancel()
+    signal.signal(signal.SIGINT, handler)
+
+
+FOREVER = {"options": rk.SolverOptions(max_impacts=10**9, max_steps=10**12)}
+
+
+def for_a_day(theta):
+    """Rocking without loss: some seconds of work each."""
+    still = rk.GroundMotion.none(86_400.0 * 5)
+    return rk.Case(BLOCK, still, rk.VelocityRatio(1.0), initial={"theta": theta})
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_interrupt_within_a_chunk_of_long_motions(interrupted_soon, threads):
+    """Hours of work in one chunk: answered at once, and what was ended is told."""
+    over = {"theta": [*np.linspace(0.2, 0.21, 256)]}
+    short = 40
+
+    def case(theta):
+        if theta < over["theta"][short]:  # these end before the interrupt
+            return rk.Case(BLOCK, rk.GroundMotion.none(2.0), initial={"theta": theta})
+        return for_a_day(theta)
+
+    started = time.monotonic()
+    result = rk.simulate_many(case, over, threads=threads, impact_times=3, **FOREVER)
+    assert time.monotonic() - started < 8.0
+    assert result.attrs["interrupted"] == 1
+    ran = (result.outcome != "not run").values
+    assert ran[:short].all()
+    assert not ran.all()
+    assert np.isfinite(result.final_time.values[ran]).all()
+    assert np.isnan(result.final_time.values[~ran]).all()
+    assert np.isnan(result.impact_time.values[~ran]).all()
+
+
+def test_interrupt_within_a_long_motion(interrupted_soon):
+    case = for_a_day(0.2)
+    started = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        rk.simulate(
+            case.structure, case.motion, impact=case.impact, initial=case.initial, **FOREVER
+        )
+    assert time.monotonic() - started < 8.0
+
+
+def test_a_motion_of_many_turns_is_that_of_one():
+    """A call that returns in the middle of a motion changes no bit of it."""
+    still = rk.GroundMotion.none(5_000.0)
+    run = rk.simulate(BLOCK, still, impact=rk.VelocityRatio(1.0), initial={"theta": 0.2}, **FOREVER)
+    assert run.statistics["steps"] > 40_000
+    many = rk.simulate_many(
+        lambda theta: rk.Case(BLOCK, still, rk.VelocityRatio(1.0), initial={"theta": theta}),
+        over={"theta": [0.2, 0.1, 0.2]},
+        **FOREVER,
+    )
+    for i in (0, 2):
+        np.testing.assert_array_equal(many.final.values[i], run.end)
+        assert many.impacts.values[i] == len(run.impacts)
 
 
 def test_error_in_a_case_names_the_case():
