@@ -843,7 +843,7 @@ def integrate(
                 unclear = from_closed = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
-                    if i == landed:
+                    if i == landed or (landed >= 0 and i == touching):
                         continue
                     noise = 0.0
                     if touching == i:

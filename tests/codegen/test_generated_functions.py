@@ -8,6 +8,7 @@ evaluates the plain expressions and LAPACK solves. What differs is rounding, so 
 
 import functools
 import importlib
+import itertools
 import zlib
 
 import numpy as np
@@ -157,7 +158,12 @@ class Sample:
 
     def sizes(self, *expressions, accelerations=()):
         """(k, N): the sums of the absolute values of the expressions' terms, laws a number each."""
-        return self.values(*map(magnitude, expressions), accelerations=accelerations)
+        parts = [terms(e) for e in expressions]
+        found = np.abs(
+            self.values(*(t for part in parts for t in part), accelerations=accelerations)
+        )
+        ends = np.cumsum([0, *map(len, parts)])
+        return np.array([found[a:b].sum(axis=0) for a, b in itertools.pairwise(ends)])
 
     def sizes_written_out(self, *expressions):
         """The same with the terms of the laws, where these are differences of larger numbers."""
@@ -193,9 +199,8 @@ class Sample:
         return out.T
 
 
-def magnitude(expr):
-    plain = sp.sympify(expr).replace(sp.Min, sp.Add)
-    return sp.Add(*(sp.Abs(term) for term in sp.Add.make_args(sp.expand(plain))))
+def terms(expr):
+    return sp.Add.make_args(sp.expand(sp.sympify(expr).replace(sp.Min, sp.Add)))
 
 
 def assert_agree(what, found, expected, size):

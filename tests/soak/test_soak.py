@@ -42,6 +42,7 @@ ONCE_WRONG = {
     1063885: ("none", "a wall that yields turns where it has just begun to"),
     1057755: ("none", "an impact ends in full contact, out of which the other foot lifts at once"),
     1068297: ("none", "a tendon slackens just before an impact, a small part of a step"),
+    1165890: ("none", "it comes back beside that impact, and its guard is closed at first"),
     1040351: ("cut", "small errors of steps grow at impacts whose loss depends on their speed"),
     1009897: ("none", "a rest of more than a thousand impacts gives too little to the column"),
 }
