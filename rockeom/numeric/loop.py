@@ -1191,8 +1191,8 @@ def falls(
 ) -> bool:  # fmt: skip
     """Whether free motion from here leads to the ground, and not back upright.
 
-    It is followed until the next impact, or, on springs, while the structure leans further;
-    `reach` [s] is how long at a time; `still` the table of ground that is.
+    It is followed until the next impact, or, on springs, while the structure leans further and has
+    not been upright; `reach` [s] is how long at a time; `still` the table of ground that is.
     """
     if SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT:
         return False
@@ -1203,25 +1203,34 @@ def falls(
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
-    peaks = np.empty((0, N_STATES))
+    peaks = np.empty((2, N_STATES))
     status = np.array([contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
     rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
     clock = np.zeros(4)
     state = np.empty(N_STATES)
     for i in range(N_STATES):
         state[i] = y[i]
+    lean = abs(state[ROTATION])
+    followed = 0 if rocks else 2  # how it leans between calls is looked at on springs only
     for n in range(1000):
-        lean = abs(state[ROTATION])
+        for i in range(N_STATES):
+            peaks[0, i] = peaks[1, i] = state[i]
         status[7] = status[8] = 0
         code = integrate(
             status, clock, state, rate, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
             np.inf, np.int64(0), fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
-            steps, step_contact, step_states, events, event_kinds, event_states, peaks, scratch,
+            steps, step_contact, step_states, events, event_kinds, event_states, peaks[:followed],
+            scratch,
         )  # fmt: skip
-        if code == OVERTURNED:
+        if code == OVERTURNED and not peaks[0, ROTATION] < 0.0 < peaks[1, ROTATION]:
             return True
-        if code not in (COMPLETED, FULL) or (not rocks and abs(state[ROTATION]) <= lean):
+        if code not in (COMPLETED, FULL):
             return False
+        if not rocks:
+            leans = max(-peaks[0, ROTATION], peaks[1, ROTATION])
+            if peaks[0, ROTATION] < 0.0 < peaks[1, ROTATION] or (n > 0 and leans <= lean):
+                return False
+            lean = leans
     return False
 
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
 
@@ -236,6 +236,7 @@ def test_rest_of_a_motion_is_the_motion_later():
 @ALL
 @settings(max_examples=12, deadline=None)
 @given(seed=seeds, cut=st.floats(0.1, 0.9), smooth=st.booleans())
+@example(seed=542610, cut=0.5, smooth=False)  # leans back on its springs when the ground stops
 def test_response_cut_in_two_and_continued_is_the_whole(structure, seed, cut, smooth):
     """Wherever it is cut; to 1e-7 of the largest rotation, far above the tolerance of 1e-10."""
     motion = record(seed, structure)
