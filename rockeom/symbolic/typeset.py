@@ -369,7 +369,8 @@ def _pushover(model: RockingModel) -> list[Block]:
             continue
         by_side = sorted(force, key=phase.side_of)
         left, right = by_side[0], by_side[-1]
-        mirrored = sp.simplify(force[right].subs(theta, -theta) + force[left]) == 0
+        lacking = force[right].subs(theta, -theta) + force[left]
+        mirrored = sp.expand(sp.numer(sp.together(lacking))) == 0
         for contact in [right] if mirrored else by_side:
             blocks.append(f"In `{contact}`:")
             blocks.append(Display((f"P = {notation.quotient(force[contact])}",)))
