@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib.util
 import re
 from functools import cache
-from importlib import metadata
 from pathlib import Path
 
 from rockeom.arguments import told
@@ -17,6 +16,8 @@ _DATE = re.compile(r"\b\d+/\d+/(\d+)\b")  # of which the year is enough
 
 def source_package() -> str:
     """The package with its version, for the record's source."""
+    from importlib import metadata  # takes long to import
+
     return f"{PACKAGE} {metadata.version(PACKAGE)}"
 
 

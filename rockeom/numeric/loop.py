@@ -17,6 +17,9 @@ from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 # Outcomes, numbered as in rockeom.numeric.response.Outcome
 COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
 FULL = 7  # no outcome: the records must be emptied before the loop goes on, or a turn is over
+CLOSED_GAP = (
+    1e-12  # part of the overturning rotation: a gap by which feet miss the ground on landing
+)
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
 
 # Columns of the record of events
@@ -845,17 +848,20 @@ def integrate(
                 for i in range(1 if rocks else GUARDS[contact]):
                     if i == landed or (landed >= 0 and i == touching):
                         continue
+                    # a gap that has just closed by an event before this one is closed, too
+                    below = not rocks and KINDS[contact][i] == IMPACT and b[8 * i] < 0.0
+                    closed = touching == i or (below and b[8 * i] > -CLOSED_GAP * fallen)
                     noise = 0.0
-                    if touching == i:
+                    if closed:
                         ax, ay = shaking(gx, t), shaking(gy, t)
                         noise = rounding(contact, i, h, y, p, ax, ay, b)
                         noise = max(noise, noise_of(contact, i, p, fallen, noises, w, g))
                     row = np.int64(i)
                     if N_PARTS > 0 and PARTS[contact][i] >= 0:
-                        x, row = larger_falls(b, PARTS[contact][i], touching == i, noise, stack)
+                        x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
                     else:
                         grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
-                        x = first_fall(b, 8 * i, grain, touching == i, noise, stack)
+                        x = first_fall(b, 8 * i, grain, closed, noise, stack)
                     if touching == i:
                         unclear = abs(b[8 * row + 1]) <= noise
                     if x < place:
@@ -864,7 +870,7 @@ def integrate(
                             continue  # nothing but rounding errors
                         place = x
                         target = i
-                        from_closed = touching == i
+                        from_closed = closed
                         from_closed |= not rocks and abs(b[8 * row]) <= SAMPLED * hover
                         slope = bernstein_at(b, 8 * row, x)[1] / h
                 if place == NEVER:

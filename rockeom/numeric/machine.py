@@ -14,7 +14,7 @@ import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
-from rockeom.numeric.printer import BOOL, FLOAT, LIBRARY, NOTHING, Array, Entry
+from rockeom.numeric.machine_types import BOOL, FLOAT, LIBRARY, NOTHING, Array, Entry
 
 
 def _machine() -> llvm.TargetMachine:

@@ -36,26 +36,19 @@ from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 
+from rockeom.numeric.machine_types import (
+    BOOL,
+    FLOAT,
+    INT,
+    MATH,
+    NOTHING,
+    Array,
+    Entry,
+    Tuple,
+    Type,
+)
+
 # -- types and values ----------------------------------------------------------------------------
-
-FLOAT, INT, BOOL = "double", "i64", "i1"
-"""Scalar types are called as in LLVM."""
-
-
-class Array(NamedTuple):
-    """Of an element type and a number of dimensions."""
-
-    element: str
-    dimensions: int
-
-
-class Tuple(NamedTuple):
-    items: tuple[Type, ...]
-
-
-Type = str | Array | Tuple
-NOTHING = Tuple(())
-"""What a function without `return` gives back."""
 
 ANNOTATIONS: dict[str, Type] = {
     "int": INT, "float": FLOAT, "bool": BOOL,
@@ -129,27 +122,6 @@ class Definition(NamedTuple):
     def refuse(self, node: ast.AST | None, why: str) -> NoReturn:
         line = getattr(node, "lineno", self.tree.lineno)
         raise Refused(f"{self.text.name}, line {line}, in {self.tree.name}: {why}")
-
-
-class Entry(NamedTuple):
-    """A function that Python calls: names and types of its arguments, type of what it returns."""
-
-    arguments: tuple[tuple[str, Type], ...]
-    returns: Type
-
-
-_MATH = {
-    "sqrt": "llvm.sqrt.f64", "sin": "llvm.sin.f64", "cos": "llvm.cos.f64", "exp": "llvm.exp.f64",
-    "log": "llvm.log.f64",
-    **{name: name for name in (
-        "expm1", "log1p", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
-        "atanh",
-    )},
-}  # fmt: skip
-"""Functions of one float, and what LLVM calls them."""
-
-LIBRARY = frozenset({"sin", "cos", "exp", "log", "pow", "sincos", *_MATH} - {"sqrt"})
-"""Functions that a program may ask of the system's library of mathematics."""
 
 
 class Program:
@@ -858,9 +830,9 @@ class _Function:
             x = self._float(node.args[0])
             none = self._new(f"fsub double {x}, {x}")
             return Value(BOOL, (self._new(f"fcmp oeq double {none}, {literal(0.0)}"),))
-        if name not in _MATH or len(node.args) != 1:
+        if name not in MATH or len(node.args) != 1:
             self.refuse(node, f"math.{name} of {len(node.args)} is not among the functions")
-        return self._external(_MATH[name], [self._float(node.args[0])])
+        return self._external(MATH[name], [self._float(node.args[0])])
 
     def _external(self, name: str, operands: list[str]) -> Value:
         self.program.declared[name] = f"double @{name}({', '.join(['double'] * len(operands))})"

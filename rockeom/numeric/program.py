@@ -16,14 +16,18 @@ import threading
 import time
 from collections.abc import Callable
 from functools import cache
-from importlib.metadata import version
 from importlib.resources import files
+from importlib.util import find_spec
+from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rockeom.numeric.machine import Loaded, compiled, target
-from rockeom.numeric.printer import NOTHING, Array, Entry, Program as Printed, Text
+from rockeom.numeric.machine_types import NOTHING, Array, Entry
 from rockeom.numeric.store import kept
+
+if TYPE_CHECKING:
+    from rockeom.numeric.printer import Text
 
 _LANES = ("lanes.py", "lanes_text.py")
 
@@ -79,10 +83,11 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
 def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
     if lanes and method == "Radau":
         raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
-    # all that the code follows from; SciPy holds the coefficients of the methods
+    # all that the code follows from
     digest = _digest(
-        _source(generated), method, target(), version("scipy"), _own("loop.py"), _own("tableau.py"),
-        _own("implicit.py"), _own("printer.py"), _own("machine.py"), _own("program.py"),
+        _source(generated), method, target(), _scipy(), _own("loop.py"), _own("tableau.py"),
+        _own("implicit.py"), _own("printer.py"), _own("machine.py"), _own("machine_types.py"),
+        _own("program.py"),
         *(_own(name) for name in _LANES if lanes),
     )  # fmt: skip
     name = f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}"
@@ -92,6 +97,8 @@ def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
 
 def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
     """A line that describes a program, and its machine code."""
+    from rockeom.numeric.printer import Program as Printed  # only where something is compiled
+
     started = time.monotonic()
     printed = Printed(texts(generated, method, lanes))
     code = compiled(printed.ir(), lanes)
@@ -109,6 +116,7 @@ def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
 
 def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
     """The parts of a program, in the order in which one needs the other."""
+    from rockeom.numeric.printer import Text
     from rockeom.numeric.tableau import step_text, tableau  # SciPy takes a while to import
 
     n = generated.N_STATES // 2
@@ -140,6 +148,15 @@ def _digest(*sources: str) -> str:
 def _own(name: str) -> str:
     """Text of a file beside this one."""
     return (files("rockeom.numeric") / name).read_text(encoding="utf-8")
+
+
+@cache
+def _scipy() -> str:
+    """What SciPy says of its version: it holds the methods' coefficients, and imports slowly."""
+    spec = find_spec("scipy")
+    assert spec is not None
+    assert spec.origin is not None
+    return Path(spec.origin).with_name("version.py").read_text(encoding="utf-8")
 
 
 # -- generated modules that are in no package ----------------------------------------------------

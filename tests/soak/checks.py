@@ -576,7 +576,8 @@ def cut(r: Record) -> Found:
     """Cut in two and continued from the final state and phase: the whole motion.
 
     How much a small error grows is measured by a third motion, which continues from a state moved
-    by what a step is allowed: the bound is 1e-9 of the largest state, and thirty times that. What
+    by what a step is allowed (or under ground scaled by as much, where nothing moves at the cut):
+    the bound is 1e-9 of the largest state, and thirty times that. What
     steps err by later may grow more; so both are made again with a thousandth of the tolerance, and
     a difference that does not become smaller is none of steps.
     """
@@ -614,11 +615,11 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
     if len(events) and events[-1] >= first.steps.span[-1].sum():
         contact = first.passages[1][-1, 2]
 
-    def rest(state: np.ndarray) -> rk.Response:
+    def rest(state: np.ndarray, scale: float = 1.0) -> rk.Response:
         vertical = r.motion.vertical
         return rk.simulate(
             r.motion.structure,
-            later(r.motion.motion, at, run.duration),
+            later(r.motion.motion, at, run.duration).scaled(scale),
             impact=r.motion.impact,
             initial=dict(zip(m.STATES, state.tolist(), strict=True)),
             vertical=None if vertical is None else later(vertical, at, run.duration),
@@ -640,7 +641,7 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
         )
         if turned is not None:
             moved[turned] = moved[turned + len(moved) // 2] = 0.0
-        twin = rest(moved)
+        twin = rest(moved, 1.0 if moved.any() else 1.0 + sign * o.rtol)
         if twin.outcome is not second.outcome or len(twin.passages[0]) != len(second.passages[0]):
             return "", None  # any error decides
         grown = np.maximum(grown, np.abs(twin.end - second.end))
