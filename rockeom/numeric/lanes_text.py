@@ -62,7 +62,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
             taken += f"        {least} = min({least}, {new} if stands else {old})\n"
             taken += f"        {most} = max({most}, {new} if stands else {old})\n"
     stages = "".join(_stage(j, method.a[j], float(method.c[j]), n) for j in range(1, s + 1))
-    errors, norm = error_text(method, n)
+    errors = indent(error_text(method, n), "    ")
     gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
 
     # full contact: the guards sampled on the quintics through both ends
@@ -110,8 +110,7 @@ def step_lanes(z, rtol, atol):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     for lane in range(LANES):
         contact = z[Z_CONTACT + lane]
-{ground}{start}{indent(stages, "    ")}{kept}{indent(errors, "    ")}        error = {norm}
-        z[Z_ERROR + lane] = error if s0 != 0.0 else 0.0
+{ground}{start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
 
 
 def judge_lanes(z, coarse):

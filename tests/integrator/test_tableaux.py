@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric.tableau import tableau
+from rockeom.numeric.tableau import step_text, tableau
 
 METHODS = pytest.mark.parametrize("name", ["RK45", "DOP853"])
 ORDER = {"RK45": 5, "DOP853": 8}
@@ -129,6 +129,37 @@ def test_dense_output_meets_both_ends_with_their_rates(name):
 
 PLACES = np.linspace(0.11, 3.97, 37)
 COUNTS = {"RK45": range(60, 240, 6), "DOP853": range(16, 60)}
+
+
+@pytest.mark.parametrize("angle", [90, 120, 150, 180])
+@pytest.mark.parametrize("name", ["DOP853", "RK45"])
+def test_no_decay_or_vibration_is_wrong_unseen(name, angle):
+    """Of q'' = lambda q', the estimate bounds the error of every step that is stable.
+
+    The fifth-order estimate of DOP853 alone vanishes at h lambda = -5.65, where the step is wrong
+    by a quarter of the mode.
+    """
+    tolerance, h, z = 1e-9, 0.01, 0j
+
+    def accelerations(contact, q0, q1, v0, v1, p, ax, ay):
+        """Of the mode in two real coordinates: its real and its imaginary part."""
+        rate = z / h
+        return rate.real * v0 - rate.imag * v1, rate.imag * v0 + rate.real * v1
+
+    step = {
+        "np": np, "math": math, "N_STATES": 4, "accelerations": accelerations,
+        "shaking": lambda g, t: 0.0, "at_stage": lambda g, t, value: 0.0,
+    }  # fmt: skip
+    exec(step_text(tableau(name), 2), step)
+    k, y = np.zeros(4 * step["N_ALL_STAGES"] + 99), np.array([0.0, 0.0, 1.0, 0.0])
+    new, still, atol = np.zeros(4), np.zeros(7), np.full(4, tolerance)
+    for size in np.linspace(1.0, 6.5, 1101):
+        z = size * np.exp(1j * np.radians(angle))
+        k[2:4] = (z / h).real, (z / h).imag
+        told = step["take_step"](0, 0.0, h, y, None, still, still, 0.0, atol, k, new)
+        wrong = abs(complex(new[2], new[3]) - np.exp(z))
+        if np.hypot(new[2], new[3]) < 1.0:
+            assert wrong / tolerance < 5.0 * told, size
 
 
 def shaken(name, **options):

@@ -1,0 +1,45 @@
+"""Types of machine code, and the functions that it asks of the system, as LLVM calls them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+FLOAT, INT, BOOL = "double", "i64", "i1"
+"""Scalar types are called as in LLVM."""
+
+
+class Array(NamedTuple):
+    """Of an element type and a number of dimensions."""
+
+    element: str
+    dimensions: int
+
+
+class Tuple(NamedTuple):
+    items: tuple[Type, ...]
+
+
+Type = str | Array | Tuple
+NOTHING = Tuple(())
+"""What a function without `return` gives back."""
+
+
+class Entry(NamedTuple):
+    """A function that Python calls: names and types of its arguments, type of what it returns."""
+
+    arguments: tuple[tuple[str, Type], ...]
+    returns: Type
+
+
+MATH = {
+    "sqrt": "llvm.sqrt.f64", "sin": "llvm.sin.f64", "cos": "llvm.cos.f64", "exp": "llvm.exp.f64",
+    "log": "llvm.log.f64",
+    **{name: name for name in (
+        "expm1", "log1p", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
+        "atanh",
+    )},
+}  # fmt: skip
+"""Functions of one float, and what LLVM calls them."""
+
+LIBRARY = frozenset({"sin", "cos", "exp", "log", "pow", "sincos", *MATH} - {"sqrt"})
+"""Functions that a program may ask of the system's library of mathematics."""
