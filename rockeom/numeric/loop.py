@@ -766,6 +766,7 @@ def integrate(
             h = min(h_next, h_max)
             if not rocks:
                 h = min(h, sampling_step(gx), sampling_step(gy))
+            longest = min(h_next, last - t)
             cut = t + 1.1 * h >= last
             if cut:
                 h = last - t
@@ -805,7 +806,7 @@ def integrate(
                         h += move
                         continue
                     misplaced = abs(move) >= 0.01 * h or closed_before(contact, target, h, y_new, g)
-                    if misplaced and h > 1e-6 * h_next:
+                    if misplaced and h > 1e-6 * longest:
                         # the guard is not where its polynomial put it: look again in less time
                         h *= 0.5
                         target = -1
@@ -884,7 +885,7 @@ def integrate(
                             contact, target, t, h, y, p, gx, gy, k, w, g, after,
                             noise_of(contact, target, p, fallen, noises, w, g),
                         )  # fmt: skip
-                    if from_closed and slow and h > max(1e-6 * h_next, 1e3 * EPS * t):
+                    if from_closed and slow and h > max(1e-6 * longest, 1e3 * EPS * t):
                         # an opening so short that rounding, or the error of a dense output of
                         # low order, hides it in a step of this length
                         h *= 0.1
