@@ -192,7 +192,7 @@ def measure(workload: str, quick: bool, missing: dict[str, str]) -> dict:
 
 
 def others(quick: bool) -> list[dict]:
-    """Two threads against one, and the first call."""
+    """Two threads against one."""
     rows = []
     if (os.cpu_count() or 1) < 2:
         rows.append({"what": "two threads", "how": "", "measured": "one core only", "goal": ""})
@@ -212,14 +212,6 @@ def others(quick: bool) -> list[dict]:
                 "goal": "1.8",
             }
         )
-    progress("first call in a new process")
-    how = "import and rk.simulate of a block under a pulse, by the wall (by the processor)"
-    taken = first_call.measure(4 if quick else 9)
-    for what, (wall, processor), goal in zip(
-        ("first call ever", "first call in a later process"), taken, ("6 s", "0.3 s"), strict=True
-    ):
-        measured_as = f"{report.seconds(wall)} ({report.seconds(processor)})"
-        rows.append({"what": what, "how": how, "measured": measured_as, "goal": goal})
     return rows
 
 
@@ -249,8 +241,10 @@ def main() -> None:
         print(report.workload(name, result))
     if not arguments.workloads:
         found["others"] = others(arguments.quick)
+        found["first call"] = dict(first_call.table(arguments.quick, progress))
         progress()
         print(report.others(found["others"]) + "\n")
+        print(report.first_calls(found["first call"]) + "\n")
     if found["ratios to C"]:
         print(report.ratios(found) + "\n")
         print(report.best_c(found))

@@ -21,8 +21,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
-from scipy.special import erf
 
 from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -368,6 +366,8 @@ class Wall:
 
         Raises ValueError where none below H/2 does.
         """
+        from scipy.optimize import brentq  # takes long to import
+
         goal = self.tendons[tendon].yield_extension - self.tendons[tendon].initial_extension
 
         def missing(displacement: float) -> float:
@@ -736,6 +736,9 @@ def peak_sequence(
 
 
 def _next_peak(force: Callable, start: float, r: float, n: float) -> float:
+    from scipy.optimize import brentq  # both take long to import
+    from scipy.special import erf
+
     towards = -np.sign(start)
 
     def integrand(s: np.ndarray) -> np.ndarray:

@@ -15,14 +15,16 @@ import csv
 from dataclasses import dataclass, fields
 from importlib.resources import files
 from itertools import pairwise
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
 
 from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.controlled_wall import Wall
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 
 class QuarterPeriods(NamedTuple):
@@ -150,6 +152,8 @@ class FreeVibration:
         Raises ValueError where nothing turns back, for times that do not increase, and for a gap in
         the samples (NaN).
         """
+        from scipy.interpolate import CubicSpline  # takes long to import
+
         where = "FreeVibration.from_samples"
         offered = {
             "time": time,

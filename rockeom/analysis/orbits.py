@@ -31,7 +31,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from rockeom.analysis.arguments import numbers, positive
 
@@ -270,6 +269,8 @@ def bifurcation_value(
     Raises ValueError where the multiplier does not pass it in between, once or an odd number of
     times, ArithmeticError where the orbit is lost.
     """
+    from scipy.optimize import brentq  # takes long to import
+
     if multiplier not in (-1, 1):
         raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
     first, last = numbers("bifurcation_value", first=between[0], last=between[1])

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import elliprf
 
 from rockeom.analysis.arguments import not_negative, positive, require, slenderness
 
@@ -47,6 +46,8 @@ def exact_quarter_period(theta_0: ArrayLike, alpha: ArrayLike, p: ArrayLike):
 
     Raises ValueError for a rotation at or beyond alpha: the block does not fall back.
     """
+    from scipy.special import elliprf  # takes long to import
+
     where = "exact_quarter_period"
     alpha = slenderness(where, alpha)
     (p,) = positive(where, p=p)
