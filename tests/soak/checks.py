@@ -580,17 +580,18 @@ def cut(r: Record) -> Found:
 
     How much a small error grows is measured by a third motion, which continues from a state moved
     by what a step is allowed (or under ground scaled by as much, where nothing moves at the cut):
-    the bound is 1e-9 of the largest state, and thirty times that. What
-    steps err by later may grow more; so both are made again with a thousandth of the tolerance, and
-    a difference that does not become smaller is none of steps.
+    the bound is 1e-9 of the largest state, and thirty times that. What steps err by later may grow
+    more; so both are made again with a thousandth of the tolerance (1e-13 at least), and a
+    difference that does not become smaller is none of steps.
     """
     line, apart = _apart(r)
     o = r.motion.options
-    if apart is not None and o.rtol >= 1e-8:
-        finer = replace(o, rtol=1e-3 * o.rtol, atol=1e-3 * o.atol, max_steps=20 * o.max_steps)
+    if apart is not None:
+        part = max(1e-3, 1e-13 / o.rtol)
+        finer = replace(o, rtol=part * o.rtol, atol=part * o.atol, max_steps=20 * o.max_steps)
         motion = replace(r.motion, options=finer)
-        _, still = _apart(Record(motion, motion.run()))
-        if still is None or (still <= 0.1 * apart).all():
+        again, still = _apart(Record(motion, motion.run()))
+        if not again or (still is not None and (still <= 0.1 * apart).all()):
             return
     if line:
         yield line
