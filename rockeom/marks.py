@@ -7,7 +7,7 @@ such. What they cannot say in Python stands here.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,9 @@ def entry(function: _F) -> _F:
     return function
 
 
-Floats = Floats2 = Floats3 = NDArray[np.float64]
+Floats: TypeAlias = NDArray[np.float64]
+Floats2: TypeAlias = NDArray[np.float64]
+Floats3: TypeAlias = NDArray[np.float64]
 """Arrays of one, two and three dimensions."""
-Ints = Ints2 = NDArray[np.int64]
+Ints: TypeAlias = NDArray[np.int64]
+Ints2: TypeAlias = NDArray[np.int64]

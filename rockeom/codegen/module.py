@@ -15,6 +15,7 @@ import sympy as sp
 
 from rockeom.codegen.names import Names, check_names, docstring, string
 from rockeom.codegen.printer import WIDTH, assign, python, solve_symmetric, statements
+from rockeom.contract import IMPULSIVE, KIND_OF, RATIO, SWITCH
 from rockeom.symbolic.algebra import SIDE, angles_in, tidy
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.impulse import ImpulseMap, momentum
@@ -750,7 +751,7 @@ class _Module:
             ")",
             f"NARROW = {bool(model.laws)}  # whether forces may act in a small part of a step",
             f"HAS_IMPULSIVE = {self.impulsive}",
-            "RATIO, IMPULSIVE = 0, 1",
+            f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
             *(f"{self.contacts[c]} = {i}" for c, i in number.items()),
             "",
             "# In machine code equations are not contracted to a*b + c in one rounding: they give",
@@ -832,11 +833,8 @@ def _rate_unit(unit: str) -> str:
     return "1/s" if unit == "-" else f"{unit}/s"
 
 
-_KIND = {"impact": 0, "uplift": 1, "switch": 2}
-
-
 def _kinds(transitions: list[Transition], length: int) -> str:
-    return _row([_KIND[t.kind] for t in transitions], length, _KIND["switch"])
+    return _row([KIND_OF[t.kind] for t in transitions], length, SWITCH)
 
 
 def _row(numbers: list[int], length: int, filler: int = -1) -> str:

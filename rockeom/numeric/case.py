@@ -98,6 +98,9 @@ class Case:
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
         moves = rotation or y0[structure.module.ROTATION_RATE]
+        quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
+        if math.isclose(quiet, end, rel_tol=1e-12):
+            quiet = end  # a duration that is a difference of others is so but for rounding
         known = moves or structure.rocks_on_rigid_ground or self.phase is not None
         return Problem(
             contact=structure.contact(y0, self.phase, 0.0 if known else self._about_to_turn(y0)),
@@ -110,7 +113,7 @@ class Case:
             horizontal=_table(motion),
             vertical=_table(self.vertical),
             end=end,
-            quiet_from=max(m.shaking_ends for m in (motion, self.vertical) if m is not None),
+            quiet_from=quiet,
         )
 
     def _about_to_turn(self, y0: np.ndarray) -> float:

@@ -18,12 +18,12 @@ import numpy as np
 import xarray as xr
 
 from rockeom.arguments import numbers, told, whole_number
+from rockeom.contract import AT_THE_START, CONTACT, FULL, IMPACT, IMPACTS, REFINED, TIME, UPLIFT
 from rockeom.numeric.case import Case, Problem
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.response import Outcome
 from rockeom.numeric.simulate import simulate
-from rockeom.numeric.structures import IMPACT, UPLIFT
 
 _OUTCOMES = tuple(Outcome)
 NOT_RUN = -1
@@ -336,15 +336,13 @@ class _Results:
         n, width = start.shape
         self.final[rows] = start
         self.peaks[rows] = start[:, None, :]
-        status = np.zeros((n, 10), np.int64)  # as `integrate` wants it at the start of a motion
-        status[:, 0] = [q.contact for q in batch]
-        status[:, 1] = -1
-        status[:, 5:7] = 1
+        status = np.tile(AT_THE_START, (n, 1))
+        status[:, CONTACT] = [q.contact for q in batch]
         clock = np.zeros((n, 4))
         state = status, clock, self.final[rows], np.zeros((n, width))
         horizontal, h_rows = _stacked([q.horizontal for q in batch])
         vertical, v_rows = _stacked([q.vertical for q in batch])
-        outcome = np.full(n, len(_OUTCOMES))  # not ended
+        outcome = np.full(n, FULL)
         ends = np.array([q.end for q in batch])
         widest = max(len(q.table) for q in batch)
         others = (
@@ -366,9 +364,12 @@ class _Results:
                 ended = compiled.integrate_many(ended, *state, ends, quiet, *others)
         finally:
             there = slice(first, first + ended)
-            self.final_time[there] = clock[:ended, 0]
-            self.contact[there], self.impacts[there] = status[:ended, 0], status[:ended, 2]
-            self.refined[there] = status[:ended, 9]
+            self.final_time[there] = clock[:ended, TIME]
+            self.contact[there], self.impacts[there] = (
+                status[:ended, CONTACT],
+                status[:ended, IMPACTS],
+            )
+            self.refined[there] = status[:ended, REFINED]
             self.outcome[there] = outcome[:ended]
             self.times[first + ended : first + n] = np.nan
 

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from rockeom.arguments import is_number, number, told
-
-RATIO, IMPULSIVE, AT_SPEED = 0, 1, 2  # as in the generated modules and in the loop
+from rockeom.contract import AT_SPEED, IMPULSIVE, RATIO
 
 
 class ImpactLaw(Protocol):

@@ -13,6 +13,67 @@ No lane's numbers depend on another's, nor on its place: so the results are the 
 bit for any order and number of motions.
 """
 
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.contract import (
+    COMPLETED,
+    CONTACT,
+    EVENTS_KEPT,
+    FRESH,
+    FULL,
+    IMPACT,
+    IMPACTS,
+    LAST_ERROR,
+    NEWS,
+    NEXT_STEP,
+    STALLED,
+    STEPS_KEPT,
+    TAKEN,
+    TIME,
+    TOO_MANY_IMPACTS,
+    TOUCHING,
+)
+from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.numeric.joined import (
+        CLOSED,
+        LANES,
+        N_PARAMETERS,
+        N_STATES,
+        ROTATION_RATE,
+        SIDES,
+        accept_lanes,
+        judge_held_lanes,
+        judge_lanes,
+        jump,
+        opening_acceleration,
+        rates,
+        step_lanes,
+    )
+    from rockeom.numeric.loop import (
+        _AFTER,
+        _GUARDS,
+        _K,
+        _POWERS,
+        _W,
+        _Y_NEW,
+        EPS,
+        SCRATCH,
+        TURN,
+        integrate,
+        jumps,
+        most_error,
+        ratio_at,
+        row_at,
+        shaking,
+        stand,
+        time_to_rest,
+    )
+
 # Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
 # constants, leave the compiler no doubt that lanes are independent.
 (
@@ -146,11 +207,11 @@ def take_in(lane, z, w, home, fallen):
     """A case's own state into its lane."""
     status, clock, states, rates_, peaks, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
-    z[Z_T + lane], z[Z_H + lane] = clock[case, 0], clock[case, 1]
-    z[Z_CONTACT + lane] = status[case, 0]
-    z[Z_SIDE + lane] = SIDES[status[case, 0]]
-    z[Z_TOUCHING + lane] = status[case, 1]
-    z[Z_TAKEN + lane] = status[case, 3]
+    z[Z_T + lane], z[Z_H + lane] = clock[case, TIME], clock[case, NEXT_STEP]
+    z[Z_CONTACT + lane] = status[case, CONTACT]
+    z[Z_SIDE + lane] = SIDES[status[case, CONTACT]]
+    z[Z_TOUCHING + lane] = status[case, TOUCHING]
+    z[Z_TAKEN + lane] = status[case, TAKEN]
     z[Z_FALLEN + lane] = fallen[case]
     z[Z_LANDING + lane] = 0.0
     for i in range(n):
@@ -166,10 +227,11 @@ def take_out(lane, z, w, home):
     """A lane's state back into its case's own arrays."""
     status, clock, states, rates_, peaks, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
-    clock[case, 0], clock[case, 1], clock[case, 2] = z[Z_T + lane], z[Z_H + lane], 0.0
-    status[case, 0] = np.int64(z[Z_CONTACT + lane])
-    status[case, 1] = np.int64(z[Z_TOUCHING + lane])
-    status[case, 3] = np.int64(z[Z_TAKEN + lane])
+    clock[case, TIME], clock[case, NEXT_STEP] = z[Z_T + lane], z[Z_H + lane]
+    clock[case, LAST_ERROR] = 0.0
+    status[case, CONTACT] = int(z[Z_CONTACT + lane])
+    status[case, TOUCHING] = int(z[Z_TOUCHING + lane])
+    status[case, TAKEN] = int(z[Z_TAKEN + lane])
     for i in range(n):
         states[case, i] = z[Z_Q + i * LANES + lane]
         states[case, n + i] = rates_[case, i] = z[Z_K + i * LANES + lane]
@@ -190,8 +252,8 @@ def alone(lane, z, w, home, ground, data, how, work):
     case = w[W_CASE + lane]
     code = FULL
     while code == FULL:
-        noted = status[case, 2]
-        status[case, 7] = status[case, 8] = 0
+        noted = status[case, IMPACTS]
+        status[case, STEPS_KEPT] = status[case, EVENTS_KEPT] = 0
         code = integrate(
             status[case], clock[case], states[case], rates_[case], z[Z_LAST + lane],
             horizontal[w[W_NX + lane] : h_rows[case, 1]],
@@ -200,7 +262,7 @@ def alone(lane, z, w, home, ground, data, how, work):
             steps, step_contact, step_states, events, event_kinds, event_states, peaks[case],
             scratch,
         )  # fmt: skip
-        for e in range(status[case, 8]):
+        for e in range(status[case, EVENTS_KEPT]):
             if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                 impact_times[case, noted] = events[e]
                 noted += 1
@@ -219,23 +281,23 @@ def impact(lane, z, w, home, data, how, work):
     after, y_w = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW]
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
-    if status[case, 2] < impact_times.shape[1]:
-        impact_times[case, status[case, 2]] = t
-    before = np.int64(z[Z_CONTACT + lane])
+    if status[case, IMPACTS] < impact_times.shape[1]:
+        impact_times[case, status[case, IMPACTS]] = t
+    before = int(z[Z_CONTACT + lane])
     passed = ratio_at(law[case], ratio[case], y, p[case])
-    contact = jump(before, np.int64(0), law[case], passed, y, p[case], after)
-    touching = np.int64(-1)
-    status[case, 2] += 1
-    status[case, 5] = status[case, 6] = 1
+    contact = jump(before, 0, law[case], passed, y, p[case], after)
+    touching = -1
+    status[case, IMPACTS] += 1
+    status[case, NEWS] = status[case, FRESH] = 1
     for i in range(N_STATES):
         y[i] = after[i]
-    if status[case, 2] > max_impacts:
+    if status[case, IMPACTS] > max_impacts:
         outcome[case] = TOO_MANY_IMPACTS
     elif SIDES[contact] != 0.0:
         touching = CLOSED[before][0]
         ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
         rates(contact, y, p[case], ax, ay, rate)
-        status[case, 5] = status[case, 6] = 0
+        status[case, NEWS] = status[case, FRESH] = 0
         for i in range(n):
             z[Z_K + (n + i) * LANES + lane] = rate[n + i]
         # the flight to come, if short enough, is the first of those that time_to_rest adds up
@@ -254,8 +316,8 @@ def impact(lane, z, w, home, data, how, work):
             for i in range(N_STATES):
                 y[i] = y_w[i]
             z[Z_T + lane] = t + rests
-            contact, touching = follows, np.int64(-1)
-            status[case, 5] = status[case, 6] = 1
+            contact, touching = follows, -1
+            status[case, NEWS] = status[case, FRESH] = 1
             for i in range(N_STATES):
                 least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
                 z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
@@ -272,10 +334,10 @@ def fresh_rates(lane, z, case, home, p):
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
     ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
-    rates(np.int64(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
+    rates(int(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
-    status[case, 5] = status[case, 6] = 0
+    status[case, NEWS] = status[case, FRESH] = 0
 
 
 @inlined
@@ -335,7 +397,7 @@ def pass_rest(lane, z, w, case, home, ground, p):
                 return
         z[Z_T + lane] = z[Z_LAST + lane]
         z[Z_TOUCHING + lane] = -1.0
-        status[case, 5] = status[case, 6] = 1
+        status[case, NEWS] = status[case, FRESH] = 1
 
 
 @inlined
@@ -348,9 +410,9 @@ def ready(lane, z, w, home, ground, data, how, work):
             outcome[case] = STALLED
             break
         if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground):
-            status[case, 5] = status[case, 6] = 1
+            status[case, NEWS] = status[case, FRESH] = 1
         if z[Z_SIDE + lane] != 0.0:
-            if status[case, 6] == 1:
+            if status[case, FRESH] == 1:
                 fresh_rates(lane, z, case, home, data[0][case])
             return True
         if N_STATES == 2:
@@ -358,7 +420,7 @@ def ready(lane, z, w, home, ground, data, how, work):
             pass_rest(lane, z, w, case, home, ground, data[0][case])
             if z[Z_T + lane] > t:
                 continue
-        elif status[case, 6] == 0 and z[Z_TOUCHING + lane] == -1.0:
+        elif status[case, FRESH] == 0 and z[Z_TOUCHING + lane] == -1.0:
             return True
         alone(lane, z, w, home, ground, data, how, work)
     return False

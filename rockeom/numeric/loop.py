@@ -9,23 +9,80 @@ jump, go on.
 """
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rockeom.contract import (
+    AT_SPEED,
+    AT_THE_START,
+    CAME_TO_REST,
+    CHATTER,
+    COMPLETED,
+    CONTACT,
+    EVENTS_KEPT,
+    FRESH,
+    FULL,
+    IDLE,
+    IMPACT,
+    IMPACTS,
+    LAST_ERROR,
+    NEWS,
+    NEXT_STEP,
+    NOT_FINITE,
+    OVERTURNED,
+    REFINED,
+    REFINED_TO,
+    REST,
+    STALLED,
+    STEPS_KEPT,
+    SWITCH,
+    TAKEN,
+    TIME,
+    TOO_MANY_IMPACTS,
+    TOUCHING,
+    UPLIFT,
+)
 from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 
-# Outcomes, numbered as in rockeom.numeric.response.Outcome
-COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
-FULL = 7  # no outcome: the records must be emptied before the loop goes on, or a turn is over
-CLOSED_GAP = (
-    1e-12  # part of the overturning rotation: a gap by which feet miss the ground on landing
-)
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.numeric.joined import (
+        CLOSED,
+        COARSE,
+        ERROR_EXPONENT,
+        GUARDS,
+        KINDS,
+        N_ALL_STAGES,
+        N_GUARDS,
+        N_PARTS,
+        N_STAGES,
+        N_STATES,
+        NARROW,
+        NODES,
+        PARTS,
+        POWERS_TO_BERNSTEIN,
+        QUARTIC,
+        QUINTIC,
+        ROTATION,
+        ROTATION_RATE,
+        SAMPLES_TO_BERNSTEIN,
+        SIDES,
+        STAGE_TIMES,
+        TARGETS,
+        dense_output,
+        energies,
+        guards,
+        jump,
+        kinematics,
+        opening_acceleration,
+        rates,
+        reactions,
+        sine_cosine,
+        take_step,
+    )
+
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
-
-# Columns of the record of events
-IMPACT, UPLIFT, SWITCH, REST = range(4)
-
-AT_SPEED = 2  # the law of impact besides RATIO and IMPULSIVE, see `ratio_at`
+CLOSED_GAP = 1e-12  # of the overturning rotation: by so much feet may miss the ground on landing
 
 # Places in the loop's scratch array
 _K = 0
@@ -155,7 +212,7 @@ def first_fall(b, at, grain, touching, noise, stack):
         stack[0] = 0.0
     stack[8], stack[9] = 0.0, 1.0
     before = -1 if b[at] < -noise and not touching else 1  # sign before a part
-    part = np.int64(0)
+    part = 0
     for _ in range(MOST_PARTS):
         if part < 0:
             break
@@ -494,7 +551,7 @@ def ratio_at(law, ratio, y, p):
     if law != AT_SPEED:
         return ratio
     speed = abs(y[ROTATION_RATE])
-    rows = np.int64(p[-1])
+    rows = int(p[-1])
     row = p.shape[0] - 1 - 3 * rows
     for _ in range(rows - 1):
         if speed < p[row]:
@@ -519,10 +576,10 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
     rates what flights and impacts give them; `stand` moves these through the time. kick (2 * N,) :
     scratch.
     """
-    held = np.int64(-1)
+    held = -1
     for c in range(len(SIDES)):
         if SIDES[c] == 0.0:
-            held = np.int64(c)
+            held = c
     if held < 0:
         return np.inf, contact
     for i in range(N_STATES):
@@ -553,7 +610,7 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
             w[ROTATION_RATE] = 0.0
             if v > EPS * start:
                 whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
-        contact = jump(contact, np.int64(0), law, ratio_at(law, ratio, w, p), w, p, out)
+        contact = jump(contact, 0, law, ratio_at(law, ratio, w, p), w, p, out)
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
         if SIDES[contact] == 0.0:
@@ -679,11 +736,7 @@ def integrate(
 ) -> int:  # fmt: skip
     """Integrate to t_end, to the outcome that ends the motion, or until a record or turn is FULL.
 
-    status : contact, guard closed at t (or -1), impacts, steps taken, passages since time last
-        moved, whether a guard may be due at t (1, or 0), whether the rate at t must be found anew
-        (1, or 0), steps recorded, events recorded, laws whose equal steps were refined.
-    clock : t, next step (0: unknown), logarithm of the error of the last step, end of the law whose
-        equal steps are refined (0: of none).
+    status, clock : what must be known to go on, see `rockeom.contract`.
     y, rate (N,) : the state and its rate.
     These four are changed in place, so that a call goes on where the last one ended, to the last
     bit.
@@ -705,15 +758,17 @@ def integrate(
     b = scratch[_BERNSTEIN:_STACK]
     stack = scratch[_STACK:_NOISE]
     noises = scratch[_NOISE:SCRATCH]
-    contact, touching, impacts, taken = status[0], status[1], status[2], status[3]
-    idle, news, fresh, n_steps, n_events = status[4], status[5], status[6], status[7], status[8]
-    refined = status[9]
+    contact, touching = status[CONTACT], status[TOUCHING]
+    impacts, taken, refined = status[IMPACTS], status[TAKEN], status[REFINED]
+    idle, news, fresh = status[IDLE], status[NEWS], status[FRESH]
+    n_steps, n_events = status[STEPS_KEPT], status[EVENTS_KEPT]
     for i in range(N_STATES):
         k[i] = rate[i]
-    t, h_next, last_error, refined_to = clock[0], clock[1], clock[2], clock[3]
+    t, h_next = clock[TIME], clock[NEXT_STEP]
+    last_error, refined_to = clock[LAST_ERROR], clock[REFINED_TO]
     coarse = most_error(rtol)
-    nx, gx = row_at(horizontal, np.int64(0), t)
-    ny, gy = row_at(vertical, np.int64(0), t)
+    nx, gx = row_at(horizontal, 0, t)
+    ny, gy = row_at(vertical, 0, t)
     keep = steps.shape[0] > 0
     follow = peaks.shape[0] > 0
     rocks = rocking(contact)
@@ -849,16 +904,21 @@ def integrate(
                 for i in range(1 if rocks else GUARDS[contact]):
                     if i == landed or (landed >= 0 and i == touching):
                         continue
-                    # a gap that has just closed by an event before this one is closed, too
-                    below = not rocks and KINDS[contact][i] == IMPACT and b[8 * i] < 0.0
-                    closed = touching == i or (below and b[8 * i] > -CLOSED_GAP * fallen)
+                    closed = touching == i
+                    whole = N_PARTS == 0 or PARTS[contact][i] < 0
+                    if b[8 * i] < 0.0 and whole and not rocks and not closed:
+                        # beside zero but for rounding, by an event before this one, is closed, too
+                        near = noise_of(contact, i, p, fallen, noises, w, g)
+                        if KINDS[contact][i] == IMPACT:
+                            near = CLOSED_GAP * fallen
+                        closed = b[8 * i] >= -near
                     noise = 0.0
                     if closed:
                         ax, ay = shaking(gx, t), shaking(gy, t)
                         noise = rounding(contact, i, h, y, p, ax, ay, b)
                         noise = max(noise, noise_of(contact, i, p, fallen, noises, w, g))
-                    row = np.int64(i)
-                    if N_PARTS > 0 and PARTS[contact][i] >= 0:
+                    row = i
+                    if not whole:
                         x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
                     else:
                         grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
@@ -990,7 +1050,7 @@ def integrate(
                 w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
                 after[i] = y_new[i]
             record_event(
-                n_events, t, np.int64(REST), contact, follows, w, after,
+                n_events, t, REST, contact, follows, w, after,
                 events, event_kinds, event_states,
             )  # fmt: skip
             n_events += 1
@@ -1004,12 +1064,14 @@ def integrate(
             touching = -1
             h_next = 0.0
 
-    status[0], status[1], status[2], status[3] = contact, touching, impacts, taken
-    status[4], status[5], status[6], status[7], status[8] = idle, news, fresh, n_steps, n_events
-    status[9] = refined
+    status[CONTACT], status[TOUCHING] = contact, touching
+    status[IMPACTS], status[TAKEN], status[REFINED] = impacts, taken, refined
+    status[IDLE], status[NEWS], status[FRESH] = idle, news, fresh
+    status[STEPS_KEPT], status[EVENTS_KEPT] = n_steps, n_events
     for i in range(N_STATES):
         rate[i] = k[i]
-    clock[0], clock[1], clock[2], clock[3] = t, h_next, last_error, refined_to
+    clock[TIME], clock[NEXT_STEP] = t, h_next
+    clock[LAST_ERROR], clock[REFINED_TO] = last_error, refined_to
     return outcome
 
 
@@ -1211,7 +1273,10 @@ def falls(
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     peaks = np.empty((2, N_STATES))
-    status = np.array([contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
+    status = np.empty(len(AT_THE_START), np.int64)
+    for i in range(len(AT_THE_START)):
+        status[i] = AT_THE_START[i]
+    status[CONTACT] = contact
     rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
     clock = np.zeros(4)
     state = np.empty(N_STATES)
@@ -1222,10 +1287,10 @@ def falls(
     for n in range(1000):
         for i in range(N_STATES):
             peaks[0, i] = peaks[1, i] = state[i]
-        status[7] = status[8] = 0
+        status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
         code = integrate(
             status, clock, state, rate, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
-            np.inf, np.int64(0), fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
+            np.inf, 0, fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
             steps, step_contact, step_states, events, event_kinds, event_states, peaks[:followed],
             scratch,
         )  # fmt: skip
@@ -1268,13 +1333,13 @@ def integrate_many(
             return n
         y = states[n]
         widen(peaks[n], y)
-        noted = status[n, 2]
+        noted = status[n, IMPACTS]
         code = outcome[n]
         while code == FULL:
             if left < 0:
                 return n
-            status[n, 8] = 0
-            left += status[n, 3]
+            status[n, EVENTS_KEPT] = 0
+            left += status[n, TAKEN]
             code = integrate(
                 status[n], clock[n], y, rates[n], t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
                 vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
@@ -1282,19 +1347,19 @@ def integrate_many(
                 steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
                 scratch,
             )  # fmt: skip
-            left -= status[n, 3]
-            for e in range(status[n, 8]):
+            left -= status[n, TAKEN]
+            for e in range(status[n, EVENTS_KEPT]):
                 if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                     impact_times[n, noted] = events[e]
                     noted += 1
         if code == COMPLETED and quiet_from[n] <= t_end[n]:
             reach = 0.1 * t_end[n]
             if falls(
-                status[n, 0], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol, fallen[n],
-                max_impacts, max_steps, reach,
+                status[n, CONTACT], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol,
+                fallen[n], max_impacts, max_steps, reach,
             ):  # fmt: skip
                 code = OVERTURNED
-            elif at_rest(status[n, 0], y, p[n]):
+            elif at_rest(status[n, CONTACT], y, p[n]):
                 code = CAME_TO_REST
         outcome[n] = code
     return len(states)

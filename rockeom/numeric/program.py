@@ -87,7 +87,7 @@ def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
     digest = _digest(
         _source(generated), method, target(), _scipy(), _own("loop.py"), _own("tableau.py"),
         _own("implicit.py"), _own("printer.py"), _own("machine.py"), _own("machine_types.py"),
-        _own("program.py"),
+        _own("program.py"), _own("contract.py", "rockeom"),
         *(_own(name) for name in _LANES if lanes),
     )  # fmt: skip
     name = f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}"
@@ -145,9 +145,9 @@ def _digest(*sources: str) -> str:
 
 
 @cache
-def _own(name: str) -> str:
-    """Text of a file beside this one."""
-    return (files("rockeom.numeric") / name).read_text(encoding="utf-8")
+def _own(name: str, package: str = "rockeom.numeric") -> str:
+    """Text of a file of this package."""
+    return (files(package) / name).read_text(encoding="utf-8")
 
 
 @cache

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rockeom.contract import AT_THE_START, CONTACT, EVENTS_KEPT, FULL, REFINED, STEPS_KEPT
 from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 _OUTCOMES = tuple(Outcome)
-_FULL = len(_OUTCOMES)  # the loop's word that its records must be emptied
 
 
 def simulate(
@@ -87,24 +87,26 @@ def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool 
     """Run the compiled loop to its end, emptying its records whenever they are full."""
     n, q, p = len(problem.y0), problem, problem.p()
     atol = np.full(n, options.atol)
-    status = np.array([q.contact, -1, 0, 0, 0, 1, 1, 0, 0, 0])
+    status = AT_THE_START.copy()
+    status[CONTACT] = q.contact
     clock = np.zeros(4)
     y, rate, scratch = q.y0.copy(), np.zeros(n), np.zeros(compiled.SCRATCH)
     peaks = np.empty((0, n))  # not asked for
     size, events = (256 + len(q.horizontal) + len(q.vertical) if keep else 0), 256
-    code = _FULL
+    code = FULL
     chunks: list[tuple[np.ndarray, ...]] = []
-    while code == _FULL:
+    while code == FULL:
         steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
         marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
-        status[7:9] = 0
+        status[[STEPS_KEPT, EVENTS_KEPT]] = 0
         code = compiled.integrate(
             status, clock, y, rate, q.end, q.horizontal, q.vertical, p, q.law, q.ratio,
             options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
             options.rest_tolerance, options.max_impacts, options.max_steps,
             *steps, *marks, peaks, scratch,
         )  # fmt: skip
-        chunks.append((*(a[: status[7]] for a in steps), *(a[: status[8]] for a in marks)))
+        kept, noted = status[[STEPS_KEPT, EVENTS_KEPT]]
+        chunks.append((*(a[:kept] for a in steps), *(a[:noted] for a in marks)))
     span, contacts, powers, times, kinds, states = (
         np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks, strict=True)
     )
@@ -114,7 +116,7 @@ def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool 
         powers[0, 0] = q.y0
     outcome = _OUTCOMES[code]
     if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
-        contact, reach = int(status[0]), 0.1 * q.end
+        contact, reach = int(status[CONTACT]), 0.1 * q.end
         if compiled.falls(
             contact, y, STILL, p, q.law, q.ratio, options.rtol, atol, q.fallen,
             options.max_impacts, options.max_steps, reach,
@@ -123,4 +125,4 @@ def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool 
         elif compiled.at_rest(contact, y, p):
             outcome = Outcome.CAME_TO_REST
     taken = Steps(span, contacts, powers)
-    return Record(outcome, y, taken, (times, kinds, states), int(status[9]))
+    return Record(outcome, y, taken, (times, kinds, states), int(status[REFINED]))

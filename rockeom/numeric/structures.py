@@ -15,10 +15,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transf
 import numpy as np
 
 from rockeom.arguments import number, told
+from rockeom.contract import IMPACT, UPLIFT
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw, check_law
-
-IMPACT, UPLIFT, SWITCH = range(3)  # kinds of guards, as in the generated modules
 
 if TYPE_CHECKING:
     from rockeom.analysis import Wall

@@ -16,7 +16,7 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.numeric.impact import IMPULSIVE, RATIO
+from rockeom.contract import IMPULSIVE, RATIO
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium

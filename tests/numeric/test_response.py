@@ -194,3 +194,13 @@ def test_events_of_a_flexible_structure_hold_all_states():
     assert set(impact.before) == set(impact.after) == set(run.states)
     assert impact.before["u"] == impact.after["u"]
     assert (impact.phase_before, impact.phase_after) == ("right", "left")
+
+
+@pytest.mark.parametrize("part", [-1, 0, 1])
+def test_duration_that_rounding_makes_shorter_than_the_shaking_is_its_end(part):
+    """Of a block at rest: 0.3 - 0.1 is not 0.2."""
+    motion = rk.GroundMotion.single_sine(0.01, period=0.2, duration=0.2)
+    duration = np.nextafter(0.2, part) if part else 0.2
+    assert rk.simulate(BLOCK, motion, duration=duration).outcome is rk.Outcome.CAME_TO_REST
+    half = rk.simulate(BLOCK, motion, duration=0.1)
+    assert half.outcome is rk.Outcome.COMPLETED  # the ground shakes on

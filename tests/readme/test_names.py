@@ -212,6 +212,8 @@ def bound_by(text: str) -> set[str]:
         if isinstance(statement, ast.FunctionDef):
             found.add(statement.name)
             continue
+        if isinstance(statement, ast.ImportFrom):
+            found |= {alias.asname or alias.name for alias in statement.names}
         stored = (n for n in ast.walk(statement) if isinstance(n, ast.Name))
         found |= {node.id for node in stored if isinstance(node.ctx, ast.Store)}
     return found

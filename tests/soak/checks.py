@@ -15,11 +15,11 @@ from functools import cached_property
 import numpy as np
 
 import rockeom as rk
+from rockeom.contract import IMPACT, REST, SWITCH, UPLIFT
 from rockeom.motion.segments import C0, C1, C2, END, KIND, LINEAR, SINE, START
 from tests.soak.cases import Dice, Motion, draw, is_even, other_side
 from tests.soak.physics import Physics, physics
 
-IMPACT, UPLIFT, SWITCH, REST = range(4)
 EPS = np.finfo(float).eps
 SLACK = 1000.0
 """By how much a step may be less accurate than its estimated error says."""

@@ -1,0 +1,41 @@
+"""The numbers that stand for words wherever parts of a program meet, each in its only home.
+
+A generated module, the step of a method, the loop, lanes and Python take them from here. What the
+parts ask of one another by name is declared in `rockeom/numeric/joined.pyi`.
+"""
+
+import numpy as np
+
+# How a motion ended, numbered as in rockeom.numeric.response.Outcome
+COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
+FULL = 7  # it has not: the records must be emptied before the loop goes on, or a turn is over
+
+# Kinds of guards, by the passage that they end a contact state with; and the end of infinitely
+# many impacts, a kind of event without a guard
+IMPACT, UPLIFT, SWITCH, REST = range(4)
+KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
+
+# Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
+# momentum is conserved; the ratio of the energies, by the speed
+RATIO, IMPULSIVE, AT_SPEED = range(3)
+
+# What `integrate` must know of a motion to go on with it, by columns of `status`
+(
+    CONTACT,
+    TOUCHING,  # the guard that is closed now, or -1
+    IMPACTS,  # so far
+    TAKEN,  # steps so far, with those refused
+    IDLE,  # passages since time last moved
+    NEWS,  # 1 where a guard may be due
+    FRESH,  # 1 where the rate must be found anew
+    STEPS_KEPT,  # in the record, since it was emptied
+    EVENTS_KEPT,
+    REFINED,  # laws of the ground in which equal steps would have been too long
+) = range(10)
+AT_THE_START = np.array([0, -1, 0, 0, 0, 1, 1, 0, 0, 0])
+AT_THE_START.flags.writeable = False
+"""The status of a motion that begins in contact state 0."""
+
+# and of `clock`: time, the next step (0: unknown), the logarithm of the error of the last step,
+# the end of the law whose equal steps are refined (0: of none)
+TIME, NEXT_STEP, LAST_ERROR, REFINED_TO = range(4)

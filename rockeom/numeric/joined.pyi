@@ -1,0 +1,72 @@
+"""What the loop and the lanes ask for by name of the texts that are joined before them.
+
+Nobody imports this: `rockeom.numeric.program` joins the texts, and these names are those of the
+generated module and of the method's step.
+"""
+
+import numpy as np
+
+from rockeom.marks import Floats, Floats2
+
+Int = int | np.int64
+Float = float | np.float64
+Row = tuple[float, float, float, float, float, float, float]
+"""A law of the ground: start, end, kind, and its constants, see `rockeom.motion.segments`."""
+
+# -- a generated module: the structure
+
+N_STATES: int
+N_GUARDS: int
+N_PARTS: int
+ROTATION: int
+ROTATION_RATE: int
+SIDES: tuple[float, ...]
+GUARDS: tuple[int, ...]
+KINDS: tuple[tuple[int, ...], ...]
+TARGETS: tuple[tuple[int, ...], ...]
+CLOSED: tuple[tuple[int, ...], ...]
+PARTS: tuple[tuple[int, ...], ...]
+NARROW: bool
+
+def sine_cosine(x: float) -> tuple[float, float]: ...
+def rates(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, dy: Floats) -> None: ...
+def opening_acceleration(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> float: ...
+def guards(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, g: Floats) -> None: ...
+def jump(
+    contact: Int, guard: Int, law: Int, ratio: Float, y: Floats, p: Floats, out: Floats
+) -> Int: ...
+def energies(contact: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+def reactions(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, out: Floats) -> None: ...
+def kinematics(contact: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+
+# -- the step of a method
+
+N_STAGES: int
+N_ALL_STAGES: int
+STAGE_TIMES: Floats
+ERROR_EXPONENT: float
+COARSE: float
+SAMPLES_TO_BERNSTEIN: Floats2
+POWERS_TO_BERNSTEIN: Floats2
+NODES: Floats
+QUINTIC: Floats2
+QUARTIC: Floats2
+
+def take_step(
+    contact: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, rtol: Float,
+    atol: Floats, k: Floats, y_new: Floats,
+) -> float: ...  # fmt: skip
+def dense_output(
+    contact: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, k: Floats,
+    coefficients: Floats,
+) -> None: ...  # fmt: skip
+
+# -- the step of all lanes
+
+LANES: int
+N_PARAMETERS: int
+
+def step_lanes(z: Floats, rtol: Float, atol: Floats) -> None: ...
+def judge_lanes(z: Floats, coarse: Float) -> None: ...
+def judge_held_lanes(z: Floats, coarse: Float) -> None: ...
+def accept_lanes(z: Floats) -> None: ...

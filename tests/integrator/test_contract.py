@@ -1,0 +1,68 @@
+"""What the parts of a program ask of one another is there, under the name that is declared."""
+
+import ast
+import importlib
+import inspect
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom import contract
+from rockeom.numeric.program import texts
+
+DECLARED = ast.parse((Path(rk.__file__).parent / "numeric" / "joined.pyi").read_text())
+FUNCTIONS = {
+    node.name: [a.arg for a in node.args.args]
+    for node in DECLARED.body
+    if isinstance(node, ast.FunctionDef)
+}
+TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAssign)}
+
+
+@pytest.mark.parametrize("method", ["DOP853", "RK45", "Radau"])
+@pytest.mark.parametrize("name", rk.models())
+def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method):
+    generated = importlib.import_module(f"rockeom.generated.{name}")
+    lanes = method != "Radau"
+    joined = {"__name__": "joined"}
+    for text in texts(generated, method, lanes):
+        if text.name not in ("loop.py", "lanes.py"):
+            exec(compile(text.source, text.name, "exec"), joined)
+    of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
+    for function in FUNCTIONS if lanes else FUNCTIONS.keys() - of_lanes:
+        assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
+    assert (TABLES if lanes else TABLES - {"LANES", "N_PARAMETERS"}) <= joined.keys()
+
+
+def test_every_name_that_is_declared_is_asked_for():
+    asked = set()
+    for text in ("loop.py", "lanes.py"):
+        source = (Path(rk.__file__).parent / "numeric" / text).read_text()
+        asked |= {n.id for n in ast.walk(ast.parse(source)) if isinstance(n, ast.Name)}
+    assert FUNCTIONS.keys() | TABLES <= asked
+
+
+def test_outcomes_are_numbered_as_the_loop_numbers_them():
+    for number, outcome in enumerate(rk.Outcome):
+        assert getattr(contract, outcome.name) == number
+    assert len(rk.Outcome) == contract.FULL
+
+
+def test_kinds_and_laws_are_those_of_the_generated_modules():
+    for name in rk.models():
+        m = importlib.import_module(f"rockeom.generated.{name}")
+        assert (m.RATIO, m.IMPULSIVE) == (contract.RATIO, contract.IMPULSIVE)
+        for contact, kinds in zip(m.CONTACTS, m.KINDS, strict=True):
+            leaving = [contract.KIND_OF[k] for source, _, k in m.TRANSITIONS if source == contact]
+            assert [*kinds[: len(leaving)]] == leaving
+
+
+def test_a_motion_begins_without_a_past():
+    begins = contract.AT_THE_START
+    assert begins[contract.TOUCHING] == -1
+    assert begins[contract.NEWS] == begins[contract.FRESH] == 1
+    assert np.count_nonzero(begins) == 3
+    with pytest.raises(ValueError, match="read-only"):
+        begins[0] = 1
