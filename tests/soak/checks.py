@@ -821,12 +821,22 @@ def equal(r: Record) -> Found:
 
 
 def _another(outcome: str, adaptive: rk.Outcome, motion: Motion) -> bool:
-    """Whether an outcome is not that of controlled steps, where a millionth does not decide it."""
+    """Whether an outcome is not that of controlled steps, where a millionth does not decide it.
+
+    It does where it changes the outcome, or the rotation at the end by a hundredth of the largest
+    one, or its time.
+    """
     if outcome == str(adaptive):
         return False
     if {outcome, str(adaptive)} & {"stalled", "too many impacts"}:
         return False  # as many steps or impacts as were allowed
-    return all(nearly(motion, factor).run().outcome is adaptive for factor in (1 - 1e-6, 1 + 1e-6))
+    runs = [nearly(motion, factor).run() for factor in (1 - 1e-6, 1 + 1e-6)]
+    if any(run.outcome is not adaptive for run in runs):
+        return False
+    turned = np.ptp([run.end[run.program.ROTATION] for run in runs])
+    ended = np.ptp([run.steps.span[-1].sum() for run in runs])
+    largest = max(np.abs(run.steps.powers[:, 0, run.program.ROTATION]).max() for run in runs)
+    return turned <= 0.01 * largest and ended <= 0.01 * motion.motion.duration
 
 
 COMPARED: dict[str, tuple[float, Callable[[Record], Found]]] = {
