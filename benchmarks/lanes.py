@@ -10,6 +10,7 @@ sample; lanes take one step a sample. All of order 8.
 from __future__ import annotations
 
 from collections.abc import Callable
+from threading import Event
 
 import numpy as np
 
@@ -58,7 +59,7 @@ def by_rockeom(cases: list[w.Case], solver: rk.SolverOptions, lanes: bool) -> Ca
 
     def call() -> _Results:
         results = _Results.empty(len(problems), module.N_STATES, FIRST_IMPACTS)
-        results.run(0, problems, compiled, solver, lanes)
+        results.run(0, problems, compiled, solver, Event(), lanes)
         return results
 
     return call

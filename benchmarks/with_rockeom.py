@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from threading import Event
 
 import numpy as np
 
 import rockeom as rk
 from benchmarks import workloads as w
+from rockeom.contract import IMPACT, REST
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble import _Results
 from rockeom.numeric.program import program
 from rockeom.numeric.simulate import run
-
-IMPACT, REST = 0, 3  # as in rockeom/numeric/loop.py
 
 
 def options(rtol: float, **changes) -> rk.SolverOptions:
@@ -61,7 +61,7 @@ def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callab
 
     def call() -> _Results:
         results = _Results.empty(len(problems), module.N_STATES, times)
-        results.run(0, problems, compiled, solver)
+        results.run(0, problems, compiled, solver, Event())
         return results
 
     return call

@@ -16,8 +16,7 @@ from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.structures import Structure, check_states
 
 STILL = np.empty((0, 7))
-"""The table of ground that stands still. Read-only like a motion's: the compiled loop takes an
-array that may be written to for another type, and would be compiled once more."""
+"""The table of ground that stands still, which all share."""
 STILL.flags.writeable = False
 
 

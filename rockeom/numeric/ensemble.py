@@ -483,9 +483,7 @@ def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
             places[id(table)] = n, n + len(table)
             parts.append(table)
             n += len(table)
-    rows = np.concatenate(parts)
-    rows.flags.writeable = False  # as a motion's own table, see STILL
-    return rows, np.array([places[id(table)] for table in tables])
+    return np.concatenate(parts), np.array([places[id(table)] for table in tables])
 
 
 class _Progress:
