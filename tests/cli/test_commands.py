@@ -2,7 +2,6 @@
 
 import dataclasses
 import os
-import re
 import subprocess
 import sys
 import unicodedata
@@ -12,10 +11,9 @@ import pytest
 import rockeom as rk
 from rockeom import __version__
 from rockeom.cli import main
-from rockeom.cli.plain import mathematics, to_text
+from rockeom.cli.plain import mathematics
 from rockeom.codegen.write import write_generated
 from rockeom.numeric.structures import SHIPPED
-from rockeom.symbolic.typeset import content
 
 COMMANDS = ("models", "derive", "simulate", "equations", "verify", "figure", "tables", "generate")
 
@@ -153,14 +151,6 @@ def test_derived_block_is_housner_s(capsys, monkeypatch):
     assert unicodedata.normalize("NFC", equation) in text
     assert "m  " in text
     assert "half_width" in text
-
-
-@pytest.mark.parametrize("name", rk.models())
-@pytest.mark.parametrize("form", ["width", "polar"])
-def test_no_latex_is_left_in_plain_text(name, form):
-    text = to_text(content(rk.derive(name), form), 100)
-    assert not re.search(r"[\\{}$`]", text)
-    assert max(len(line) for line in text.splitlines() if "/(" not in line) <= 106
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ import sympy as sp
 from hypothesis import given, strategies as st
 from sympy.core.function import AppliedUndef
 
+from rockeom.cli.plain import to_text
 from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import total_reaction
@@ -363,6 +364,13 @@ def test_document_compiles_and_nothing_runs_off_the_page(tmp_path, name, form):
 
 
 STRANGE = r"50 % of {a_b} & #1 \ ~ ^ < > for θ and Ω at ½ $"
+
+
+@pytest.mark.parametrize(("name", "form"), DOCUMENTS)
+def test_no_latex_is_left_in_plain_text(name, form):
+    text = to_text(said(name, form), 100)
+    assert not re.search(r"[\\{}$`]", text)
+    assert max(len(line) for line in text.splitlines() if "/(" not in line) <= 106
 
 
 def test_special_characters_in_a_users_words_are_escaped():
