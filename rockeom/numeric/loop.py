@@ -292,6 +292,17 @@ def larger_falls(b, part, touching, noise, stack):
     return p, open_
 
 
+def rises_first(b, at, noise):
+    """Whether a polynomial beside zero is above it where it is first more than noise."""
+    x = 1e-6
+    for _ in range(20):
+        value, _ = bernstein_at(b, at, x)
+        if abs(value) > noise:
+            return value > 0.0
+        x *= 2.0
+    return True
+
+
 def starts_open(b, at):
     """Whether a polynomial is positive at zero, or opens there."""
     noise = SAMPLED * size(b, at)
@@ -899,7 +910,7 @@ def integrate(
                 if open_ or (landed >= 0 and not closes):
                     break
                 place = NEVER
-                unclear = from_closed = False
+                unclear = from_closed = sure = False
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
                     if i == landed or (landed >= 0 and i == touching):
@@ -925,12 +936,16 @@ def integrate(
                         x = first_fall(b, 8 * i, grain, closed, noise, stack)
                     if touching == i:
                         unclear = abs(b[8 * row + 1]) <= noise
+                    beside = closed and touching != i and x * h <= 4.0 * EPS * max(t, h)
+                    if beside and rises_first(b, 8 * row, noise):
+                        continue
                     if x < place:
                         hover = size(b, 8 * row)
                         if hover <= noise_of(contact, i, p, fallen, noises, w, g):
                             continue  # nothing but rounding errors
                         place = x
                         target = i
+                        sure = beside
                         from_closed = closed
                         from_closed |= not rocks and abs(b[8 * row]) <= SAMPLED * hover
                         slope = bernstein_at(b, 8 * row, x)[1] / h
@@ -945,7 +960,7 @@ def integrate(
                             contact, target, t, h, y, p, gx, gy, k, w, g, after,
                             noise_of(contact, target, p, fallen, noises, w, g),
                         )  # fmt: skip
-                    if from_closed and slow and h > max(1e-6 * longest, 1e3 * EPS * t):
+                    if from_closed and slow and not sure and h > max(1e-6 * longest, 1e3 * EPS * t):
                         # an opening so short that rounding, or the error of a dense output of
                         # low order, hides it in a step of this length
                         h *= 0.1

@@ -45,6 +45,8 @@ ONCE_WRONG = {
     1165890: ("none", "it comes back beside that impact, and its guard is closed at first"),
     1286501: ("equal", "a foot lifts so slowly that the first step would be of any length"),
     1394789: ("none", "a tendon tightens where another event has just been, at zero by rounding"),
+    1373537: ("none", "the same, and only for a hundredth of the step"),
+    1340093: ("none", "a tendon hovers beside zero between impacts"),
     1264039: ("none", "a decay of which the fifth-order estimate knows nothing"),
     1256216: ("none", "a foot lands, and the tendon tightens at the same moment"),
     1040351: ("cut", "small errors of steps grow at impacts whose loss depends on their speed"),
