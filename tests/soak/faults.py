@@ -51,7 +51,8 @@ class Fault:
 LOOP, LANES = "rockeom/numeric/loop.py", "rockeom/numeric/lanes.py"
 STRUCTURES = "rockeom/numeric/structures.py"
 _FULL = """\
-        if (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]:
+        full = (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]
+        if full or taken > turn:
             outcome = FULL
             break
 """
