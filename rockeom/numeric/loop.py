@@ -453,6 +453,13 @@ def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rat
 
 
 @inlined
+def beside_gap(contact, guard, there, away):
+    """Whether a guard is a gap, or is closed where the gap is small beside the step's other end."""
+    small = abs(there[ROTATION]) < 0.1 * abs(away[ROTATION])
+    return KINDS[contact][guard] == IMPACT or small
+
+
+@inlined
 def clearly_open(b, at):
     """Whether all coefficients are positive by a margin far above the error of a quintic."""
     least, most = b[at], abs(b[at])
@@ -892,8 +899,8 @@ def integrate(
                     open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
-                leaves = NARROW and touching >= 0 and KINDS[contact][touching] == IMPACT
-                closes = NARROW and landed >= 0 and KINDS[contact][landed] == IMPACT
+                leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
+                closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
                 if keep or turned or beyond or leaves or closes or not (open_ or landed >= 0):
                     dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
                 again = (leaves or closes) and overlooked < 20
