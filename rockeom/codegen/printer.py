@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import sympy as sp
 from sympy.printing.pycode import PythonCodePrinter
@@ -47,25 +47,3 @@ def statements(targets: Mapping[str, sp.Expr], indent: str) -> tuple[list[str], 
         lines += assign(name, python(value), indent)
     after = sum(int(sp.count_ops(e)) for e in [v for _, v in shared] + list(reduced))
     return lines, before, after
-
-
-def solve_symmetric(n: int, out: Sequence[str], indent: str, known: bool = False) -> list[str]:
-    """Lines that solve a symmetric n x n system by L D L^T, written out without loops.
-
-    The entries stand in m00, m10, m11 (lower triangle) and f0, f1. Where the first reciprocal
-    pivot is `known`, it stands in r0, and m00 nowhere.
-    """
-    lines = []
-    for j in range(n):
-        if j > 0 or not known:
-            lines.append(f"r{j} = 1.0 / m{j}{j}")
-        for i in range(j + 1, n):
-            lines.append(f"l{i}{j} = m{i}{j} * r{j}")
-        for i in range(j + 1, n):
-            for k in range(j + 1, i + 1):
-                lines.append(f"m{i}{k} -= l{i}{j} * m{k}{j}")
-            lines.append(f"f{i} -= l{i}{j} * f{j}")
-    for i in reversed(range(n)):
-        back = "".join(f" - l{k}{i} * {out[k]}" for k in range(i + 1, n))
-        lines.append(f"{out[i]} = f{i} * r{i}{back}")
-    return [indent + line for line in lines]

@@ -1,0 +1,51 @@
+"""What follows from the parameters alone: overturning, ratio of rates, and the constants."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from rockeom.codegen.printer import statements
+from rockeom.codegen.text import Text
+
+
+def overturning(text: Text) -> None:
+    _scalar(
+        text, "overturning", "Rotation at which the structure has fallen.", text.model.overturning
+    )
+
+
+def velocity_ratio(text: Text) -> None:
+    ratio = text.model.velocity_ratio
+    _scalar(
+        text,
+        "velocity_ratio",
+        "Ratio of the rates of rotation at an impact of the structure taken as rigid.",
+        sp.Integer(1) if ratio is None else ratio,
+    )
+
+
+def _scalar(text: Text, name: str, doc: str, value: sp.Expr) -> None:
+    lines = text.evaluate(name, {"value": value}, "    ")
+    text.function(f"{name}(p)", doc, [*lines, "    return value"])
+
+
+def prepare(text: Text) -> None:
+    """The function that appends the constants of rates and impacts to the parameters."""
+    constants = text.constants.names
+    first = len(text.parameters)
+    total = first + len(constants)
+    targets = {f"p[{first + i}]": e for i, e in enumerate(constants)}
+    lines, before, after = statements(targets, "    ")
+    text.count("prepare", before, after)
+    used = {str(x) for e in constants for x in e.free_symbols}
+    text.function(
+        "prepare(parameters)",
+        f"Parameters ({first},) with the constants that follow from them: p ({total},).",
+        [
+            f"    p = np.empty({total})",
+            f"    p[:{first}] = parameters",
+            *(f"    {n} = parameters[{i}]" for i, n in enumerate(text.parameters) if n in used),
+            *lines,
+            "    return p",
+        ],
+    )

@@ -1,0 +1,118 @@
+"""M x = f written out in plain numbers: accelerations, and rates after an impact."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from rockeom.codegen.text import Text
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+
+TOTAL_GRAVITY = sp.Symbol("total_gravity")
+"""g + a_y."""
+
+
+def solve(
+    text: Text,
+    function: str,
+    matrix: sp.Matrix,
+    right: sp.Matrix,
+    out: Sequence[str],
+    indent: str,
+    gravity: sp.Expr | None = None,
+    states: bool = True,
+) -> list[str]:
+    """Lines that solve matrix * x = right for plain numbers, x assigned to the names in `out`.
+
+    Unknowns whose coefficients are constants are eliminated here, symbolically: divisions by
+    them are hoisted, and what cancels is gone. Where `gravity` is given, the right-hand
+    side is collected by it and by the ground acceleration: weight and vertical shaking act
+    alike, as g + a_y.
+    """
+
+    def collected(expr: sp.Expr) -> sp.Expr:
+        return expr if gravity is None else _collected(expr, gravity)
+
+    M, F = matrix.copy(), right.copy()
+    left, last = _eliminate(text, M, F)
+    left.sort(key=lambda j: not text.fixed(M[j, j]))
+    entries = {f"m{a}{b}": M[i, j] for a, i in enumerate(left) for b, j in enumerate(left[: a + 1])}
+    entries |= {f"f{a}": collected(F[i]) for a, i in enumerate(left)}
+    if left and text.fixed(M[left[0], left[0]]):
+        del entries["m00"]
+        entries["r0"] = 1 / M[left[0], left[0]]
+    solved = _symmetric(len(left), [out[i] for i in left], indent, known="r0" in entries)
+    for j, value, share in reversed(last):
+        apart = "_" if text.n > 10 else ""
+        pull = [(f"share_{j}{apart}{i}", out[i], e) for i, e in share.items() if e != 0]
+        entries |= {name: e for name, _, e in pull}
+        entries[f"{out[j]}_alone" if pull else out[j]] = collected(value)
+        if pull:
+            taken = "".join(f" - {name} * {x}" for name, x, _ in pull)
+            solved.append(f"{indent}{out[j]} = {out[j]}_alone{taken}")
+    first = {} if gravity is None else {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+    lines = text.evaluate(function, entries, indent, first, hoist=True, states=states)
+    return lines + solved
+
+
+def _eliminate(
+    text: Text, M: sp.Matrix, F: sp.Matrix
+) -> tuple[list[int], list[tuple[int, sp.Expr, dict[int, sp.Expr]]]]:
+    """Eliminate from M x = F, in place, the unknowns whose coefficients are constants.
+
+    Returns the unknowns that are left, and for each that is gone: its number, its value alone,
+    and the share of each of those left then that is taken from it.
+    """
+    left, last = list(range(M.rows)), []
+
+    def simple(j: int) -> bool:
+        return text.fixed(M[j, j]) and all(text.fixed(M[i, j] / M[j, j]) for i in left)
+
+    while (j := next((j for j in left if simple(j)), None)) is not None:
+        left.remove(j)
+        share = {i: sp.expand(M[i, j] / M[j, j]) for i in left}
+        for i in left:
+            F[i] = tidy(F[i] - share[i] * F[j])
+            for k in left:
+                M[i, k] = tidy(M[i, k] - share[i] * M[j, k])
+        last.append((j, sp.expand(F[j] / M[j, j]), share))
+    return left, last
+
+
+def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
+    """Collected by g + a_y and by the horizontal ground acceleration, then by angles."""
+    expr = sp.expand(expr.subs(GROUND_Y, TOTAL_GRAVITY - gravity))
+    angles = sorted(expr.atoms(sp.sin, sp.cos), key=sp.default_sort_key)
+    parts = sp.collect(expr, [TOTAL_GRAVITY, GROUND_X], evaluate=False)
+
+    def by_side(e: sp.Expr) -> sp.Expr:
+        return sp.factor_terms(sp.collect(sp.expand(e), SIDE))
+
+    return sum(
+        (k * sp.collect(part, angles, func=by_side) for k, part in parts.items()),
+        sp.Integer(0),
+    )
+
+
+def _symmetric(n: int, out: Sequence[str], indent: str, known: bool = False) -> list[str]:
+    """Lines that solve a symmetric n x n system by L D L^T, written out without loops.
+
+    The entries stand in m00, m10, m11 (lower triangle) and f0, f1. Where the first reciprocal
+    pivot is `known`, it stands in r0, and m00 nowhere.
+    """
+    lines = []
+    for j in range(n):
+        if j > 0 or not known:
+            lines.append(f"r{j} = 1.0 / m{j}{j}")
+        for i in range(j + 1, n):
+            lines.append(f"l{i}{j} = m{i}{j} * r{j}")
+        for i in range(j + 1, n):
+            for k in range(j + 1, i + 1):
+                lines.append(f"m{i}{k} -= l{i}{j} * m{k}{j}")
+            lines.append(f"f{i} -= l{i}{j} * f{j}")
+    for i in reversed(range(n)):
+        back = "".join(f" - l{k}{i} * {out[k]}" for k in range(i + 1, n))
+        lines.append(f"{out[i]} = f{i} * r{i}{back}")
+    return [indent + line for line in lines]

@@ -1,0 +1,166 @@
+"""The text of a generated module as it grows: the names in it, its constants, its functions.
+
+What is written stands in `rates`, `guards`, `jump`, `outputs` and `parameters`, whose functions take
+the text and add to it. Here is what they have in common.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+import sympy as sp
+
+from rockeom.codegen.constants import Constants
+from rockeom.codegen.names import Names, docstring
+from rockeom.codegen.printer import WIDTH, assign, python, statements
+from rockeom.codegen.sine_cosine import assigned_angles, named_angles
+from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel
+from rockeom.symbolic.statics import LOAD
+
+
+class Text:
+    """The functions of one model; every symbol is renamed to its Python name here.
+
+    model : what is written; n, its number of coordinates.
+    contacts, states, parameters : their Python names, contacts by the model's.
+    lines : the functions so far. operations : (before, after) common subexpressions were shared,
+        by function.
+    """
+
+    def __init__(self, model: RockingModel) -> None:
+        self.model = model
+        self.n = len(model.coordinates)
+        given = Names()
+        self.contacts = {c: given.of_contact(c) for c in model.contacts}
+        self.states = [given.of(name) for name in model.states]
+        self.parameters = [given.of(p.name) for p in model.parameters]
+        self.given = given.given
+        self.names: dict[sp.Symbol, sp.Symbol] = {
+            SIDE: sp.Symbol("s"),
+            GROUND_X: sp.Symbol("ax"),
+            GROUND_Y: sp.Symbol("ay"),
+            LOAD: sp.Symbol("load"),
+        }
+        for p, name in zip(model.parameters, self.parameters, strict=True):
+            self.names[p.symbol] = sp.Symbol(name)
+        for i, c in enumerate(model.coordinates):
+            self.names[c.position] = sp.Symbol(self.states[i])
+            self.names[c.velocity] = sp.Symbol(self.states[self.n + i])
+            self.names[c.acceleration] = sp.Symbol(f"{self.states[i]}_ddot")
+        self.constants = Constants(self.names[p.symbol] for p in model.parameters)
+        self.operations: dict[str, tuple[int, int]] = {}
+        self.lines: list[str] = []
+        self.functions: set[str] = set()
+
+    # -- names ----------------------------------------------------------------------------
+
+    def plain(self, expr: sp.Expr) -> sp.Expr:
+        """The expression in Python names, derived constants written out."""
+        expr = self.model.written_out(sp.sympify(expr))
+        return expr.xreplace(self.model.constants).xreplace(self.names)
+
+    def fixed(self, expr: sp.Expr) -> bool:
+        """Whether an expression contains parameters alone."""
+        return self.constants.fixed(self.plain(expr))
+
+    def name(self, symbol: sp.Symbol) -> str:
+        """Python name of a parameter, position, velocity or acceleration."""
+        return str(self.names[symbol])
+
+    def index(self, symbol: sp.Symbol) -> int:
+        """Place in the table of states of a position or velocity."""
+        return self.states.index(self.name(symbol))
+
+    def function_name(self, wanted: str, otherwise: str) -> str:
+        """`wanted`, unless another function has that name, or it could be one of a user's."""
+        taken = not wanted or wanted in self.functions or wanted.endswith("_")
+        name = otherwise if taken else wanted
+        self.functions.add(name)
+        return name
+
+    # -- lines ----------------------------------------------------------------------------
+
+    def test(self, phase: Phase) -> str:
+        """The condition that a contact state is one of the phase's."""
+        return " or ".join(f"contact == {self.contacts[c]}" for c in phase.contacts)
+
+    def side(self, phase: Phase, indent: str) -> list[str]:
+        """Lines that assign the side of a contact state of the phase, if it has any."""
+        if not phase.has_side:
+            return []
+        if sorted(phase.contacts.values()) != [-1, 1]:
+            return [f"{indent}s = SIDES[contact]"]
+        right = next(c for c, side in phase.contacts.items() if side == 1)
+        return [f"{indent}s = 1.0 if contact == {self.contacts[right]} else -1.0"]
+
+    def evaluate(
+        self,
+        function: str,
+        targets: Mapping[str, sp.Expr],
+        indent: str,
+        first: Mapping[str, sp.Expr] | None = None,
+        hoist: bool = False,
+        states: bool = True,
+    ) -> list[str]:
+        """Lines that read what is needed, assign `first`, and then the targets.
+
+        hoist : parts that depend on parameters alone are left to `prepare`, and the sine and
+            cosine of an angle are found together. states : whether they are read from y.
+        """
+        ahead = {k: self.plain(e) for k, e in (first or {}).items()}
+        plain = {k: self.plain(e) for k, e in targets.items()}
+        angles: dict[sp.Expr, str] = {}
+        if hoist:
+            plain = {k: self.constants.hoisted(e) for k, e in plain.items()}
+            plain, angles = named_angles(plain)
+        lines, before, after = statements(plain, indent)
+        self.count(function, before, after)
+        used = {str(x) for e in plain.values() for x in e.free_symbols}
+        ahead = {k: e for k, e in ahead.items() if k in used}
+        assigned = [line for k, e in ahead.items() for line in assign(k, python(e), indent)]
+        assigned += assigned_angles(angles, indent)
+        read = self._read([*ahead.values(), *plain.values(), *angles], indent, states)
+        return read + assigned + lines
+
+    def _read(self, exprs: Iterable[sp.Expr], indent: str, states: bool) -> list[str]:
+        """Read the states (of y) and parameters (of p) that occur, in the order of the tables."""
+        used = {str(x) for e in exprs for x in sp.sympify(e).free_symbols}
+        lines = [f"{indent}{n} = y[{i}]" for i, n in enumerate(self.states) if states and n in used]
+        lines += [f"{indent}{n} = p[{i}]" for i, n in enumerate(self.parameters) if n in used]
+        first = len(self.parameters)
+        for i, (value, c) in enumerate(self.constants.names.items()):
+            if str(c) in used:
+                line, meaning = f"{indent}{c} = p[{first + i}]", f"  # {python(value)}"
+                lines.append(line + meaning if len(line + meaning) <= WIDTH else line)
+        return lines
+
+    def count(self, function: str, before: int, after: int) -> None:
+        """Add to the operations of a function."""
+        b, a = self.operations.get(function, (0, 0))
+        self.operations[function] = (b + before, a + after)
+
+    # -- functions ------------------------------------------------------------------------
+
+    def function(self, signature: str, doc: str, body: list[str], mark: str = "") -> None:
+        """Add a function."""
+        marked = [mark] if mark else []
+        self.lines += ["", "", *marked, f"def {signature}:", docstring(doc, "    "), *body]
+
+    def by_phase(
+        self,
+        signature: str,
+        doc: str,
+        branch: Callable[[Phase, str], list[str]],
+        after: Sequence[str] = (),
+    ) -> None:
+        """Add a function with one branch a phase, and the lines that stand after them."""
+        body: list[str] = []
+        for i, phase in enumerate(self.model.phases):
+            lines = branch(phase, " " * 8)
+            body.append(f"    {'if' if i == 0 else 'elif'} {self.test(phase)}:")
+            code = "\n".join(lines)
+            if any(f"{before}s" in code for before in " (*-/"):
+                body += self.side(phase, " " * 8)
+            body += lines or [" " * 8 + "pass"]
+        self.function(signature, doc, [*body, *after])
