@@ -6,13 +6,15 @@ import dataclasses
 import hashlib
 from collections.abc import Iterator, Mapping
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from rockeom.symbolic.model import RockingModel
+
+ROOT = Path(__file__).resolve().parents[1]
 
 
 def declaration_digest(model: RockingModel) -> str:
@@ -64,12 +66,16 @@ def _told(value: Any) -> Iterator[str]:
         raise TypeError(f"a declaration holds {value!r}, which is no text, number or expression")
 
 
+def sources() -> list[Path]:
+    """The files that derive and write, and those of the numbers that are written."""
+    folders = (ROOT / "symbolic", ROOT / "codegen")
+    return [ROOT / "contract.py", *sorted(f for folder in folders for f in folder.rglob("*.py"))]
+
+
 @cache
 def _derivation() -> str:
-    """Hash of the packages that derive and write."""
+    """Hash of the sources."""
     found = hashlib.sha256()
-    for package in ("rockeom.symbolic", "rockeom.codegen"):
-        for file in sorted(files(package).iterdir(), key=lambda path: path.name):
-            if file.name.endswith(".py"):
-                found.update(file.name.encode() + b"\0" + file.read_bytes())
+    for file in sources():
+        found.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
     return found.hexdigest()

@@ -13,9 +13,9 @@ import hashlib
 from rockeom.codegen.guards import guards
 from rockeom.codegen.jump import jump
 from rockeom.codegen.names import check_names, docstring
-from rockeom.codegen.outputs import energies, kinematics, momentum, reactions, statics
-from rockeom.codegen.parameters import overturning, prepare, velocity_ratio
-from rockeom.codegen.rates import accelerations, opening_acceleration, rates
+from rockeom.codegen.outputs import outputs
+from rockeom.codegen.parameters import functions_of_parameters
+from rockeom.codegen.rates import equations_of_motion
 from rockeom.codegen.sine_cosine import SINE_COSINE
 from rockeom.codegen.tables import tables
 from rockeom.codegen.text import Text
@@ -53,21 +53,11 @@ def module_text(model: RockingModel) -> str:
     """
     model.check_derived()
     text = Text(model)
-    accelerations(text)
-    rates(text)
-    opening_acceleration(text)
+    equations_of_motion(text)
     guards(text)
     jump(text)
-    columns = {
-        "ENERGIES": energies(text),
-        "REACTIONS": reactions(text),
-        "KINEMATICS": kinematics(text),
-    }
-    momentum(text)
-    statics(text)
-    overturning(text)
-    velocity_ratio(text)
-    prepare(text)  # the constants that the others have named
+    columns = outputs(text)
+    functions_of_parameters(text)
     head = tables(text, columns)
     check_names("\n".join(head + text.lines), text.given)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]

@@ -25,7 +25,7 @@ N_STATES NARROW PARAMETERS PARAMETER_MEANINGS PARAMETER_UNITS PARTS RATIO REACTI
 ROTATION_RATE ROUNDER SIDES SOURCE_HASH STATES STATE_UNITS TARGETS TRANSITIONS
 """
 """What the text uses of Python and its libraries, its functions, their arguments, its tables."""
-_WORDS = frozenset(_PROGRAM.split())
+WORDS = frozenset(_PROGRAM.split())
 
 _PATTERNS = re.compile(
     r"[xcfr]\d+|[ml]\d\d+|share_\d+(_\d+)?|angle_\d+"  # intermediate results
@@ -41,7 +41,7 @@ to the module begins a name like that."""
 
 def is_own(name: str) -> bool:
     """Whether a name is kept for the program itself."""
-    return keyword.iskeyword(name) or name in _WORDS or bool(_PATTERNS.fullmatch(name))
+    return keyword.iskeyword(name) or name in WORDS or bool(_PATTERNS.fullmatch(name))
 
 
 class Names:
@@ -64,11 +64,8 @@ class Names:
         return self.of(name if _FEET.fullmatch(name) else f"{name}_")
 
 
-def check_names(text: str, given: set[str]) -> None:
-    """Raise AssertionError if a module's text has a name that is neither given nor its own.
-
-    Where it does, that name could be a user's, too: it belongs into the lists above.
-    """
+def names_in(text: str) -> set[str]:
+    """All names of variables, arguments, functions and imports in a text."""
     found: set[str] = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Name):
@@ -77,7 +74,17 @@ def check_names(text: str, given: set[str]) -> None:
             found.add(node.arg)
         elif isinstance(node, ast.FunctionDef):
             found.add(node.name)
-    strange = sorted(name for name in found - given if not is_own(name))
+        elif isinstance(node, ast.alias):
+            found.add(node.asname or node.name)
+    return found
+
+
+def check_names(text: str, given: set[str]) -> None:
+    """Raise AssertionError if a module's text has a name that is neither given nor its own.
+
+    Where it does, that name could be a user's, too: it belongs into the lists above.
+    """
+    strange = sorted(name for name in names_in(text) - given if not is_own(name))
     if strange:
         raise AssertionError(f"names of the generated text that users may give: {strange}")
     mixed = sorted(name for name in given if is_own(name))

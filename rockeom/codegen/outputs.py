@@ -1,6 +1,6 @@
 """What is asked of a state: energies, reactions, kinematics, momentum, and equilibrium.
 
-Each is a function of the contact state that fills `out`; the names of its columns are returned.
+Each is a function that fills `out`.
 """
 
 from __future__ import annotations
@@ -11,14 +11,28 @@ import sympy as sp
 
 from rockeom.codegen.rates import found_accelerations
 from rockeom.codegen.text import Text
-from rockeom.symbolic import contact, impulse
+from rockeom.symbolic.contact import reactions
+from rockeom.symbolic.impulse import momentum
 from rockeom.symbolic.model import Phase
 from rockeom.symbolic.statics import equilibrium
 
 Columns = tuple[str, ...]
+"""What a function fills `out` with, by name."""
 
 
-def energies(text: Text) -> Columns:
+def outputs(text: Text) -> dict[str, Columns]:
+    """Add all of them; returns the columns of those that have a table of names."""
+    columns = {
+        "ENERGIES": _energies(text),
+        "REACTIONS": _reactions(text),
+        "KINEMATICS": _kinematics(text),
+    }
+    _momentum(text)
+    _statics(text)
+    return columns
+
+
+def _energies(text: Text) -> Columns:
     def table(phase: Phase) -> dict[str, sp.Expr]:
         eq = phase.equations
         return {
@@ -36,17 +50,17 @@ def energies(text: Text) -> Columns:
     )
 
 
-def reactions(text: Text) -> Columns:
+def _reactions(text: Text) -> Columns:
     return _named(
         text,
         "reactions",
         "contact, y, p, ax, ay, out",
         "Forces of the ground [N] into out, in the order of REACTIONS.",
-        lambda phase: contact.reactions(text.model, phase) | phase.quantities_in("N"),
+        lambda phase: reactions(text.model, phase) | phase.quantities_in("N"),
     )
 
 
-def kinematics(text: Text) -> Columns:
+def _kinematics(text: Text) -> Columns:
     """Displacement of the load point and uplift of the feet, relative to the rest position."""
     rest = {c.position: 0 for c in text.model.coordinates}
 
@@ -71,7 +85,7 @@ def kinematics(text: Text) -> Columns:
     )
 
 
-def momentum(text: Text) -> None:
+def _momentum(text: Text) -> None:
     """Where feet meet rigid ground: what changes at an impact is the impulse of the ground."""
     if {"impact", "uplift"} <= {t.kind for t in text.model.transitions}:
         _named(
@@ -79,11 +93,11 @@ def momentum(text: Text) -> None:
             "momentum",
             "contact, y, p, out",
             "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
-            lambda phase: dict(zip("xy", impulse.momentum(phase), strict=True)),
+            lambda phase: dict(zip("xy", momentum(phase), strict=True)),
         )
 
 
-def statics(text: Text) -> None:
+def _statics(text: Text) -> None:
     def branch(phase: Phase, indent: str) -> list[str]:
         free = dict(zip(phase.coordinates, equilibrium(phase), strict=True))
         targets = {

@@ -8,13 +8,20 @@ from rockeom.codegen.printer import statements
 from rockeom.codegen.text import Text
 
 
-def overturning(text: Text) -> None:
+def functions_of_parameters(text: Text) -> None:
+    """Comes last: `prepare` computes the constants that all others have named."""
+    _overturning(text)
+    _velocity_ratio(text)
+    _prepare(text)
+
+
+def _overturning(text: Text) -> None:
     _scalar(
         text, "overturning", "Rotation at which the structure has fallen.", text.model.overturning
     )
 
 
-def velocity_ratio(text: Text) -> None:
+def _velocity_ratio(text: Text) -> None:
     ratio = text.model.velocity_ratio
     _scalar(
         text,
@@ -29,8 +36,8 @@ def _scalar(text: Text, name: str, doc: str, value: sp.Expr) -> None:
     text.function(f"{name}(p)", doc, [*lines, "    return value"])
 
 
-def prepare(text: Text) -> None:
-    """The function that appends the constants of rates and impacts to the parameters."""
+def _prepare(text: Text) -> None:
+    """The function that appends the constants to the parameters."""
     constants = text.constants.names
     first = len(text.parameters)
     total = first + len(constants)

@@ -9,7 +9,13 @@ from rockeom.codegen.text import Text
 from rockeom.symbolic.model import Phase
 
 
-def accelerations(text: Text) -> None:
+def equations_of_motion(text: Text) -> None:
+    _accelerations(text)
+    _rates(text)
+    _opening_acceleration(text)
+
+
+def _accelerations(text: Text) -> None:
     """A function of plain numbers for each phase, and one that chooses the phase."""
     phases = text.model.phases
     indent = " " * 8 if len(phases) > 1 else " " * 4
@@ -56,14 +62,8 @@ def _accelerations_of(text: Text, number: int, phase: Phase) -> str:
     return call
 
 
-def found_accelerations(text: Text, indent: str, zero: Collection[int] = ()) -> str:
-    """The line that finds the accelerations at y; the states numbered in `zero` are zero."""
-    states = ("0.0" if i in zero else f"y[{i}]" for i in range(2 * text.n))
-    return f"{indent}found = accelerations(contact, {', '.join(states)}, p, ax, ay)"
-
-
-def rates(text: Text) -> None:
-    """The same on arrays."""
+def _rates(text: Text) -> None:
+    """Of all states, on arrays."""
 
     def branch(phase: Phase, indent: str) -> list[str]:
         return [
@@ -82,7 +82,7 @@ def rates(text: Text) -> None:
     )
 
 
-def opening_acceleration(text: Text) -> None:
+def _opening_acceleration(text: Text) -> None:
     """Second derivative of the gap that a rocking phase would open from rest."""
     rotation = text.model.rotation
     theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
@@ -95,3 +95,9 @@ def opening_acceleration(text: Text) -> None:
         ],
         "@inlined",
     )
+
+
+def found_accelerations(text: Text, indent: str, zero: Collection[int] = ()) -> str:
+    """The line that finds the accelerations at y; the states numbered in `zero` are zero."""
+    states = ("0.0" if i in zero else f"y[{i}]" for i in range(2 * text.n))
+    return f"{indent}found = accelerations(contact, {', '.join(states)}, p, ax, ay)"

@@ -1,7 +1,7 @@
 """The text of a generated module as it grows: the names in it, its constants, its functions.
 
-What is written stands in `rates`, `guards`, `jump`, `outputs` and `parameters`, whose functions take
-the text and add to it. Here is what they have in common.
+What is written stands in `rates`, `guards`, `jump`, `outputs` and `parameters`: each has one
+function that adds to the text. Here is what they have in common.
 """
 
 from __future__ import annotations

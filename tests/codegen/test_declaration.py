@@ -1,12 +1,17 @@
 """A declaration as a hash: what is derived from it is kept under it."""
 
 import copy
+import os
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import declaration_digest
+from rockeom.codegen.declaration import sources
 from rockeom.symbolic.flexible import flexible_structure
 
 
@@ -51,6 +56,27 @@ def test_functions_of_one_name_differ_by_what_is_assumed_of_them():
     assert declaration_digest(changed(model, laws=(other, *model.laws[1:]))) != (
         declaration_digest(model)
     )
+
+
+LOADED = """
+import sys, rockeom
+before = set(sys.modules)
+import rockeom.codegen, rockeom.symbolic
+for name in set(sys.modules) - before:
+    if name.startswith("rockeom."):
+        print(sys.modules[name].__file__)
+"""
+
+
+def test_every_file_that_derives_or_writes_counts():
+    """Among them the numbers of guards and laws, which the text has from another package."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run(
+        [sys.executable, "-c", LOADED], env=environment, capture_output=True, text=True, check=True
+    )
+    loaded = {Path(line) for line in done.stdout.splitlines()}
+    assert {"contract.py", "lagrange.py", "guards.py"} <= {path.name for path in loaded}
+    assert loaded <= set(sources())
 
 
 def test_what_has_no_lasting_meaning_has_no_hash():

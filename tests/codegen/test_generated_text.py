@@ -9,9 +9,12 @@ import subprocess
 import sys
 
 import pytest
+import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import check_generated, write_generated
+from rockeom.codegen.names import WORDS, Names, is_own, names_in
+from rockeom.codegen.printer import python
 from rockeom.symbolic import SHIPPED
 
 STRUCTURES = pytest.mark.parametrize("name", rk.models())
@@ -51,6 +54,35 @@ def test_module_imports_only_math_numpy_and_marks(name):
             found.add(node.module)
     assert "rockeom.marks" in found
     assert found <= {"math", "numpy", "rockeom.marks"}
+
+
+def bound_in(text):
+    """Names that a module binds for all of its functions."""
+    found = set()
+    for statement in ast.parse(text).body:
+        if isinstance(statement, ast.FunctionDef):
+            found.add(statement.name)
+        elif not isinstance(statement, ast.Expr):  # a docstring
+            found |= names_in(ast.unparse(statement))
+    return found
+
+
+@STRUCTURES
+def test_all_that_a_module_binds_is_kept_from_users_names(name):
+    """Its header and its sine and cosine, too, which stand outside the text that is checked."""
+    contacts = importlib.import_module(f"rockeom.generated.{name}").CONTACTS
+    numbers = {Names().of_contact(contact) for contact in contacts}
+    bound = bound_in(text_of(name))
+    assert {"SOURCE_HASH", "ROUNDER", "sine_cosine", "inlined", "STATES", "rates"} <= bound
+    assert [word for word in bound - numbers if not is_own(word)] == []
+
+
+def test_no_name_is_kept_from_users_that_is_never_written():
+    written = set().union(*(names_in(text_of(name)) for name in rk.models()))
+    x = sp.Symbol("x")
+    for declared in (sp.Min(x, 1), -sp.oo):
+        written |= names_in(python(declared))
+    assert sorted(WORDS - written) == ["__debug__"]  # to which Python assigns nothing
 
 
 @STRUCTURES
