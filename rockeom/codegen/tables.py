@@ -68,9 +68,10 @@ def _numbers(text: Text) -> list[str]:
 def _of_guards(model: RockingModel) -> list[str]:
     """Tables with a row for each contact state, and in it a number for each guard."""
     rows = {c: outgoing(model, c) for c in model.contacts}
+    legend = ", ".join(f"{number} {kind}" for kind, number in KIND_OF.items())
     return [
         *_rows(
-            "KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch",
+            f"KINDS = (  # of each guard of each contact state; {legend}",
             {c: [KIND_OF[t.kind] for t in row] for c, row in rows.items()},
             SWITCH,
         ),

@@ -7,11 +7,12 @@ function that adds to the text. Here is what they have in common.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from textwrap import dedent
 
 import sympy as sp
 
 from rockeom.codegen.constants import Constants
-from rockeom.codegen.names import Names, docstring
+from rockeom.codegen.names import Names, docstring, names_in
 from rockeom.codegen.printer import WIDTH, assign, python, statements
 from rockeom.codegen.sine_cosine import assigned_angles, named_angles
 from rockeom.symbolic.algebra import SIDE
@@ -159,8 +160,7 @@ class Text:
         for i, phase in enumerate(self.model.phases):
             lines = branch(phase, " " * 8)
             body.append(f"    {'if' if i == 0 else 'elif'} {self.test(phase)}:")
-            code = "\n".join(lines)
-            if any(f"{before}s" in code for before in " (*-/"):
+            if str(self.names[SIDE]) in names_in(dedent("\n".join(lines))):
                 body += self.side(phase, " " * 8)
             body += lines or [" " * 8 + "pass"]
         self.function(signature, doc, [*body, *after])
