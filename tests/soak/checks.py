@@ -494,6 +494,7 @@ def ended(r: Record) -> Found:
             yield "end: the final state is not that after the last event"
     elif went_on or run.outcome is rk.Outcome.OVERTURNED:
         error = r.error(r.last[-1:])[0] / r.slack + 1e-9 * np.abs(r.last[-1])
+        error += 2000 * EPS * np.abs(r.run.steps.powers[-1]).max(axis=0)
         if (np.abs(run.end - r.last[-1]) > error).any():
             yield "end: the final state is not that of the last step"
 
