@@ -961,7 +961,8 @@ def integrate(
                 landed = -1
                 if place * h <= 4.0 * EPS * max(t, h):
                     if rocks:
-                        slow = y[ROTATION_RATE] == 0.0
+                        # it does not fall where both its rate and its acceleration open it
+                        slow = y[ROTATION_RATE] == 0.0 or side * k[ROTATION_RATE] > 0.0
                     else:
                         slow = (unclear and touching == target) or opens_soon(
                             contact, target, t, h, y, p, gx, gy, k, w, g, after,

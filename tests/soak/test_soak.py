@@ -48,6 +48,7 @@ ONCE_WRONG = {
     1373537: ("none", "the same, and only for a hundredth of the step"),
     1340093: ("none", "a tendon hovers beside zero between impacts"),
     1367347: ("none", "a tendon slackens just before an impact, and the step to it is too long"),
+    1502207: ("none", "a gap opens, and a dense output of low order has it close at first"),
     1264039: ("none", "a decay of which the fifth-order estimate knows nothing"),
     1256216: ("none", "a foot lands, and the tendon tightens at the same moment"),
     1040351: ("cut", "small errors of steps grow at impacts whose loss depends on their speed"),
