@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
-README = Path(__file__).resolve().parents[1] / "README.md"
+from tests.readme.blocks import declaration
+
 METHODS = ("DOP853", "RK45", "Radau")
 
 _TWO_MASSES = (
@@ -58,13 +57,6 @@ Taken = tuple[float, float]
 """By the clock on the wall, and by the processor's [s]."""
 
 
-def _frame() -> str:
-    """The declaration of the README, a model by name."""
-    blocks = re.findall(r"^```python\n(.*?)^```", README.read_text(encoding="utf-8"), re.M | re.S)
-    (found,) = (block for block in blocks if "two_storey = " in block)
-    return found
-
-
 def program(name: str, method: str) -> str:
     """A script that prints the times of its first simulation, above what it stands on.
 
@@ -76,10 +68,10 @@ def program(name: str, method: str) -> str:
             "height_2=7.0, stiffness_1=20e6, stiffness_2=20e6, damping_1=0.0, damping_2=0.0, "
             "half_width=1.2)"
         )
-        known, declaration = "numpy, llvmlite.binding, sympy", _frame()
+        known, declared = "numpy, llvmlite.binding, sympy", declaration()
     else:
-        known, declaration, structure = "numpy, llvmlite.binding", "", STRUCTURES[name]
-    return _PROGRAM.format(known=known, declaration=declaration, structure=structure, method=method)
+        known, declared, structure = "numpy, llvmlite.binding", "", STRUCTURES[name]
+    return _PROGRAM.format(known=known, declaration=declared, structure=structure, method=method)
 
 
 def _new_process(text: str, folder: str) -> Taken:

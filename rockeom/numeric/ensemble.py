@@ -365,10 +365,8 @@ class _Results:
         finally:
             there = slice(first, first + ended)
             self.final_time[there] = clock[:ended, TIME]
-            self.contact[there], self.impacts[there] = (
-                status[:ended, CONTACT],
-                status[:ended, IMPACTS],
-            )
+            self.contact[there] = status[:ended, CONTACT]
+            self.impacts[there] = status[:ended, IMPACTS]
             self.refined[there] = status[:ended, REFINED]
             self.outcome[there] = outcome[:ended]
             self.times[first + ended : first + n] = np.nan

@@ -917,7 +917,8 @@ def integrate(
                 if open_ or (landed >= 0 and not closes):
                     break
                 place = NEVER
-                unclear = from_closed = sure = False
+                unclear = from_closed = False
+                instant = 4.0 * EPS * max(t, h)
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
                 for i in range(1 if rocks else GUARDS[contact]):
                     if i == landed or (landed >= 0 and i == touching):
@@ -943,7 +944,7 @@ def integrate(
                         x = first_fall(b, 8 * i, grain, closed, noise, stack)
                     if touching == i:
                         unclear = abs(b[8 * row + 1]) <= noise
-                    beside = closed and touching != i and x * h <= 4.0 * EPS * max(t, h)
+                    beside = closed and touching != i and x * h <= instant
                     if beside and rises_first(b, 8 * row, noise):
                         continue
                     if x < place:
@@ -952,14 +953,13 @@ def integrate(
                             continue  # nothing but rounding errors
                         place = x
                         target = i
-                        sure = beside
-                        from_closed = closed
-                        from_closed |= not rocks and abs(b[8 * row]) <= SAMPLED * hover
+                        from_closed = closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
+                        from_closed &= not beside  # else it is known to fall
                         slope = bernstein_at(b, 8 * row, x)[1] / h
                 if place == NEVER:
                     break
                 landed = -1
-                if place * h <= 4.0 * EPS * max(t, h):
+                if place * h <= instant:
                     if rocks:
                         # it does not fall where both its rate and its acceleration open it
                         slow = y[ROTATION_RATE] == 0.0 or side * k[ROTATION_RATE] > 0.0
@@ -968,7 +968,7 @@ def integrate(
                             contact, target, t, h, y, p, gx, gy, k, w, g, after,
                             noise_of(contact, target, p, fallen, noises, w, g),
                         )  # fmt: skip
-                    if from_closed and slow and not sure and h > max(1e-6 * longest, 1e3 * EPS * t):
+                    if from_closed and slow and h > max(1e-6 * longest, 1e3 * EPS * t):
                         # an opening so short that rounding, or the error of a dense output of
                         # low order, hides it in a step of this length
                         h *= 0.1
@@ -1317,13 +1317,14 @@ def falls(
             steps, step_contact, step_states, events, event_kinds, event_states, peaks[:followed],
             scratch,
         )  # fmt: skip
-        if code == OVERTURNED and not peaks[0, ROTATION] < 0.0 < peaks[1, ROTATION]:
+        upright = peaks[0, ROTATION] < 0.0 < peaks[1, ROTATION]
+        if code == OVERTURNED and not upright:
             return True
         if code not in (COMPLETED, FULL):
             return False
         if not rocks:
             leans = max(-peaks[0, ROTATION], peaks[1, ROTATION])
-            if peaks[0, ROTATION] < 0.0 < peaks[1, ROTATION] or (n > 0 and leans <= lean):
+            if upright or (n > 0 and leans <= lean):
                 return False
             lean = leans
     return False

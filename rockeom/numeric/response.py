@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rockeom.contract import IMPACT, KIND_OF, REST
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ class Impact:
     after: dict[str, float]
 
 
-_KINDS = ("impact", "uplift", "switch", "rest")
+_KINDS = (*KIND_OF, "rest")
 
 MEASURABLE = 1e-3
 """Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -192,7 +193,7 @@ class Response:
     def rest_time(self) -> float | None:
         """When infinitely many impacts had come to their end for the last time [s], or None."""
         times, kinds, _ = self.passages
-        rests = times[kinds[:, 0] == _KINDS.index("rest")]
+        rests = times[kinds[:, 0] == REST]
         return float(rests[-1]) if len(rests) else None
 
     def __getitem__(self, name: str) -> np.ndarray:
@@ -367,7 +368,7 @@ class Response:
         largest = 0.0
         before, after = np.zeros(2), np.zeros(2)
         for (kind, old, new), (arriving, leaving) in zip(kinds, states, strict=True):
-            if kind != _KINDS.index("impact"):
+            if kind != IMPACT:
                 continue
             momentum(old, arriving, p, before)
             momentum(new, leaving, p, after)

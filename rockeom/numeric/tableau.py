@@ -228,9 +228,9 @@ def error_text(method: Tableau, n: int) -> str:
     than half of the third, by which what is left of it was seen to be bounded there.
     """
     s = method.stages
-    both = len(method.errors) == 2
+    two = len(method.errors) == 2
     lines = "".join(f"    s{m} = 0.0\n" for m in range(len(method.errors)))
-    lines += "    d_rate = d_state = 0.0\n" if both else ""
+    lines += "    d_rate = d_state = 0.0\n" if two else ""
     for i in range(2 * n):
         place, rate = f"q{{}}_{i}", f"v{{}}_{i}"
         if i >= n:
@@ -240,11 +240,11 @@ def error_text(method: Tableau, n: int) -> str:
         for m, e in enumerate(method.errors):
             lines += f"    e = scale * (\n        {_sum(e, rate, ' ' * 8)}\n    )\n"
             lines += f"    s{m} += e * e\n"
-        if both and i >= n:
+        if two and i >= n:
             for name, of in (("d_rate", rate), ("d_state", place)):
                 lines += f"    e = scale * ({of.format(s)} - {of.format(s - 1)})\n"
                 lines += f"    {name} += e * e\n"
-    if not both:
+    if not two:
         return lines + "    error = abs(h) * math.sqrt(s0 / N_STATES)\n"
     return f"""{lines}    both = (s0 + 0.01 * s1) * N_STATES
     error = abs(h) * s0 / math.sqrt(both) if s0 != 0.0 else 0.0

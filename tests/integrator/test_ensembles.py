@@ -169,7 +169,15 @@ def test_interrupt_keeps_what_was_done(reference, threads):
     assert set(result.final_phase.values[~ran.values].tolist()) == {""}
 
 
-def test_interrupt_that_wakes_nobody():
+@pytest.fixture
+def interruptible():
+    """The handler of Ctrl-C is set: what runs in the background ignores it."""
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, handler)
+
+
+def test_interrupt_that_wakes_nobody(interruptible):
     """A signal that comes just before the caller waits, or on Windows any, does not end a wait."""
     calls = 0
 
@@ -181,11 +189,7 @@ def test_interrupt_that_wakes_nobody():
         return rk.Case(BLOCK, rk.GroundMotion.none(5.0), initial={"theta": theta_0})
 
     over = {"theta_0": np.linspace(0.1, 0.2, 200_000)}
-    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
-    try:
-        result = rk.simulate_many(case, over=over, threads=2)
-    finally:
-        signal.signal(signal.SIGINT, handler)
+    result = rk.simulate_many(case, over=over, threads=2)
     assert result.attrs["interrupted"] == 1
     assert 0 < (result.outcome != "not run").sum() < 150_000
 
@@ -221,20 +225,18 @@ print(result.attrs["interrupted"], ran.sum(), np.isfinite(result.final_time.valu
 
 
 @pytest.fixture
-def interrupted_soon():
-    """Ctrl-C in half a second; ignored by what runs in the background, so the handler is set."""
-    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+def interrupted_soon(interruptible):
+    """Ctrl-C in half a second."""
     timer = threading.Timer(0.5, _thread.interrupt_main)
     timer.start()
     yield
     timer.cancel()
-    signal.signal(signal.SIGINT, handler)
 
 
 FOREVER = {"options": rk.SolverOptions(max_impacts=10**9, max_steps=10**12)}
 
 
-def for_a_day(theta):
+def for_days(theta):
     """Rocking without loss: some seconds of work each."""
     still = rk.GroundMotion.none(86_400.0 * 5)
     return rk.Case(BLOCK, still, rk.VelocityRatio(1.0), initial={"theta": theta})
@@ -249,7 +251,7 @@ def test_interrupt_within_a_chunk_of_long_motions(interrupted_soon, threads):
     def case(theta):
         if theta < over["theta"][short]:  # these end before the interrupt
             return rk.Case(BLOCK, rk.GroundMotion.none(2.0), initial={"theta": theta})
-        return for_a_day(theta)
+        return for_days(theta)
 
     started = time.monotonic()
     result = rk.simulate_many(case, over, threads=threads, impact_times=3, **FOREVER)
@@ -264,7 +266,7 @@ def test_interrupt_within_a_chunk_of_long_motions(interrupted_soon, threads):
 
 
 def test_interrupt_within_a_long_motion(interrupted_soon):
-    case = for_a_day(0.2)
+    case = for_days(0.2)
     started = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         rk.simulate(

@@ -11,9 +11,14 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```", TEXT, flags=re.MULTILINE | re.DOTALL)
 
 
+def declaration() -> str:
+    """The text that declares a model by the name two_storey."""
+    (found,) = (block for block in blocks("python") if "two_storey = " in block)
+    return found
+
+
 def two_storey():
     """The model that the README declares."""
-    (declaration,) = (block for block in blocks("python") if "two_storey = " in block)
     names: dict = {}
-    exec(declaration, names)
+    exec(declaration(), names)
     return names["two_storey"]
