@@ -35,7 +35,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "0bb250f1095994fc"
+SOURCE_HASH = "d7604dbcefbbcb93"
 
 NAME = "flexible_structure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
@@ -122,7 +122,8 @@ def sine_cosine(x):
     """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
     n = 0.0
     r = x
-    if abs(x) > 0.7853981633974483:
+    turned = abs(x) > 0.7853981633974483
+    if turned:
         n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
         r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
     z = r * r
@@ -139,13 +140,14 @@ def sine_cosine(x):
     c1 += zz * (c2 + zz * (1 / 20922789888000))
     sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
     cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
-    # by quarters of a turn: -2 to 2
-    quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
-    odd = quarter * quarter == 1.0
-    sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
-    back = quarter * quarter == 4.0
-    sine = -sine if back or quarter == -1.0 else sine
-    cosine = -cosine if back or quarter == 1.0 else cosine
+    if turned:
+        # by quarters of a turn: -2 to 2
+        quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
+        odd = quarter * quarter == 1.0
+        sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
+        back = quarter * quarter == 4.0
+        sine = -sine if back or quarter == -1.0 else sine
+        cosine = -cosine if back or quarter == 1.0 else cosine
     return sine, cosine
 
 

@@ -61,7 +61,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
             least, most = at("Z_LEAST", state), at("Z_MOST", state)
             taken += f"        {least} = min({least}, {new} if stands else {old})\n"
             taken += f"        {most} = max({most}, {new} if stands else {old})\n"
-    stages = "".join(_stage(j, method.a[j], float(method.c[j]), n) for j in range(1, s + 1))
+    stages = "".join(_stage(method, j, n) for j in range(1, s + 1))
     errors = indent(error_text(method, n), "    ")
     gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from math import comb
 
 import numpy as np
@@ -67,6 +67,11 @@ class Tableau:
     @property
     def degree(self) -> int:
         return self.dense.shape[1]
+
+    @cached_property
+    def twice(self) -> np.ndarray:
+        """(m, m) a @ a: positions of the stages by accelerations, see `_stage`."""
+        return product(self.a, self.a)
 
 
 @cache
@@ -156,6 +161,13 @@ def exact_solution(
     return [row[size:] for row in rows]
 
 
+def product(left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """left @ right of coefficients; where nothing but their rounding errors is left it is 0."""
+    found = left @ right
+    found[np.abs(found) < 32 * np.finfo(float).eps * (np.abs(left) @ np.abs(right))] = 0.0
+    return found
+
+
 def powers_to_bernstein() -> np.ndarray:
     """(8, 8): coefficients of 1, x, ... x^7 -> Bernstein coefficients."""
     return np.array([[comb(i, j) / comb(7, j) for j in range(8)] for i in range(8)])
@@ -189,12 +201,19 @@ def _moved(weights: np.ndarray, rate: str, start: str) -> str:
 """
 
 
-def _stage(j: int, row: np.ndarray, c: float, n: int, ground: str = GROUND) -> str:
-    """Velocities v, positions q and accelerations a of a stage."""
-    text = ""
+def _stage(method: Tableau, j: int, n: int, ground: str = GROUND) -> str:
+    """Positions q, velocities v and accelerations a of a stage.
+
+    Positions follow from the accelerations of all stages but the one just before, whose weight is
+    zero (Nystrom's form): so the sines of a stage are found while that one is still worked on.
+    """
+    text, c = "", float(method.c[j])
     for i in range(n):
-        text += f"    v{j}_{i} = " + _moved(row[:j], f"a{{}}_{i}", f"v0_{i}")
-        text += f"    q{j}_{i} = " + _moved(row[:j], f"v{{}}_{i}", f"q0_{i}")
+        text += f"    v{j}_{i} = " + _moved(method.a[j, :j], f"a{{}}_{i}", f"v0_{i}")
+        text += f"    q{j}_{i} = q0_{i} + h * ({c!r} * v0_{i}"
+        if method.twice[j].any():
+            text += f" + h * (\n        {_sum(method.twice[j], f'a{{}}_{i}', ' ' * 8)}\n    )"
+        text += ")\n"
     states = [f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)]
     return text + _rates(j, states, f"t + {c!r} * h", n, ground)
 
@@ -231,14 +250,15 @@ def error_text(method: Tableau, n: int) -> str:
     two = len(method.errors) == 2
     lines = "".join(f"    s{m} = 0.0\n" for m in range(len(method.errors)))
     lines += "    d_rate = d_state = 0.0\n" if two else ""
+    by_accelerations = [product(e[None], method.a[: s + 1, : s + 1])[0] for e in method.errors]
     for i in range(2 * n):
-        place, rate = f"q{{}}_{i}", f"v{{}}_{i}"
-        if i >= n:
-            place, rate = f"v{{}}_{i - n}", f"a{{}}_{i - n}"
+        place, rate = (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
         largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
         lines += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
-        for m, e in enumerate(method.errors):
-            lines += f"    e = scale * (\n        {_sum(e, rate, ' ' * 8)}\n    )\n"
+        for m, e in enumerate(by_accelerations if i < n else method.errors):
+            unit = "h * scale" if i < n else "scale"
+            found = _sum(e, f"a{{}}_{i % n}", " " * 8)
+            lines += f"    e = {unit} * (\n        {found}\n    )\n"
             lines += f"    s{m} += e * e\n"
         if two and i >= n:
             for name, of in (("d_rate", rate), ("d_state", place)):
@@ -257,7 +277,8 @@ def step_text(method: Tableau, n: int) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
 
     Everything stands in plain numbers, stage by stage, each written out; the rates of all stages
-    are left in an array only for the dense output.
+    are left in an array only for the dense output. Of the velocities it wants none: what they give
+    is what accelerations give through them.
     """
     s, size = method.stages, 2 * n
     start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
@@ -265,35 +286,35 @@ def step_text(method: Tableau, n: int) -> str:
 
     def stage(j: int) -> str:
         ground = f"at_stage(gx, tau, k[GROUND_X + {j}]), at_stage(gy, tau, k[GROUND_Y + {j}])"
-        return _stage(j, method.a[j], float(method.c[j]), n, ground)
+        return _stage(method, j, n, ground)
 
     stages = "".join(stage(j) for j in range(1, s + 1))
     kept = "".join(
-        f"    k[{j * size + i}] = v{j}_{i}\n    k[{j * size + n + i}] = a{j}_{i}\n"
-        for j in range(s + 1)
-        for i in range(n)
+        f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
     )
     ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
+    ends += "".join(f"    k[{s * size + i}] = v{s}_{i}\n" for i in range(n))
     errors = error_text(method, n)
     total = len(method.c)
     recalled = "".join(
-        f"    v{j}_{i} = k[{j * size + i}]\n    a{j}_{i} = k[{j * size + n + i}]\n"
-        for j in range(s + 1)
-        for i in range(n)
+        f"    a{j}_{i} = k[{j * size + n + i}]\n" for j in range(s + 1) for i in range(n)
     )
     extra = "".join(stage(j) for j in range(s + 1, total))
-    first = "".join(f"    q0_{i} = y[{i}]\n" for i in range(n))
+    by_accelerations = product(method.dense.T, method.a)  # of the positions, but for the first
     powers = ""
     for i in range(size):
-        rate, at = (f"v{{}}_{i}", f"q0_{i}") if i < n else (f"a{{}}_{i - n}", f"v0_{i - n}")
+        at, unit, weights = f"v0_{i - n}", "h", method.dense.T
+        if i < n:
+            at, unit, weights = f"q0_{i}", "h * h", by_accelerations
         powers += f"    coefficients[{i}] = {at}\n"
         for j in range(1, 8):
-            row = j * size + i
-            if j <= method.degree:
-                weights = _sum(method.dense[:, j - 1], rate, " " * 8)
-                powers += f"    coefficients[{row}] = h * (\n        {weights}\n    )\n"
-            else:
-                powers += f"    coefficients[{row}] = 0.0\n"
+            found = "0.0"
+            if j == 1 and i < n:
+                found = f"h * v0_{i}"
+            elif j <= method.degree:
+                terms = _sum(weights[j - 1], f"a{{}}_{i % n}", " " * 8)
+                found = f"{unit} * (\n        {terms}\n    )"
+            powers += f"    coefficients[{j * size + i}] = {found}\n"
     header = method_header(method, s, total)
     return f'''{header}
 # places behind the rates: the ground at each stage
@@ -320,4 +341,4 @@ def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
         shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
     if gy[2] != 0.0:
         shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
-{first}{recalled}{extra}{powers}'''
+{start}{recalled}{extra}{powers}'''
