@@ -370,25 +370,102 @@ def dense_at(coefficients, x, out):
 
 
 @inlined
-def stays_open(side, h, y, y_new, k, touching):
-    """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
-
-    The quintic through rotation, rate and acceleration at both ends, in Bernstein form: where all
-    coefficients are positive by a margin far above its error, there is no root.
-    """
+def gap_at_ends(side, h, y, y_new, k):
+    """Bernstein coefficients of the quintic through gap, rate and acceleration at both ends."""
     scaled = side * h
     q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
     v0, v1 = scaled * y[ROTATION_RATE] / 5.0, scaled * y_new[ROTATION_RATE] / 5.0
     a0 = scaled * h * k[ROTATION_RATE] / 20.0
     a1 = scaled * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
-    least = 1e-3 * max(q0, q1)
+    return q0, q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1, q1
+
+
+@inlined
+def stays_open(gap, touching):
+    """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
+
+    gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
+    there is no root.
+    """
+    b0, b1, b2, b3, b4, b5 = gap
+    least = 1e-3 * max(b0, b5)
     return (
-        (q0 > least or touching == 0)
-        and q0 + v0 > least
-        and q0 + 2.0 * v0 + a0 > least
-        and q1 - 2.0 * v1 + a1 > least
-        and (q1 - v1 > least and q1 > least)
+        (b0 > least or touching == 0)
+        and b1 > least
+        and b2 > least
+        and b3 > least
+        and (b4 > least and b5 > least)
     )
+
+
+def closes_once(gap, touching):
+    """Place in a step at which the gap of a rocking phase clearly closes, once, or NEVER.
+
+    Where the coefficients change their sign once, by a margin as in `stays_open`, there is one root.
+    """
+    b0, b1, b2, b3, b4, b5 = gap
+    doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    if touching != 0 and not b0 > doubt or not (b1 > doubt and b5 < -doubt):
+        return NEVER
+    # behind the first that is not positive, none is; behind a negative one, all are
+    falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
+    falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
+    if not (falls and (b2 > doubt or b4 <= doubt)):
+        return NEVER
+    low, high = 0.0, 1.0
+    rise = 5.0 * (b1 - b0)
+    bend = b0 + rise - b5
+    x = (rise + math.sqrt(max(rise * rise + 4.0 * bend * b0, 0.0))) / (2.0 * bend)
+    for _ in range(30):
+        if not low < x < high:
+            x = 0.5 * (low + high)
+        c0, c1, c2 = b0 + x * (b1 - b0), b1 + x * (b2 - b1), b2 + x * (b3 - b2)
+        c3, c4 = b3 + x * (b4 - b3), b4 + x * (b5 - b4)
+        c0, c1, c2, c3 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2), c3 + x * (c4 - c3)
+        c0, c1, c2 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2)
+        c0, c1 = c0 + x * (c1 - c0), c1 + x * (c2 - c1)
+        value, slope = c0 + x * (c1 - c0), 5.0 * (c1 - c0)
+        if value > 0.0:
+            low = x
+        else:
+            high = x
+        move = value / slope if slope < 0.0 else 1.0
+        x -= move
+        if abs(move) < 1e-7:  # the error left is about the square of that
+            return x if 0.0 < x < 1.0 else NEVER
+    return NEVER
+
+
+@inlined
+def rises_and_falls(gap):
+    """Whether a gap that opens stays open until beside the end of a step, where it closes."""
+    _, b1, b2, b3, b4, _ = gap
+    least = 1e-3 * max(b2, b3)
+    return b1 > least and b2 > least and b3 > least and b4 > least
+
+
+@inlined
+def to_impact(side, y_new, k):
+    """Time from the end of a step to the impact beside it; infinite where the gap does not close.
+
+    By the parabola there, from which it differs by the third power of that time.
+    """
+    q, v = side * y_new[ROTATION], side * y_new[ROTATION_RATE]
+    if not v < 0.0:
+        return np.inf
+    move = -q / v
+    return move - 0.5 * side * k[N_STAGES * N_STATES + ROTATION_RATE] * move * move / v
+
+
+def extrapolate(h, move, y, y_new, k):
+    """Move the end of a step by a small part of it, on the quintics through both ends."""
+    n = N_STATES // 2
+    for i in range(n):
+        a0, a1 = k[n + i], k[N_STAGES * N_STATES + n + i]
+        jerk = (60.0 * (y_new[i] - y[i]) / h - 36.0 * y_new[n + i] - 24.0 * y[n + i]) / (h * h)
+        jerk += (9.0 * a1 - 3.0 * a0) / h
+        y_new[i] += move * (y_new[n + i] + move * (0.5 * a1 + move * jerk / 6.0))
+        y_new[n + i] += move * (a1 + 0.5 * move * jerk)
 
 
 def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
@@ -844,9 +921,16 @@ def integrate(
             if cut:
                 h = last - t
             target = -1
-            slope = 0.0
+            slope = more = 0.0
             corrections = overlooked = 0
-            beyond = turned = False
+            beyond = turned = hops = False
+            if rocks and touching == 0 and not NARROW:
+                # a hop so short that its parabola tells where it ends
+                flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
+                if 0.0 < flight < 0.9 * h and side * y[ROTATION_RATE] > 0.0:
+                    h = flight
+                    cut = False
+                    hops = True
             while True:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
@@ -857,7 +941,7 @@ def integrate(
                         equal, bound = False, 1.0
                         refined_to = last
                         refined += 1
-                    cut = False
+                    cut = hops = False
                     target = -1
                     corrections = 0
                     shrink = 0.9 * error**ERROR_EXPONENT if finite else 0.1
@@ -868,17 +952,35 @@ def integrate(
                         outcome = STALLED if ends else NOT_FINITE
                         break
                     continue
+                gap = gap_at_ends(side, h, y, y_new, k)
+                if hops:
+                    # it ends there if the gap clearly stays open until then
+                    hops = False
+                    if abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap):
+                        target = 0
                 if target >= 0:
                     # this step ends at the event: correct what is left of the guard there
                     tau = t + h
-                    guards(contact, y_new, p, shaking(gx, tau), shaking(gy, tau), g)
-                    move = -g[target] / slope if slope < 0.0 else 0.0
+                    if rocks:
+                        move = to_impact(side, y_new, k)
+                        near = 0.1 if corrections == 0 else 0.01
+                    else:
+                        guards(contact, y_new, p, shaking(gx, tau), shaking(gy, tau), g)
+                        move = -g[target] / slope if slope < 0.0 else 0.0
+                        near = 0.01
                     least = max(2.0 * EPS * tau, 1e-5 * rtol * h)
-                    if corrections < 3 and least < abs(move) < 0.01 * h:
+                    small = math.sqrt(max(1e-13, min(1e-6, rtol))) * h
+                    if rocks and not NARROW and least < abs(move) <= small:
+                        extrapolate(h, move, y, y_new, k)
+                        more = move
+                    elif corrections < 3 and least < abs(move) < near * h:
                         corrections += 1
                         h += move
                         continue
-                    misplaced = abs(move) >= 0.01 * h or closed_before(contact, target, h, y_new, g)
+                    misplaced = abs(move) >= 0.01 * h
+                    misplaced = misplaced or (
+                        not rocks and closed_before(contact, target, h, y_new, g)
+                    )
                     if misplaced and h > 1e-6 * longest:
                         # the guard is not where its polynomial put it: look again in less time
                         h *= 0.5
@@ -894,7 +996,13 @@ def integrate(
                     h_next = h * min(5.0, max(0.2, 0.9 * factor))
                 open_ = False
                 if rocks and landed < 0:
-                    open_ = stays_open(side, h, y, y_new, k, touching)
+                    open_ = stays_open(gap, touching)
+                    place = NEVER if open_ or NARROW else closes_once(gap, touching)
+                    if place < NEVER:
+                        target = 0
+                        h *= place
+                        cut = False
+                        continue
                 elif landed < 0 and touching < 0:
                     open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
@@ -903,6 +1011,9 @@ def integrate(
                 closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
                 if keep or turned or beyond or leaves or closes or not (open_ or landed >= 0):
                     dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
+                    if more != 0.0:
+                        shorten(coefficients, 1.0 + more / h)
+                h += more
                 again = (leaves or closes) and overlooked < 20
                 if again and overlooks(
                     contact, t, h, p, gx, gy, rtol, atol, coefficients, closes, w, after
