@@ -124,11 +124,21 @@ def shaking(row, t):
     return pulse(row, t)
 
 
+@inlined
 def shake(row, t, h, first, last, out, at):
-    """Ground accelerations by a curved law at the stages from `first` to before `last` of a step.
+    """Ground accelerations at the stages from `first` to before `last` of a step, to out[at + j].
 
-    To out[at + j]. They do not wait for the state, so that the compiler may find several at once.
+    They do not wait for the state, so that the compiler may find several at once.
     """
+    if row[2] == 0.0:
+        start, change = row[3] + row[4] * (t - row[0]), row[4] * h
+        for j in range(first, last):
+            out[at + j] = start + STAGE_TIMES[j] * change
+    else:
+        shake_by_curve(row, t, h, first, last, out, at)
+
+
+def shake_by_curve(row, t, h, first, last, out, at):
     if row[2] == 1.0:
         for j in range(first, last):
             sine, _ = sine_cosine(row[4] * ((t + STAGE_TIMES[j] * h) - row[0]) + row[5])
@@ -136,12 +146,6 @@ def shake(row, t, h, first, last, out, at):
     else:
         for j in range(first, last):
             out[at + j] = pulse(row, t + STAGE_TIMES[j] * h)
-
-
-@inlined
-def at_stage(row, t, shaken):
-    """Ground acceleration at a stage: of a line, or what `shake` has found."""
-    return row[3] + row[4] * (t - row[0]) if row[2] == 0.0 else shaken
 
 
 QUIET = (0.0, np.inf, 0.0, 0.0, 0.0, 0.0, 0.0)

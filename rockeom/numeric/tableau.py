@@ -285,7 +285,7 @@ def step_text(method: Tableau, n: int) -> str:
     known = "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
 
     def stage(j: int) -> str:
-        ground = f"at_stage(gx, tau, k[GROUND_X + {j}]), at_stage(gy, tau, k[GROUND_Y + {j}])"
+        ground = f"k[GROUND_X + {j}], k[GROUND_Y + {j}]"
         return _stage(method, j, n, ground)
 
     stages = "".join(stage(j) for j in range(1, s + 1))
@@ -328,17 +328,13 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     The accelerations of stage 0 are known; those of stage N_STAGES are at the new state.
     Returns the norm of the estimated error, 1 at the tolerance.
     """
-    if gx[2] != 0.0:
-        shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
-    if gy[2] != 0.0:
-        shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+    shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
+    shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
 {start}{known}{stages}{ends}{kept}{errors}    return error
 
 
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
-    if gx[2] != 0.0:
-        shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
-    if gy[2] != 0.0:
-        shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
+    shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
+    shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
 {start}{recalled}{extra}{powers}'''
