@@ -511,6 +511,30 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
     return True
 
 
+@inlined
+def stands_until(contact, t, end, y, p, gx, gy, g):
+    """Whether a structure that cannot move on both its feet stays there while straight laws last.
+
+    The accelerations with which its feet would lift are linear in those of the ground, so that
+    both ends decide.
+    """
+    if N_STATES > 2 or N_PARTS > 0 or SIDES[contact] != 0.0 or gx[2] != 0.0 or gy[2] != 0.0:
+        return False
+    for n in range(GUARDS[contact]):
+        if KINDS[contact][n] != UPLIFT:
+            return False
+    for turn in range(2):
+        tau = end if turn == 1 else t
+        guards(contact, y, p, shaking(gx, tau), shaking(gy, tau), g)
+        size = 0.0
+        for n in range(GUARDS[contact]):
+            size += abs(g[n])
+        for n in range(GUARDS[contact]):
+            if not g[n] > 1e-9 * size:
+                return False
+    return True
+
+
 def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
     """Whether a step passed over forces that act beside a closed gap only, unseen by its stages.
 
@@ -928,6 +952,17 @@ def integrate(
             slope = more = 0.0
             corrections = overlooked = 0
             beyond = turned = hops = False
+            stands = last - t <= h_max and stands_until(contact, t, last, y, p, gx, gy, g)
+            if stands:
+                # nothing moves: no step is needed to know the state at its end
+                taken += 1
+                h = last - t
+                cut = True
+                for i in range(N_STATES):
+                    y_new[i] = y[i]
+                    k[N_STAGES * N_STATES + i] = 0.0
+                for i in range(8 * N_STATES):
+                    coefficients[i] = y[i] if i < N_STATES else 0.0
             if rocks and touching == 0 and not NARROW:
                 # a hop so short that its parabola tells where it ends
                 flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
@@ -935,7 +970,7 @@ def integrate(
                     h = flight
                     cut = False
                     hops = True
-            while True:
+            while not stands:
                 taken += 1
                 error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
                 finite = math.isfinite(error) and finite_end(k)
@@ -974,7 +1009,7 @@ def integrate(
                         near = 0.01
                     least = max(2.0 * EPS * tau, 1e-5 * rtol * h)
                     small = math.sqrt(max(1e-13, min(1e-6, rtol))) * h
-                    if rocks and not NARROW and least < abs(move) <= small:
+                    if rocks and not NARROW and abs(move) <= small:
                         extrapolate(h, move, y, y_new, k)
                         more = move
                     elif corrections < 3 and least < abs(move) < near * h:
