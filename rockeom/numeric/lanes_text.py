@@ -110,7 +110,8 @@ def step_lanes(z, rtol, atol):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     for lane in range(LANES):
         contact = z[Z_CONTACT + lane]
-{ground}{start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
+{ground}        hh = h * h
+{start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
 
 
 def judge_lanes(z, coarse):

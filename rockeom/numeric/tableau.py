@@ -210,10 +210,10 @@ def _stage(method: Tableau, j: int, n: int, ground: str = GROUND) -> str:
     text, c = "", float(method.c[j])
     for i in range(n):
         text += f"    v{j}_{i} = " + _moved(method.a[j, :j], f"a{{}}_{i}", f"v0_{i}")
-        text += f"    q{j}_{i} = q0_{i} + h * ({c!r} * v0_{i}"
+        text += f"    q{j}_{i} = (q0_{i} + {c!r} * h * v0_{i})"
         if method.twice[j].any():
-            text += f" + h * (\n        {_sum(method.twice[j], f'a{{}}_{i}', ' ' * 8)}\n    )"
-        text += ")\n"
+            text += f" + hh * (\n        {_sum(method.twice[j], f'a{{}}_{i}', ' ' * 8)}\n    )"
+        text += "\n"
     states = [f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)]
     return text + _rates(j, states, f"t + {c!r} * h", n, ground)
 
@@ -305,7 +305,7 @@ def step_text(method: Tableau, n: int) -> str:
     for i in range(size):
         at, unit, weights = f"v0_{i - n}", "h", method.dense.T
         if i < n:
-            at, unit, weights = f"q0_{i}", "h * h", by_accelerations
+            at, unit, weights = f"q0_{i}", "hh", by_accelerations
         powers += f"    coefficients[{i}] = {at}\n"
         for j in range(1, 8):
             found = "0.0"
@@ -330,6 +330,7 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     """
     shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
     shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+    hh = h * h
 {start}{known}{stages}{ends}{kept}{errors}    return error
 
 
@@ -337,4 +338,5 @@ def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
     shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
     shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
+    hh = h * h
 {start}{recalled}{extra}{powers}'''
