@@ -512,13 +512,15 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
 
 
 @inlined
-def stands_until(contact, t, end, y, p, gx, gy, g):
+def stands_until(contact, t, end, y, rate, p, gx, gy, g):
     """Whether a structure that cannot move on both its feet stays there while straight laws last.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
     both ends decide.
     """
     if N_STATES > 2 or N_PARTS > 0 or SIDES[contact] != 0.0 or gx[2] != 0.0 or gy[2] != 0.0:
+        return False
+    if rate[0] != 0.0 or rate[1] != 0.0:
         return False
     for n in range(GUARDS[contact]):
         if KINDS[contact][n] != UPLIFT:
@@ -952,7 +954,7 @@ def integrate(
             slope = more = 0.0
             corrections = overlooked = 0
             beyond = turned = hops = False
-            stands = last - t <= h_max and stands_until(contact, t, last, y, p, gx, gy, g)
+            stands = last - t <= h_max and stands_until(contact, t, last, y, k, p, gx, gy, g)
             if stands:
                 # nothing moves: no step is needed to know the state at its end
                 taken += 1
@@ -1052,6 +1054,9 @@ def integrate(
                     dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
                     if more != 0.0:
                         shorten(coefficients, 1.0 + more / h)
+                        for i in range(N_STATES):
+                            left = y_new[i] - power_sum(coefficients, 1.0, i)
+                            coefficients[7 * N_STATES + i] += left
                 h += more
                 again = (leaves or closes) and overlooked < 20
                 if again and overlooks(
@@ -1402,7 +1407,7 @@ def bound_passed(coefficients, bound, b, stack):
 
 
 def shorten(coefficients, x):
-    """Make [0, x] of a step its whole [0, 1]."""
+    """Make [0, x] of a step its whole [0, 1]; x may be a little above 1."""
     factor = 1.0
     for j in range(8):
         for i in range(N_STATES):

@@ -162,9 +162,13 @@ def exact_solution(
 
 
 def product(left: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """left @ right of coefficients; where nothing but their rounding errors is left it is 0."""
-    found = left @ right
-    found[np.abs(found) < 32 * np.finfo(float).eps * (np.abs(left) @ np.abs(right))] = 0.0
+    """left @ right of coefficients, rounded once; 0 where nothing but their rounding is left."""
+    rows, columns = left.tolist(), right.T.tolist()
+    found = np.array(
+        [[float(sum(Fraction(x) * Fraction(y) for x, y in zip(r, c, strict=True) if x and y))
+          for c in columns] for r in rows]
+    )  # fmt: skip
+    found[np.abs(found) < 2 * np.finfo(float).eps * (np.abs(left) @ np.abs(right))] = 0.0
     return found
 
 
@@ -277,8 +281,7 @@ def step_text(method: Tableau, n: int) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
 
     Everything stands in plain numbers, stage by stage, each written out; the rates of all stages
-    are left in an array only for the dense output. Of the velocities it wants none: what they give
-    is what accelerations give through them.
+    are left in an array only for the dense output.
     """
     s, size = method.stages, 2 * n
     start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
@@ -300,20 +303,22 @@ def step_text(method: Tableau, n: int) -> str:
         f"    a{j}_{i} = k[{j * size + n + i}]\n" for j in range(s + 1) for i in range(n)
     )
     extra = "".join(stage(j) for j in range(s + 1, total))
-    by_accelerations = product(method.dense.T, method.a)  # of the positions, but for the first
+    # their velocities once more: weights of accelerations alone would be ten times as large, and
+    # so would be the rounding errors
+    recalled += "".join(
+        f"    v{j}_{i} = " + _moved(method.a[j, :j], f"a{{}}_{i}", f"v0_{i}")
+        for j in range(1, s + 1)
+        for i in range(n)
+    )
     powers = ""
     for i in range(size):
-        at, unit, weights = f"v0_{i - n}", "h", method.dense.T
-        if i < n:
-            at, unit, weights = f"q0_{i}", "hh", by_accelerations
+        rate, at = (f"v{{}}_{i}", f"q0_{i}") if i < n else (f"a{{}}_{i - n}", f"v0_{i - n}")
         powers += f"    coefficients[{i}] = {at}\n"
         for j in range(1, 8):
             found = "0.0"
-            if j == 1 and i < n:
-                found = f"h * v0_{i}"
-            elif j <= method.degree:
-                terms = _sum(weights[j - 1], f"a{{}}_{i % n}", " " * 8)
-                found = f"{unit} * (\n        {terms}\n    )"
+            if j <= method.degree:
+                terms = _sum(method.dense[:, j - 1], rate, " " * 8)
+                found = f"h * (\n        {terms}\n    )"
             powers += f"    coefficients[{j * size + i}] = {found}\n"
     header = method_header(method, s, total)
     return f'''{header}
