@@ -65,6 +65,7 @@ if TYPE_CHECKING:  # joined before this text
         QUINTIC,
         ROTATION,
         ROTATION_RATE,
+        ROUNDER,
         SAMPLES_TO_BERNSTEIN,
         SIDES,
         STAGE_TIMES,
@@ -77,7 +78,6 @@ if TYPE_CHECKING:  # joined before this text
         opening_acceleration,
         rates,
         reactions,
-        sine_cosine,
         take_step,
     )
 
@@ -102,13 +102,30 @@ NEVER = 2.0  # a place behind the end of any step
 MOST_PARTS = 4096  # of a polynomial that are looked at: seven roots need some 600
 
 
+@inlined
+def sine(x):
+    """Sine, within 2.5e-16: its Taylor series about multiples of pi, of which odd ones turn it."""
+    n = (x * 0.3183098861837907 + ROUNDER) - ROUNDER
+    r = (x - n * 3.1415926534682512) - n * 1.2154201013012384e-10
+    odd = n - 2.0 * ((0.5 * n + ROUNDER) - ROUNDER)
+    z = r * r
+    zz = z * z
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    s3 = -1 / 1307674368000 + z * (1 / 355687428096000)
+    s4 = -1 / 121645100408832000 + z * (1 / 51090942171709440000)
+    s1 += zz * s2
+    s3 += zz * s4
+    return (1.0 - 2.0 * odd * odd) * (r + r * z * (s0 + zz * (s1 + zz * zz * s3)))
+
+
 def pulse(row, t):
     """Ground acceleration at t by a curved law, see `shaking`."""
     kind = row[2]
     tau = t - row[0]
     if kind == 1.0:  # sine
-        sine, _ = sine_cosine(row[4] * tau + row[5])
-        return row[3] * sine
+        return row[3] * sine(row[4] * tau + row[5])
     # expm1, since the compiler would call exp for every law, just in case
     x = row[4] * (tau - row[5])
     if kind == 2.0:  # symmetric Ricker
@@ -141,8 +158,7 @@ def shake(row, t, h, first, last, out, at):
 def shake_by_curve(row, t, h, first, last, out, at):
     if row[2] == 1.0:
         for j in range(first, last):
-            sine, _ = sine_cosine(row[4] * ((t + STAGE_TIMES[j] * h) - row[0]) + row[5])
-            out[at + j] = row[3] * sine
+            out[at + j] = row[3] * sine(row[4] * ((t + STAGE_TIMES[j] * h) - row[0]) + row[5])
     else:
         for j in range(first, last):
             out[at + j] = pulse(row, t + STAGE_TIMES[j] * h)
@@ -405,17 +421,19 @@ def stays_open(gap, touching):
 def closes_once(gap, touching):
     """Place in a step at which the gap of a rocking phase clearly closes, once, or NEVER.
 
-    Where the coefficients change their sign once, by a margin as in `stays_open`, there is one root.
+    Where the coefficients change their sign once, by a margin as in `stays_open`, there is one
+    root.
     """
     b0, b1, b2, b3, b4, b5 = gap
     doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    if touching != 0 and not b0 > doubt or not (b1 > doubt and b5 < -doubt):
+    if (touching != 0 and b0 <= doubt) or b1 <= doubt or b5 >= -doubt:
         return NEVER
-    # behind the first that is not positive, none is; behind a negative one, all are
+    # behind the first that is not clearly positive, none is; behind a negative one, all are
     falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
     falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
     if not (falls and (b2 > doubt or b4 <= doubt)):
         return NEVER
+    # Newton's method within a bracket, from the parabola with the same ends and slope
     low, high = 0.0, 1.0
     rise = 5.0 * (b1 - b0)
     bend = b0 + rise - b5
@@ -425,7 +443,8 @@ def closes_once(gap, touching):
             x = 0.5 * (low + high)
         c0, c1, c2 = b0 + x * (b1 - b0), b1 + x * (b2 - b1), b2 + x * (b3 - b2)
         c3, c4 = b3 + x * (b4 - b3), b4 + x * (b5 - b4)
-        c0, c1, c2, c3 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2), c3 + x * (c4 - c3)
+        c0, c1, c2 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2)
+        c3 += x * (c4 - c3)
         c0, c1, c2 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2)
         c0, c1 = c0 + x * (c1 - c0), c1 + x * (c2 - c1)
         value, slope = c0 + x * (c1 - c0), 5.0 * (c1 - c0)
@@ -661,6 +680,58 @@ def rounding(contact, index, h, y, p, ax, ay, b):
         if SIDES[other] != 0.0:
             acceleration += abs(opening_acceleration(other, y, p, ax, ay))
     return max(1e-11 * scale, 1e-10 * acceleration * h * h)
+
+
+def first_event(
+    contact, t, h, instant, landed, touching, y, p, gx, gy, fallen, noises, w, g, b, stack
+):  # fmt: skip
+    """Where in a step a guard first falls through zero, which, and what is known of it there.
+
+    Returns (place, guard, slope, from_closed, unclear): the place in the step, NEVER if no guard
+    falls, the slope of its polynomial in time; whether it was closed at the start, and whether
+    nothing but rounding errors says that it falls. b : the polynomials of all guards. landed : the
+    guard that ends the step already, or -1.
+    """
+    place, target, slope = NEVER, -1, 0.0
+    from_closed = unclear = False
+    rocks = rocking(contact)
+    for i in range(GUARDS[contact]):
+        if i == landed or (landed >= 0 and i == touching):
+            continue
+        closed = touching == i
+        whole = N_PARTS == 0 or PARTS[contact][i] < 0
+        if b[8 * i] < 0.0 and whole and not rocks and not closed:
+            # beside zero but for rounding, by an event before this one, is closed, too
+            near = noise_of(contact, i, p, fallen, noises, w, g)
+            if KINDS[contact][i] == IMPACT:
+                near = CLOSED_GAP * fallen
+            closed = b[8 * i] >= -near
+        noise = 0.0
+        if closed:
+            ax, ay = shaking(gx, t), shaking(gy, t)
+            noise = rounding(contact, i, h, y, p, ax, ay, b)
+            noise = max(noise, noise_of(contact, i, p, fallen, noises, w, g))
+        row = i
+        if not whole:
+            x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
+        else:
+            grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
+            x = first_fall(b, 8 * i, grain, closed, noise, stack)
+        if touching == i:
+            unclear = abs(b[8 * row + 1]) <= noise
+        beside = closed and touching != i and x * h <= instant
+        if beside and rises_first(b, 8 * row, noise):
+            continue
+        if x < place:
+            hover = size(b, 8 * row)
+            if hover <= noise_of(contact, i, p, fallen, noises, w, g):
+                continue  # nothing but rounding errors
+            place = x
+            target = i
+            from_closed = closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
+            from_closed &= not beside  # else it is known to fall
+            slope = bernstein_at(b, 8 * row, x)[1] / h
+    return place, target, slope, from_closed, unclear and target == touching
 
 
 # -- impacts -------------------------------------------------------------------------------------
@@ -1071,46 +1142,12 @@ def integrate(
                     continue
                 if open_ or (landed >= 0 and not closes):
                     break
-                place = NEVER
-                unclear = from_closed = False
                 instant = 4.0 * EPS * max(t, h)
                 guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b)
-                for i in range(1 if rocks else GUARDS[contact]):
-                    if i == landed or (landed >= 0 and i == touching):
-                        continue
-                    closed = touching == i
-                    whole = N_PARTS == 0 or PARTS[contact][i] < 0
-                    if b[8 * i] < 0.0 and whole and not rocks and not closed:
-                        # beside zero but for rounding, by an event before this one, is closed, too
-                        near = noise_of(contact, i, p, fallen, noises, w, g)
-                        if KINDS[contact][i] == IMPACT:
-                            near = CLOSED_GAP * fallen
-                        closed = b[8 * i] >= -near
-                    noise = 0.0
-                    if closed:
-                        ax, ay = shaking(gx, t), shaking(gy, t)
-                        noise = rounding(contact, i, h, y, p, ax, ay, b)
-                        noise = max(noise, noise_of(contact, i, p, fallen, noises, w, g))
-                    row = i
-                    if not whole:
-                        x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
-                    else:
-                        grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
-                        x = first_fall(b, 8 * i, grain, closed, noise, stack)
-                    if touching == i:
-                        unclear = abs(b[8 * row + 1]) <= noise
-                    beside = closed and touching != i and x * h <= instant
-                    if beside and rises_first(b, 8 * row, noise):
-                        continue
-                    if x < place:
-                        hover = size(b, 8 * row)
-                        if hover <= noise_of(contact, i, p, fallen, noises, w, g):
-                            continue  # nothing but rounding errors
-                        place = x
-                        target = i
-                        from_closed = closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
-                        from_closed &= not beside  # else it is known to fall
-                        slope = bernstein_at(b, 8 * row, x)[1] / h
+                place, target, slope, from_closed, unclear = first_event(
+                    contact, t, h, instant, landed, touching, y, p, gx, gy, fallen, noises, w, g, b,
+                    stack,
+                )  # fmt: skip
                 if place == NEVER:
                     break
                 landed = -1
@@ -1119,7 +1156,7 @@ def integrate(
                         # it does not fall where both its rate and its acceleration open it
                         slow = y[ROTATION_RATE] == 0.0 or side * k[ROTATION_RATE] > 0.0
                     else:
-                        slow = (unclear and touching == target) or opens_soon(
+                        slow = unclear or opens_soon(
                             contact, target, t, h, y, p, gx, gy, k, w, g, after,
                             noise_of(contact, target, p, fallen, noises, w, g),
                         )  # fmt: skip

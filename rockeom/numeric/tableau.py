@@ -256,7 +256,9 @@ def error_text(method: Tableau, n: int) -> str:
     lines += "    d_rate = d_state = 0.0\n" if two else ""
     by_accelerations = [product(e[None], method.a[: s + 1, : s + 1])[0] for e in method.errors]
     for i in range(2 * n):
-        place, rate = (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
+        place, rate = (
+            (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
+        )
         largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
         lines += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
         for m, e in enumerate(by_accelerations if i < n else method.errors):
