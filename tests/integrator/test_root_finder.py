@@ -25,6 +25,13 @@ def at(b: Floats, x: float, out: Floats):
 @entry
 def the_first_fall(b: Floats, touching: bool, noise: float, stack: Floats) -> float:
     return first_fall(b, 0, EXACT, touching, noise, stack)
+
+@entry
+def of_gap(b: Floats, touching: int, out: Floats):
+    gap = b[0], b[1], b[2], b[3], b[4], b[5]
+    out[0] = 1.0 if stays_open(gap, touching) else 0.0
+    out[1] = closes_once(gap, touching)
+    out[2] = 1.0 if rises_and_falls(gap) else 0.0
 """,
     rk.RigidBlock(half_width=0.25, half_height=1.0).module,
 )
@@ -244,3 +251,49 @@ def test_samples_and_powers_give_the_same_bernstein_form(powers):
     np.testing.assert_allclose(powers_to_bernstein() @ powers, expected, atol=1e-13)
     sampled = samples_to_bernstein() @ np.polynomial.Polynomial(powers)(NODES)
     np.testing.assert_allclose(sampled, expected, atol=1e-11)
+
+
+# -- the quintic of a gap, which decides most steps
+
+
+def of_gap(b, touching=False):
+    """(stays open, place where it closes once or NEVER, closes at the end only)."""
+    found = np.empty(3)
+    LOOP["of_gap"](np.array(b, dtype=float), 0 if touching else -1, found)
+    return bool(found[0]), found[1], bool(found[2])
+
+
+def roots_of_quintic(b):
+    """Real roots in [0, 1], by numpy.roots, and those beside the real axis."""
+    x, rest = np.polynomial.Polynomial([0, 1]), np.polynomial.Polynomial([1, -1])
+    roots = sum(comb(5, i) * c * x**i * rest ** (5 - i) for i, c in enumerate(b)).roots()
+    near = roots.real[np.abs(roots.imag) < 1e-4]
+    return near[(near > -1e-9) & (near < 1 + 1e-9)]
+
+
+@settings(max_examples=1000, deadline=None)
+@given(
+    start=st.one_of(st.just(0.0), st.floats(1e-3, 1)),
+    rest=st.lists(coefficients, min_size=5, max_size=5),
+)
+@example(start=0.0, rest=[1, 0.1, -0.5, 0.1, -1])
+@example(start=1.0, rest=[1, 1, 1, 1, -1])
+@example(start=0.0, rest=[1, 1, 1, 1, -0.01])
+def test_gap_that_clearly_closes_or_stays_open(start, rest):
+    """What is certified is so: no root, or one where it was found; and by a margin."""
+    b = [start, *rest]
+    touching = start == 0.0
+    stays, place, rises = of_gap(b, touching)
+    roots = roots_of_quintic(b)
+    if touching:
+        roots = roots[roots > 1e-9]
+    assert not (stays and place < NEVER)
+    if stays:
+        assert len(roots) == 0
+    if place < NEVER:
+        assert len(roots) == 1
+        assert place == pytest.approx(roots[0], abs=1e-9)
+    if rises and touching:
+        # it may close beside the end, if its last coefficient is small
+        size = max(abs(c) for c in rest[:4])
+        assert abs(rest[4]) > 0.01 * size or all(x > 0.5 for x in roots)
