@@ -483,12 +483,13 @@ def to_impact(side, y_new, k):
 def extrapolate(h, move, y, y_new, k):
     """Move the end of a step by a small part of it, on the quintics through both ends."""
     n = N_STATES // 2
+    part = move / h
     for i in range(n):
-        a0, a1 = k[n + i], k[N_STAGES * N_STATES + n + i]
-        jerk = (60.0 * (y_new[i] - y[i]) / h - 36.0 * y_new[n + i] - 24.0 * y[n + i]) / (h * h)
-        jerk += (9.0 * a1 - 3.0 * a0) / h
-        y_new[i] += move * (y_new[n + i] + move * (0.5 * a1 + move * jerk / 6.0))
-        y_new[n + i] += move * (a1 + 0.5 * move * jerk)
+        v0, v1 = h * y[n + i], h * y_new[n + i]
+        a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
+        jerk = 60.0 * (y_new[i] - y[i]) - 36.0 * v1 - 24.0 * v0 + 9.0 * a1 - 3.0 * a0
+        y_new[i] += part * (v1 + part * (0.5 * a1 + part * jerk / 6.0))
+        y_new[n + i] += part * (a1 + 0.5 * part * jerk) / h
 
 
 def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
@@ -1039,7 +1040,8 @@ def integrate(
             if rocks and touching == 0 and not NARROW:
                 # a hop so short that its parabola tells where it ends
                 flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
-                if 0.0 < flight < 0.9 * h and side * y[ROTATION_RATE] > 0.0:
+                height = side * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
+                if 0.0 < flight < 0.9 * h and height > 1e-290:
                     h = flight
                     cut = False
                     hops = True
@@ -1068,8 +1070,10 @@ def integrate(
                 if hops:
                     # it ends there if the gap clearly stays open until then
                     hops = False
-                    if abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap):
-                        target = 0
+                    if not (abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap)):
+                        h *= 0.5  # no parabola: a step must not end just beside an impact
+                        continue
+                    target = 0
                 if target >= 0:
                     # this step ends at the event: correct what is left of the guard there
                     tau = t + h

@@ -139,7 +139,7 @@ FAULTS = {
         LOOP,
         (
             (
-                "slow = (unclear and touching == target) or opens_soon(",
+                "slow = unclear or opens_soon(",
                 "slow = unclear and opens_soon(",
             ),
         ),
