@@ -783,10 +783,14 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
         w[i] = y[i]
         kick[i] = 0.0
     smooth = kick[N_STATES:]
-    total = 0.0
+    total = flight = a = 0.0
     start = abs(y[ROTATION_RATE])
     loss = whole = 1.0
+    last_flight = last_a = last_loss = np.inf  # of the flight before, to the other side
+    pairs = True  # of flights to one side and the other are complete
     for turn in range(1000):
+        a_before, last_a, last_flight = last_a, a, flight
+        pairs = not pairs
         rates(contact, w, p, ax, ay, out)
         a = -SIDES[contact] * out[ROTATION_RATE]
         if not a > 0.0:
@@ -802,8 +806,11 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
             if i >= N_STATES // 2:
                 kick[i] += flight * (out[i] - smooth[i])
         w[ROTATION] = 0.0
-        if v <= EPS * start or turn == 999:
-            total += flight * (1.0 - loss) / loss  # what a constant loss leaves of the series
+        alike = abs(a - a_before) <= 1e-13 * a and abs(loss - last_loss) <= 1e-13
+        if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
+            # what a constant loss leaves of the two series of flights
+            left = (1.0 - loss) * (1.0 - loss)
+            total += (last_flight + flight) * left / (1.0 - left)
             w[ROTATION_RATE] = 0.0
             if v > EPS * start:
                 whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
@@ -815,6 +822,7 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
                 out[i] = y[i] + whole * kick[i]
             out[ROTATION] = out[ROTATION_RATE] = 0.0
             return total, contact
+        last_loss = loss
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
         if not loss > 0.0 or flight > loss * tolerance / math.sqrt(a):
             return np.inf, contact  # so little is lost that the end is far, or never comes
