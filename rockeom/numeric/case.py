@@ -43,12 +43,12 @@ class Problem(NamedTuple):
     quiet_from: float
 
     def p(self, width: int = 0) -> np.ndarray:
-        """The parameters with the table behind them, which is read from its end; a new array.
+        """The parameters with the table behind them, which is read from its end.
 
         width : of the widest table of several cases, so that all have rows of one length.
         """
         if not (self.table or width):
-            return self.vector.copy()
+            return self.vector
         return np.concatenate([self.vector, np.zeros(max(width - len(self.table), 0)), self.table])
 
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import ctypes.util
-import struct
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -14,7 +13,7 @@ import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
-from rockeom.numeric.machine_types import BOOL, FLOAT, LIBRARY, NOTHING, Array, Entry
+from rockeom.numeric.machine_types import BOOL, FLOAT, INT, LIBRARY, NOTHING, Array, Entry
 
 
 def _machine() -> llvm.TargetMachine:
@@ -81,8 +80,8 @@ class Loaded:
         self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
         self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         self._engine.finalize_object()
-        self.functions: dict[str, Callable[..., Any]] = {
-            name: _Function(name, entry, self._engine.get_function_address(name), self)
+        self.functions: dict[str, Function] = {
+            name: Function(name, entry, self._engine.get_function_address(name), self)
             for name, entry in entries.items()
         }
 
@@ -90,44 +89,81 @@ class Loaded:
 _CALLED = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
 
 
-class _Function:
-    """A function of machine code that takes its arguments from a row of 64-bit places."""
+class Function:
+    """A function of machine code that takes its arguments from a row of 64-bit places.
+
+    Python's part of a call is in writing that row: whoever calls often binds the arguments once.
+    """
 
     def __init__(self, name: str, entry: Entry, address: int, loaded: Loaded) -> None:
         self.name, self.entry, self.loaded = name, entry, loaded
         self.call = _CALLED(address)
-        places = ""
-        for _, type_ in entry.arguments:
-            count = 1 + type_.dimensions if isinstance(type_, Array) else 1
-            places += "d" if type_ == FLOAT else "q" * count
-        self.row = struct.Struct(f"={places}{'d' if entry.returns == FLOAT else 'q'}")
-        self.result = struct.Struct("=d" if entry.returns == FLOAT else "=q")
-        self.at = self.row.size - 8
+        self.places: dict[str, tuple[int, Any]] = {}
+        n = 0
+        for argument, type_ in entry.arguments:
+            self.places[argument] = n, type_
+            n += 1 + type_.dimensions if isinstance(type_, Array) else 1
+        self.integers, self.floats = ctypes.c_int64 * (n + 1), ctypes.c_double * (n + 1)
 
     def __call__(self, *given: Any) -> Any:
         """Raises TypeError for an array that the machine code would misread."""
-        places: list[Any] = []
-        for value, (name, type_) in zip(given, self.entry.arguments, strict=True):
-            if isinstance(type_, Array):
-                wanted = np.float64 if type_.element == FLOAT else np.int64
-                if (
-                    value.dtype != wanted
-                    or value.ndim != type_.dimensions
-                    or not value.flags.c_contiguous
-                ):
-                    raise TypeError(
-                        f"{self.name}: {name} is {value.dtype}, {value.ndim} dimensions: an array "
-                        f"of {np.dtype(wanted)}, {type_.dimensions} dimensions, in C order is "
-                        "wanted"
-                    )
-                places.append(value.__array_interface__["data"][0])
-                places += value.shape
-            else:
-                places.append(value)
-        row = ctypes.create_string_buffer(self.row.size)
-        self.row.pack_into(row, 0, *places, 0)
-        self.call(row)
-        if self.entry.returns == NOTHING:
-            return None
-        (found,) = self.result.unpack_from(row, self.at)
-        return bool(found) if self.entry.returns == BOOL else found
+        return self.bound(*given)()
+
+    def bound(self, *given: Any) -> Bound:
+        """The function with its arguments, to be called again and again; raises as a call does."""
+        bound = Bound(self)
+        for name, value in zip(self.places, given, strict=True):
+            bound[name] = value
+        return bound
+
+
+class Bound:
+    """A function of machine code with its arguments, which it keeps; of one thread at a time.
+
+    What an argument has become is told by `bound[name] = value`; what happens in an array that is
+    bound need not be told.
+    """
+
+    def __init__(self, function: Function) -> None:
+        self.function = function
+        self.arrays: dict[str, np.ndarray] = {}
+        self._integers = function.integers()
+        self._floats = function.floats.from_buffer(self._integers)
+        self._row = ctypes.c_void_p(ctypes.addressof(self._integers))
+        self._call, returns = function.call, function.entry.returns
+        self._found: Any = self._floats if returns == FLOAT else self._integers
+        self._returned: Any = {BOOL: bool, NOTHING: _nothing}.get(returns)
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        """Raises TypeError for an array that the machine code would misread."""
+        place, type_ = self.function.places[name]
+        if not isinstance(type_, Array):
+            row = self._floats if type_ == FLOAT else self._integers
+            row[place] = value
+        elif value is not self.arrays.get(name):
+            wanted = _ELEMENTS[type_.element]
+            if (
+                value.dtype != wanted
+                or value.ndim != type_.dimensions
+                or not value.flags.c_contiguous
+            ):
+                raise TypeError(
+                    f"{self.function.name}: {name} is {value.dtype}, {value.ndim} dimensions: an "
+                    f"array of {wanted}, {type_.dimensions} dimensions, in C order is wanted"
+                )
+            self._integers[place] = value.__array_interface__["data"][0]
+            for i, length in enumerate(value.shape, place + 1):
+                self._integers[i] = length
+            self.arrays[name] = value
+
+    def __call__(self) -> Any:
+        self._call(self._row)
+        found = self._found[-1]
+        return found if self._returned is None else self._returned(found)
+
+
+_ELEMENTS = {FLOAT: np.dtype(np.float64), INT: np.dtype(np.int64)}
+
+
+def _nothing(_: Any) -> None:
+    """What a function gives back that returns nothing."""

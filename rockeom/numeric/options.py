@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cache
 
 from rockeom.arguments import number, told, whole_number
 
@@ -66,10 +67,15 @@ class SolverOptions:
     def of(cls, options: SolverOptions | None) -> SolverOptions:
         """The options given, or the defaults for None; raises TypeError for anything else."""
         if options is None:
-            return cls()
+            return _default()
         if isinstance(options, cls):
             return options
         raise TypeError(
             f"options is {told(options)}: give options of the solver, such as "
             "rk.SolverOptions(rtol=1e-8)"
         )
+
+
+@cache
+def _default() -> SolverOptions:
+    return SolverOptions()

@@ -14,7 +14,6 @@ import linecache
 import sys
 import threading
 import time
-from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
 from importlib.util import find_spec
@@ -22,7 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from rockeom.numeric.machine import Loaded, compiled, target
+from rockeom.numeric.machine import Function, Loaded, compiled, target
 from rockeom.numeric.machine_types import NOTHING, Array, Entry
 from rockeom.numeric.store import kept
 
@@ -40,12 +39,12 @@ class Program:
     of the generated module.
     """
 
-    integrate: Callable[..., int]
-    integrate_many: Callable[..., int]
-    integrate_lanes: Callable[..., int]
-    falls: Callable[..., bool]
-    at_rest: Callable[..., bool]
-    evaluate: Callable[..., None]
+    integrate: Function
+    integrate_many: Function
+    integrate_lanes: Function
+    falls: Function
+    at_rest: Function
+    evaluate: Function
 
     def __init__(self, name: str, module: ModuleType, code: bytes) -> None:
         header, _, machine_code = code.partition(b"\n")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -84,45 +85,94 @@ class Record:
 
 
 def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool = True) -> Record:
-    """Run the compiled loop to its end, emptying its records whenever they are full."""
-    n, q, p = len(problem.y0), problem, problem.p()
-    atol = np.full(n, options.atol)
-    status = AT_THE_START.copy()
-    status[CONTACT] = q.contact
-    clock = np.zeros(4)
-    y, rate, scratch = q.y0.copy(), np.zeros(n), np.zeros(compiled.SCRATCH)
-    peaks = np.empty((0, n))  # not asked for
-    size, events = (256 + len(q.horizontal) + len(q.vertical) if keep else 0), 256
-    code = FULL
-    chunks: list[tuple[np.ndarray, ...]] = []
-    while code == FULL:
-        steps = (np.empty((size, 2)), np.empty(size, np.int64), np.empty((size, 8, n)))
-        marks = (np.empty(events), np.empty((events, 3), np.int64), np.empty((events, 2, n)))
-        status[[STEPS_KEPT, EVENTS_KEPT]] = 0
-        code = compiled.integrate(
-            status, clock, y, rate, q.end, q.horizontal, q.vertical, p, q.law, q.ratio,
-            options.rtol, atol, options.max_step, options.steps_per_law, q.fallen,
-            options.rest_tolerance, options.max_impacts, options.max_steps,
-            *steps, *marks, peaks, scratch,
+    """Run the compiled loop to its end, emptying its records whenever they are full.
+
+    keep : whether the steps are recorded.
+    """
+    idle = _benches(compiled, keep)
+    try:
+        bench = idle.pop()  # in one go: threads may ask for one at the same time
+    except IndexError:
+        bench = _Bench(compiled, keep)
+    try:
+        return bench.run(problem, options)
+    finally:
+        idle.append(bench)
+
+
+@cache
+def _benches(compiled: Program, keep: bool) -> list[_Bench]:
+    """Those of a program that nobody uses now."""
+    return []
+
+
+_STEPS, _EVENTS = 1024, 256
+"""How many are recorded before the record is emptied."""
+
+
+class _Bench:
+    """The arrays in which one motion at a time is integrated, and the functions bound to them.
+
+    It is used for one motion after the other: to bind arrays takes longer than a short motion.
+    """
+
+    def __init__(self, compiled: Program, keep: bool) -> None:
+        n, rows = compiled.N_STATES, _STEPS if keep else 0
+        self.status, self.clock = AT_THE_START.copy(), np.zeros(4)
+        self.y, self.rate, self.atol = np.zeros(n), np.zeros(n), np.zeros(n)
+        self.steps = np.empty((rows, 2)), np.empty(rows, np.int64), np.empty((rows, 8, n))
+        self.events = np.empty(_EVENTS), np.empty((_EVENTS, 3), np.int64), np.empty((_EVENTS, 2, n))
+        p, peaks = np.zeros(1), np.empty((0, n))  # bound anew; not asked for
+        self.integrate = compiled.integrate.bound(
+            self.status, self.clock, self.y, self.rate, 0.0, STILL, STILL, p, 0, 0.0, 0.0,
+            self.atol, 0.0, 0, 0.0, 0.0, 0, 0, *self.steps, *self.events, peaks,
+            np.zeros(compiled.SCRATCH),
         )  # fmt: skip
-        kept, noted = status[[STEPS_KEPT, EVENTS_KEPT]]
-        chunks.append((*(a[:kept] for a in steps), *(a[:noted] for a in marks)))
-    span, contacts, powers, times, kinds, states = (
-        np.concatenate(parts) if len(parts) > 1 else parts[0] for parts in zip(*chunks, strict=True)
-    )
-    if len(span) == 0:  # ended before the first step: keep the start
-        span, contacts = np.array([[0.0, np.finfo(float).tiny]]), np.array([q.contact])
-        powers = np.zeros((1, 8, n))
-        powers[0, 0] = q.y0
-    outcome = _OUTCOMES[code]
-    if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
-        contact, reach = int(status[CONTACT]), 0.1 * q.end
-        if compiled.falls(
-            contact, y, STILL, p, q.law, q.ratio, options.rtol, atol, q.fallen,
-            options.max_impacts, options.max_steps, reach,
-        ):  # fmt: skip
-            outcome = Outcome.OVERTURNED
-        elif compiled.at_rest(contact, y, p):
-            outcome = Outcome.CAME_TO_REST
-    taken = Steps(span, contacts, powers)
-    return Record(outcome, y, taken, (times, kinds, states), int(status[REFINED]))
+        self.falls = compiled.falls.bound(
+            0, self.y, STILL, p, 0, 0.0, 0.0, self.atol, 0.0, 0, 0, 0.0
+        )
+        self.at_rest = compiled.at_rest.bound(0, self.y, p)
+
+    def run(self, q: Problem, options: SolverOptions) -> Record:
+        status, p = self.status, q.p()
+        status[:], self.clock[:], self.y[:], self.rate[:] = AT_THE_START, 0.0, q.y0, 0.0
+        status[CONTACT], self.atol[:] = q.contact, options.atol
+        integrate = self.integrate
+        integrate["t_end"], integrate["h_max"] = q.end, options.max_step
+        integrate["horizontal"], integrate["vertical"] = q.horizontal, q.vertical
+        integrate["fixed"] = options.steps_per_law
+        for bound in (integrate, self.falls):
+            bound["p"], bound["law"], bound["ratio"], bound["fallen"] = p, q.law, q.ratio, q.fallen
+            bound["rtol"], bound["max_impacts"] = options.rtol, options.max_impacts
+            bound["max_steps"] = options.max_steps
+        integrate["rest_tolerance"] = options.rest_tolerance
+        code = FULL
+        chunks: list[tuple[np.ndarray, ...]] = []
+        while code == FULL:
+            status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
+            code = integrate()
+            kept, noted = int(status[STEPS_KEPT]), int(status[EVENTS_KEPT])
+            chunks.append(
+                (*(a[:kept].copy() for a in self.steps), *(a[:noted].copy() for a in self.events))
+            )
+        span, contacts, powers, times, kinds, states = (
+            chunks[0] if len(chunks) == 1 else map(np.concatenate, zip(*chunks, strict=True))
+        )
+        if len(span) == 0:  # ended before the first step: keep the start
+            span, contacts = np.array([[0.0, np.finfo(float).tiny]]), np.array([q.contact])
+            powers = np.zeros((1, 8, len(q.y0)))
+            powers[0, 0] = q.y0
+        outcome = _OUTCOMES[code]
+        if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
+            outcome = self._later(p, 0.1 * q.end)
+        taken = Steps(span, contacts, powers)
+        return Record(outcome, self.y.copy(), taken, (times, kinds, states), int(status[REFINED]))
+
+    def _later(self, p: np.ndarray, reach: float) -> Outcome:
+        """What will become of a motion that was followed to its end, the ground at rest."""
+        contact = int(self.status[CONTACT])
+        self.falls["contact"] = self.at_rest["contact"] = contact
+        self.falls["reach"], self.at_rest["p"] = reach, p
+        if self.falls():
+            return Outcome.OVERTURNED
+        return Outcome.CAME_TO_REST if self.at_rest() else Outcome.COMPLETED

@@ -1,5 +1,7 @@
 """The response: samples, dense output, events, outcomes, words."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -204,3 +206,32 @@ def test_duration_that_rounding_makes_shorter_than_the_shaking_is_its_end(part):
     assert rk.simulate(BLOCK, motion, duration=duration).outcome is rk.Outcome.CAME_TO_REST
     half = rk.simulate(BLOCK, motion, duration=0.1)
     assert half.outcome is rk.Outcome.COMPLETED  # the ground shakes on
+
+
+def bits(run):
+    return [
+        np.ascontiguousarray(a).tobytes()
+        for a in (run.t, run.y, run.contact, run.end, *run.passages, run["left_reaction"])
+    ]
+
+
+def test_a_response_keeps_its_numbers_whatever_is_simulated_next():
+    """Arrays in which motions are integrated are used again, and not those of a response."""
+    first = rk.simulate(BLOCK, rk.GroundMotion.none(6.0), initial={"theta": 0.2})
+    before = bits(first)
+    # another start, law with a table behind the parameters, ground and duration; two at once
+    law = rk.EnergyRatioAtSpeed(((0.3, 0.9, 0.0), (np.inf, 0.8, 0.0)), height=1.0)
+    shaking = rk.GroundMotion.from_array(4.0 * np.sin(np.arange(3000.0)), dt=0.01)  # 3000 steps
+
+    def other(_):
+        return rk.simulate(BLOCK, shaking, impact=law, vertical=shaking, duration=31.0)
+
+    with ThreadPoolExecutor(2) as pool:
+        found = list(pool.map(other, range(6)))
+    assert found[0].statistics["steps"] > 3000
+    assert all(bits(run) == bits(found[0]) for run in found)
+    assert bits(rk.simulate(BLOCK, rk.GroundMotion.none(6.0), initial={"theta": 0.2})) == before
+    # what is computed only when it is asked for
+    for name in ("_samples", "_outputs"):
+        vars(first).pop(name)
+    assert bits(first) == before
