@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.arguments import number, numbers, told
+from rockeom.many import Many, isfinite
 from rockeom.motion import library, readers
 from rockeom.motion.errors import MotionError
 from rockeom.motion.readers import Column, FilePath, Record
@@ -39,6 +40,9 @@ from rockeom.motion.units import STANDARD_GRAVITY, factor
 QUIET_PERIODS = 10
 """Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
 is often the answer sought."""
+
+_SHORT = 50
+"""Rows of a table that is gone through row by row: arrays take longer for it."""
 
 _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
@@ -101,7 +105,7 @@ class GroundMotion:
         """
         a, end = _finite("acceleration", acceleration), _positive("duration", duration)
         total = end if total_duration is None else total_duration
-        name = f"constant, {a:.4g} m/s2, {end:.4g} s"
+        name = _named("constant, {:.4g} m/s2, {:.4g} s", a, end)
         return _analytic(name, [(end, LINEAR, a)]).padded_to(total)
 
     @classmethod
@@ -175,7 +179,7 @@ class GroundMotion:
             "angular_frequency": value,
             "period": 2.0 * math.pi / value,
         }[stated[0]]
-        name = f"harmonic, {a:.4g} m/s2, {omega:.4g} rad/s"
+        name = _named("harmonic, {:.4g} m/s2, {:.4g} rad/s", a, omega)
         return _analytic(name, [(end, SINE, a, omega, phase)])
 
     @classmethod
@@ -211,7 +215,8 @@ class GroundMotion:
             kind, c0, c1 = RICKER, a, math.pi / t_p
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
-        motion = _analytic(f"{shape}, {a:.4g} m/s2, {t_p:.4g} s", [(end, kind, c0, c1, centre)])
+        name = _named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
+        motion = _analytic(name, [(end, kind, c0, c1, centre)])
         return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
 
     # -- made from numbers and files
@@ -332,7 +337,7 @@ class GroundMotion:
     @property
     def duration(self) -> float:
         """End of the last segment [s]."""
-        return float(self.segments[-1, END])
+        return number("duration", self.segments[-1, END])
 
     @property
     def peak(self) -> float:
@@ -379,6 +384,8 @@ class GroundMotion:
         in 0.38 times its time.
         """
         a, s = _finite("acceleration", acceleration), _positive("time", time)
+        if len(self.segments) > _SHORT:
+            a, s = float(a), float(s)  # one such table at a time, also of columns
         return GroundMotion(
             _scaled(self.segments, a, s),
             _scaled_name(self.name, a, s),
@@ -458,7 +465,7 @@ def _scaled_name(name: str, acceleration: float, time: float) -> str:
     if found := _SCALE_IN_NAME.search(name):
         name = name[: found.start()]
         acceleration, time = acceleration * float(found[1]), time * float(found[2])
-    return f"{name}-A{acceleration:.4g}-T{time:.4g}"
+    return name + _named("-A{:.4g}-T{:.4g}", acceleration, time)
 
 
 # -- construction --------------------------------------------------------------------------------
@@ -471,7 +478,12 @@ def _analytic(name: str, laws: list[tuple[float, ...]]) -> GroundMotion:
     for end, *law in laws:
         rows.append([start, end, *law, *[0.0] * (COLUMNS - KIND - len(law))])
         start = end
-    return GroundMotion(np.array(rows, dtype=float), name, "analytic")
+    return GroundMotion(np.array(rows), name, "analytic")
+
+
+def _named(text: str, *values: float) -> str:
+    """A text with numbers in it; none of many motions at once, which would differ in it."""
+    return "" if Many in map(type, values) else text.format(*values)
 
 
 def _pulse(
@@ -486,7 +498,7 @@ def _pulse(
     a, t_p = _finite("amplitude", amplitude), _positive("period", period)
     end = periods * t_p
     law = (end, SINE, a, 2.0 * math.pi / t_p, phase)
-    name = f"{shape}, {a:.4g} m/s2, {t_p:.4g} s"
+    name = _named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
     total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
     if total > end:  # both at once: maps make many of them
         return _analytic(name, [law, (total, LINEAR)])
@@ -521,13 +533,13 @@ def _check_segments(segments: np.ndarray) -> None:
             f"segments have shape {segments.shape}: they must be (n, {COLUMNS}); "
             "GroundMotion.from_array takes accelerations, GroundMotion.read a file"
         )
-    if np.count_nonzero(np.isfinite(segments)) < segments.size:
+    if segments.dtype == float and np.count_nonzero(np.isfinite(segments)) < segments.size:
         raise MotionError("segments hold NaN or infinity")
-    if len(segments) > 50:
+    if len(segments) > _SHORT:
         _check_rows(np.all, np.append(0.0, segments[:-1, END]), *segments.T)
         return
     before = 0.0
-    for row in segments.tolist():  # maps make many short tables, and arrays take longer for them
+    for row in segments.tolist():
         _check_rows(bool, before, *row)
         before = row[END]
 
@@ -550,7 +562,7 @@ def _finite(name: str, value: Any) -> float:
         given = number(name, value)
     except TypeError as error:
         raise MotionError(str(error)) from None
-    if not math.isfinite(given):
+    if not isfinite(given):
         raise MotionError(f"{name} is {given}: give a finite number")
     return given
 

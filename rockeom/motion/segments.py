@@ -90,7 +90,7 @@ def shaking_ends(segments: np.ndarray) -> float:
 def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
     linear = segments[:, KIND] == LINEAR
-    found = segments.copy()
+    found = segments.astype(np.result_type(segments, np.asarray(amplitude), np.asarray(time)))
     found[:, [START, END]] *= time
     found[:, C0] *= amplitude
     found[:, C1] /= time

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -10,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.arguments import number, told
+from rockeom.many import isfinite, values
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import C1, END, KIND, LINEAR, START
 from rockeom.numeric.impact import ImpactLaw
@@ -50,6 +50,93 @@ class Problem(NamedTuple):
         if not (self.table or width):
             return self.vector
         return np.concatenate([self.vector, np.zeros(max(width - len(self.table), 0)), self.table])
+
+
+class Problems(NamedTuple):
+    """n cases as the compiled loop takes them, each an item of the first axis; see `Problem`.
+
+    p (n, m) : the parameters, the table of a law of impact behind them.
+    horizontal, vertical (k, 7) : the tables of all, those of a case from h_rows[i, 0] to
+        h_rows[i, 1] or from v_rows[i, 0] to v_rows[i, 1].
+    """
+
+    contact: np.ndarray
+    y0: np.ndarray
+    p: np.ndarray
+    law: np.ndarray
+    ratio: np.ndarray
+    fallen: np.ndarray
+    horizontal: np.ndarray
+    h_rows: np.ndarray
+    vertical: np.ndarray
+    v_rows: np.ndarray
+    end: np.ndarray
+    quiet_from: np.ndarray
+
+    @property
+    def motion_ends(self) -> np.ndarray:
+        """(n,) time [s] at which the tables of a case end."""
+        found = np.zeros(len(self.end))
+        for table, rows in ((self.horizontal, self.h_rows), (self.vertical, self.v_rows)):
+            shakes = rows[:, 1] > rows[:, 0]
+            found[shakes] = np.maximum(found[shakes], table[rows[shakes, 1] - 1, END])
+        return found
+
+    @classmethod
+    def of(cls, cases: list[Problem]) -> Problems:
+        """Of one case after the other."""
+        widest = max(len(q.table) for q in cases)
+        return cls(
+            np.array([q.contact for q in cases]),
+            np.array([q.y0 for q in cases]),
+            np.array([q.p(widest) for q in cases]),
+            np.array([q.law for q in cases]),
+            np.array([q.ratio for q in cases]),
+            np.array([q.fallen for q in cases]),
+            *_stacked([q.horizontal for q in cases]),
+            *_stacked([q.vertical for q in cases]),
+            np.array([q.end for q in cases]),
+            np.array([q.quiet_from for q in cases]),
+        )
+
+    @classmethod
+    def of_many(cls, problem: Problem, n: int) -> Problems:
+        """Of a problem whose numbers are those of n cases."""
+
+        def spread(x: Any) -> np.ndarray:
+            return np.broadcast_to(values(x), n).copy()
+
+        def columns(x: np.ndarray) -> np.ndarray:
+            found = np.empty((n, *x.shape))
+            for place, item in np.ndenumerate(x):
+                found[:, *place] = values(item)
+            return found
+
+        def tables(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            if x.dtype != object:  # one for all
+                return x, np.tile([0, len(x)], (n, 1))
+            first = len(x) * np.arange(n)
+            return columns(x).reshape(-1, x.shape[1]), np.stack([first, first + len(x)], axis=1)
+
+        q = problem
+        return cls(
+            spread(q.contact), columns(q.y0), columns(q.p()), spread(q.law), spread(q.ratio),
+            spread(q.fallen), *tables(q.horizontal), *tables(q.vertical), spread(q.end),
+            spread(q.quiet_from),
+        )  # fmt: skip
+
+
+def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """(rows, first and last of each table); a table that several cases share is stacked once."""
+    places: dict[int, tuple[int, int]] = {}
+    parts: list[np.ndarray] = []
+    n = 0
+    for table in tables:
+        if id(table) not in places:
+            places[id(table)] = n, n + len(table)
+            parts.append(table)
+            n += len(table)
+    return np.concatenate(parts), np.array([places[id(table)] for table in tables])
 
 
 @dataclass(frozen=True)
@@ -93,12 +180,12 @@ class Case:
                 f"structure lies on the ground from {fallen:.6g} on; start below"
             )
         end = motion.duration if self.duration is None else number("duration", self.duration)
-        if not (math.isfinite(end) and end > 0):
+        if not (isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
         moves = rotation or y0[structure.module.ROTATION_RATE]
         quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
-        if math.isclose(quiet, end, rel_tol=1e-12):
+        if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
         known = moves or structure.rocks_on_rigid_ground or self.phase is not None
         return Problem(

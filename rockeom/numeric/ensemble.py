@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-import itertools
+import math
 import os
 import sys
 import threading
@@ -11,15 +11,17 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
+from functools import cached_property
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from rockeom.arguments import numbers, told, whole_number
+from rockeom.arguments import is_number, numbers, told, whole_number
 from rockeom.contract import AT_THE_START, CONTACT, FULL, IMPACT, IMPACTS, REFINED, TIME, UPLIFT
-from rockeom.numeric.case import Case, Problem
+from rockeom.many import Differs, Many
+from rockeom.numeric.case import Case, Problem, Problems
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.response import Outcome
@@ -27,6 +29,12 @@ from rockeom.numeric.simulate import simulate
 
 _OUTCOMES = tuple(Outcome)
 NOT_RUN = -1
+
+FEW, MANY = 256, 2048
+"""Cases that a thread takes at a time, made one by one or at once."""
+
+WORTHWHILE = 8
+"""So many cases are made faster at once than one by one."""
 
 
 _RENAMED = {
@@ -69,11 +77,12 @@ def simulate_many(
     impact_times: int = 0,
     options: SolverOptions | None = None,
     threads: int | None = None,
-    chunk: int = 256,
+    chunk: int | None = None,
     progress: bool | None = None,
     lanes: bool = False,
     quantities: Sequence[str] = (),
     times: Sequence[float] | np.ndarray = (),
+    arrays: bool = False,
 ) -> Sweep:
     """Simulate every combination of the values in `over`, labelled by them.
 
@@ -89,6 +98,14 @@ def simulate_many(
     impact_times : how many impact times of each case to keep.
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time.
+    arrays : the function is called once for a chunk, not once for a case: it gets all values of a
+        name at once, as an object that calculates like a number, and what it makes of them (a
+        structure, a pulse, a start, a law) is that of all cases. This takes a microsecond a case
+        where a call takes tens, and gives the same results to the last bit. What the function
+        returns must follow from its arguments alone. It is called again for some of the cases
+        where they do not all go the same way (`if amplitude > 3`), or ask for single numbers
+        (`math.sin(frequency)`; `np.sin` takes all at once); what is no number, such as a motion,
+        is given to it as it is.
     progress : a line on stderr; if not given, where stderr is a terminal.
     lanes : many motions at once in the vectors of the processor, several times as fast. For
         structures on rigid ground under records, with the equal steps of
@@ -124,33 +141,29 @@ def simulate_many(
         ) from None
     except ValueError:  # a function in C may not tell what it takes
         pass
-    chunk = whole_number("chunk", chunk, 1)
+    chunk = (MANY if arrays else FEW) if chunk is None else whole_number("chunk", chunk, 1)
     threads = None if threads is None else whole_number("threads", threads, 1)
     impact_times = whole_number("impact_times", impact_times, 0)
     shape = tuple(len(v) for v in values.values())
     total = int(np.prod(shape))
 
-    def made(first: int, last: int) -> list[Case]:
-        points = itertools.islice(itertools.product(*values.values()), first, last)
-        return [_made(case, dict(zip(values, point, strict=True))) for point in points]
-
-    module = made(0, 1)[0].structure.module
+    module = _made(case, {name: v[0] for name, v in values.items()}).structure.module
     if lanes:
         _check_lanes(module, options)
     compiled = program(module, options.method, lanes)
     results = _Results.empty(total, module.N_STATES, impact_times)
     asked = _Asked.empty(total, quantities, times, options)
 
-    def run(first: int, batch: list[tuple[Case, Problem]], stop: threading.Event) -> None:
-        asked.run(first, [c for c, _ in batch], stop)
-        results.run(first, [q for _, q in batch], compiled, options, stop, lanes)
+    def run(part: _Part, stop: threading.Event) -> None:
+        asked.run(part, stop)
+        results.run(part, compiled, options, stop, lanes)
 
     interrupted = False
     with _Progress(total, sys.stderr.isatty() if progress is None else progress) as shown:
         try:
             _in_threads(
                 threads or os.cpu_count() or 1,
-                _Source(case, values, chunk, module, lanes),
+                _Source(case, values, chunk, module, lanes, arrays and not asked.quantities),
                 run,
                 shown.add,
             )
@@ -161,40 +174,99 @@ def simulate_many(
     return dataset
 
 
+class _Part(NamedTuple):
+    """Cases that a thread runs at a time, and their rows in the results.
+
+    cases : where they were made one by one; else none.
+    """
+
+    rows: np.ndarray
+    problems: Problems
+    cases: list[Case]
+
+
 @dataclass(frozen=True)
 class _Source:
-    """Makes the cases chunk by chunk, when they are needed, so that none wait in memory."""
+    """Makes the cases part by part, when they are needed, so that none wait in memory."""
 
     case: Callable[..., Case]
     values: Mapping[str, list[Any]]
     chunk: int
     module: ModuleType
     lanes: bool
+    arrays: bool
 
-    def __iter__(self) -> Iterator[tuple[int, list[tuple[Case, Problem]]]]:
-        points = itertools.product(*self.values.values())
-        first = 0
-        while batch := list(itertools.islice(points, self.chunk)):
-            yield first, [self.problem(point) for point in batch]
-            first += len(batch)
+    def __iter__(self) -> Iterator[_Part]:
+        total = math.prod(map(len, self.values.values()))
+        for first in range(0, total, self.chunk):
+            rows = np.arange(first, min(first + self.chunk, total))
+            yield from self.together(rows) if self.arrays else (self.one_by_one(rows),)
 
-    def problem(self, point: tuple[Any, ...]) -> tuple[Case, Problem]:
+    def places(self, rows: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Of each name, which of its values the rows have."""
+        return np.unravel_index(rows, tuple(map(len, self.values.values())))
+
+    def one_by_one(self, rows: np.ndarray) -> _Part:
+        points = zip(*(place.tolist() for place in self.places(rows)), strict=True)
+        made = [self.made(point) for point in points]
+        return _Part(rows, Problems.of([q for _, q in made]), [case for case, _ in made])
+
+    def together(self, rows: np.ndarray) -> Iterator[_Part]:
+        """As many at once as go the same way."""
+        waiting = [rows]
+        while waiting:
+            rows, problems = waiting.pop(), None
+            try:
+                if len(rows) >= WORTHWHILE:
+                    problems = self.at_once(rows)
+            except Differs as ways:
+                waiting += [rows[part] for part in ways.parts]
+                continue
+            except Exception:  # is told by the case that raises it, if there is one
+                problems = None
+            yield self.one_by_one(rows) if problems is None else _Part(rows, problems, [])
+
+    def at_once(self, rows: np.ndarray) -> Problems:
+        """Raises Differs where the rows do not all go the same way, or what one of them would."""
+        named = {}
+        for (name, values), place in zip(self.values.items(), self.places(rows), strict=True):
+            if name in self.numbers:
+                named[name] = Many(self.numbers[name][place])
+            else:
+                named[name] = values[Many(place).one()]
+        with np.errstate(divide="raise", over="raise", invalid="raise"):
+            _, problem = self.problem(named)
+            return Problems.of_many(problem, len(rows))
+
+    @cached_property
+    def numbers(self) -> dict[str, np.ndarray]:
+        """The values of those names that have numbers only."""
+        return {
+            name: Many.of(values).values
+            for name, values in self.values.items()
+            if all(is_number(value) for value in values)
+        }
+
+    def made(self, point: tuple[int, ...]) -> tuple[Case, Problem]:
         """One case and its numbers; what goes wrong in making it says which one it was."""
-        named = dict(zip(self.values, point, strict=True))
+        named = {name: v[i] for (name, v), i in zip(self.values.items(), point, strict=True)}
         try:
-            case = _made(self.case, named)
-            if case.structure.module is not self.module:
-                raise ValueError(
-                    f"a case is a {case.structure.module.NAME}, the first one a "
-                    f"{self.module.NAME}: simulate each model by itself"
-                )
-            problem = case.problem()
-            if self.lanes:
-                _check_linear(problem)
-            return case, problem
+            return self.problem(named)
         except Exception as error:
             error.add_note(f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}")
             raise
+
+    def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:
+        case = _made(self.case, named)
+        if case.structure.module is not self.module:
+            raise ValueError(
+                f"a case is a {case.structure.module.NAME}, the first one a "
+                f"{self.module.NAME}: simulate each model by itself"
+            )
+        problem = case.problem()
+        if self.lanes:
+            _check_linear(problem)
+        return case, problem
 
 
 def _values(over: Any) -> dict[str, list[Any]]:
@@ -257,15 +329,15 @@ def _check_linear(problem: Problem) -> None:
 def _in_threads(
     threads: int,
     source: _Source,
-    work: Callable[[int, list[tuple[Case, Problem]], threading.Event], None],
+    work: Callable[[_Part, threading.Event], None],
     done: Callable[[int], None],
 ) -> None:
-    """Threads make a chunk in turn, and run it, until all are done or `stop` is set.
+    """Threads make a part in turn, and run it, until all are done or `stop` is set.
 
     Making holds Python's lock and running does not: while one thread makes, the others run. One
     thread is the caller's own.
     """
-    chunks = iter(source)
+    parts = iter(source)
     turn, stop = threading.Lock(), threading.Event()
 
     def worker() -> None:
@@ -274,11 +346,11 @@ def _in_threads(
             with turn:
                 if ran:
                     done(ran)
-                made = None if stop.is_set() else next(chunks, None)
+                made = None if stop.is_set() else next(parts, None)
             if made is None:
                 return
-            work(*made, stop)
-            ran = len(made[1])
+            work(made, stop)
+            ran = len(made.rows)
 
     if threads == 1:
         worker()
@@ -323,53 +395,44 @@ class _Results:
 
     def run(
         self,
-        first: int,
-        batch: list[Problem],
+        part: _Part,
         compiled: Program,
         options: SolverOptions,
         stop: threading.Event,
         lanes: bool = False,
     ) -> None:
-        """Run a chunk and write its rows; those of motions that are stopped stay as not run."""
-        rows = slice(first, first + len(batch))
-        start = np.array([q.y0 for q in batch])
-        n, width = start.shape
-        self.final[rows] = start
-        self.peaks[rows] = start[:, None, :]
+        """Run a part and write its rows; those of motions that are stopped stay as not run."""
+        q, rows = part.problems, part.rows
+        n, width = q.y0.shape
+        final, peaks = q.y0.copy(), np.repeat(q.y0[:, None], 2, axis=1)
+        times = np.full((n, self.times.shape[1]), np.nan)
         status = np.tile(AT_THE_START, (n, 1))
-        status[:, CONTACT] = [q.contact for q in batch]
+        status[:, CONTACT] = q.contact
         clock = np.zeros((n, 4))
-        state = status, clock, self.final[rows], np.zeros((n, width))
-        horizontal, h_rows = _stacked([q.horizontal for q in batch])
-        vertical, v_rows = _stacked([q.vertical for q in batch])
+        state = status, clock, final, np.zeros((n, width))
         outcome = np.full(n, FULL)
-        ends = np.array([q.end for q in batch])
-        widest = max(len(q.table) for q in batch)
         others = (
-            horizontal, h_rows, vertical, v_rows, np.array([q.p(widest) for q in batch]),
-            np.array([q.law for q in batch]), np.array([q.ratio for q in batch]), options.rtol,
-            np.full(width, options.atol), options.max_step, options.steps_per_law,
-            np.array([q.fallen for q in batch]), options.rest_tolerance, options.max_impacts,
-            options.max_steps, outcome, self.peaks[rows], self.times[rows],
+            q.horizontal, q.h_rows, q.vertical, q.v_rows, q.p, q.law, q.ratio, options.rtol,
+            np.full(width, options.atol), options.max_step, options.steps_per_law, q.fallen,
+            options.rest_tolerance, options.max_impacts, options.max_steps, outcome, peaks, times,
         )  # fmt: skip
-        quiet = np.array([q.quiet_from for q in batch])
         in_lanes = ended = 0
         try:
             if lanes:
-                records = [np.append(q.horizontal[-1:, 1], q.vertical[-1:, 1]).max() for q in batch]
-                until = np.minimum(ends, records)
+                until = np.minimum(q.end, q.motion_ends)
                 while in_lanes < n and not stop.is_set():
                     in_lanes = compiled.integrate_lanes(in_lanes, *state, until, *others)
             while ended < n and not stop.is_set():
-                ended = compiled.integrate_many(ended, *state, ends, quiet, *others)
+                ended = compiled.integrate_many(ended, *state, q.end, q.quiet_from, *others)
         finally:
-            there = slice(first, first + ended)
+            there = rows[:ended]
+            self.final[rows], self.peaks[rows] = final, peaks
+            self.times[there] = times[:ended]
             self.final_time[there] = clock[:ended, TIME]
             self.contact[there] = status[:ended, CONTACT]
             self.impacts[there] = status[:ended, IMPACTS]
             self.refined[there] = status[:ended, REFINED]
             self.outcome[there] = outcome[:ended]
-            self.times[first + ended : first + n] = np.nan
 
     def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> Sweep:
         dims = tuple(values)
@@ -428,8 +491,8 @@ class _Asked:
         extremes, histories = np.full((n, 2, m), np.nan), np.full((n, m, at.size), np.nan)
         return cls(tuple(names), at, how, extremes, histories)
 
-    def run(self, first: int, cases: list[Case], stop: threading.Event) -> None:
-        for row, case in enumerate(cases if self.quantities else (), first):
+    def run(self, part: _Part, stop: threading.Event) -> None:
+        for row, case in zip(part.rows, part.cases if self.quantities else (), strict=False):
             if stop.is_set():
                 return
             response = simulate(
@@ -469,19 +532,6 @@ def _labels(values: list[Any]) -> list[Any]:
     """Numbers and words label themselves; other objects are numbered."""
     plain = all(isinstance(v, (str, int, float, np.number)) for v in values)
     return values if plain else list(range(len(values)))
-
-
-def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """(rows, first and last of each table); a table that several cases share is stacked once."""
-    places: dict[int, tuple[int, int]] = {}
-    parts: list[np.ndarray] = []
-    n = 0
-    for table in tables:
-        if id(table) not in places:
-            places[id(table)] = n, n + len(table)
-            parts.append(table)
-            n += len(table)
-    return np.concatenate(parts), np.array([places[id(table)] for table in tables])
 
 
 class _Progress:

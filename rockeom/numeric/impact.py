@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 from rockeom.arguments import is_number, number, told
 from rockeom.contract import AT_SPEED, IMPULSIVE, RATIO
+from rockeom.many import mathematics
 
 
 class ImpactLaw(Protocol):
@@ -32,7 +33,7 @@ class EnergyRatio:
         _check("energy ratio r", self.r)
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
-        return RATIO, math.sqrt(self.r)
+        return RATIO, mathematics.sqrt(self.r)
 
 
 @dataclass(frozen=True)

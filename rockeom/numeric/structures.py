@@ -16,6 +16,7 @@ import numpy as np
 
 from rockeom.arguments import number, told
 from rockeom.contract import IMPACT, UPLIFT
+from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw, check_law
 
@@ -52,8 +53,13 @@ class Structure:
     def vector(self) -> np.ndarray:
         """What compiled functions take as p: the parameters and constants prepared of them."""
         values = self.parameters()
-        parameters = np.array([float(values[n]) for n in self.module.PARAMETERS])
-        return self.module.prepare(parameters)
+        parameters = np.array([number(n, values[n]) for n in self.module.PARAMETERS])
+        return self._of("prepare", parameters)
+
+    def _of(self, name: str, parameters: np.ndarray) -> Any:
+        """What a function of the module makes of parameters, which may be columns."""
+        function = getattr(self.module, name)
+        return (of_many(function) if parameters.dtype == object else function)(parameters)
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -74,12 +80,12 @@ class Structure:
     @functools.cached_property
     def overturning_rotation(self) -> float:
         """Rotation at which the structure has fallen over, in the rotation's unit."""
-        return float(self.module.overturning(self.vector))
+        return number("overturning_rotation", self._of("overturning", self.vector))
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
         """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
-        return float(self.module.velocity_ratio(self.vector))
+        return number("velocity_ratio", self._of("velocity_ratio", self.vector))
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
         """(N,) state vector of named values.
@@ -95,7 +101,7 @@ class Structure:
             )
         y = [number(f"state {name}", values.get(name, 0.0)) for name in self.states]
         for name, value in zip(self.states, y, strict=True):
-            if not math.isfinite(value):
+            if not isfinite(value):
                 raise ValueError(f"state {name} is {value}: give a finite number")
         return np.array(y)
 
@@ -107,7 +113,8 @@ class Structure:
         Raises ValueError for a state that fits no contact state, or not the phase named.
         """
         m = self.module
-        rotation, rate = float(y[m.ROTATION]), float(y[m.ROTATION_RATE])
+        values = y.tolist()
+        rotation, rate = values[m.ROTATION], values[m.ROTATION_RATE]
         if phase is not None:
             if not isinstance(phase, str):
                 raise TypeError(f"phase is {told(phase)}: give one of {', '.join(m.CONTACTS)}")
@@ -134,7 +141,11 @@ class Structure:
             return number
         direction = rotation or rate
         if self.rocks_on_rigid_ground:
-            fits = [c for c, side in enumerate(m.SIDES) if np.sign(side) == np.sign(direction)]
+            fits = [
+                c
+                for c, side in enumerate(m.SIDES)
+                if (side * direction > 0.0 if side else direction == 0.0)
+            ]
             if len(fits) == 1:
                 return fits[0]
         else:
@@ -373,9 +384,9 @@ def check_values(
         given = number(f"{what}: {name}", value, "give a number in SI units")
         allowed = given >= 0 if name in may_vanish else given > 0
         if name in may_be_negative:
-            if not math.isfinite(given):
+            if not isfinite(given):
                 raise ValueError(f"{what}: {name} is {value}: it must be finite")
-        elif not (math.isfinite(given) and allowed):
+        elif not (isfinite(given) and allowed):
             wanted = "zero or positive" if name in may_vanish else "positive"
             raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
 
@@ -445,8 +456,8 @@ class RigidBlock(Structure):
             raise ValueError(f"RigidBlock: alpha is {alpha}: it must be below pi/2")
         radius = 0.75 * gravity / p**2
         return cls(
-            half_width=radius * math.sin(alpha),
-            half_height=radius * math.cos(alpha),
+            half_width=radius * mathematics.sin(alpha),
+            half_height=radius * mathematics.cos(alpha),
             mass=mass,
             gravity=gravity,
         )
@@ -459,7 +470,7 @@ class RigidBlock(Structure):
     @property
     def radius(self) -> float:
         """Distance of the centroid from an edge, R [m]."""
-        return math.hypot(self.half_width, self.half_height)
+        return mathematics.hypot(self.half_width, self.half_height)
 
     @property
     def frequency_parameter(self) -> float:
