@@ -11,9 +11,10 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
+from functools import cache
 from itertools import repeat
 from numbers import Real
-from types import FunctionType, SimpleNamespace
+from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -80,7 +81,8 @@ class Many(NDArrayOperatorsMixin):
             return NotImplemented
         if any(isinstance(x, np.ndarray) for x in given):  # of objects, many among them
             return ufunc(*(_boxed(x) if type(x) is Many else x for x in given), **how)
-        if how:
+        out = how.pop("out", ())  # x += y: a number is not changed in its place, x is another then
+        if how or not all(type(x) is Many for x in out):
             return NotImplemented
         if ufunc in _ONE_BY_ONE:
             return one_by_one(_ONE_BY_ONE[ufunc])(*given)
@@ -143,13 +145,13 @@ Real.register(Many)
 def one_by_one(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function of numbers, of columns as well: the bits are those of each number by itself."""
 
-    def of_many(*given: Any) -> Any:
+    def of_each(*given: Any) -> Any:
         if Many in map(type, given):
             numbers = (x.values.tolist() if type(x) is Many else repeat(x) for x in given)
             return Many.of(list(map(function, *numbers)))
         return function(*given)
 
-    return of_many
+    return of_each
 
 
 _ONE_BY_ONE = {np.floor_divide: operator.floordiv, np.remainder: operator.mod}
@@ -187,11 +189,17 @@ def isfinite(x: Any) -> Any:
     return abs(x) < math.inf if type(x) is Many else math.isfinite(x)
 
 
-def of_many(function: Callable[..., Any]) -> Callable[..., Any]:
-    """A generated function that takes columns for numbers: the arrays that it makes hold them."""
-    numpy = SimpleNamespace(empty=lambda n: np.empty(n, dtype=object))
-    names = function.__globals__ | {"math": mathematics, "np": numpy}
-    return FunctionType(function.__code__, names)
+@cache
+def of_many(module: ModuleType) -> Any:
+    """The functions of a generated module, which take many for a number; arrays hold objects."""
+    names = vars(module) | {
+        "math": mathematics,
+        "np": SimpleNamespace(empty=lambda n: np.empty(n, dtype=object)),
+    }
+    for name, function in vars(module).items():
+        if isinstance(function, FunctionType):
+            names[name] = FunctionType(function.__code__, names)
+    return SimpleNamespace(**names)
 
 
 def values(x: Any) -> Any:

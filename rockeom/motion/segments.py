@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 
@@ -44,11 +45,12 @@ def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
         of_kind = rows[:, KIND] == kind
         if of_kind.any():
             c0, c1, c2 = rows[of_kind, C0 : C2 + 1].T
-            found[of_kind] = _law(kind, c0, c1, c2, tau[of_kind])
+            found[of_kind] = law(kind, c0, c1, c2, tau[of_kind])
     return found
 
 
-def _law(kind: int, c0: np.ndarray, c1: np.ndarray, c2: np.ndarray, tau: np.ndarray) -> np.ndarray:
+def law(kind: float, c0: Any, c1: Any, c2: Any, tau: Any) -> Any:
+    """Acceleration [m/s2] of a law of this kind, at its local time tau [s]; numbers or arrays."""
     if kind == LINEAR:
         return c0 + c1 * tau
     if kind == SINE:
@@ -90,11 +92,9 @@ def shaking_ends(segments: np.ndarray) -> float:
 def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
     linear = segments[:, KIND] == LINEAR
-    found = segments.astype(np.result_type(segments, np.asarray(amplitude), np.asarray(time)))
-    found[:, [START, END]] *= time
-    found[:, C0] *= amplitude
-    found[:, C1] /= time
-    found[linear, C1] *= amplitude
+    found = segments * np.array([time, time, 1.0, amplitude, 1.0, 1.0, 1.0])
+    rate = segments[:, C1] / time
+    found[:, C1] = np.where(linear, rate * amplitude, rate)
     wavelet = segments[:, KIND] >= RICKER
     found[wavelet, C2] *= time  # the centre of a wavelet is a time, the c2 of a sine an angle
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -11,7 +11,7 @@ import numpy as np
 from rockeom.arguments import number, told
 from rockeom.many import isfinite, values
 from rockeom.motion import GroundMotion
-from rockeom.motion.segments import C1, END, KIND, LINEAR, START
+from rockeom.motion.segments import END, LINEAR, law
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.structures import Structure, check_states
 
@@ -209,16 +209,16 @@ class Case:
         added: what only one of them has is its support. Where nothing turns it yet, the first push
         of the ground will.
         """
-        structure, m = self.structure, self.structure.module
-        pushes = _pushes(self.motion)
-        lift = 0.0 if self.vertical is None else _pushes(self.vertical, 1)[0]
-        turn, rate = 0.0, np.zeros(len(y0))
+        structure = self.structure
+        m = structure.module_for(y0, structure.vector)
+        lift = 0.0 if self.vertical is None else next(_pushes(self.vertical))
+        first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
+        turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, structure.vector))
         for side in (-1.0, 1.0):
             contact = structure.contact(y0, None, side)
-            m.rates(contact, y0, structure.vector, pushes[0], lift, rate)
-            turn += float(rate[m.ROTATION_RATE])
-        first = pushes[pushes != 0.0][:1].sum()
-        return float(np.sign(turn) or -np.sign(first))
+            m.rates(contact, y0, structure.vector, next(_pushes(self.motion)), lift, rate)
+            turn += rate[m.ROTATION_RATE]
+        return np.sign(turn) or -np.sign(first)
 
 
 def _check_motion(name: str, motion: Any) -> None:
@@ -230,16 +230,15 @@ def _check_motion(name: str, motion: Any) -> None:
         )
 
 
-def _pushes(motion: GroundMotion, laws: int | None = None) -> np.ndarray:
-    """The ground acceleration of the first laws, a thousandth of the law's own time behind a start.
+def _pushes(motion: GroundMotion) -> Iterator[float]:
+    """The ground acceleration of each law, a thousandth of the law's own time behind its start.
 
     Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
-    laws : how many; all if not given.
     """
-    start, end, kind, rate = motion.segments[:laws, [START, END, KIND, C1]].T
-    curved = (kind != LINEAR) & (rate != 0.0)
-    own = np.minimum(end - start, 1.0 / np.where(curved, np.abs(rate), 1e-9))
-    return motion.acceleration(start + 1e-3 * own)
+    for row in motion.segments:
+        start, end, kind, c0, c1, c2, _ = row.tolist()
+        curved = kind != LINEAR and c1 != 0.0
+        yield law(kind, c0, c1, c2, 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9))
 
 
 def _table(motion: GroundMotion | None) -> np.ndarray:

@@ -224,7 +224,10 @@ class _Source:
                 continue
             except Exception:  # is told by the case that raises it, if there is one
                 problems = None
-            yield self.one_by_one(rows) if problems is None else _Part(rows, problems, [])
+            if problems is not None:
+                yield _Part(rows, problems, [])
+            else:
+                yield from map(self.one_by_one, np.split(rows, range(FEW, len(rows), FEW)))
 
     def at_once(self, rows: np.ndarray) -> Problems:
         """Raises Differs where the rows do not all go the same way, or what one of them would."""
@@ -420,10 +423,14 @@ class _Results:
         try:
             if lanes:
                 until = np.minimum(q.end, q.motion_ends)
+                call = compiled.integrate_lanes.bound(0, *state, until, *others)
                 while in_lanes < n and not stop.is_set():
-                    in_lanes = compiled.integrate_lanes(in_lanes, *state, until, *others)
+                    call["first"] = in_lanes
+                    in_lanes = call()
+            call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
             while ended < n and not stop.is_set():
-                ended = compiled.integrate_many(ended, *state, q.end, q.quiet_from, *others)
+                call["first"] = ended
+                ended = call()
         finally:
             there = rows[:ended]
             self.final[rows], self.peaks[rows] = final, peaks

@@ -54,12 +54,11 @@ class Structure:
         """What compiled functions take as p: the parameters and constants prepared of them."""
         values = self.parameters()
         parameters = np.array([number(n, values[n]) for n in self.module.PARAMETERS])
-        return self._of("prepare", parameters)
+        return self.module_for(parameters).prepare(parameters)
 
-    def _of(self, name: str, parameters: np.ndarray) -> Any:
-        """What a function of the module makes of parameters, which may be columns."""
-        function = getattr(self.module, name)
-        return (of_many(function) if parameters.dtype == object else function)(parameters)
+    def module_for(self, *arrays: np.ndarray) -> Any:
+        """The generated module, for many structures or states at once where arrays hold such."""
+        return of_many(self.module) if any(x.dtype == object for x in arrays) else self.module
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -80,12 +79,12 @@ class Structure:
     @functools.cached_property
     def overturning_rotation(self) -> float:
         """Rotation at which the structure has fallen over, in the rotation's unit."""
-        return number("overturning_rotation", self._of("overturning", self.vector))
+        return number("overturning_rotation", self.module_for(self.vector).overturning(self.vector))
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
         """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
-        return number("velocity_ratio", self._of("velocity_ratio", self.vector))
+        return number("velocity_ratio", self.module_for(self.vector).velocity_ratio(self.vector))
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
         """(N,) state vector of named values.
@@ -184,17 +183,17 @@ class Structure:
 
         None is below zero inside the contact state, and none below -1 within rounding of it.
         """
-        m = self.module
+        m = self.module_for(y, self.vector)
 
         def guards(state: np.ndarray) -> np.ndarray:
-            g = np.zeros(m.N_GUARDS + m.N_PARTS)
+            g = np.zeros(m.N_GUARDS + m.N_PARTS, np.result_type(y, self.vector))
             m.guards(contact, state, self.vector, 0.0, 0.0, g)
             return g[: m.GUARDS[contact]]
 
         here = guards(y)
         if (here >= 0.0).all():
             return here
-        doubt = np.full(len(here), 1e-300)
+        doubt = np.full(len(here), 1e-300, here.dtype)
         for i, value in enumerate(y):
             nudged = y.copy()
             nudged[i] = value * (1.0 + 1e-9)
@@ -771,10 +770,10 @@ class _ControlledWall(Structure):
 
     def _elastic_force(self, side: str, y: np.ndarray) -> float:
         """Force of the tendon [N], if it neither yields nor is slack."""
-        m = self.module
-        forces = np.empty(len(m.REACTIONS))
+        m = self.module_for(y, self.vector)
+        forces = np.empty(len(m.REACTIONS), np.result_type(y, self.vector))
         m.reactions(m.CONTACTS.index(side), y, self.vector, 0.0, 0.0, forces)
-        return float(forces[m.REACTIONS.index("tendon_force")])
+        return number("tendon_force", forces[m.REACTIONS.index("tendon_force")])
 
     def pushover(self, rotations) -> np.ndarray:
         """Force at the load point that holds the wall at each rotation, or displacement [N].
@@ -1064,12 +1063,12 @@ class ControlledWallOscillator(_ControlledWall):
         if "passage_speed" not in values:
             upright = np.zeros_like(y)
             upright[1] = y[1]
-            m = self.module
-            energy = np.empty((2, len(m.ENERGIES)))
+            m = self.module_for(y, self.vector)
+            energy = np.empty((2, len(m.ENERGIES)), np.result_type(y, self.vector))
             for at, row in zip((y, upright), energy, strict=True):
                 m.energies(self.contact(at), at, self.vector, row)
-            kinetic = max(float(energy[0].sum() - energy[1].sum()), 0.0)
-            y[m.STATES.index("passage_speed")] = math.sqrt(
+            kinetic = max(number("energy", energy[0].sum() - energy[1].sum()), 0.0)
+            y[m.STATES.index("passage_speed")] = mathematics.sqrt(
                 2 * kinetic / self.parameters()["effective_mass"]
             )
         return y
