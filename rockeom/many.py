@@ -84,21 +84,16 @@ class Many(NDArrayOperatorsMixin):
         out = how.pop("out", ())  # x += y: a number is not changed in its place, x is another then
         if how or not all(type(x) is Many for x in out):
             return NotImplemented
-        if ufunc in _ONE_BY_ONE:
-            return one_by_one(_ONE_BY_ONE[ufunc])(*given)
         numbers = [values(x) for x in given]
         kinds = {x.dtype.kind for x in numbers if isinstance(x, np.ndarray)}
         if kinds == {"b"} and ufunc not in _OF_TRUTHS:
             raise TypeError("truths are no numbers")
-        if ufunc is np.power and "O" not in kinds:
+        if "O" in kinds or ufunc in _DIVISIONS:
+            return one_by_one(_OPERATORS.get(ufunc, ufunc))(*given)
+        if ufunc is np.power:
             ufunc = np.float_power  # C's, as Python's: NumPy's square of an array is a product
-        try:
-            found = ufunc(*numbers)
-        except TypeError:  # no operator, and whole numbers know no other functions
-            return one_by_one(ufunc)(*given)
-        if isinstance(found, tuple):
-            return NotImplemented
-        return Many.of(found.tolist()) if found.dtype == object else Many(found)
+        found = ufunc(*numbers)
+        return NotImplemented if isinstance(found, tuple) else Many(found)
 
     def __repr__(self) -> str:
         return f"<numbers of {len(self.values)} cases>"
@@ -154,8 +149,19 @@ def one_by_one(function: Callable[..., Any]) -> Callable[..., Any]:
     return of_each
 
 
-_ONE_BY_ONE = {np.floor_divide: operator.floordiv, np.remainder: operator.mod}
-"""Operations that NumPy may round otherwise than Python."""
+_OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
+    np.add: operator.add, np.subtract: operator.sub, np.multiply: operator.mul,
+    np.true_divide: operator.truediv, np.floor_divide: operator.floordiv,
+    np.remainder: operator.mod, np.power: operator.pow, np.negative: operator.neg,
+    np.positive: operator.pos, np.absolute: abs, np.less: operator.lt,
+    np.less_equal: operator.le, np.equal: operator.eq, np.not_equal: operator.ne,
+    np.greater_equal: operator.ge, np.greater: operator.gt, np.bitwise_and: operator.and_,
+    np.bitwise_or: operator.or_, np.bitwise_xor: operator.xor,
+}  # fmt: skip
+"""NumPy's names of Python's operators, which know whole numbers of any size."""
+
+_DIVISIONS = {np.floor_divide, np.remainder}
+"""Operators that NumPy may round otherwise than Python."""
 
 _OF_TRUTHS = {
     np.bitwise_and, np.bitwise_or, np.bitwise_xor, np.invert, np.equal, np.not_equal,

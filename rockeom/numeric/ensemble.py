@@ -212,7 +212,15 @@ class _Source:
         return _Part(rows, Problems.of([q for _, q in made]), [case for case, _ in made])
 
     def together(self, rows: np.ndarray) -> Iterator[_Part]:
-        """As many at once as go the same way."""
+        """As many at once as go the same way; raises what the first case does that cannot be."""
+        try:
+            yield from self.alike(rows)
+        except Exception:  # of a case, but of which?
+            for part in _few(rows):
+                self.one_by_one(part)
+            raise
+
+    def alike(self, rows: np.ndarray) -> Iterator[_Part]:
         waiting = [rows]
         while waiting:
             rows, problems = waiting.pop(), None
@@ -222,12 +230,12 @@ class _Source:
             except Differs as ways:
                 waiting += [rows[part] for part in ways.parts]
                 continue
-            except Exception:  # is told by the case that raises it, if there is one
+            except Exception:  # is told by a case that raises it, if there is one
                 problems = None
-            if problems is not None:
-                yield _Part(rows, problems, [])
+            if problems is None:
+                yield from map(self.one_by_one, _few(rows))
             else:
-                yield from map(self.one_by_one, np.split(rows, range(FEW, len(rows), FEW)))
+                yield _Part(rows, problems, [])
 
     def at_once(self, rows: np.ndarray) -> Problems:
         """Raises Differs where the rows do not all go the same way, or what one of them would."""
@@ -270,6 +278,10 @@ class _Source:
         if self.lanes:
             _check_linear(problem)
         return case, problem
+
+
+def _few(rows: np.ndarray) -> list[np.ndarray]:
+    return np.split(rows, range(FEW, len(rows), FEW))
 
 
 def _values(over: Any) -> dict[str, list[Any]]:
