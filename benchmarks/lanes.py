@@ -16,7 +16,8 @@ import numpy as np
 
 import rockeom as rk
 from benchmarks import report, timing, with_c, with_rockeom, workloads as w
-from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.case import Problems
+from rockeom.numeric.ensemble import Part, _Results
 from rockeom.numeric.program import program
 
 RTOL = 1e-6
@@ -53,13 +54,13 @@ def by_c(cases: list[w.Case], variant: str) -> Callable[[], list]:
 
 def by_rockeom(cases: list[w.Case], solver: rk.SolverOptions, lanes: bool) -> Callable:
     """As simulate_many runs a chunk of prepared cases."""
-    problems = [case.problem() for case in cases]
+    part = Part(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
     module = cases[0].structure.module
     compiled = program(module, solver.method, lanes)
 
     def call() -> _Results:
-        results = _Results.empty(len(problems), module.N_STATES, FIRST_IMPACTS)
-        results.run(0, problems, compiled, solver, Event(), lanes)
+        results = _Results.empty(len(cases), module.N_STATES, FIRST_IMPACTS)
+        results.run(part, compiled, solver, Event(), lanes)
         return results
 
     return call

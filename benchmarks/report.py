@@ -152,7 +152,7 @@ def whole(found: dict) -> str:
         parts += ["### rockeom against the best C", "", BEST_C, "", best_c(found), ""]
     parts += [workload(name, found["workloads"][name]) for name in found["workloads"]]
     if "others" in found:
-        parts += ["### Threads", "", others(found["others"]), ""]
+        parts += ["### Sweeps", "", others(found["others"]), ""]
         parts += ["### The first call", "", FIRST_CALL, "", first_calls(found["first call"]), ""]
     return "\n".join(parts)
 

@@ -11,8 +11,8 @@ import numpy as np
 import rockeom as rk
 from benchmarks import workloads as w
 from rockeom.contract import IMPACT, REST
-from rockeom.numeric.case import Case
-from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.case import Case, Problems
+from rockeom.numeric.ensemble import Part, _Results
 from rockeom.numeric.program import program
 from rockeom.numeric.simulate import run
 
@@ -55,13 +55,13 @@ def steps(case: Case, solver: rk.SolverOptions) -> int:
 
 def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callable[[], _Results]:
     """The compiled loop over prepared cases, as simulate_many calls it."""
-    problems = [case.problem() for case in cases]
+    part = Part(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
     module = cases[0].structure.module
     compiled = program(module, solver.method)
 
     def call() -> _Results:
-        results = _Results.empty(len(problems), module.N_STATES, times)
-        results.run(0, problems, compiled, solver, Event())
+        results = _Results.empty(len(cases), module.N_STATES, times)
+        results.run(part, compiled, solver, Event())
         return results
 
     return call
@@ -116,6 +116,7 @@ def pulse_map(solver: rk.SolverOptions, threads: int = 1, stride: int = 1) -> Ca
         found = rk.simulate_many(
             case,
             {"frequency": frequencies, "amplitude": amplitudes},
+            arrays=True,
             options=solver,
             threads=threads,
             progress=False,
@@ -135,6 +136,7 @@ def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callab
         return lambda: rk.simulate_many(
             lambda **value: case(value[name]),
             {name: amplitudes},
+            arrays=True,
             impact_times=changes.get("max_impacts", -1) + 1,
             options=options,
             threads=1,
@@ -142,6 +144,24 @@ def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callab
         )
 
     return made
+
+
+def making(arrays: bool, n: int) -> Callable[[], object]:
+    """100 n blocks under pulses, of whose motion a step is made: little but making them is left."""
+
+    def case(half_width: float, amplitude: float) -> Case:
+        block = rk.RigidBlock(half_width=half_width, half_height=0.45)
+        return Case(block, rk.GroundMotion.single_sine(amplitude, 0.5))
+
+    over = {"half_width": np.linspace(0.05, 0.1, n), "amplitude": np.linspace(4.0, 8.0, 100)}
+    return lambda: rk.simulate_many(
+        case,
+        over,
+        arrays=arrays,
+        options=rk.SolverOptions(max_steps=1),
+        threads=1,
+        progress=False,
+    )
 
 
 def bifurcation(solver: rk.SolverOptions, amplitudes=w.AMPLITUDES) -> Callable:

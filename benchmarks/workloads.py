@@ -51,7 +51,7 @@ RELEASES = np.linspace(0.5, 0.9, 200) * BLOCK.alpha
 
 
 def decay(release: float) -> Case:
-    return Case(BLOCK, rk.GroundMotion.none(100.0), initial={"theta": float(release)})
+    return Case(BLOCK, rk.GroundMotion.none(100.0), initial={"theta": release})
 
 
 # -- W2 and W3 -----------------------------------------------------------------------------------
@@ -99,9 +99,7 @@ def pulse_grid(stride: int = 1) -> tuple[np.ndarray, np.ndarray]:
 
 
 def pulse(frequency: float, amplitude: float) -> rk.GroundMotion:
-    return rk.GroundMotion.single_sine(
-        float(amplitude), 2.0 * math.pi / float(frequency), PULSE_END
-    )
+    return rk.GroundMotion.single_sine(amplitude, 2.0 * math.pi / frequency, PULSE_END)
 
 
 def pulses(stride: int = 1) -> list[rk.GroundMotion]:
@@ -127,7 +125,7 @@ PERIOD = 2.0 * math.pi / FREQUENCY
 def shaking(amplitude: float) -> rk.GroundMotion:
     """alpha beta cos(omega tau), in g: thesis 2-13 in the units of the structure."""
     return rk.GroundMotion.harmonic(
-        DRIVEN.alpha * float(amplitude),
+        DRIVEN.alpha * amplitude,
         angular_frequency=FREQUENCY,
         phase=0.5 * math.pi,
         duration=N_PERIODS * PERIOD,

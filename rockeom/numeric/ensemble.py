@@ -31,7 +31,7 @@ _OUTCOMES = tuple(Outcome)
 NOT_RUN = -1
 
 FEW, MANY = 256, 2048
-"""Cases that a thread takes at a time, made one by one or at once."""
+"""Cases that a thread takes at a time, made one by one, and at most where they are made at once."""
 
 WORTHWHILE = 8
 """So many cases are made faster at once than one by one."""
@@ -74,6 +74,7 @@ def simulate_many(
     case: Callable[..., Case],
     over: Mapping[str, Sequence[Any] | np.ndarray],
     *,
+    arrays: bool = False,
     impact_times: int = 0,
     options: SolverOptions | None = None,
     threads: int | None = None,
@@ -82,30 +83,32 @@ def simulate_many(
     lanes: bool = False,
     quantities: Sequence[str] = (),
     times: Sequence[float] | np.ndarray = (),
-    arrays: bool = False,
 ) -> Sweep:
     """Simulate every combination of the values in `over`, labelled by them.
 
+        def pulse(frequency, amplitude):
+            sine = rk.GroundMotion.single_sine(amplitude, 1 / frequency, duration=8.0)
+            return rk.Case(block, sine)
+
         rk.simulate_many(
-            lambda frequency, amplitude: rk.Case(
-                block, rk.GroundMotion.single_sine(amplitude, 1 / frequency, duration=8.0)
-            ),
+            pulse,
             over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
+            arrays=True,
         )
 
     case : makes one case from one value of each name in `over`. All cases are of one model. The
         threads call it in turn, never two at a time.
+    arrays : the function is called for many cases at once. Each argument is an object that
+        calculates like a number and holds the values of all of them, and so is what the function
+        makes of it: a structure, a pulse, a start, a law. That takes a microsecond or two a case
+        where a call for each takes tens, and gives the same results to the last bit. What the
+        function returns must follow from its arguments alone. Where the cases do not go the same
+        way (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by x),
+        it is called again for those that do; `np.sin(x)` is of all at once. Values that are no
+        numbers, such as motions, it gets one by one.
     impact_times : how many impact times of each case to keep.
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time.
-    arrays : the function is called once for a chunk, not once for a case: it gets all values of a
-        name at once, as an object that calculates like a number, and what it makes of them (a
-        structure, a pulse, a start, a law) is that of all cases. This takes a microsecond a case
-        where a call takes tens, and gives the same results to the last bit. What the function
-        returns must follow from its arguments alone. It is called again for some of the cases
-        where they do not all go the same way (`if amplitude > 3`), or ask for single numbers
-        (`math.sin(frequency)`; `np.sin` takes all at once); what is no number, such as a motion,
-        is given to it as it is.
     progress : a line on stderr; if not given, where stderr is a terminal.
     lanes : many motions at once in the vectors of the processor, several times as fast. For
         structures on rigid ground under records, with the equal steps of
@@ -114,8 +117,8 @@ def simulate_many(
     quantities : what else to keep of each case, by the names of a response ("theta",
         "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
         found within the steps, and, at the `times` [s] given, their history (nan behind the end).
-        Each case is then also simulated by itself, with its whole response, which takes much
-        longer.
+        Each case is then also made and simulated by itself, with its whole response, which takes
+        much longer.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
     final_time [s], final_phase, impacts, refined (laws of the ground in which equal steps would
@@ -141,11 +144,13 @@ def simulate_many(
         ) from None
     except ValueError:  # a function in C may not tell what it takes
         pass
-    chunk = (MANY if arrays else FEW) if chunk is None else whole_number("chunk", chunk, 1)
-    threads = None if threads is None else whole_number("threads", threads, 1)
+    threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
     impact_times = whole_number("impact_times", impact_times, 0)
     shape = tuple(len(v) for v in values.values())
     total = int(np.prod(shape))
+    if chunk is None:  # of arrays the larger the better, as long as all threads have some
+        chunk = max(FEW, min(MANY, total // (8 * threads))) if arrays else FEW
+    chunk = whole_number("chunk", chunk, 1)
 
     module = _made(case, {name: v[0] for name, v in values.items()}).structure.module
     if lanes:
@@ -154,7 +159,7 @@ def simulate_many(
     results = _Results.empty(total, module.N_STATES, impact_times)
     asked = _Asked.empty(total, quantities, times, options)
 
-    def run(part: _Part, stop: threading.Event) -> None:
+    def run(part: Part, stop: threading.Event) -> None:
         asked.run(part, stop)
         results.run(part, compiled, options, stop, lanes)
 
@@ -162,7 +167,7 @@ def simulate_many(
     with _Progress(total, sys.stderr.isatty() if progress is None else progress) as shown:
         try:
             _in_threads(
-                threads or os.cpu_count() or 1,
+                threads,
                 _Source(case, values, chunk, module, lanes, arrays and not asked.quantities),
                 run,
                 shown.add,
@@ -174,7 +179,7 @@ def simulate_many(
     return dataset
 
 
-class _Part(NamedTuple):
+class Part(NamedTuple):
     """Cases that a thread runs at a time, and their rows in the results.
 
     cases : where they were made one by one; else none.
@@ -196,7 +201,7 @@ class _Source:
     lanes: bool
     arrays: bool
 
-    def __iter__(self) -> Iterator[_Part]:
+    def __iter__(self) -> Iterator[Part]:
         total = math.prod(map(len, self.values.values()))
         for first in range(0, total, self.chunk):
             rows = np.arange(first, min(first + self.chunk, total))
@@ -206,12 +211,12 @@ class _Source:
         """Of each name, which of its values the rows have."""
         return np.unravel_index(rows, tuple(map(len, self.values.values())))
 
-    def one_by_one(self, rows: np.ndarray) -> _Part:
+    def one_by_one(self, rows: np.ndarray) -> Part:
         points = zip(*(place.tolist() for place in self.places(rows)), strict=True)
         made = [self.made(point) for point in points]
-        return _Part(rows, Problems.of([q for _, q in made]), [case for case, _ in made])
+        return Part(rows, Problems.of([q for _, q in made]), [case for case, _ in made])
 
-    def together(self, rows: np.ndarray) -> Iterator[_Part]:
+    def together(self, rows: np.ndarray) -> Iterator[Part]:
         """As many at once as go the same way; raises what the first case does that cannot be."""
         try:
             yield from self.alike(rows)
@@ -220,7 +225,7 @@ class _Source:
                 self.one_by_one(part)
             raise
 
-    def alike(self, rows: np.ndarray) -> Iterator[_Part]:
+    def alike(self, rows: np.ndarray) -> Iterator[Part]:
         waiting = [rows]
         while waiting:
             rows, problems = waiting.pop(), None
@@ -235,7 +240,7 @@ class _Source:
             if problems is None:
                 yield from map(self.one_by_one, _few(rows))
             else:
-                yield _Part(rows, problems, [])
+                yield Part(rows, problems, [])
 
     def at_once(self, rows: np.ndarray) -> Problems:
         """Raises Differs where the rows do not all go the same way, or what one of them would."""
@@ -344,7 +349,7 @@ def _check_linear(problem: Problem) -> None:
 def _in_threads(
     threads: int,
     source: _Source,
-    work: Callable[[_Part, threading.Event], None],
+    work: Callable[[Part, threading.Event], None],
     done: Callable[[int], None],
 ) -> None:
     """Threads make a part in turn, and run it, until all are done or `stop` is set.
@@ -410,7 +415,7 @@ class _Results:
 
     def run(
         self,
-        part: _Part,
+        part: Part,
         compiled: Program,
         options: SolverOptions,
         stop: threading.Event,
@@ -510,7 +515,7 @@ class _Asked:
         extremes, histories = np.full((n, 2, m), np.nan), np.full((n, m, at.size), np.nan)
         return cls(tuple(names), at, how, extremes, histories)
 
-    def run(self, part: _Part, stop: threading.Event) -> None:
+    def run(self, part: Part, stop: threading.Event) -> None:
         for row, case in zip(part.rows, part.cases if self.quantities else (), strict=False):
             if stop.is_set():
                 return

@@ -107,7 +107,7 @@ def test_structures_at_rest_and_released(name):
     structure = make(1.0)
     first = structure.states[structure.module.ROTATION]
     size = 0.1 * structure.overturning_rotation
-    over = {"x": spaced(0.6, 1.4, 40), "a": spaced(0.3, 2.0, 3)}
+    over = {"x": spaced(0.6, 1.4, 12), "a": spaced(0.3, 2.0, 3)}
     assert_same_bits(lambda x, a: Case(make(x), sine(-a, 0.5, duration=1.0)), over)
     assert_same_bits(lambda x, a: Case(make(x), sine(a, 0.5), vertical=sine(a, 0.3)), over)
     for side in (-1.0, 1.0):
@@ -150,7 +150,7 @@ MOTIONS = {
 @pytest.mark.parametrize("name", MOTIONS)
 def test_motions(name):
     make = MOTIONS[name]
-    over = {"a": spaced(0.5, 6.0, 40), "t": spaced(0.3, 1.5, 20)}
+    over = {"a": spaced(0.5, 6.0, 20), "t": spaced(0.3, 1.5, 12)}
     assert_same_bits(lambda a, t: Case(BLOCK, make(a, t)), over)
     assert_same_bits(lambda a, t: Case(BLOCK, RECORD, vertical=make(a, t), duration=t), over)
 
@@ -419,7 +419,7 @@ def plain(x):
     return x.hex() if isinstance(x, float) else x
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=200, deadline=None)
 @given(
     data=st.data(),
     numbers=st.lists(NUMBERS, min_size=1, max_size=6),
