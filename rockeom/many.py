@@ -21,8 +21,8 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 
-class Differs(Exception):  # noqa: N818  # tells the cases apart, nothing is wrong
-    """Cases of which a column holds the numbers do not go the same way from here.
+class Differs(BaseException):  # nothing is wrong, and `except Exception` must not keep it
+    """Cases whose numbers are handled as one do not go the same way from here.
 
     parts : index arrays, of the cases that do.
     """
@@ -86,13 +86,16 @@ class Many(NDArrayOperatorsMixin):
             return NotImplemented
         numbers = [values(x) for x in given]
         kinds = {x.dtype.kind for x in numbers if isinstance(x, np.ndarray)}
-        if kinds == {"b"} and ufunc not in _OF_TRUTHS:
-            raise TypeError("truths are no numbers")
+        if kinds == {"b"} and ufunc not in _OF_TRUTHS:  # Python's and NumPy's differ
+            raise _apart(given)
         if "O" in kinds or ufunc in _DIVISIONS:
             return one_by_one(_OPERATORS.get(ufunc, ufunc))(*given)
         if ufunc is np.power:
             ufunc = np.float_power  # C's, as Python's: NumPy's square of an array is a product
-        found = ufunc(*numbers)
+        try:
+            found = ufunc(*numbers)
+        except FloatingPointError:  # which number by itself may be without
+            raise _apart(given) from None
         return NotImplemented if isinstance(found, tuple) else Many(found)
 
     def __repr__(self) -> str:
@@ -138,15 +141,24 @@ Real.register(Many)
 
 
 def one_by_one(function: Callable[..., Any]) -> Callable[..., Any]:
-    """A function of numbers, of columns as well: the bits are those of each number by itself."""
+    """A function of numbers, of many as well: the bits are those of each number by itself."""
 
     def of_each(*given: Any) -> Any:
         if Many in map(type, given):
             numbers = (x.values.tolist() if type(x) is Many else repeat(x) for x in given)
-            return Many.of(list(map(function, *numbers)))
+            try:
+                return Many.of(list(map(function, *numbers)))
+            except Exception:  # of one of them
+                raise _apart(given) from None
         return function(*given)
 
     return of_each
+
+
+def _apart(given: tuple[Any, ...]) -> Differs:
+    """Each case by itself."""
+    n = next(len(x.values) for x in given if type(x) is Many)
+    return Differs([np.array([i]) for i in range(n)])
 
 
 _OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
@@ -177,7 +189,7 @@ def _boxed(x: Any) -> np.ndarray:
 
 
 class _Mathematics:
-    """The functions of `math`, of columns as well."""
+    """The functions of `math`, of many numbers as well."""
 
     def __getattr__(self, name: str) -> Any:
         found = getattr(math, name)
@@ -191,7 +203,7 @@ mathematics = _Mathematics()
 
 
 def isfinite(x: Any) -> Any:
-    """`math.isfinite`, of a column as well."""
+    """`math.isfinite`, of many numbers as well."""
     return abs(x) < math.inf if type(x) is Many else math.isfinite(x)
 
 
