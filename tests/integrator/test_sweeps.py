@@ -423,6 +423,8 @@ def outcome(function, point):
     except Exception as error:
         return type(error)
     x = x.item() if isinstance(x, np.generic) else x
+    if isinstance(x, complex):  # of Python's numbers; of NumPy's it is none
+        return "nan"
     return x.hex() if isinstance(x, float) else x
 
 
