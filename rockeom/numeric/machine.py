@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -104,6 +104,7 @@ class Function:
             self.places[argument] = n, type_
             n += 1 + type_.dimensions if isinstance(type_, Array) else 1
         self.integers, self.floats = ctypes.c_int64 * (n + 1), ctypes.c_double * (n + 1)
+        self.convert = _CONVERTED.get(entry.returns)
 
     def __call__(self, *given: Any) -> Any:
         """Raises TypeError for an array that the machine code would misread."""
@@ -129,10 +130,8 @@ class Bound:
         self.arrays: dict[str, np.ndarray] = {}
         self._integers = function.integers()
         self._floats = function.floats.from_buffer(self._integers)
-        self._row = ctypes.c_void_p(ctypes.addressof(self._integers))
-        self._call, returns = function.call, function.entry.returns
-        self._found: Any = self._floats if returns == FLOAT else self._integers
-        self._returned: Any = {BOOL: bool, NOTHING: _nothing}.get(returns)
+        self._row, self._call = ctypes.addressof(self._integers), function.call
+        self._found: Any = self._floats if function.entry.returns == FLOAT else self._integers
 
     def __setitem__(self, name: str, value: Any) -> None:
         """Raises TypeError for an array that the machine code would misread."""
@@ -158,8 +157,8 @@ class Bound:
 
     def __call__(self) -> Any:
         self._call(self._row)
-        found = self._found[-1]
-        return found if self._returned is None else self._returned(found)
+        found, convert = self._found[-1], self.function.convert
+        return convert(found) if convert else found
 
 
 _ELEMENTS = {FLOAT: np.dtype(np.float64), INT: np.dtype(np.int64)}
@@ -167,3 +166,6 @@ _ELEMENTS = {FLOAT: np.dtype(np.float64), INT: np.dtype(np.int64)}
 
 def _nothing(_: Any) -> None:
     """What a function gives back that returns nothing."""
+
+
+_CONVERTED: dict[Any, Callable[[Any], Any]] = {BOOL: bool, NOTHING: _nothing}
