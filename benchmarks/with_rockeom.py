@@ -146,22 +146,31 @@ def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callab
     return made
 
 
+ONE_STEP = rk.SolverOptions(max_steps=1)
+"""Of a motion little more than its beginning is left: what it costs to make a case is seen."""
+
+
+def _another_block(half_width: float, amplitude: float) -> Case:
+    block = rk.RigidBlock(half_width=half_width, half_height=0.45)
+    return Case(block, rk.GroundMotion.single_sine(amplitude, 0.5))
+
+
+def _blocks(n: int) -> dict[str, np.ndarray]:
+    """100 n of them."""
+    return {"half_width": np.linspace(0.05, 0.1, n), "amplitude": np.linspace(4.0, 8.0, 100)}
+
+
 def making(arrays: bool, n: int) -> Callable[[], object]:
-    """100 n blocks under pulses, of whose motion a step is made: little but making them is left."""
-
-    def case(half_width: float, amplitude: float) -> Case:
-        block = rk.RigidBlock(half_width=half_width, half_height=0.45)
-        return Case(block, rk.GroundMotion.single_sine(amplitude, 0.5))
-
-    over = {"half_width": np.linspace(0.05, 0.1, n), "amplitude": np.linspace(4.0, 8.0, 100)}
+    """100 n blocks under pulses, one step of each, from the numbers to a labelled dataset."""
     return lambda: rk.simulate_many(
-        case,
-        over,
-        arrays=arrays,
-        options=rk.SolverOptions(max_steps=1),
-        threads=1,
-        progress=False,
+        _another_block, _blocks(n), arrays=arrays, options=ONE_STEP, threads=1, progress=False
     )
+
+
+def made(n: int) -> Callable[[], object]:
+    """One step of the same, which are made already."""
+    widths, amplitudes = _blocks(n).values()
+    return _many([_another_block(b, a) for b in widths for a in amplitudes], ONE_STEP)
 
 
 def bifurcation(solver: rk.SolverOptions, amplitudes=w.AMPLITUDES) -> Callable:
