@@ -1,13 +1,14 @@
-"""Many motions as lanes of one stream of instructions: the loop of `simulate_many(lanes=True)`.
+"""Many motions as lanes of one stream of instructions: the loop of `simulate_many`.
 
 This file is not imported. `rockeom.numeric.program` joins it to the text of the scalar loop and
 to that of a step of many lanes (step_lanes, judge_lanes, judge_held_lanes, accept_lanes).
 
-Each lane has a time and a step of its own. All lanes take their next step together, whatever it is
-to each of them: an ordinary one, or one that is to end at an impact. The quintic of the gap through
-both ends of a step says what becomes of it: it stands, it is repeated to end at the impact, or it
-has ended there. In all other cases, an uplift, a fall, a doubt, the lane is taken out, and
-`integrate` carries it to the end of the ground's law.
+Each lane has a time, a step and a control of its error of its own. All lanes take their next step
+together, whatever it is to each of them: an ordinary one, one more of those that were refused, or
+one that is to end at an impact. The quintic of the gap through both ends of a step says what
+becomes of it: it stands, it is repeated to end at the impact, or it has ended there. In all other
+cases, an uplift, a fall, a doubt, the lane is taken out, and `integrate` carries it: to the end of
+that step or its first event, or, where steps are equal ones, to the end of the ground's law.
 
 No lane's numbers depend on another's, nor on its place: so the results are the same to the last
 bit for any order and number of motions.
@@ -24,6 +25,7 @@ from rockeom.contract import (
     EVENTS_KEPT,
     FRESH,
     FULL,
+    IDLE,
     IMPACT,
     IMPACTS,
     LAST_ERROR,
@@ -41,17 +43,26 @@ from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
         CLOSED,
+        DAMPING,
         LANES,
         N_PARAMETERS,
         N_STATES,
+        NODE_PLACES,
+        PLACES,
+        ROTATION,
         ROTATION_RATE,
         SIDES,
+        STAGE_PLACES,
         accept_lanes,
+        bend_x_lanes,
+        bend_y_lanes,
+        control_lanes,
         judge_held_lanes,
         judge_lanes,
         jump,
         opening_acceleration,
         rates,
+        shake_lanes,
         step_lanes,
     )
     from rockeom.numeric.loop import (
@@ -64,11 +75,14 @@ if TYPE_CHECKING:  # joined before this text
         EPS,
         SCRATCH,
         TURN,
+        first_step,
         integrate,
         jumps,
         most_error,
+        pulse,
         ratio_at,
         row_at,
+        sampling_step,
         shaking,
         stand,
         time_to_rest,
@@ -79,39 +93,53 @@ if TYPE_CHECKING:  # joined before this text
 (
     Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
     Z_LAST,  # end of the present laws of the ground
-    Z_START_X, Z_END_X, Z_X0, Z_X1,  # horizontal: acceleration X0 + X1 (t - START_X)
-    Z_START_Y, Z_END_Y, Z_Y0, Z_Y1,
+    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2,  # the ground's horizontal law
+    Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2,
+    Z_LONGEST,  # step in full contact
     Z_CONTACT, Z_SIDE, Z_TOUCHING,  # as in the loop
     Z_FALLEN,  # bound of the rotation
     Z_TAKEN,  # steps taken
     Z_LANDING,  # how often the step was repeated to end at an impact
     Z_VERDICT,  # what becomes of the step
     Z_ERROR,  # its estimated error, 1 at the tolerance
-) = (i * LANES for i in range(20))  # fmt: skip
-Z_Q = 20 * LANES  # positions
+    Z_NEXT,  # step that the control of the error proposes, 0 if none
+    Z_DAMP,  # what the last error damps the answer to the next one by
+) = (i * LANES for i in range(27))  # fmt: skip
+Z_Q = 27 * LANES  # positions
 Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
 Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
 Z_MOST = Z_LEAST + N_STATES * LANES
 Z_P = Z_MOST + N_STATES * LANES
 Z_K = Z_P + N_PARAMETERS * LANES  # rates of the states at the start of a step, and at its end
 Z_K_NEW = Z_K + N_STATES * LANES
-Z_SIZE = Z_K_NEW + N_STATES * LANES
+Z_AX = Z_K_NEW + N_STATES * LANES  # the ground at the stages of a step, or at its nodes
+Z_AY = Z_AX + PLACES * LANES
+Z_SIZE = Z_AY + PLACES * LANES
 
 # Rows of whole numbers: the case of a lane (-1: none), the rows of its two tables
 W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
 
-DOUBTFUL, REPEATED, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0
-"""Verdicts on a step; what has landed stands, too."""
+DOUBTFUL, REFUSED, REPEATED, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0
+"""Verdicts on a step; what has landed stands, too. One is refused where its error is too large."""
+
+NEAR = 1e-8
+"""A landing may miss the impact by so much of its step, which a Taylor series then passes."""
 
 
 @inlined
 def ground_x(z, lane):
-    return z[Z_START_X + lane], np.inf, 0.0, z[Z_X0 + lane], z[Z_X1 + lane], 0.0, 0.0
+    return (
+        z[Z_START_X + lane], np.inf, z[Z_KIND_X + lane], z[Z_X0 + lane], z[Z_X1 + lane],
+        z[Z_X2 + lane], 0.0,
+    )  # fmt: skip
 
 
 @inlined
 def ground_y(z, lane):
-    return z[Z_START_Y + lane], np.inf, 0.0, z[Z_Y0 + lane], z[Z_Y1 + lane], 0.0, 0.0
+    return (
+        z[Z_START_Y + lane], np.inf, z[Z_KIND_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane],
+        z[Z_Y2 + lane], 0.0,
+    )  # fmt: skip
 
 
 @inlined
@@ -158,7 +186,7 @@ def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
     # what is left of the gap at the end of a step that is to end at the impact
     left = -h * q1 / v1
     falls = (v1 < 0.0) & (abs(left) < 0.01 * h)
-    landed = falls & ((abs(left) <= 2.0 * EPS * (t + h)) | (landing >= 4.0)) & within
+    landed = falls & (abs(left) <= max(NEAR * h, 2.0 * EPS * (t + h))) & within
     again = falls & (landing < 4.0) & ~landed
 
     first = landing == 0.0
@@ -194,9 +222,11 @@ def plan_lanes(z, fixed, h_max):
     for lane in range(LANES):
         t, last, planned = z[Z_T + lane], z[Z_LAST + lane], z[Z_LANDING + lane] > 0.0
         span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
-        h = min(span / fixed, h_max)
+        h = min(span / fixed if fixed > 0 else z[Z_NEXT + lane], h_max)
+        h = min(h, z[Z_LONGEST + lane]) if z[Z_SIDE + lane] == 0.0 else h
         cut = t + 1.1 * h >= last
         z[Z_H + lane] = z[Z_H + lane] if planned else (last - t if cut else h)
+        z[Z_NEXT + lane] = z[Z_H + lane] if fixed > 0 else z[Z_NEXT + lane]
         z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
 
 
@@ -207,7 +237,8 @@ def take_in(lane, z, w, home, fallen):
     """A case's own state into its lane."""
     status, clock, states, rates_, peaks, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
-    z[Z_T + lane], z[Z_H + lane] = clock[case, TIME], clock[case, NEXT_STEP]
+    z[Z_T + lane], z[Z_NEXT + lane] = clock[case, TIME], clock[case, NEXT_STEP]
+    z[Z_DAMP + lane] = math.exp(DAMPING * clock[case, LAST_ERROR])
     z[Z_CONTACT + lane] = status[case, CONTACT]
     z[Z_SIDE + lane] = SIDES[status[case, CONTACT]]
     z[Z_TOUCHING + lane] = status[case, TOUCHING]
@@ -227,8 +258,10 @@ def take_out(lane, z, w, home):
     """A lane's state back into its case's own arrays."""
     status, clock, states, rates_, peaks, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
-    clock[case, TIME], clock[case, NEXT_STEP] = z[Z_T + lane], z[Z_H + lane]
-    clock[case, LAST_ERROR] = 0.0
+    if z[Z_T + lane] > clock[case, TIME]:
+        status[case, IDLE] = 0
+    clock[case, TIME], clock[case, NEXT_STEP] = z[Z_T + lane], z[Z_NEXT + lane]
+    clock[case, LAST_ERROR] = math.log(z[Z_DAMP + lane]) / DAMPING
     status[case, CONTACT] = int(z[Z_CONTACT + lane])
     status[case, TOUCHING] = int(z[Z_TOUCHING + lane])
     status[case, TAKEN] = int(z[Z_TAKEN + lane])
@@ -241,8 +274,8 @@ def take_out(lane, z, w, home):
         peaks[case, 1, i] = z[Z_MOST + i * LANES + lane]
 
 
-def alone(lane, z, w, home, ground, data, how, work):
-    """Carry a lane to the end of the ground's law by the scalar loop."""
+def alone(lane, z, w, home, ground, data, how, work, until):
+    """Carry a lane by the scalar loop until a time, if steps are controlled to its first event."""
     status, clock, states, rates_, peaks, outcome, impact_times = home
     horizontal, h_rows, vertical, v_rows, _ = ground
     p, law, ratio, fallen = data
@@ -251,27 +284,30 @@ def alone(lane, z, w, home, ground, data, how, work):
     take_out(lane, z, w, home)
     case = w[W_CASE + lane]
     code = FULL
+    room = 2 if fixed == 0 else 64
     while code == FULL:
         noted = status[case, IMPACTS]
         status[case, STEPS_KEPT] = status[case, EVENTS_KEPT] = 0
         code = integrate(
-            status[case], clock[case], states[case], rates_[case], z[Z_LAST + lane],
+            status[case], clock[case], states[case], rates_[case], until,
             horizontal[w[W_NX + lane] : h_rows[case, 1]],
             vertical[w[W_NY + lane] : v_rows[case, 1]], p[case], law[case], ratio[case], rtol, atol,
             h_max, fixed, fallen[case], rest_tolerance, max_impacts, max_steps,
-            steps, step_contact, step_states, events, event_kinds, event_states, peaks[case],
-            scratch,
+            steps, step_contact, step_states, events[:room], event_kinds, event_states,
+            peaks[case], scratch,
         )  # fmt: skip
         for e in range(status[case, EVENTS_KEPT]):
             if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                 impact_times[case, noted] = events[e]
                 noted += 1
-    if code != COMPLETED:
+        if fixed == 0:
+            break
+    if code != COMPLETED and code != FULL:
         outcome[case] = code
     take_in(lane, z, w, home, fallen)
 
 
-def impact(lane, z, w, home, data, how, work):
+def impact(lane, z, w, home, stop, data, how, work):
     """Pass a lane that has landed into the contact state that follows, as the loop does."""
     status, _, states, rates_, _, outcome, impact_times = home
     p, law, ratio, _ = data
@@ -279,8 +315,13 @@ def impact(lane, z, w, home, data, how, work):
     case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
     y, rate = states[case], rates_[case]
     after, y_w = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW]
+    # what is left of the gap
+    left = -z[Z_Q + ROTATION * LANES + lane] / z[Z_K + ROTATION * LANES + lane]
+    t = min(t + left, stop[case])
+    z[Z_T + lane] = t
     for i in range(n):
-        y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
+        v, a = z[Z_K + i * LANES + lane], z[Z_K + (n + i) * LANES + lane]
+        y[i], y[n + i] = z[Z_Q + i * LANES + lane] + left * (v + 0.5 * left * a), v + left * a
     if status[case, IMPACTS] < impact_times.shape[1]:
         impact_times[case, status[case, IMPACTS]] = t
     before = int(z[Z_CONTACT + lane])
@@ -316,6 +357,7 @@ def impact(lane, z, w, home, data, how, work):
             for i in range(N_STATES):
                 y[i] = y_w[i]
             z[Z_T + lane] = t + rests
+            z[Z_NEXT + lane] = 0.0
             contact, touching = follows, -1
             status[case, NEWS] = status[case, FRESH] = 1
             for i in range(N_STATES):
@@ -327,8 +369,8 @@ def impact(lane, z, w, home, data, how, work):
 
 
 def fresh_rates(lane, z, case, home, p):
-    """The rates of a rocking lane at its time, found anew."""
-    status, _, states, rates_, _, _, _ = home
+    """The rates of a lane at its time, found anew."""
+    states, rates_ = home[2], home[3]
     t, n = z[Z_T + lane], N_STATES // 2
     y, rate = states[case], rates_[case]
     for i in range(n):
@@ -337,7 +379,6 @@ def fresh_rates(lane, z, case, home, p):
     rates(int(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
-    status[case, NEWS] = status[case, FRESH] = 0
 
 
 @inlined
@@ -349,22 +390,15 @@ def next_laws(lane, z, w, case, ground):
     if t >= z[Z_END_X + lane]:
         n, row = row_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
         w[W_NX + lane] = n
-        z[Z_START_X + lane], z[Z_END_X + lane], z[Z_X0 + lane], z[Z_X1 + lane] = (
-            row[0],
-            row[1],
-            row[3],
-            row[4],
-        )
+        z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
+        z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
     if t >= z[Z_END_Y + lane]:
         n, row = row_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
         w[W_NY + lane] = n
-        z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane] = (
-            row[0],
-            row[1],
-            row[3],
-            row[4],
-        )
+        z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
+        z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
+    z[Z_LONGEST + lane] = min(sampling_step(ground_x(z, lane)), sampling_step(ground_y(z, lane)))
     return jumps(ax, shaking(ground_x(z, lane), t)) or jumps(ay, shaking(ground_y(z, lane), t))
 
 
@@ -372,7 +406,7 @@ def pass_rest(lane, z, w, case, home, ground, p):
     """Pass a structure that cannot move on both its feet over the laws in which it stays there.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
-    both ends of a linear law decide.
+    both ends of a linear law decide; it ends where a curved one begins.
     """
     status, y = home[0], home[2][case]
     up = down = (0.0, 0.0, 0.0)
@@ -389,6 +423,8 @@ def pass_rest(lane, z, w, case, home, ground, p):
     while z[Z_T + lane] < ground[4][case]:
         if z[Z_T + lane] >= z[Z_LAST + lane]:
             next_laws(lane, z, w, case, ground)
+        if z[Z_KIND_X + lane] != 0.0 or z[Z_KIND_Y + lane] != 0.0:
+            return
         for end in range(2):
             t = z[Z_LAST + lane] if end == 1 else z[Z_T + lane]
             ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
@@ -404,6 +440,7 @@ def pass_rest(lane, z, w, case, home, ground, p):
 def ready(lane, z, w, home, ground, data, how, work):
     """Bring a lane to where it takes its next step with the others; False where its way ends."""
     status, outcome, stop = home[0], home[5], ground[4]
+    fixed = how[3]
     case = w[W_CASE + lane]
     while outcome[case] == FULL and z[Z_T + lane] < stop[case]:
         if z[Z_TAKEN + lane] >= how[6]:
@@ -414,6 +451,9 @@ def ready(lane, z, w, home, ground, data, how, work):
         if z[Z_SIDE + lane] != 0.0:
             if status[case, FRESH] == 1:
                 fresh_rates(lane, z, case, home, data[0][case])
+                status[case, NEWS] = status[case, FRESH] = 0
+            if fixed == 0 and z[Z_NEXT + lane] == 0.0:
+                z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
             return True
         if N_STATES == 2:
             t = z[Z_T + lane]
@@ -422,8 +462,45 @@ def ready(lane, z, w, home, ground, data, how, work):
                 continue
         elif status[case, FRESH] == 0 and z[Z_TOUCHING + lane] == -1.0:
             return True
-        alone(lane, z, w, home, ground, data, how, work)
+        elif fixed == 0:
+            if z[Z_NEXT + lane] == 0.0:
+                fresh_rates(lane, z, case, home, data[0][case])
+                z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
+            until = end_of_step(lane, z, z[Z_NEXT + lane])
+            alone(lane, z, w, home, ground, data, how, work, until)
+            continue
+        alone(lane, z, w, home, ground, data, how, work, z[Z_LAST + lane])
     return False
+
+
+@inlined
+def end_of_step(lane, z, h):
+    """Where a step ends that a lane takes alone; at the end of the law if time does not move."""
+    t, last = z[Z_T + lane], z[Z_LAST + lane]
+    return last if t + 1.1 * h >= last or t + h <= t else t + h
+
+
+def shake_all(z, times):
+    """Find the ground at some places of the step of each lane."""
+    bent_x = bent_y = wavelets = False
+    for lane in range(LANES):
+        kind_x, kind_y = z[Z_KIND_X + lane], z[Z_KIND_Y + lane]
+        bent_x |= kind_x == 1.0
+        bent_y |= kind_y == 1.0
+        wavelets |= (kind_x > 1.0) | (kind_y > 1.0)
+    shake_lanes(z, times)
+    if bent_x:
+        bend_x_lanes(z, times)
+    if bent_y:
+        bend_y_lanes(z, times)
+    if wavelets:
+        for lane in range(LANES):
+            t, h = z[Z_T + lane], z[Z_H + lane]
+            for j in range(PLACES):
+                if z[Z_KIND_X + lane] > 1.0:
+                    z[Z_AX + j * LANES + lane] = pulse(ground_x(z, lane), t + times[j] * h)
+                if z[Z_KIND_Y + lane] > 1.0:
+                    z[Z_AY + j * LANES + lane] = pulse(ground_y(z, lane), t + times[j] * h)
 
 
 def run_lanes(first, z, w, home, ground, data, how, work):
@@ -438,21 +515,27 @@ def run_lanes(first, z, w, home, ground, data, how, work):
     p, fallen = data[0], data[3]
     h_rows, v_rows, stop = ground[1], ground[3], ground[4]
     h_max, fixed = how[2], how[3]
-    coarse = most_error(how[0])  # such a step is left to `integrate`
+    coarse = most_error(how[0])  # such an equal step is left to `integrate`
+    bound, worse = (coarse, DOUBTFUL) if fixed > 0 else (1.0, REFUSED)
     waiting, left = first, TURN
     w[W_CASE : W_CASE + LANES] = -1
     while True:
         running, held = 0, False
         for lane in range(LANES):
-            if w[W_CASE + lane] >= 0 and z[Z_VERDICT + lane] == REPEATED:
+            verdict = z[Z_VERDICT + lane]
+            if w[W_CASE + lane] >= 0 and verdict in (REPEATED, REFUSED):
                 running += 1
+                held = held or z[Z_SIDE + lane] == 0.0
                 continue
             goes_on = False
             if w[W_CASE + lane] >= 0:
-                if z[Z_VERDICT + lane] == LANDED:
-                    impact(lane, z, w, home, data, how, work)
-                elif z[Z_VERDICT + lane] == DOUBTFUL:
-                    alone(lane, z, w, home, ground, data, how, work)
+                if verdict == LANDED:
+                    impact(lane, z, w, home, stop, data, how, work)
+                elif verdict == DOUBTFUL:
+                    until = z[Z_LAST + lane]
+                    if fixed == 0:
+                        until = end_of_step(lane, z, z[Z_H + lane])
+                    alone(lane, z, w, home, ground, data, how, work, until)
                 goes_on = True
             while True:
                 if goes_on:
@@ -462,17 +545,14 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                         break
                     take_out(lane, z, w, home)
                 w[W_CASE + lane] = -1
+                z[Z_KIND_X + lane] = z[Z_KIND_Y + lane] = 0.0
                 if waiting == len(stop) or left < 0:
                     break
                 # the next case
                 w[W_CASE + lane] = waiting
                 w[W_NX + lane], w[W_NY + lane] = h_rows[waiting, 0] - 1, v_rows[waiting, 0] - 1
-                z[Z_LAST + lane] = z[Z_X0 + lane] = z[Z_X1 + lane] = z[Z_Y0 + lane] = z[
-                    Z_Y1 + lane
-                ] = 0.0
-                z[Z_START_X + lane] = z[Z_START_Y + lane] = z[Z_END_X + lane] = z[
-                    Z_END_Y + lane
-                ] = 0.0
+                for place in range(Z_LAST, Z_CONTACT, LANES):
+                    z[place + lane] = 0.0
                 for i in range(N_PARAMETERS):
                     z[Z_P + i * LANES + lane] = p[waiting, i]
                 take_in(lane, z, w, home, fallen)
@@ -482,10 +562,14 @@ def run_lanes(first, z, w, home, ground, data, how, work):
             return waiting
         left -= running
         plan_lanes(z, fixed, h_max)
+        shake_all(z, STAGE_PLACES)
         step_lanes(z, how[0], how[1])
-        judge_lanes(z, coarse)
+        if fixed == 0:
+            control_lanes(z)
+        judge_lanes(z, bound, worse)
         if held:
-            judge_held_lanes(z, coarse)
+            shake_all(z, NODE_PLACES)
+            judge_held_lanes(z, bound)
         accept_lanes(z)
 
 
@@ -497,7 +581,7 @@ def integrate_lanes(
     rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints, peaks: Floats3,
     impact_times: Floats2,
 ) -> int:  # fmt: skip
-    """Integrate n motions under linear laws of the ground, each to its time `stop`.
+    """Integrate n motions, each to its time `stop`.
 
     first : the motion to begin with. Returns the one that the next call begins with: n if there is
     none, less if a TURN is over.

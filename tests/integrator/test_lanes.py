@@ -197,6 +197,43 @@ def test_options_of_steps(options):
     )
 
 
+MOTIONS = {
+    "sine": rk.GroundMotion.single_sine(3.0, period=0.6, duration=5.0),
+    "cosine": rk.GroundMotion.single_cosine(2.6, period=0.8, duration=5.0),
+    "harmonic": rk.GroundMotion.harmonic(2.4, frequency=1.3, duration=5.0, phase=0.4),
+    "wavelet": rk.GroundMotion.ricker(3.0, 0.4, duration=5.0),
+    "other wavelet": rk.GroundMotion.ricker(3.0, 0.5, duration=5.0, antisymmetric=True),
+    "record": record(n=900),
+    "constant": rk.GroundMotion.constant(2.5, 0.4, 5.0),
+}
+
+
+@pytest.mark.parametrize("steps", [0, 40], ids=["controlled", "equal"])
+@pytest.mark.parametrize(
+    "make",
+    [lambda x: block(0.6, x), lambda x: column(half_width=x + 0.07)],
+    ids=["block", "column"],
+)
+def test_every_law_of_the_ground_and_both_ways_of_stepping(make, steps):
+    """Horizontal and vertical motions of every kind, side by side in the lanes."""
+    options = rk.SolverOptions(steps_per_law=steps)
+    over = {"motion": list(MOTIONS), "vertical": [None, "harmonic", "wavelet"], "x": [0.18, 0.22]}
+    lanes, scalar = both_ways(
+        lambda motion, vertical, x: rk.Case(
+            make(x), MOTIONS[motion], vertical=None if vertical is None else MOTIONS[vertical]
+        ),
+        over,
+        options,
+    )
+    assert (scalar.impacts > 10).sum() > 15
+    np.testing.assert_array_equal(lanes.outcome, scalar.outcome)
+    np.testing.assert_allclose(
+        lanes.impact_time[..., :6], scalar.impact_time[..., :6], rtol=1e-9, atol=1e-9
+    )
+    for name in ("minimum", "maximum"):
+        np.testing.assert_allclose(lanes[name], scalar[name], rtol=1e-6, atol=1e-8)
+
+
 def test_too_many_impacts_and_steps():
     quiet = rk.GroundMotion.from_array(np.zeros(2001), 0.005)
     over = {"theta": np.linspace(0.02, 0.15, 18)}
@@ -275,28 +312,6 @@ def test_mirror_changes_no_bit(make):
 
 
 # -- what lanes refuse ---------------------------------------------------------------------------
-
-
-def test_pulses_are_refused_and_named():
-    def case(motion):
-        made = RECORD if motion == "record" else rk.GroundMotion.single_sine(3.0, period=0.5)
-        return rk.Case(block(1.0, 0.2), made)
-
-    with pytest.raises(ValueError, match="records only") as caught:
-        many(case, {"motion": ["record", "pulse"]})
-    assert "motion = pulse" in " ".join(caught.value.__notes__)
-    with pytest.raises(ValueError, match="vertical motion is a pulse"):
-        many(
-            lambda n: rk.Case(
-                block(1.0, 0.2), RECORD, vertical=rk.GroundMotion.single_sine(3.0, period=0.5)
-            ),
-            {"n": [1]},
-        )
-
-
-def test_controlled_steps_are_refused():
-    with pytest.raises(ValueError, match="steps_per_law"):
-        many(lambda n: rk.Case(block(1.0, 0.2), RECORD), {"n": [1]}, rk.SolverOptions())
 
 
 def test_structures_on_springs_are_refused():
