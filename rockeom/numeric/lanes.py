@@ -122,6 +122,9 @@ W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
 DOUBTFUL, REFUSED, REPEATED, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0
 """Verdicts on a step; what has landed stands, too. One is refused where its error is too large."""
 
+HOP = 0.5
+"""Where a flight is so short that its first step is to end at the next impact: Z_LANDING of it."""
+
 NEAR = 1e-8
 """A landing may miss the impact by so much of its step, which a Taylor series then passes."""
 
@@ -181,21 +184,22 @@ def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
         slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
         move = value / slope
         x = x - move
-    closes &= (abs(move) < 1e-4) & (x > 0.0) & (x < 1.0) & (x * h > 8.0 * EPS * max(t, h))
+    found = (abs(move) < 1e-4) & (x * h > 8.0 * EPS * max(t, h))
+    closes &= found & (x < 1.0)
 
     # what is left of the gap at the end of a step that is to end at the impact
+    first, hop = landing == 0.0, landing == HOP
     left = -h * q1 / v1
-    falls = (v1 < 0.0) & (abs(left) < 0.01 * h)
+    falls = (v1 < 0.0) & (abs(left) < (0.1 * h if hop else 0.01 * h))
+    falls &= ~touching | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
     landed = falls & (abs(left) <= max(NEAR * h, 2.0 * EPS * (t + h))) & within
-    again = falls & (landing < 4.0) & ~landed
+    again = falls & (landing < 4.0) & found
 
-    first = landing == 0.0
-    repeated = (first & closes & ~open_) | (~first & again)
-    verdict = STANDS if first & open_ & within else DOUBTFUL
+    repeated = closes & ~open_ if first else again & ~landed
+    verdict = STANDS if first & open_ & within else (REFUSED if hop else DOUBTFUL)
     verdict = REPEATED if repeated else verdict
     verdict = LANDED if ~first & landed else verdict
-    new_h = x * h if first else h + left
-    return verdict, new_h if repeated else h
+    return verdict, x * h if repeated else h
 
 
 @inlined
@@ -203,11 +207,12 @@ def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fa
     """The opposite of `widens` for one coordinate and its rate."""
     v0, v1 = h * v0, h * v1
     a0, a1 = h * h * a0, h * h * a1
-    up = (v0 >= 0.0) & (v0 + a0 / 3.0 >= 0.0) & (v1 - a1 / 3.0 >= 0.0) & (v1 >= 0.0)
-    down = (v0 <= 0.0) & (v0 + a0 / 3.0 <= 0.0) & (v1 - a1 / 3.0 <= 0.0) & (v1 <= 0.0)
-    b1, b2 = q0 + v0 / 5.0, q0 + 2.0 * v0 / 5.0 + a0 / 20.0
-    b4, b3 = q1 - v1 / 5.0, q1 - 2.0 * v1 / 5.0 + a1 / 20.0
-    d1, d2, d3 = v0 + a0 / 4.0, 5.0 * (b3 - b2), v1 - a1 / 4.0
+    soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
+    up = (v0 >= 0.0) & (soon >= 0.0) & (late >= 0.0) & (v1 >= 0.0)
+    down = (v0 <= 0.0) & (soon <= 0.0) & (late <= 0.0) & (v1 <= 0.0)
+    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+    d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
     least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
     margin = 1e-3 * (most - least)
     rate = least - margin >= min(h * slowest, min(v0, v1))
@@ -226,7 +231,7 @@ def plan_lanes(z, fixed, h_max):
         h = min(h, z[Z_LONGEST + lane]) if z[Z_SIDE + lane] == 0.0 else h
         cut = t + 1.1 * h >= last
         z[Z_H + lane] = z[Z_H + lane] if planned else (last - t if cut else h)
-        z[Z_NEXT + lane] = z[Z_H + lane] if fixed > 0 else z[Z_NEXT + lane]
+        z[Z_NEXT + lane] = h if fixed > 0 else z[Z_NEXT + lane]
         z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
 
 
@@ -349,6 +354,9 @@ def impact(lane, z, w, home, stop, data, how, work):
                 contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after,
                 scratch[_POWERS:_GUARDS],
             )  # fmt: skip
+        flight = 2.0 * v / a
+        if a > 0.0 and flight < HOP * z[Z_NEXT + lane] and t + flight < z[Z_LAST + lane]:
+            z[Z_LANDING + lane], z[Z_H + lane], z[Z_T_NEW + lane] = HOP, flight, t + flight
         short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
         if short and stand(
             follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
@@ -357,7 +365,7 @@ def impact(lane, z, w, home, stop, data, how, work):
             for i in range(N_STATES):
                 y[i] = y_w[i]
             z[Z_T + lane] = t + rests
-            z[Z_NEXT + lane] = 0.0
+            z[Z_NEXT + lane] = z[Z_LANDING + lane] = 0.0
             contact, touching = follows, -1
             status[case, NEWS] = status[case, FRESH] = 1
             for i in range(N_STATES):
@@ -385,21 +393,24 @@ def fresh_rates(lane, z, case, home, p):
 def next_laws(lane, z, w, case, ground):
     """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
     horizontal, h_rows, vertical, v_rows, stop = ground
-    t = z[Z_T + lane]
-    ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+    t, jumped = z[Z_T + lane], False
     if t >= z[Z_END_X + lane]:
+        before = shaking(ground_x(z, lane), t)
         n, row = row_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
         w[W_NX + lane] = n
         z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
         z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
+        jumped = jumps(before, shaking(row, t))
     if t >= z[Z_END_Y + lane]:
+        before = shaking(ground_y(z, lane), t)
         n, row = row_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
         w[W_NY + lane] = n
         z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
         z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
+        jumped |= jumps(before, shaking(row, t))
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
     z[Z_LONGEST + lane] = min(sampling_step(ground_x(z, lane)), sampling_step(ground_y(z, lane)))
-    return jumps(ax, shaking(ground_x(z, lane), t)) or jumps(ay, shaking(ground_y(z, lane), t))
+    return jumped
 
 
 def pass_rest(lane, z, w, case, home, ground, p):

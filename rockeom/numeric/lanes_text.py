@@ -30,6 +30,7 @@ def _shaken(places: int) -> str:
     known = "".join(f"    c{j} = times[{j}]\n" for j in range(places))
     text = f"""
 
+@apart
 def shake_lanes(z, times):
     \"\"\"The ground at some times of a step, by linear laws.\"\"\"
 {known}    for lane in range(LANES):
@@ -44,6 +45,7 @@ def shake_lanes(z, times):
     for axis, name in (("X", "x"), ("Y", "y")):
         text += f"""
 
+@apart
 def bend_{name}_lanes(z, times):
     \"\"\"The same of lanes whose law is a sine; others keep what they have.\"\"\"
 {known}    for lane in range(LANES):
@@ -161,6 +163,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
             held += f"        held &= (\n            {coefficient}\n        ) > 1e-3 * most\n"
 
     return f'''
+from rockeom.marks import apart
 
 LANES = {LANES}
 N_PARAMETERS = {parameters}
@@ -170,6 +173,7 @@ NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
 DAMPING = {damping!r}
 {_shaken(places)}
 
+@apart
 def control_lanes(z):
     """The next step of each lane by proportional-integral control, as in the loop.
 
@@ -189,13 +193,16 @@ def control_lanes(z):
         z[Z_DAMP + lane] = {_powers(damping)} if tells else last
 
 
-def step_lanes(z, rtol, atol):
+@apart
+def step_lanes(z, rtol, tolerances):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
+    atol = ({", ".join(f"tolerances[{i}]" for i in range(size))},)
     for lane in range(LANES):
         contact = z[Z_CONTACT + lane]
 {start_of}{start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
 
 
+@apart
 def judge_lanes(z, bound, worse):
     """What becomes of the step of each rocking lane; the length of one to be repeated.
 
@@ -213,6 +220,7 @@ def judge_lanes(z, bound, worse):
         z[Z_H + lane] = h if refused else new_h
 
 
+@apart
 def judge_held_lanes(z, bound):
     """What becomes of the step of each lane in full contact: it stands where no foot lifts."""
     for lane in range(LANES):
@@ -222,6 +230,7 @@ def judge_held_lanes(z, bound):
 {within}        z[Z_VERDICT + lane] = STANDS if within else z[Z_VERDICT + lane]
 
 
+@apart
 def accept_lanes(z):
     """Move the lanes whose step stands to its end."""
     for lane in range(LANES):
