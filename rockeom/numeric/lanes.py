@@ -119,11 +119,12 @@ Z_SIZE = Z_AY + PLACES * LANES
 # Rows of whole numbers: the case of a lane (-1: none), the rows of its two tables
 W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
 
-DOUBTFUL, REFUSED, REPEATED, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0
+DOUBTFUL, REFUSED, REPEATED, TURNS, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
 """Verdicts on a step; what has landed stands, too. One is refused where its error is too large."""
 
-HOP = 0.5
-"""Where a flight is so short that its first step is to end at the next impact: Z_LANDING of it."""
+HOP, TURN_AT_END = 0.5, -1.0
+"""Z_LANDING of a flight so short that its first step is to end at the next impact, and of a step
+that is to end where a state has a new extreme."""
 
 NEAR = 1e-8
 """A landing may miss the impact by so much of its step, which a Taylor series then passes."""
@@ -146,12 +147,14 @@ def ground_y(z, lane):
 
 
 @inlined
-def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
+def judge_gap(t, h, side, touching, landing, upright, within, q0, v0, a0, q1, v1, a1):
     """(verdict, length of the step when repeated) by the quintic through both ends of a step.
 
     Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
     gap stays open. If they change their sign once, it closes once, where Newton's method finds;
     the step repeated to there corrects the place by what is left of the gap.
+
+    upright : whether it has not fallen. within : whether no state has a new extreme inside.
     """
     q0, v0, a0 = side * q0, side * h * v0, side * h * h * a0
     q1, v1, a1 = side * q1, side * h * v1, side * h * h * a1
@@ -188,44 +191,53 @@ def judge_gap(t, h, side, touching, landing, within, q0, v0, a0, q1, v1, a1):
     closes &= found & (x < 1.0)
 
     # what is left of the gap at the end of a step that is to end at the impact
-    first, hop = landing == 0.0, landing == HOP
+    first, hop = landing <= 0.0, landing == HOP
     left = -h * q1 / v1
     falls = (v1 < 0.0) & (abs(left) < (0.1 * h if hop else 0.01 * h))
     falls &= ~touching | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
-    landed = falls & (abs(left) <= max(NEAR * h, 2.0 * EPS * (t + h))) & within
+    landed = falls & (abs(left) <= max(NEAR * h, 2.0 * EPS * (t + h))) & upright
     again = falls & (landing < 4.0) & found
 
     repeated = closes & ~open_ if first else again & ~landed
-    verdict = STANDS if first & open_ & within else (REFUSED if hop else DOUBTFUL)
+    stands = (open_ & upright) if first else landed
+    verdict = REFUSED if hop else DOUBTFUL
     verdict = REPEATED if repeated else verdict
-    verdict = LANDED if ~first & landed else verdict
+    verdict = (TURNS if ~within else (STANDS if first else LANDED)) if stands else verdict
     return verdict, x * h if repeated else h
 
 
 @inlined
 def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fastest):
-    """The opposite of `widens` for one coordinate and its rate."""
+    """The opposite of `widens` for one coordinate and its rate.
+
+    One that turns at an end of the step may miss it by a little: that makes an error of its square.
+    """
     v0, v1 = h * v0, h * v1
     a0, a1 = h * h * a0, h * h * a1
     soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
-    up = (v0 >= 0.0) & (soon >= 0.0) & (late >= 0.0) & (v1 >= 0.0)
-    down = (v0 <= 0.0) & (soon <= 0.0) & (late <= 0.0) & (v1 <= 0.0)
+    miss = 1e-5 * max(abs(v0), abs(v1))
+    up = (v0 >= -miss) & (soon >= -miss) & (late >= -miss) & (v1 >= -miss)
+    down = (v0 <= miss) & (soon <= miss) & (late <= miss) & (v1 <= miss)
     b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
     b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
     d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
     least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
     margin = 1e-3 * (most - least)
+    miss = max(1e-5 * (most - least), 1e-6 * h * (fastest - slowest))
+    faster = (d1 >= v0 - miss) & (d2 >= d1) & (d3 >= d2) & (v1 >= d3 - miss)
+    slower = (d1 <= v0 + miss) & (d2 <= d1) & (d3 <= d2) & (v1 <= d3 + miss)
     rate = least - margin >= min(h * slowest, min(v0, v1))
     rate &= most + margin <= max(h * fastest, max(v0, v1))
     least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
     margin = 1e-3 * (most - least)
-    return rate & (up | down | ((least - margin >= least_known) & (most + margin <= most_known)))
+    known = (least - margin >= least_known) & (most + margin <= most_known)
+    return (rate | faster | slower) & (up | down | known)
 
 
 def plan_lanes(z, fixed, h_max):
     """The next step of each lane; that of a lane which is landing is known."""
     for lane in range(LANES):
-        t, last, planned = z[Z_T + lane], z[Z_LAST + lane], z[Z_LANDING + lane] > 0.0
+        t, last, planned = z[Z_T + lane], z[Z_LAST + lane], z[Z_LANDING + lane] != 0.0
         span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
         h = min(span / fixed if fixed > 0 else z[Z_NEXT + lane], h_max)
         h = min(h, z[Z_LONGEST + lane]) if z[Z_SIDE + lane] == 0.0 else h
@@ -233,6 +245,61 @@ def plan_lanes(z, fixed, h_max):
         z[Z_H + lane] = z[Z_H + lane] if planned else (last - t if cut else h)
         z[Z_NEXT + lane] = h if fixed > 0 else z[Z_NEXT + lane]
         z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
+
+
+@inlined
+def slope_root(c0, c1, c2, c3, c4):
+    """Where on [0, 1] a quartic in Bernstein form, of other signs at its ends, is zero."""
+    low, high = 0.0, 1.0
+    x = c0 / (c0 - c4)
+    for _ in range(12):
+        y = 1.0 - x
+        b0, b1, b2, b3 = y * c0 + x * c1, y * c1 + x * c2, y * c2 + x * c3, y * c3 + x * c4
+        b0, b1, b2 = y * b0 + x * b1, y * b1 + x * b2, y * b2 + x * b3
+        b0, b1 = y * b0 + x * b1, y * b1 + x * b2
+        value, slope = y * b0 + x * b1, 4.0 * (b1 - b0)
+        if value * c0 > 0.0:
+            low = x
+        else:
+            high = x
+        move = -value / slope
+        x += move
+        if abs(move) < 1e-9:
+            break
+        if not low < x < high:
+            x = 0.5 * (low + high)
+    return x
+
+
+def turn(lane, z):
+    """Let a lane's step end at the first extreme of a state inside it; whether one was found."""
+    n, h, place = N_STATES // 2, z[Z_H + lane], 1.0
+    for i in range(n):
+        q0, q1 = z[Z_Q + i * LANES + lane], z[Z_Q_NEW + i * LANES + lane]
+        v0, v1 = h * z[Z_K + i * LANES + lane], h * z[Z_K_NEW + i * LANES + lane]
+        at, at_new = Z_K + (n + i) * LANES + lane, Z_K_NEW + (n + i) * LANES + lane
+        a0, a1 = h * h * z[at], h * h * z[at_new]
+        least, most = z[Z_LEAST + i * LANES + lane], z[Z_MOST + i * LANES + lane]
+        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+        inside = min(min(b1, b2), min(b3, b4)) > least and max(max(b1, b2), max(b3, b4)) < most
+        d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
+        if v0 * v1 < 0.0 and not inside:
+            place = min(place, slope_root(v0, d1, d2, d3, v1))
+        slowest, fastest = z[Z_LEAST + (n + i) * LANES + lane], z[Z_MOST + (n + i) * LANES + lane]
+        inside = min(d1, min(d2, d3)) > h * slowest and max(d1, max(d2, d3)) < h * fastest
+        if a0 * a1 < 0.0 and not inside:
+            c1, c2 = 4.0 * (d2 - d1), 4.0 * (d3 - d2)
+            # a cubic, raised to a quartic
+            place = min(
+                place,
+                slope_root(a0, 0.25 * a0 + 0.75 * c1, 0.5 * (c1 + c2), 0.75 * c2 + 0.25 * a1, a1),
+            )
+    if not 0.001 < place < 0.999:
+        return False
+    z[Z_LANDING + lane], z[Z_H + lane] = TURN_AT_END, place * h
+    z[Z_T_NEW + lane] = z[Z_T + lane] + place * h
+    return True
 
 
 # -- one lane ------------------------------------------------------------------------------------
@@ -534,6 +601,11 @@ def run_lanes(first, z, w, home, ground, data, how, work):
         running, held = 0, False
         for lane in range(LANES):
             verdict = z[Z_VERDICT + lane]
+            if w[W_CASE + lane] >= 0 and verdict == TURNS:
+                verdict = DOUBTFUL
+                # equal steps stay equal
+                if fixed == 0 and z[Z_LANDING + lane] != TURN_AT_END and turn(lane, z):
+                    verdict = REPEATED
             if w[W_CASE + lane] >= 0 and verdict in (REPEATED, REFUSED):
                 running += 1
                 held = held or z[Z_SIDE + lane] == 0.0

@@ -211,8 +211,11 @@ def judge_lanes(z, bound, worse):
     for lane in range(LANES):
         t, h, side = z[Z_T + lane], z[Z_H + lane], z[Z_SIDE + lane]
         touching, landing = z[Z_TOUCHING + lane] == 0.0, z[Z_LANDING + lane]
-{start}{end}        within = abs(q1_{r}) < z[Z_FALLEN + lane]
-{within}        verdict, new_h = judge_gap(t, h, side, touching, landing, within, {gap})
+{start}{end}        upright, within = abs(q1_{r}) < z[Z_FALLEN + lane], True
+{within}        verdict, new_h = judge_gap(
+            t, h, side, touching, landing, upright, within,
+            {gap},
+        )
         refused = (z[Z_ERROR + lane] > bound) & (z[Z_ERROR + lane] < np.inf)
         refused &= h > 64.0 * EPS * t
         verdict = verdict if z[Z_ERROR + lane] <= bound else DOUBTFUL
@@ -226,8 +229,9 @@ def judge_held_lanes(z, bound):
     for lane in range(LANES):
 {start_of}{start}{end}{quintics}{sampled}        held = z[Z_SIDE + lane] == 0.0
         held &= z[Z_ERROR + lane] <= bound
-{held}        within = held
-{within}        z[Z_VERDICT + lane] = STANDS if within else z[Z_VERDICT + lane]
+{held}        within = True
+{within}        stands = STANDS if within else TURNS
+        z[Z_VERDICT + lane] = stands if held else z[Z_VERDICT + lane]
 
 
 @apart
@@ -239,7 +243,9 @@ def accept_lanes(z):
         t, h, last = z[Z_T + lane], z[Z_H + lane], z[Z_LAST + lane]
 {start}{end}        z[Z_T + lane] = z[Z_T_NEW + lane] if stands else t
         z[Z_T_NEW + lane] = min(t + h, last) if repeated else z[Z_T_NEW + lane]
-        z[Z_LANDING + lane] = z[Z_LANDING + lane] + 1.0 if repeated else 0.0
+        landing = z[Z_LANDING + lane]
+        kept = landing if z[Z_VERDICT + lane] == TURNS else 0.0
+        z[Z_LANDING + lane] = max(landing, 0.0) + 1.0 if repeated else kept
         z[Z_TOUCHING + lane] = -1.0 if stands else z[Z_TOUCHING + lane]
         z[Z_TAKEN + lane] = z[Z_TAKEN + lane] + 1.0
 {taken}'''
