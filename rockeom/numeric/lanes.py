@@ -147,14 +147,15 @@ def ground_y(z, lane):
 
 
 @inlined
-def judge_gap(t, h, side, touching, landing, upright, within, q0, v0, a0, q1, v1, a1):
+def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, q1, v1, a1):
     """(verdict, length of the step when repeated) by the quintic through both ends of a step.
 
     Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
     gap stays open. If they change their sign once, it closes once, where Newton's method finds;
     the step repeated to there corrects the place by what is left of the gap.
 
-    upright : whether it has not fallen. within : whether no state has a new extreme inside.
+    left : of the ground's law. upright : whether it has not fallen. within : whether no state has a
+    new extreme inside.
     """
     q0, v0, a0 = side * q0, side * h * v0, side * h * h * a0
     q1, v1, a1 = side * q1, side * h * v1, side * h * h * a1
@@ -190,13 +191,13 @@ def judge_gap(t, h, side, touching, landing, upright, within, q0, v0, a0, q1, v1
     found = (abs(move) < 1e-4) & (x * h > 8.0 * EPS * max(t, h))
     closes &= found & (x < 1.0)
 
-    # what is left of the gap at the end of a step that is to end at the impact
+    # by what a step that is to end at the impact misses it
     first, hop = landing <= 0.0, landing == HOP
-    left = -h * q1 / v1
-    falls = (v1 < 0.0) & (abs(left) < (0.1 * h if hop else 0.01 * h))
+    miss = abs(h * q1 / v1)
+    falls = (v1 < 0.0) & (miss < (0.1 * h if hop else 0.01 * h))
     falls &= ~touching | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
-    landed = falls & (abs(left) <= max(NEAR * h, 2.0 * EPS * (t + h))) & upright
-    again = falls & (landing < 4.0) & found
+    landed = falls & (miss <= max(NEAR * h, 2.0 * EPS * (t + h))) & upright
+    again = falls & (landing < 4.0) & found & (x * h < left)
 
     repeated = closes & ~open_ if first else again & ~landed
     stands = (open_ & upright) if first else landed

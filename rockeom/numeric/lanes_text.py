@@ -213,7 +213,7 @@ def judge_lanes(z, bound, worse):
         touching, landing = z[Z_TOUCHING + lane] == 0.0, z[Z_LANDING + lane]
 {start}{end}        upright, within = abs(q1_{r}) < z[Z_FALLEN + lane], True
 {within}        verdict, new_h = judge_gap(
-            t, h, side, touching, landing, upright, within,
+            t, h, z[Z_LAST + lane] - t, side, touching, landing, upright, within,
             {gap},
         )
         refused = (z[Z_ERROR + lane] > bound) & (z[Z_ERROR + lane] < np.inf)
@@ -240,9 +240,9 @@ def accept_lanes(z):
     for lane in range(LANES):
         stands = z[Z_VERDICT + lane] >= STANDS
         repeated = z[Z_VERDICT + lane] == REPEATED
-        t, h, last = z[Z_T + lane], z[Z_H + lane], z[Z_LAST + lane]
+        t, h = z[Z_T + lane], z[Z_H + lane]
 {start}{end}        z[Z_T + lane] = z[Z_T_NEW + lane] if stands else t
-        z[Z_T_NEW + lane] = min(t + h, last) if repeated else z[Z_T_NEW + lane]
+        z[Z_T_NEW + lane] = t + h if repeated else z[Z_T_NEW + lane]
         landing = z[Z_LANDING + lane]
         kept = landing if z[Z_VERDICT + lane] == TURNS else 0.0
         z[Z_LANDING + lane] = max(landing, 0.0) + 1.0 if repeated else kept

@@ -234,6 +234,24 @@ def test_every_law_of_the_ground_and_both_ways_of_stepping(make, steps):
         np.testing.assert_allclose(lanes[name], scalar[name], rtol=1e-6, atol=1e-8)
 
 
+def test_short_flights_that_end_beside_a_jump_of_the_ground():
+    """A flight is taken for a parabola, whose end is corrected: beyond a jump it is another one."""
+    random = np.random.RandomState(7)
+    rows = np.zeros((80, 7))
+    rows[:, 1] = np.cumsum(random.uniform(0.01, 0.05, 80))
+    rows[1:, 0], rows[:, 3] = rows[:-1, 1], random.uniform(-0.6, 0.6, 80)
+    rows[:, 4] = random.uniform(-40.0, 40.0, 80)
+    jumps = rk.GroundMotion(rows)
+    over = {"theta": np.geomspace(1e-4, 0.02, 600)}
+    lanes, scalar = both_ways(
+        lambda theta: rk.Case(block(0.5, 0.2), jumps, initial={"theta": theta}), over, None
+    )
+    assert (scalar.impacts > 10).sum() > 400
+    np.testing.assert_allclose(
+        lanes.impact_time[:, :12], scalar.impact_time[:, :12], rtol=1e-9, atol=1e-9
+    )
+
+
 def test_too_many_impacts_and_steps():
     quiet = rk.GroundMotion.from_array(np.zeros(2001), 0.005)
     over = {"theta": np.linspace(0.02, 0.15, 18)}
