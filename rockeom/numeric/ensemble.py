@@ -71,7 +71,7 @@ def simulate_many(
     threads: int | None = None,
     chunk: int = 256,
     progress: bool | None = None,
-    lanes: bool = False,
+    lanes: bool | None = None,
     quantities: Sequence[str] = (),
     times: Sequence[float] | np.ndarray = (),
 ) -> Sweep:
@@ -90,9 +90,11 @@ def simulate_many(
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time.
     progress : a line on stderr; if not given, where stderr is a terminal.
-    lanes : many motions at once in the vectors of the processor, several times as fast. For
-        structures on rigid ground and explicit methods; results agree with those without lanes
-        within the tolerances, and are the same to the last bit for any order of the cases.
+    lanes : many motions at once in the vectors of the processor, several times as fast: if not
+        given, for all structures on rigid ground with explicit methods. Impact times agree with
+        those without lanes within the tolerances, and results are the same to the last bit for any
+        number and order of the cases. False integrates one motion after the other, as `simulate`
+        does, to the same bits.
     quantities : what else to keep of each case, by the names of a response ("theta",
         "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
         found within the steps, and, at the `times` [s] given, their history (nan behind the end).
@@ -134,8 +136,7 @@ def simulate_many(
         return [_made(case, dict(zip(values, point, strict=True))) for point in points]
 
     module = made(0, 1)[0].structure.module
-    if lanes:
-        _check_lanes(module)
+    lanes = _in_lanes(lanes, module, options)
     compiled = program(module, options.method, lanes)
     results = _Results.empty(total, module.N_STATES, impact_times)
     asked = _Asked.empty(total, quantities, times, options)
@@ -222,15 +223,26 @@ def _made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     return made
 
 
-def _check_lanes(module: ModuleType) -> None:
-    """Lanes know contact states that an impact ends, and full contact."""
-    for side, guards, kinds in zip(module.SIDES, module.GUARDS, module.KINDS, strict=True):
-        known = (IMPACT,) if side else (UPLIFT,) * guards
-        if kinds[:guards] != known:
-            raise ValueError(
-                f"lanes are for structures on rigid ground, and {module.NAME} is none: leave "
-                f"lanes=True out"
-            )
+def _in_lanes(lanes: bool | None, module: ModuleType, options: SolverOptions) -> bool:
+    """Whether a sweep steps in lanes, as asked or by its structure and method.
+
+    They know contact states that an impact ends, and full contact, where forces act all along.
+    """
+    known = not module.NARROW and all(
+        kinds[:guards] == ((IMPACT,) if side else (UPLIFT,) * guards)
+        for side, guards, kinds in zip(module.SIDES, module.GUARDS, module.KINDS, strict=True)
+    )
+    explicit = options.method != "Radau"
+    if lanes is None:
+        return known and explicit
+    if lanes and not known:
+        raise ValueError(
+            f"lanes are for structures on rigid ground, and {module.NAME} is none: leave "
+            f"lanes=True out"
+        )
+    if lanes and not explicit:
+        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
+    return bool(lanes)
 
 
 def _in_threads(
@@ -335,22 +347,24 @@ class _Results:
         in_lanes = ended = 0
         try:
             if lanes:
-                until = ends
-                if options.steps_per_law:  # behind its ground's motion a case has controlled ones
-                    rows_ = [np.append(q.horizontal[-1:, 1], q.vertical[-1:, 1]) for q in batch]
-                    until = np.minimum(ends, [row.max() for row in rows_])
-                while in_lanes < n and not stop.is_set():
-                    in_lanes = compiled.integrate_lanes(in_lanes, *state, until, *others)
-            while ended < n and not stop.is_set():
+                z, w = np.zeros(compiled.Z_SIZE), np.full(compiled.W_SIZE, -1)
+                while in_lanes >= 0 and not stop.is_set():
+                    in_lanes = compiled.integrate_lanes(in_lanes, z, w, *state, ends, *others)
+            while not lanes and ended < n and not stop.is_set():
                 ended = compiled.integrate_many(ended, *state, ends, quiet, *others)
         finally:
-            there = slice(first, first + ended)
-            self.final_time[there] = clock[:ended, TIME]
-            self.contact[there] = status[:ended, CONTACT]
-            self.impacts[there] = status[:ended, IMPACTS]
-            self.refined[there] = status[:ended, REFINED]
-            self.outcome[there] = outcome[:ended]
-            self.times[first + ended : first + n] = np.nan
+            ran = np.arange(n) < ended
+            if lanes:  # what is left to find out is whether those that have ended fall
+                ran = (outcome != FULL) | (clock[:, TIME] >= ends)
+                ends, quiet = np.where(ran, ends, 0.0), np.where(ran, quiet, np.inf)
+                compiled.integrate_many(0, *state, ends, quiet, *others)
+            there = first + np.flatnonzero(ran)
+            self.final_time[there] = clock[ran, TIME]
+            self.contact[there] = status[ran, CONTACT]
+            self.impacts[there] = status[ran, IMPACTS]
+            self.refined[there] = status[ran, REFINED]
+            self.outcome[there] = outcome[ran]
+            self.times[first + np.flatnonzero(~ran)] = np.nan
 
     def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> Sweep:
         dims = tuple(values)

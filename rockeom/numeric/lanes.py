@@ -96,6 +96,7 @@ if TYPE_CHECKING:  # joined before this text
     Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2,  # the ground's horizontal law
     Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2,
     Z_LONGEST,  # step in full contact
+    Z_EQUAL,  # length of equal steps, 0 where the error is controlled
     Z_CONTACT, Z_SIDE, Z_TOUCHING,  # as in the loop
     Z_FALLEN,  # bound of the rotation
     Z_TAKEN,  # steps taken
@@ -104,8 +105,8 @@ if TYPE_CHECKING:  # joined before this text
     Z_ERROR,  # its estimated error, 1 at the tolerance
     Z_NEXT,  # step that the control of the error proposes, 0 if none
     Z_DAMP,  # what the last error damps the answer to the next one by
-) = (i * LANES for i in range(27))  # fmt: skip
-Z_Q = 27 * LANES  # positions
+) = (i * LANES for i in range(28))  # fmt: skip
+Z_Q = 28 * LANES  # positions
 Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
 Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
 Z_MOST = Z_LEAST + N_STATES * LANES
@@ -118,6 +119,7 @@ Z_SIZE = Z_AY + PLACES * LANES
 
 # Rows of whole numbers: the case of a lane (-1: none), the rows of its two tables
 W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
+W_SIZE = 3 * LANES
 
 DOUBTFUL, REFUSED, REPEATED, TURNS, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
 """Verdicts on a step; what has landed stands, too. One is refused where its error is too large."""
@@ -235,16 +237,16 @@ def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fa
     return (rate | faster | slower) & (up | down | known)
 
 
-def plan_lanes(z, fixed, h_max):
+def plan_lanes(z, h_max):
     """The next step of each lane; that of a lane which is landing is known."""
     for lane in range(LANES):
         t, last, planned = z[Z_T + lane], z[Z_LAST + lane], z[Z_LANDING + lane] != 0.0
-        span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
-        h = min(span / fixed if fixed > 0 else z[Z_NEXT + lane], h_max)
+        equal = z[Z_EQUAL + lane]
+        z[Z_NEXT + lane] = equal if equal > 0.0 else z[Z_NEXT + lane]
+        h = min(z[Z_NEXT + lane], h_max)
         h = min(h, z[Z_LONGEST + lane]) if z[Z_SIDE + lane] == 0.0 else h
         cut = t + 1.1 * h >= last
         z[Z_H + lane] = z[Z_H + lane] if planned else (last - t if cut else h)
-        z[Z_NEXT + lane] = h if fixed > 0 else z[Z_NEXT + lane]
         z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
 
 
@@ -348,7 +350,7 @@ def take_out(lane, z, w, home):
 
 
 def alone(lane, z, w, home, ground, data, how, work, until):
-    """Carry a lane by the scalar loop until a time, if steps are controlled to its first event."""
+    """Carry a lane by the scalar loop until a time; where the error is controlled, to an event."""
     status, clock, states, rates_, peaks, outcome, impact_times = home
     horizontal, h_rows, vertical, v_rows, _ = ground
     p, law, ratio, fallen = data
@@ -357,7 +359,8 @@ def alone(lane, z, w, home, ground, data, how, work, until):
     take_out(lane, z, w, home)
     case = w[W_CASE + lane]
     code = FULL
-    room = 2 if fixed == 0 else 64
+    controlled = z[Z_EQUAL + lane] == 0.0
+    room = 2 if controlled else 64
     while code == FULL:
         noted = status[case, IMPACTS]
         status[case, STEPS_KEPT] = status[case, EVENTS_KEPT] = 0
@@ -373,7 +376,7 @@ def alone(lane, z, w, home, ground, data, how, work, until):
             if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
                 impact_times[case, noted] = events[e]
                 noted += 1
-        if fixed == 0:
+        if controlled:
             break
     if code != COMPLETED and code != FULL:
         outcome[case] = code
@@ -458,7 +461,7 @@ def fresh_rates(lane, z, case, home, p):
 
 
 @inlined
-def next_laws(lane, z, w, case, ground):
+def next_laws(lane, z, w, case, ground, fixed):
     """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
     horizontal, h_rows, vertical, v_rows, stop = ground
     t, jumped = z[Z_T + lane], False
@@ -477,11 +480,13 @@ def next_laws(lane, z, w, case, ground):
         z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
         jumped |= jumps(before, shaking(row, t))
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
+    span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
+    z[Z_EQUAL + lane] = span / fixed if fixed > 0 and span < np.inf else 0.0
     z[Z_LONGEST + lane] = min(sampling_step(ground_x(z, lane)), sampling_step(ground_y(z, lane)))
     return jumped
 
 
-def pass_rest(lane, z, w, case, home, ground, p):
+def pass_rest(lane, z, w, case, home, ground, p, fixed):
     """Pass a structure that cannot move on both its feet over the laws in which it stays there.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
@@ -501,7 +506,7 @@ def pass_rest(lane, z, w, case, home, ground, p):
     doubt = 1e-9 * (abs(up[0]) + abs(down[0]))
     while z[Z_T + lane] < ground[4][case]:
         if z[Z_T + lane] >= z[Z_LAST + lane]:
-            next_laws(lane, z, w, case, ground)
+            next_laws(lane, z, w, case, ground, fixed)
         if z[Z_KIND_X + lane] != 0.0 or z[Z_KIND_Y + lane] != 0.0:
             return
         for end in range(2):
@@ -525,23 +530,23 @@ def ready(lane, z, w, home, ground, data, how, work):
         if z[Z_TAKEN + lane] >= how[6]:
             outcome[case] = STALLED
             break
-        if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground):
+        if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground, fixed):
             status[case, NEWS] = status[case, FRESH] = 1
         if z[Z_SIDE + lane] != 0.0:
             if status[case, FRESH] == 1:
                 fresh_rates(lane, z, case, home, data[0][case])
                 status[case, NEWS] = status[case, FRESH] = 0
-            if fixed == 0 and z[Z_NEXT + lane] == 0.0:
+            if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
                 z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
             return True
         if N_STATES == 2:
             t = z[Z_T + lane]
-            pass_rest(lane, z, w, case, home, ground, data[0][case])
+            pass_rest(lane, z, w, case, home, ground, data[0][case], fixed)
             if z[Z_T + lane] > t:
                 continue
         elif status[case, FRESH] == 0 and z[Z_TOUCHING + lane] == -1.0:
             return True
-        elif fixed == 0:
+        elif z[Z_EQUAL + lane] == 0.0:
             if z[Z_NEXT + lane] == 0.0:
                 fresh_rates(lane, z, case, home, data[0][case])
                 z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
@@ -585,31 +590,36 @@ def shake_all(z, times):
 def run_lanes(first, z, w, home, ground, data, how, work):
     """Run cases from `first` on to their times `stop`, or to the outcomes that end them.
 
-    When a TURN is over no more are begun; returns the next one.
+    Returns the next one when a TURN is over, or -1 when all have ended.
 
-    z, w : the lanes. home : what each case is taken in from and out to. ground, data, how :
-    motions, structures and options, as in `integrate_lanes`. work : records and scratch of
-    `integrate`.
+    z, w : the lanes, as the last call left them. home : what each case is taken in from and out to.
+    ground, data, how : motions, structures and options, as in `integrate_lanes`. work : records and
+    scratch of `integrate`.
     """
     p, fallen = data[0], data[3]
     h_rows, v_rows, stop = ground[1], ground[3], ground[4]
-    h_max, fixed = how[2], how[3]
+    h_max = how[2]
     coarse = most_error(how[0])  # such an equal step is left to `integrate`
-    bound, worse = (coarse, DOUBTFUL) if fixed > 0 else (1.0, REFUSED)
     waiting, left = first, TURN
-    w[W_CASE : W_CASE + LANES] = -1
     while True:
-        running, held = 0, False
+        if left < 0:
+            return waiting
+        running, held, controlled = 0, False, False
         for lane in range(LANES):
             verdict = z[Z_VERDICT + lane]
             if w[W_CASE + lane] >= 0 and verdict == TURNS:
                 verdict = DOUBTFUL
                 # equal steps stay equal
-                if fixed == 0 and z[Z_LANDING + lane] != TURN_AT_END and turn(lane, z):
+                if (
+                    z[Z_EQUAL + lane] == 0.0
+                    and z[Z_LANDING + lane] != TURN_AT_END
+                    and turn(lane, z)
+                ):
                     verdict = REPEATED
             if w[W_CASE + lane] >= 0 and verdict in (REPEATED, REFUSED):
                 running += 1
                 held = held or z[Z_SIDE + lane] == 0.0
+                controlled = controlled or z[Z_EQUAL + lane] == 0.0
                 continue
             goes_on = False
             if w[W_CASE + lane] >= 0:
@@ -617,7 +627,7 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                     impact(lane, z, w, home, stop, data, how, work)
                 elif verdict == DOUBTFUL:
                     until = z[Z_LAST + lane]
-                    if fixed == 0:
+                    if z[Z_EQUAL + lane] == 0.0:
                         until = end_of_step(lane, z, z[Z_H + lane])
                     alone(lane, z, w, home, ground, data, how, work, until)
                 goes_on = True
@@ -626,11 +636,12 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                     if ready(lane, z, w, home, ground, data, how, work):
                         running += 1
                         held = held or z[Z_SIDE + lane] == 0.0
+                        controlled = controlled or z[Z_EQUAL + lane] == 0.0
                         break
                     take_out(lane, z, w, home)
                 w[W_CASE + lane] = -1
                 z[Z_KIND_X + lane] = z[Z_KIND_Y + lane] = 0.0
-                if waiting == len(stop) or left < 0:
+                if waiting == len(stop):
                     break
                 # the next case
                 w[W_CASE + lane] = waiting
@@ -643,32 +654,33 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                 waiting += 1
                 goes_on = True
         if running == 0:
-            return waiting
+            return -1
         left -= running
-        plan_lanes(z, fixed, h_max)
+        plan_lanes(z, h_max)
         shake_all(z, STAGE_PLACES)
         step_lanes(z, how[0], how[1])
-        if fixed == 0:
+        if controlled:
             control_lanes(z)
-        judge_lanes(z, bound, worse)
+        judge_lanes(z, coarse)
         if held:
             shake_all(z, NODE_PLACES)
-            judge_held_lanes(z, bound)
+            judge_held_lanes(z, coarse)
         accept_lanes(z)
 
 
 @entry
 def integrate_lanes(
-    first: int, status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, stop: Floats,
-    horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2, p: Floats2, law: Ints,
+    first: int, z: Floats, w: Ints, status: Ints2, clock: Floats2, states: Floats2,
+    rates: Floats2, stop: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2, p: Floats2, law: Ints,
     ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int, fallen: Floats,
     rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints, peaks: Floats3,
     impact_times: Floats2,
 ) -> int:  # fmt: skip
     """Integrate n motions, each to its time `stop`.
 
-    first : the motion to begin with. Returns the one that the next call begins with: n if there is
-    none, less if a TURN is over.
+    first : the motion to begin with. Returns the one that the next call begins with, where a TURN
+    is over, or -1 where all have ended. z (Z_SIZE,), w (W_SIZE,) : the lanes, zeros and -1 at
+    first; what a call leaves there the next one goes on with.
 
     status (n, 10), clock (n, 4), states and rates (n, N) are those of `integrate`, so that it may
     go on from there. outcome (n,) gets that of a motion that ends before, and is FULL at the start.
@@ -678,7 +690,7 @@ def integrate_lanes(
     events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     return run_lanes(
-        first, np.zeros(Z_SIZE), np.zeros(3 * LANES, np.int64),
+        first, z, w,
         (status, clock, states, rates, peaks, outcome, impact_times),
         (horizontal, h_rows, vertical, v_rows, stop),
         (p, law, ratio, fallen),

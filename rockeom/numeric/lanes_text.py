@@ -182,9 +182,10 @@ def control_lanes(z):
     """
     for lane in range(LANES):
         h, error, last = z[Z_H + lane], max(z[Z_ERROR + lane], 1e-10), z[Z_DAMP + lane]
-{roots}        refused = error > 1.0
+        equal = z[Z_EQUAL + lane] > 0.0
+{roots}        refused = (error > 1.0) & ~equal
         cut, first = z[Z_T_NEW + lane] >= z[Z_LAST + lane], z[Z_LANDING + lane] == 0.0
-        tells = (error <= 1.0) & first & ~cut
+        tells = (error <= 1.0) & first & ~cut & ~equal
         factor = (0.9 if refused else 0.9 * last) / (
             {_powers(-method_exponent)} if refused else {_powers(-0.7 * method_exponent)}
         )
@@ -203,10 +204,11 @@ def step_lanes(z, rtol, tolerances):
 
 
 @apart
-def judge_lanes(z, bound, worse):
+def judge_lanes(z, coarse):
     """What becomes of the step of each rocking lane; the length of one to be repeated.
 
-    worse : what becomes of one with an error above `bound`; one that is not finite is doubtful.
+    One with an error above its bound, `coarse` for an equal step, is refused, or doubtful if it is
+    an equal one; as one that is not finite.
     """
     for lane in range(LANES):
         t, h, side = z[Z_T + lane], z[Z_H + lane], z[Z_SIDE + lane]
@@ -216,19 +218,19 @@ def judge_lanes(z, bound, worse):
             t, h, z[Z_LAST + lane] - t, side, touching, landing, upright, within,
             {gap},
         )
-        refused = (z[Z_ERROR + lane] > bound) & (z[Z_ERROR + lane] < np.inf)
-        refused &= h > 64.0 * EPS * t
-        verdict = verdict if z[Z_ERROR + lane] <= bound else DOUBTFUL
-        z[Z_VERDICT + lane] = worse if refused else verdict
+        error, equal = z[Z_ERROR + lane], z[Z_EQUAL + lane] > 0.0
+        refused = (error > 1.0) & (error < np.inf) & (h > 64.0 * EPS * t) & ~equal
+        verdict = verdict if error <= (coarse if equal else 1.0) else DOUBTFUL
+        z[Z_VERDICT + lane] = REFUSED if refused else verdict
         z[Z_H + lane] = h if refused else new_h
 
 
 @apart
-def judge_held_lanes(z, bound):
+def judge_held_lanes(z, coarse):
     """What becomes of the step of each lane in full contact: it stands where no foot lifts."""
     for lane in range(LANES):
 {start_of}{start}{end}{quintics}{sampled}        held = z[Z_SIDE + lane] == 0.0
-        held &= z[Z_ERROR + lane] <= bound
+        held &= z[Z_ERROR + lane] <= (coarse if z[Z_EQUAL + lane] > 0.0 else 1.0)
 {held}        within = True
 {within}        stands = STANDS if within else TURNS
         z[Z_VERDICT + lane] = stands if held else z[Z_VERDICT + lane]

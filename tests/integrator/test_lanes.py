@@ -43,7 +43,8 @@ def many(case, over, options=STEP, **others):
 
 
 def both_ways(case, over, options=STEP):
-    return many(case, over, options), rk.simulate_many(case, over, options=options, impact_times=40)
+    scalar = rk.simulate_many(case, over, options=options, impact_times=40, lanes=False)
+    return many(case, over, options), scalar
 
 
 def assert_same(lanes, scalar, apart, final=1.0):
@@ -115,6 +116,7 @@ def test_blocks_as_one_by_one(blocks):
         OVER,
         options=STEP,
         impact_times=40,
+        lanes=False,
     )
     outcomes = set(blocks.outcome.values.ravel().tolist())
     assert {"overturned", "came to rest"} <= outcomes
@@ -329,7 +331,24 @@ def test_mirror_changes_no_bit(make):
     np.testing.assert_array_equal(right.final, -left.final)
 
 
-# -- what lanes refuse ---------------------------------------------------------------------------
+# -- where lanes serve, and what they refuse -----------------------------------------------------
+
+
+def test_lanes_serve_where_they_are_not_asked_for():
+    """By structure and method alone: one case has the bits that it has among many."""
+    starts = np.linspace(0.02, 0.15, 20)
+
+    def case(theta):
+        return rk.Case(block(0.5, 0.2), MOTIONS["sine"], initial={"theta": theta})
+
+    by_default = rk.simulate_many(case, {"theta": starts}, impact_times=40)
+    assert by_default.identical(many(case, {"theta": starts}, None))
+    one = rk.simulate_many(case, {"theta": starts[7:8]}, impact_times=40)
+    for name in by_default.data_vars:
+        np.testing.assert_array_equal(one[name][0], by_default[name][7])
+    run = rk.simulate(block(0.5, 0.2), MOTIONS["sine"], initial={"theta": starts[7]})
+    by_itself = rk.simulate_many(case, {"theta": starts[7:8]}, lanes=False)
+    assert by_itself.final.values[0].tolist() == [*run.final.values()]
 
 
 def test_structures_on_springs_are_refused():

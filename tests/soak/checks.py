@@ -692,7 +692,7 @@ def later(motion: rk.GroundMotion, t: float, duration: float) -> rk.GroundMotion
 
 
 def many(r: Record) -> Found:
-    """`simulate_many` gives the same bits as `simulate`, however the work is shared out."""
+    """Without lanes `simulate_many` has the bits of `simulate`, however the work is shared out."""
     motions = [r.motion, *(draw(r.motion.seed, sibling) for sibling in range(1, 5))]
     ends = []
     kept = []
@@ -713,6 +713,7 @@ def many(r: Record) -> Found:
             over={"n": order},
             options=r.motion.options,
             progress=False,
+            lanes=False,
             **how,
         )
         for i, n in enumerate(order):
