@@ -671,10 +671,10 @@ def run_lanes(first, z, w, home, ground, data, how, work):
 @entry
 def integrate_lanes(
     first: int, z: Floats, w: Ints, status: Ints2, clock: Floats2, states: Floats2,
-    rates: Floats2, stop: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2, p: Floats2, law: Ints,
-    ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int, fallen: Floats,
-    rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints, peaks: Floats3,
-    impact_times: Floats2,
+    rates: Floats2, stop: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2,
+    v_rows: Ints2, p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float,
+    fixed: int, fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int,
+    outcome: Ints, peaks: Floats3, impact_times: Floats2,
 ) -> int:  # fmt: skip
     """Integrate n motions, each to its time `stop`.
 
