@@ -105,8 +105,9 @@ if TYPE_CHECKING:  # joined before this text
     Z_ERROR,  # its estimated error, 1 at the tolerance
     Z_NEXT,  # step that the control of the error proposes, 0 if none
     Z_DAMP,  # what the last error damps the answer to the next one by
-) = (i * LANES for i in range(28))  # fmt: skip
-Z_Q = 28 * LANES  # positions
+    Z_IMPACT, Z_FLIGHT,  # time of the last impact, and the parabola's length of the flight from it
+) = (i * LANES for i in range(30))  # fmt: skip
+Z_Q = 30 * LANES  # positions
 Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
 Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
 Z_MOST = Z_LEAST + N_STATES * LANES
@@ -319,7 +320,7 @@ def take_in(lane, z, w, home, fallen):
     z[Z_TOUCHING + lane] = status[case, TOUCHING]
     z[Z_TAKEN + lane] = status[case, TAKEN]
     z[Z_FALLEN + lane] = fallen[case]
-    z[Z_LANDING + lane] = 0.0
+    z[Z_LANDING + lane] = z[Z_FLIGHT + lane] = 0.0
     for i in range(n):
         z[Z_Q + i * LANES + lane] = states[case, i]
         z[Z_K + i * LANES + lane] = states[case, n + i]
@@ -383,6 +384,23 @@ def alone(lane, z, w, home, ground, data, how, work, until):
     take_in(lane, z, w, home, fallen)
 
 
+@inlined
+def hop(lane, z, t, flight):
+    """Let the first step of a short flight end at the next impact.
+
+    What the flight before it had more than its parabola, in proportion to the square of their
+    length as without shaking, this one has, too.
+    """
+    length, last = flight, z[Z_FLIGHT + lane]
+    if last > 0.0:
+        more = ((t - z[Z_IMPACT + lane]) / last - 1.0) * (flight / last) * (flight / last)
+        if abs(more) < 0.05:
+            length = flight * (1.0 + more)
+    z[Z_IMPACT + lane], z[Z_FLIGHT + lane] = t, flight
+    if 0.0 < length < z[Z_NEXT + lane] and t + length < z[Z_LAST + lane]:
+        z[Z_LANDING + lane], z[Z_H + lane], z[Z_T_NEW + lane] = HOP, length, t + length
+
+
 def impact(lane, z, w, home, stop, data, how, work):
     """Pass a lane that has landed into the contact state that follows, as the loop does."""
     status, _, states, rates_, _, outcome, impact_times = home
@@ -400,7 +418,7 @@ def impact(lane, z, w, home, stop, data, how, work):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane] + left * (v + 0.5 * left * a), v + left * a
     if status[case, IMPACTS] < impact_times.shape[1]:
         impact_times[case, status[case, IMPACTS]] = t
-    before = int(z[Z_CONTACT + lane])
+    before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
     passed = ratio_at(law[case], ratio[case], y, p[case])
     contact = jump(before, 0, law[case], passed, y, p[case], after)
     touching = -1
@@ -419,15 +437,15 @@ def impact(lane, z, w, home, stop, data, how, work):
             z[Z_K + (n + i) * LANES + lane] = rate[n + i]
         # the flight to come, if short enough, is the first of those that time_to_rest adds up
         a, v = -SIDES[contact] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+        flight, loss = 2.0 * v / a, 1.0 - v / speed
         rests, follows = np.inf, contact
-        if a > 0.0 and not 2.0 * v / a > rest_tolerance / math.sqrt(a):
+        # nor is it asked while what this impact has lost says that the sum is far too long
+        if a > 0.0 and not flight > min(2.0 * loss, 1.0) * rest_tolerance / math.sqrt(a):
             rests, follows = time_to_rest(
                 contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after,
                 scratch[_POWERS:_GUARDS],
             )  # fmt: skip
-        flight = 2.0 * v / a
-        if a > 0.0 and flight < HOP * z[Z_NEXT + lane] and t + flight < z[Z_LAST + lane]:
-            z[Z_LANDING + lane], z[Z_H + lane], z[Z_T_NEW + lane] = HOP, flight, t + flight
+        hop(lane, z, t, flight)
         short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
         if short and stand(
             follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
@@ -617,6 +635,16 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                 ):
                     verdict = REPEATED
             if w[W_CASE + lane] >= 0 and verdict in (REPEATED, REFUSED):
+                running += 1
+                held = held or z[Z_SIDE + lane] == 0.0
+                controlled = controlled or z[Z_EQUAL + lane] == 0.0
+                continue
+            if (
+                verdict == STANDS
+                and z[Z_T + lane] < z[Z_LAST + lane]
+                and w[W_CASE + lane] >= 0
+                and z[Z_TAKEN + lane] < how[6]
+            ):
                 running += 1
                 held = held or z[Z_SIDE + lane] == 0.0
                 controlled = controlled or z[Z_EQUAL + lane] == 0.0
