@@ -634,17 +634,9 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                     and turn(lane, z)
                 ):
                     verdict = REPEATED
-            if w[W_CASE + lane] >= 0 and verdict in (REPEATED, REFUSED):
-                running += 1
-                held = held or z[Z_SIDE + lane] == 0.0
-                controlled = controlled or z[Z_EQUAL + lane] == 0.0
-                continue
-            if (
-                verdict == STANDS
-                and z[Z_T + lane] < z[Z_LAST + lane]
-                and w[W_CASE + lane] >= 0
-                and z[Z_TAKEN + lane] < how[6]
-            ):
+            steps = verdict in (REPEATED, REFUSED)
+            steps = steps or (verdict == STANDS and z[Z_T + lane] < z[Z_LAST + lane])
+            if steps and w[W_CASE + lane] >= 0 and z[Z_TAKEN + lane] < how[6]:
                 running += 1
                 held = held or z[Z_SIDE + lane] == 0.0
                 controlled = controlled or z[Z_EQUAL + lane] == 0.0

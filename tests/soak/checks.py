@@ -771,7 +771,12 @@ def lanes(r: Record) -> Found:
                 f"lanes: sibling {i} with {options.steps_per_law} steps is {outcome}, with "
                 f"controlled ones {adaptive}"
             )
+    roomier = replace(
+        options, max_impacts=10 * options.max_impacts, max_steps=20 * options.max_steps
+    )
     for i, (line, off) in _beside(kept, options).items():
+        if off is None and not _beside([kept[i]], roomier):
+            continue  # a limit that one way of landing just meets
         if off is not None:
             again = _beside([kept[i]], _finer(options)).get(0)
             if again is None or (again[1] is not None and (again[1] <= 0.1 * off).all()):
