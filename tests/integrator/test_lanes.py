@@ -1,12 +1,18 @@
 """simulate_many with lanes: exact rocking, the scalar loop's results, bits that nothing changes."""
 
 import math
+from threading import Event
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
+from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.machine import Loaded, compiled
+from rockeom.numeric.printer import Program as Printed
+from rockeom.numeric.program import texts
 
 STEP = rk.SolverOptions(steps_per_law=1)
 
@@ -329,6 +335,35 @@ def test_mirror_changes_no_bit(make):
     np.testing.assert_array_equal(right.maximum, -left.minimum)
     np.testing.assert_array_equal(right.minimum, -left.maximum)
     np.testing.assert_array_equal(right.final, -left.final)
+
+
+def test_vectors_have_the_bits_of_plain_python():
+    """Machine code that rounds every operation by itself, and the same texts run by Python."""
+    wavelet = rk.GroundMotion.ricker(3.0, 0.3, duration=1.5)
+    problems = [
+        rk.Case(block(0.5, 0.2), motion, vertical=vertical, initial={"theta": theta}).problem()
+        for motion, vertical, theta in (
+            (rk.GroundMotion.single_sine(6.0, period=0.8, duration=1.5), None, 0.0),
+            (wavelet, rk.GroundMotion.harmonic(2.0, frequency=2.0, duration=1.5), 0.05),
+            (rk.GroundMotion.none(1.0), None, -0.03),
+        )
+    ]
+    module = block(0.5, 0.2).module
+    printed = Printed(texts(module, "RK45", True), contract=False)
+    vectors = Loaded(compiled(printed.ir(), True), printed.entries).functions
+    found = []
+    for functions in (vectors, printed.names):
+        names = ("integrate_lanes", "integrate_many")
+        sizes = {name: printed.names[name] for name in ("Z_SIZE", "W_SIZE")}
+        lanes = SimpleNamespace(**{name: functions[name] for name in names}, **sizes)
+        results = _Results.empty(len(problems), module.N_STATES, 20)
+        with np.errstate(all="ignore"):
+            results.run(0, problems, lanes, rk.SolverOptions(rtol=1e-7), Event(), True)
+        found.append(results)
+    by_vectors, by_python = found
+    assert by_vectors.impacts.max() > 5
+    for name in ("outcome", "impacts", "times", "peaks", "final", "final_time"):
+        np.testing.assert_array_equal(getattr(by_vectors, name), getattr(by_python, name))
 
 
 # -- where lanes serve, and what they refuse -----------------------------------------------------
