@@ -732,8 +732,9 @@ def many(r: Record) -> Found:
 def lanes(r: Record) -> Found:
     """Lanes give the same bits in any order, and what equal or controlled steps give without them.
 
-    As far as that is determined: twins whose shaking and start differ by 1e-9 say by how much the
-    end may differ, and whether the outcome may; by a millionth, that of controlled steps.
+    Equal steps are taken under lines, controlled or equal ones under all laws of the ground. As far
+    as that is determined: twins whose shaking and start differ by 1e-9 say by how much the end may
+    differ, and whether the outcome may; by a millionth, that of controlled steps.
     """
     m, seed = r.program, r.motion.seed
     known = all(
@@ -742,10 +743,12 @@ def lanes(r: Record) -> Found:
     )
     if not known or r.motion.options.method == "Radau":
         return
-    dice = Dice(seed, 0, 4)
-    options = replace(r.motion.options, steps_per_law=dice.one_of(0, 0, 0, 1, 2, 3, 5))
-    linear = dice.chance(0.4)  # else half of the siblings have curved laws of the ground
-    kept = []
+    yield from _in_lanes(r, Dice(seed, 0, 4).one_of(1, 2, 3, 5), linear=True)
+    yield from _in_lanes(r, Dice(seed, 0, 5).one_of(0, 0, 0, 3, 20), linear=False)
+
+
+def _in_lanes(r: Record, steps: int, linear: bool) -> Found:
+    seed, options, kept = r.motion.seed, replace(r.motion.options, steps_per_law=steps), []
     for sibling in range(9):
         motion = draw(seed, sibling, linear=linear)
         try:
