@@ -1,10 +1,11 @@
-"""Maps of many structures under one record, on one core: lanes beside C and beside one by one.
+"""Maps of many motions on one core: lanes beside C and beside one by one.
 
     python -m benchmarks.lanes
 
 400 blocks of different size and slenderness, and 100 flexible structures of different width and
-stiffness, under the record of W2. C and "one by one" take controlled steps, which end at every
-sample; lanes take one step a sample. All of order 8.
+stiffness, under the record of W2: C and "one by one" take controlled steps, which end at every
+sample; lanes take one step a sample. 400 of the pulses of W4: controlled steps everywhere. All of
+order 8.
 """
 
 from __future__ import annotations
@@ -45,6 +46,10 @@ def columns() -> list[w.Case]:
         for b in WIDTHS
         for k in STIFFNESSES
     ]
+
+
+def pulses() -> list[w.Case]:
+    return [w.Case(w.BLOCK, motion) for motion in w.pulses(5)]
 
 
 def by_c(cases: list[w.Case], variant: str) -> Callable[[], list]:
@@ -90,10 +95,16 @@ def rows() -> list[report.Row]:
     tolerance 1e-13.
     """
     found = []
-    for name, cases in (("blocks", blocks()), ("flexible structures", columns())):
+    a_sample, loose = rk.SolverOptions(steps_per_law=1), with_rockeom.options(RTOL)
+    maps = (
+        ("blocks", blocks(), a_sample),
+        ("flexible structures", columns(), a_sample),
+        ("pulses", pulses(), loose),
+    )
+    for name, cases, of_lanes in maps:
         runs = {variant: by_c(cases, variant) for variant in with_c.VARIANTS}
-        runs["one by one"] = by_rockeom(cases, with_rockeom.options(RTOL), False)
-        runs["lanes"] = by_rockeom(cases, rk.SolverOptions(steps_per_law=1), True)
+        runs["one by one"] = by_rockeom(cases, loose, False)
+        runs["lanes"] = by_rockeom(cases, of_lanes, True)
         exact = first_impacts(by_rockeom(cases, with_rockeom.options(1e-13), False)())
         times = timing.in_turns(runs, TURNS)
         for way, run in runs.items():

@@ -20,6 +20,11 @@ def inlined(function: _F) -> _F:
     return function
 
 
+def apart(function: _F) -> _F:
+    """To be called, not written out where it is called."""
+    return function
+
+
 def fused(function: _F) -> _F:
     """a*b + c may be rounded once, in a text where it is rounded twice elsewhere."""
     return function

@@ -11,7 +11,7 @@ import numpy as np
 from rockeom.arguments import number, told
 from rockeom.many import isfinite, values
 from rockeom.motion import GroundMotion
-from rockeom.motion.segments import END, LINEAR, law
+from rockeom.motion.segments import LINEAR, law
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.structures import Structure, check_states
 
@@ -72,15 +72,6 @@ class Problems(NamedTuple):
     v_rows: np.ndarray
     end: np.ndarray
     quiet_from: np.ndarray
-
-    @property
-    def motion_ends(self) -> np.ndarray:
-        """(n,) time [s] at which the tables of a case end."""
-        found = np.zeros(len(self.end))
-        for table, rows in ((self.horizontal, self.h_rows), (self.vertical, self.v_rows)):
-            shakes = rows[:, 1] > rows[:, 0]
-            found[shakes] = np.maximum(found[shakes], table[rows[shakes, 1] - 1, END])
-        return found
 
     @classmethod
     def of(cls, cases: list[Problem]) -> Problems:

@@ -80,7 +80,7 @@ def simulate_many(
     threads: int | None = None,
     chunk: int | None = None,
     progress: bool | None = None,
-    lanes: bool = False,
+    lanes: bool | None = None,
     quantities: Sequence[str] = (),
     times: Sequence[float] | np.ndarray = (),
 ) -> Sweep:
@@ -110,10 +110,11 @@ def simulate_many(
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time.
     progress : a line on stderr; if not given, where stderr is a terminal.
-    lanes : many motions at once in the vectors of the processor, several times as fast. For
-        structures on rigid ground under records, with the equal steps of
-        `SolverOptions(steps_per_law=n)`; results agree with those without lanes but for rounding,
-        and are the same to the last bit for any order of the cases.
+    lanes : many motions at once in the vectors of the processor, several times as fast: if not
+        given, for all structures on rigid ground with explicit methods. Impact times agree with
+        those without lanes within the tolerances, and results are the same to the last bit for any
+        number and order of the cases. False integrates one motion after the other, as `simulate`
+        does, to the same bits.
     quantities : what else to keep of each case, by the names of a response ("theta",
         "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
         found within the steps, and, at the `times` [s] given, their history (nan behind the end).
@@ -153,8 +154,7 @@ def simulate_many(
     chunk = whole_number("chunk", chunk, 1)
 
     module = _made(case, {name: v[0] for name, v in values.items()}).structure.module
-    if lanes:
-        _check_lanes(module, options)
+    lanes = _in_lanes(lanes, module, options)
     compiled = program(module, options.method, lanes)
     results = _Results.empty(total, module.N_STATES, impact_times)
     asked = _Asked.empty(total, quantities, times, options)
@@ -168,7 +168,7 @@ def simulate_many(
         try:
             _in_threads(
                 threads,
-                _Source(case, values, chunk, module, lanes, arrays and not asked.quantities),
+                _Source(case, values, chunk, module, arrays and not asked.quantities),
                 run,
                 shown.add,
             )
@@ -198,7 +198,6 @@ class _Source:
     values: Mapping[str, list[Any]]
     chunk: int
     module: ModuleType
-    lanes: bool
     arrays: bool
 
     def __iter__(self) -> Iterator[Part]:
@@ -279,10 +278,7 @@ class _Source:
                 f"a case is a {case.structure.module.NAME}, the first one a "
                 f"{self.module.NAME}: simulate each model by itself"
             )
-        problem = case.problem()
-        if self.lanes:
-            _check_linear(problem)
-        return case, problem
+        return case, case.problem()
 
 
 def _few(rows: np.ndarray) -> list[np.ndarray]:
@@ -319,31 +315,26 @@ def _made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     return made
 
 
-def _check_lanes(module: ModuleType, options: SolverOptions) -> None:
-    """Lanes know contact states that an impact ends, and full contact, and equal steps."""
-    for side, guards, kinds in zip(module.SIDES, module.GUARDS, module.KINDS, strict=True):
-        known = (IMPACT,) if side else (UPLIFT,) * guards
-        if kinds[:guards] != known:
-            raise ValueError(
-                f"lanes are for structures on rigid ground, and {module.NAME} is none: leave "
-                f"lanes=True out"
-            )
-    if not options.steps_per_law:
+def _in_lanes(lanes: bool | None, module: ModuleType, options: SolverOptions) -> bool:
+    """Whether a sweep steps in lanes, as asked or by its structure and method.
+
+    They know contact states that an impact ends, and full contact, where forces act all along.
+    """
+    known = not module.NARROW and all(
+        kinds[:guards] == ((IMPACT,) if side else (UPLIFT,) * guards)
+        for side, guards, kinds in zip(module.SIDES, module.GUARDS, module.KINDS, strict=True)
+    )
+    explicit = options.method != "Radau"
+    if lanes is None:
+        return known and explicit
+    if lanes and not known:
         raise ValueError(
-            "lanes take equal steps: give options=SolverOptions(steps_per_law=n), 1 for records "
-            "of 200 samples a second"
+            f"lanes are for structures on rigid ground, and {module.NAME} is none: leave "
+            f"lanes=True out"
         )
-
-
-def _check_linear(problem: Problem) -> None:
-    for table, word in ((problem.horizontal, "motion"), (problem.vertical, "vertical motion")):
-        if table[:, 2].any():
-            row = table[np.flatnonzero(table[:, 2])[0]]
-            raise ValueError(
-                f"the {word} is a pulse or harmonic between {row[0]:g} s and {row[1]:g} s: lanes "
-                f"know records only; make it one by GroundMotion.from_array, or leave lanes=True "
-                f"out"
-            )
+    if lanes and not explicit:
+        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
+    return bool(lanes)
 
 
 def _in_threads(
@@ -439,24 +430,30 @@ class _Results:
         in_lanes = ended = 0
         try:
             if lanes:
-                until = np.minimum(q.end, q.motion_ends)
-                call = compiled.integrate_lanes.bound(0, *state, until, *others)
-                while in_lanes < n and not stop.is_set():
+                z, w = np.zeros(compiled.Z_SIZE), np.full(compiled.W_SIZE, -1)
+                call = compiled.integrate_lanes.bound(0, z, w, *state, q.end, *others)
+                while in_lanes >= 0 and not stop.is_set():
                     call["first"] = in_lanes
                     in_lanes = call()
-            call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
-            while ended < n and not stop.is_set():
-                call["first"] = ended
-                ended = call()
+            else:
+                call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
+                while ended < n and not stop.is_set():
+                    call["first"] = ended
+                    ended = call()
         finally:
-            there = rows[:ended]
+            ran = np.arange(n) < ended
+            if lanes:  # what is left to find out is whether those that have ended fall
+                ran = (outcome != FULL) | (clock[:, TIME] >= q.end)
+                ends, quiet = np.where(ran, q.end, 0.0), np.where(ran, q.quiet_from, np.inf)
+                compiled.integrate_many(0, *state, ends, quiet, *others)
+            there = rows[ran]
             self.final[rows], self.peaks[rows] = final, peaks
-            self.times[there] = times[:ended]
-            self.final_time[there] = clock[:ended, TIME]
-            self.contact[there] = status[:ended, CONTACT]
-            self.impacts[there] = status[:ended, IMPACTS]
-            self.refined[there] = status[:ended, REFINED]
-            self.outcome[there] = outcome[:ended]
+            self.times[there] = times[ran]
+            self.final_time[there] = clock[ran, TIME]
+            self.contact[there] = status[ran, CONTACT]
+            self.impacts[there] = status[ran, IMPACTS]
+            self.refined[there] = status[ran, REFINED]
+            self.outcome[there] = outcome[ran]
 
     def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> Sweep:
         dims = tuple(values)

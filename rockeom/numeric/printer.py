@@ -319,7 +319,8 @@ class _Function:
             for i, part in enumerate(parts_of(type_)):
                 operands.append(f"{part} %in.{name}.{i}")
                 head.append(f"  store {part} %in.{name}.{i}, ptr %{name}.{i}")
-        inline = "alwaysinline " if "inlined" in self.definition.marks else ""
+        marks = self.definition.marks
+        inline = "alwaysinline " * ("inlined" in marks) + "noinline " * ("apart" in marks)
         end = []
         if self.open:
             end = ["  ret void"] if self.returns == NOTHING else ["  unreachable"]

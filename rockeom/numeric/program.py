@@ -29,15 +29,20 @@ if TYPE_CHECKING:
     from rockeom.numeric.printer import Text
 
 _LANES = ("lanes.py", "lanes_text.py")
+_SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE")
 
 
 class Program:
     """The functions of a structure with a method in machine code, and the tables of its module.
 
     integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
-    in loop.py and lanes.py; SCRATCH, the size of the scratch array that they want; all else is that
-    of the generated module.
+    in loop.py and lanes.py; SCRATCH, Z_SIZE and W_SIZE, the sizes of the arrays that they want; all
+    else is that of the generated module.
     """
+
+    SCRATCH: int
+    Z_SIZE: int
+    W_SIZE: int
 
     integrate: Function
     integrate_many: Function
@@ -50,8 +55,8 @@ class Program:
         header, _, machine_code = code.partition(b"\n")
         described = json.loads(header)
         entries = {n: Entry(*_of_lists(e)) for n, e in described["entries"].items()}
-        self.name, self.module, self.SCRATCH = name, module, described["SCRATCH"]
-        self.__dict__ |= Loaded(machine_code, entries).functions
+        self.name, self.module = name, module
+        self.__dict__ |= described["sizes"] | Loaded(machine_code, entries).functions
 
     def __getattr__(self, name: str) -> Any:
         if name == "module":  # not there yet
@@ -80,8 +85,6 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
 
 @cache
 def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
-    if lanes and method == "Radau":
-        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
     # all that the code follows from
     digest = _digest(
         _source(generated), method, target(), _scipy(), _own("loop.py"), _own("tableau.py"),
@@ -101,7 +104,8 @@ def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
     started = time.monotonic()
     printed = Printed(texts(generated, method, lanes))
     code = compiled(printed.ir(), lanes)
-    described = {"entries": printed.entries, "SCRATCH": int(printed.names["SCRATCH"])}
+    sizes = {name: int(printed.names.get(name, 0)) for name in _SIZES}
+    described = {"entries": printed.entries, "sizes": sizes}
     took = time.monotonic() - started
     if took > 1.0 and sys.stderr is not None:  # None: a program without a console
         of_lanes = " in lanes" * lanes

@@ -42,8 +42,9 @@ def reference():
     return many(threads=1)
 
 
-def test_same_as_simulate(reference):
+def test_same_as_simulate():
     """Case by case: outcome, impacts and their times to the last bit, peaks, the end."""
+    reference = many(threads=1, lanes=False)
     assert {"came to rest", "overturned"} <= set(reference.outcome.values.ravel().tolist())
     for f in FREQUENCY[::2]:
         for a in AMPLITUDE[::2]:
@@ -67,18 +68,21 @@ def test_same_as_simulate(reference):
 
 
 @settings(max_examples=20, deadline=None)
-@given(threads=st.integers(1, 5), chunk=st.integers(1, 100))
-def test_threads_and_chunks_change_no_bit(threads, chunk):
-    one = many(threads=1, chunk=63)
-    other = many(threads=threads, chunk=chunk)
+@given(threads=st.integers(1, 5), chunk=st.integers(1, 100), lanes=st.booleans())
+def test_threads_and_chunks_change_no_bit(threads, chunk, lanes):
+    one = many(threads=1, chunk=63, lanes=lanes)
+    other = many(threads=threads, chunk=chunk, lanes=lanes)
     assert one.identical(other)
 
 
-def test_order_of_the_cases_changes_no_bit(reference):
+@pytest.mark.parametrize("lanes", [True, False])
+def test_order_of_the_cases_changes_no_bit(lanes):
     """What one case leaves behind in its thread must not reach the next."""
-    backwards = rk.simulate_many(pulse, over={k: v[::-1] for k, v in OVER.items()}, impact_times=20)
+    backwards = rk.simulate_many(
+        pulse, over={k: v[::-1] for k, v in OVER.items()}, impact_times=20, lanes=lanes
+    )
     again = backwards.isel(frequency=slice(None, None, -1), amplitude=slice(None, None, -1))
-    assert reference.identical(again)
+    assert many(lanes=lanes).identical(again)
 
 
 def test_labels_and_what_is_kept(reference):
@@ -131,7 +135,7 @@ def test_every_argument_of_a_case_reaches_the_motion():
     motion = rk.GroundMotion.single_sine(3.0, period=1.0, duration=4.0)
     kept = {"all": full} | {key: {k: v for k, v in full.items() if k != key} for key in full}
     result = rk.simulate_many(lambda left_out: rk.Case(BLOCK, motion, **kept[left_out]),
-                              over={"left_out": list(kept)})  # fmt: skip
+                              over={"left_out": list(kept)}, lanes=False)  # fmt: skip
     ends = []
     for name, arguments in kept.items():
         run = rk.simulate(BLOCK, motion, **arguments)
@@ -280,14 +284,20 @@ def test_a_motion_of_many_turns_is_that_of_one():
     still = rk.GroundMotion.none(5_000.0)
     run = rk.simulate(BLOCK, still, impact=rk.VelocityRatio(1.0), initial={"theta": 0.2}, **FOREVER)
     assert run.statistics["steps"] > 40_000
-    many = rk.simulate_many(
-        lambda theta: rk.Case(BLOCK, still, rk.VelocityRatio(1.0), initial={"theta": theta}),
-        over={"theta": [0.2, 0.1, 0.2]},
-        **FOREVER,
+    one_by_one, lanes = (
+        rk.simulate_many(
+            lambda theta: rk.Case(BLOCK, still, rk.VelocityRatio(1.0), initial={"theta": theta}),
+            over={"theta": [0.2, 0.1, 0.2]},
+            lanes=lanes,
+            **FOREVER,
+        )
+        for lanes in (False, True)
     )
     for i in (0, 2):
-        np.testing.assert_array_equal(many.final.values[i], run.end)
-        assert many.impacts.values[i] == len(run.impacts)
+        np.testing.assert_array_equal(one_by_one.final.values[i], run.end)
+        assert one_by_one.impacts.values[i] == len(run.impacts)
+    np.testing.assert_array_equal(lanes.final.values[0], lanes.final.values[2])
+    assert lanes.impacts.values[0] == len(run.impacts)
 
 
 def test_error_in_a_case_names_the_case():
@@ -465,10 +475,12 @@ def test_peak_is_the_size_of_the_motion_to_either_side(reference):
 # Fails: the extremes of rates are those of the ends of steps.
 def test_extremes_of_all_states_are_those_within_the_steps():
     """The loop's own bounds against a search of the recorded steps; rates too."""
-    found = many(quantities=["theta", "theta_dot"])
+    found = many(quantities=["theta", "theta_dot"], lanes=False)
+    in_lanes = many()
     for name in ("peak", "maximum", "minimum"):
         searched = found[f"{name}_quantity"]
         np.testing.assert_allclose(found[name], searched.values, rtol=1e-11, atol=1e-13)
+        np.testing.assert_allclose(in_lanes[name], searched.values, rtol=1e-8, atol=1e-10)
 
 
 @pytest.mark.parametrize("old", ["largest", "smallest", "largest_quantity", "smallest_quantity"])

@@ -1,12 +1,18 @@
 """simulate_many with lanes: exact rocking, the scalar loop's results, bits that nothing changes."""
 
 import math
+from threading import Event
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
+from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.machine import Loaded, compiled
+from rockeom.numeric.printer import Program as Printed
+from rockeom.numeric.program import texts
 
 STEP = rk.SolverOptions(steps_per_law=1)
 
@@ -43,7 +49,8 @@ def many(case, over, options=STEP, **others):
 
 
 def both_ways(case, over, options=STEP):
-    return many(case, over, options), rk.simulate_many(case, over, options=options, impact_times=40)
+    scalar = rk.simulate_many(case, over, options=options, impact_times=40, lanes=False)
+    return many(case, over, options), scalar
 
 
 def assert_same(lanes, scalar, apart, final=1.0):
@@ -115,6 +122,7 @@ def test_blocks_as_one_by_one(blocks):
         OVER,
         options=STEP,
         impact_times=40,
+        lanes=False,
     )
     outcomes = set(blocks.outcome.values.ravel().tolist())
     assert {"overturned", "came to rest"} <= outcomes
@@ -197,6 +205,61 @@ def test_options_of_steps(options):
     )
 
 
+MOTIONS = {
+    "sine": rk.GroundMotion.single_sine(3.0, period=0.6, duration=5.0),
+    "cosine": rk.GroundMotion.single_cosine(2.6, period=0.8, duration=5.0),
+    "harmonic": rk.GroundMotion.harmonic(2.4, frequency=1.3, duration=5.0, phase=0.4),
+    "wavelet": rk.GroundMotion.ricker(3.0, 0.4, duration=5.0),
+    "other wavelet": rk.GroundMotion.ricker(3.0, 0.5, duration=5.0, antisymmetric=True),
+    "record": record(n=900),
+    "constant": rk.GroundMotion.constant(2.5, 0.4, 5.0),
+}
+
+
+@pytest.mark.parametrize("steps", [0, 40], ids=["controlled", "equal"])
+@pytest.mark.parametrize(
+    "make",
+    [lambda x: block(0.6, x), lambda x: column(half_width=x + 0.07)],
+    ids=["block", "column"],
+)
+def test_every_law_of_the_ground_and_both_ways_of_stepping(make, steps):
+    """Horizontal and vertical motions of every kind, side by side in the lanes."""
+    options = rk.SolverOptions(steps_per_law=steps)
+    over = {"motion": list(MOTIONS), "vertical": [None, "harmonic", "wavelet"], "x": [0.18, 0.22]}
+    lanes, scalar = both_ways(
+        lambda motion, vertical, x: rk.Case(
+            make(x), MOTIONS[motion], vertical=None if vertical is None else MOTIONS[vertical]
+        ),
+        over,
+        options,
+    )
+    assert (scalar.impacts > 10).sum() > 15
+    np.testing.assert_array_equal(lanes.outcome, scalar.outcome)
+    np.testing.assert_allclose(
+        lanes.impact_time[..., :6], scalar.impact_time[..., :6], rtol=1e-9, atol=1e-9
+    )
+    for name in ("minimum", "maximum"):
+        np.testing.assert_allclose(lanes[name], scalar[name], rtol=1e-6, atol=1e-8)
+
+
+def test_short_flights_that_end_beside_a_jump_of_the_ground():
+    """A flight is taken for a parabola, whose end is corrected: beyond a jump it is another one."""
+    random = np.random.RandomState(7)
+    rows = np.zeros((80, 7))
+    rows[:, 1] = np.cumsum(random.uniform(0.01, 0.05, 80))
+    rows[1:, 0], rows[:, 3] = rows[:-1, 1], random.uniform(-0.6, 0.6, 80)
+    rows[:, 4] = random.uniform(-40.0, 40.0, 80)
+    jumps = rk.GroundMotion(rows)
+    over = {"theta": np.geomspace(1e-4, 0.02, 600)}
+    lanes, scalar = both_ways(
+        lambda theta: rk.Case(block(0.5, 0.2), jumps, initial={"theta": theta}), over, None
+    )
+    assert (scalar.impacts > 10).sum() > 400
+    np.testing.assert_allclose(
+        lanes.impact_time[:, :12], scalar.impact_time[:, :12], rtol=1e-9, atol=1e-9
+    )
+
+
 def test_too_many_impacts_and_steps():
     quiet = rk.GroundMotion.from_array(np.zeros(2001), 0.005)
     over = {"theta": np.linspace(0.02, 0.15, 18)}
@@ -274,29 +337,53 @@ def test_mirror_changes_no_bit(make):
     np.testing.assert_array_equal(right.final, -left.final)
 
 
-# -- what lanes refuse ---------------------------------------------------------------------------
-
-
-def test_pulses_are_refused_and_named():
-    def case(motion):
-        made = RECORD if motion == "record" else rk.GroundMotion.single_sine(3.0, period=0.5)
-        return rk.Case(block(1.0, 0.2), made)
-
-    with pytest.raises(ValueError, match="records only") as caught:
-        many(case, {"motion": ["record", "pulse"]})
-    assert "motion = pulse" in " ".join(caught.value.__notes__)
-    with pytest.raises(ValueError, match="vertical motion is a pulse"):
-        many(
-            lambda n: rk.Case(
-                block(1.0, 0.2), RECORD, vertical=rk.GroundMotion.single_sine(3.0, period=0.5)
-            ),
-            {"n": [1]},
+def test_vectors_have_the_bits_of_plain_python():
+    """Machine code that rounds every operation by itself, and the same texts run by Python."""
+    wavelet = rk.GroundMotion.ricker(3.0, 0.3, duration=1.5)
+    problems = [
+        rk.Case(block(0.5, 0.2), motion, vertical=vertical, initial={"theta": theta}).problem()
+        for motion, vertical, theta in (
+            (rk.GroundMotion.single_sine(6.0, period=0.8, duration=1.5), None, 0.0),
+            (wavelet, rk.GroundMotion.harmonic(2.0, frequency=2.0, duration=1.5), 0.05),
+            (rk.GroundMotion.none(1.0), None, -0.03),
         )
+    ]
+    module = block(0.5, 0.2).module
+    printed = Printed(texts(module, "RK45", True), contract=False)
+    vectors = Loaded(compiled(printed.ir(), True), printed.entries).functions
+    found = []
+    for functions in (vectors, printed.names):
+        names = ("integrate_lanes", "integrate_many")
+        sizes = {name: printed.names[name] for name in ("Z_SIZE", "W_SIZE")}
+        lanes = SimpleNamespace(**{name: functions[name] for name in names}, **sizes)
+        results = _Results.empty(len(problems), module.N_STATES, 20)
+        with np.errstate(all="ignore"):
+            results.run(0, problems, lanes, rk.SolverOptions(rtol=1e-7), Event(), True)
+        found.append(results)
+    by_vectors, by_python = found
+    assert by_vectors.impacts.max() > 5
+    for name in ("outcome", "impacts", "times", "peaks", "final", "final_time"):
+        np.testing.assert_array_equal(getattr(by_vectors, name), getattr(by_python, name))
 
 
-def test_controlled_steps_are_refused():
-    with pytest.raises(ValueError, match="steps_per_law"):
-        many(lambda n: rk.Case(block(1.0, 0.2), RECORD), {"n": [1]}, rk.SolverOptions())
+# -- where lanes serve, and what they refuse -----------------------------------------------------
+
+
+def test_lanes_serve_where_they_are_not_asked_for():
+    """By structure and method alone: one case has the bits that it has among many."""
+    starts = np.linspace(0.02, 0.15, 20)
+
+    def case(theta):
+        return rk.Case(block(0.5, 0.2), MOTIONS["sine"], initial={"theta": theta})
+
+    by_default = rk.simulate_many(case, {"theta": starts}, impact_times=40)
+    assert by_default.identical(many(case, {"theta": starts}, None))
+    one = rk.simulate_many(case, {"theta": starts[7:8]}, impact_times=40)
+    for name in by_default.data_vars:
+        np.testing.assert_array_equal(one[name][0], by_default[name][7])
+    run = rk.simulate(block(0.5, 0.2), MOTIONS["sine"], initial={"theta": starts[7]})
+    by_itself = rk.simulate_many(case, {"theta": starts[7:8]}, lanes=False)
+    assert by_itself.final.values[0].tolist() == [*run.final.values()]
 
 
 def test_structures_on_springs_are_refused():

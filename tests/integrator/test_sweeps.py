@@ -25,7 +25,7 @@ sine = rk.GroundMotion.single_sine
 def source(case, over, arrays=True, chunk=10**6):
     values = {name: list(v) for name, v in over.items()}
     first = case(**{name: v[0] for name, v in values.items()})
-    return _Source(case, values, chunk, first.structure.module, False, arrays)
+    return _Source(case, values, chunk, first.structure.module, arrays)
 
 
 def in_bits(problems: Problems):
@@ -385,17 +385,6 @@ def test_cases_cost_little_when_they_are_made_at_once():
     turns = [(cost(over, True), cost(few, False)) for _ in range(5)]
     at_once, alone = np.min(turns, axis=0)
     assert at_once < alone / 10
-
-
-def test_end_of_the_tables_of_each_case():
-    """Lanes stop there: the later end of both motions, and of a motion that is not, none."""
-    (part,) = source(
-        lambda t: Case(BLOCK, sine(1.0, t, duration=2 * t), vertical=RECORD if t > 0.9 else None),
-        {"t": spaced(0.5, 1.0, 9)},
-        arrays=False,
-    )
-    ends = [max(c.motion.duration, c.vertical.duration if c.vertical else 0.0) for c in part.cases]
-    assert part.problems.motion_ends.tolist() == ends
 
 
 # -- many numbers as one
