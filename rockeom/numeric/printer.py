@@ -29,7 +29,7 @@ from __future__ import annotations
 import ast
 import math
 import struct
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, NoReturn
@@ -108,6 +108,10 @@ class Text:
     fused: bool = False
 
 
+GROWTH = 3000.0
+"""Lines; beyond it compiling takes much longer, and calls cost less than code that is far apart."""
+
+
 class Refused(SyntaxError):  # noqa: N818
     """A text that is not in the closed part of Python, with its file and line."""
 
@@ -128,26 +132,32 @@ class Program:
     """Texts that know one another's names, and what is printed of them so far.
 
     contract : False rounds every operation by itself.
+    growth : lines by which the program may grow by one function that is written out wherever it is
+        called; what would make it longer is called, whatever its mark says.
 
-    The texts are run as Python to learn their constants.
+    The texts are run as Python, but for their functions, to learn their constants.
     """
 
-    def __init__(self, texts: Iterable[Text], contract: bool = True) -> None:
-        self.contract = contract
+    def __init__(
+        self, texts: Sequence[Text], contract: bool = True, growth: float = GROWTH
+    ) -> None:
+        self.texts, self.contract, self.growth = texts, contract, growth
         self.names: dict[str, Any] = {"__name__": "rockeom.numeric.program"}
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
         self.bodies: list[str] = []
+        self.written_out: dict[str, int] = {}
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.declared: dict[str, str] = {}
         self.entries: dict[str, Entry] = {}
         for text in texts:
             tree = ast.parse(text.source, text.name)
+            functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+            for node in functions:
+                marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
+                self.definitions[node.name] = Definition(node, text, marks)
+            tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
             exec(compile(tree, text.name, "exec"), self.names)
-            for node in tree.body:
-                if isinstance(node, ast.FunctionDef):
-                    marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
-                    self.definitions[node.name] = Definition(node, text, marks)
         for name, definition in self.definitions.items():
             if "entry" in definition.marks:
                 self.entry(name, definition)
@@ -200,13 +210,21 @@ class Program:
                 caller.refuse(node, f"no function {name} is known")
             self.printed[key] = None
             symbol = f"{name}.{len(self.printed)}"
-            function = _Function(self, self.definitions[name], types)
+            definition = self.definitions[name]
+            function = _Function(self, definition, types)
+            inlined = "inlined" in definition.marks
+            if inlined and function.size * (self.calls(name) - 1) <= self.growth:
+                self.written_out[symbol] = function.size
             self.bodies.append(function.body(symbol))
             self.printed[key] = symbol, function.returns
         found = self.printed[key]
         if found is None:
             caller.refuse(node, f"{name} calls itself")
         return found
+
+    def calls(self, name: str) -> int:
+        """How often a function is called in the texts."""
+        return sum(text.source.count(f"{name}(") for text in self.texts) - 1  # its definition
 
     def constant(self, value: Any) -> Value | None:
         """A table of numbers as an array of the program, or None if it is none."""
@@ -293,6 +311,7 @@ class _Function:
                 self.refuse(tree.body[-1], "it ends without `return`")
             if not self.changed:
                 break
+        self.size += len(self.lines)
         if self.later is not None:
             self.refuse(self.later, "the type of this cannot be found out")
 
@@ -300,6 +319,7 @@ class _Function:
         self.lines: list[str] = []
         self.head: list[str] = []
         self.count = 0
+        self.size = 0  # lines of what is written out in this function
         self.open = True  # whether the block that is being printed can be reached and goes on
         self.label = "entry"
         self.loops: list[_Loop] = []
@@ -319,7 +339,7 @@ class _Function:
             for i, part in enumerate(parts_of(type_)):
                 operands.append(f"{part} %in.{name}.{i}")
                 head.append(f"  store {part} %in.{name}.{i}, ptr %{name}.{i}")
-        inline = "alwaysinline " if "inlined" in self.definition.marks else ""
+        inline = "alwaysinline " if symbol in self.program.written_out else ""
         end = []
         if self.open:
             end = ["  ret void"] if self.returns == NOTHING else ["  unreachable"]
@@ -800,6 +820,7 @@ class _Function:
         values = [self._value(a) for a in node.args]
         types = tuple(v.type for v in values)
         symbol, returns = self.program.function(function.id, types, node, self.definition)
+        self.size += self.program.written_out.get(symbol, 0)
         operands = ", ".join(
             f"{part} {operand}"
             for v in values
@@ -1124,11 +1145,17 @@ def _item(value: Value, i: int) -> Value:
 
 def _stored(statement: ast.stmt) -> set[str]:
     """Names that are assigned somewhere in a statement."""
-    return {
+    targets = [*getattr(statement, "targets", ()), getattr(statement, "target", None)]
+    found = {
         node.id
-        for node in ast.walk(statement)
+        for target in targets
+        if target is not None
+        for node in ast.walk(target)
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
     }
+    for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
+        found |= _stored(inner)
+    return found
 
 
 _OF_FLOATS = {"Add": "fadd", "Sub": "fsub", "Mult": "fmul", "Div": "fdiv"}
