@@ -53,8 +53,8 @@ PASSES = (
 )  # fmt: skip
 """What is done to a program before it becomes machine code, in this order.
 
-LLVM's own -O2 takes three times as long for code that is a few hundredths faster. `reassociate`
-settles the order of products, and by it which of them is part of a*b + c.
+LLVM's own -O2 takes three times as long for code that is no faster. `reassociate` settles the order
+of products, and by it which of them is part of a*b + c.
 """
 
 

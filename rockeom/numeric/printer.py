@@ -330,15 +330,23 @@ class _Function:
 
     def body(self, symbol: str) -> str:
         """The whole function as text."""
-        head = []
+        head, operands = [], []
         for name, type_ in self.types.items():
-            for i, part in enumerate(parts_of(type_)):
-                head.append(f"  %{name}.{i} = alloca {part}")
-        operands = []
-        for name, type_ in zip(self.arguments, self.argument_types, strict=True):
-            for i, part in enumerate(parts_of(type_)):
-                operands.append(f"{part} %in.{name}.{i}")
-                head.append(f"  store {part} %in.{name}.{i}, ptr %{name}.{i}")
+            parts = list(enumerate(parts_of(type_)))
+            if isinstance(type_, Tuple):
+                whole = self._whole(name)
+                if name in self.arguments:
+                    operands.append(f"ptr noalias readonly {whole}")
+                else:
+                    head.append(f"  {whole} = alloca i64, i64 {len(parts)}")
+                head += [
+                    f"  %{name}.{i} = getelementptr i64, ptr {whole}, i64 {i}" for i, _ in parts
+                ]
+                continue
+            head += [f"  %{name}.{i} = alloca {part}" for i, part in parts]
+            if name in self.arguments:
+                operands += [f"{part} %in.{name}.{i}" for i, part in parts]
+                head += [f"  store {part} %in.{name}.{i}, ptr %{name}.{i}" for i, part in parts]
         inline = "alwaysinline " if symbol in self.program.written_out else ""
         end = []
         if self.open:
@@ -386,6 +394,10 @@ class _Function:
         name = f"%s{self.count}"
         self.head.append(f"  {name} = alloca {element}, i64 {size}, align {8 if size == 1 else 64}")
         return name
+
+    def _whole(self, name: str) -> str:
+        """Where the parts of a tuple begin, in 64 bits each: what a call of a function passes."""
+        return f"%{'in' if name in self.arguments else 'all'}.{name}"
 
     # -- constants ----------------------------------------------------------------------------
 
@@ -487,14 +499,18 @@ class _Function:
             )
         self.refuse(node, f"{told(value.type)} where {told(type_)} is wanted")
 
-    def _name(self, node: ast.Name) -> Value:
+    def _type_of(self, node: ast.Name) -> Type:
+        """The type of a variable that is read."""
         if node.id not in self.locals:
             self.refuse(node, f"{node.id} is not known")
         if node.id not in self.assigned:
             self.refuse(node, f"{node.id} may be read before it is assigned")
         if node.id not in self.types:
             raise _Later
-        type_ = self.types[node.id]
+        return self.types[node.id]
+
+    def _name(self, node: ast.Name) -> Value:
+        type_ = self._type_of(node)
         loads = [f"load {p}, ptr %{node.id}.{i}" for i, p in enumerate(parts_of(type_))]
         return Value(type_, tuple(map(self._new, loads)))
 
@@ -817,15 +833,11 @@ class _Function:
         built_in = getattr(self, f"_call_{function.id}", None)
         if built_in is not None and function.id not in self.program.definitions:
             return built_in(node, [self._value(a) for a in node.args])
-        values = [self._value(a) for a in node.args]
-        types = tuple(v.type for v in values)
+        given = [self._given(a) for a in node.args]
+        types = tuple(type_ for type_, _ in given)
         symbol, returns = self.program.function(function.id, types, node, self.definition)
         self.size += self.program.written_out.get(symbol, 0)
-        operands = ", ".join(
-            f"{part} {operand}"
-            for v in values
-            for part, operand in zip(parts_of(v.type), v.parts, strict=True)
-        )
+        operands = ", ".join(operand for _, operands in given for operand in operands)
         call = f"call {_returned(returns)} @{symbol}({operands})"
         count = len(parts_of(returns))
         if count == 0:
@@ -839,6 +851,22 @@ class _Function:
             returns,
             tuple(self._new(f"extractvalue {type_} {result}, {i}") for i in range(count)),
         )
+
+    def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
+        """Type and operands of an argument of a call; a tuple is passed by its place."""
+        if isinstance(node, ast.Name) and node.id in self.locals:
+            type_ = self._type_of(node)
+            if isinstance(type_, Tuple):
+                return type_, [f"ptr {self._whole(node.id)}"]
+        value = self._value(node)
+        parts = list(zip(parts_of(value.type), value.parts, strict=True))
+        if not isinstance(value.type, Tuple):
+            return value.type, [f"{part} {operand}" for part, operand in parts]
+        whole = self._on_stack(INT, max(len(parts), 1))
+        for i, (part, operand) in enumerate(parts):
+            place = self._new(f"getelementptr i64, ptr {whole}, i64 {i}")
+            self._line(f"store {part} {operand}, ptr {place}")
+        return value.type, [f"ptr {whole}"]
 
     def _library_call(self, node: ast.Call, library: str, name: str) -> Value:
         if library == "np" and name in ("empty", "zeros", "array"):
@@ -980,6 +1008,8 @@ class _Function:
         if value.type == NOTHING:
             self.refuse(target, "this call gives nothing back")
         old = self.types.get(name)
+        if isinstance(old, Tuple) and name in self.arguments:
+            self.refuse(target, f"the argument {name} is a tuple, and stays what it is")
         type_ = value.type if old is None else joined(old, value.type)
         if type_ is None:
             assert old is not None
