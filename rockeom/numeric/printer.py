@@ -9,7 +9,7 @@ refused by file and line.
     float     64 bits; no exception: 1.0 / 0.0 is inf, math.sqrt(-1.0) is nan. x**n is a product
               where n is a whole number from 1 to 9
     bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
-    tuple     of any of these; indices are constants
+    tuple     of any of these; indices are constants. One that is an argument is not assigned
     array     of int or float, in C order, never out of bounds: indices are not checked. A negative
               index counts from the end. numpy.empty, zeros and array make one that lasts as long as
               the function's call, of constant size
@@ -18,7 +18,8 @@ refused by file and line.
 
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
-variable, the function is printed once more.
+variable, the function is printed once more. Nothing but what is marked @inlined is written out
+where it is called; a tuple is passed by its place on the stack.
 
 The same text gives the same numbers on every machine, but for `contract`: a*b + c is rounded once
 where the text is a fused one and the processor can.
@@ -146,7 +147,7 @@ class Program:
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
         self.bodies: list[str] = []
-        self.written_out: dict[str, int] = {}
+        self.written_out: dict[str, int] = {}  # lines of each function that is
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.declared: dict[str, str] = {}
         self.entries: dict[str, Entry] = {}
@@ -223,7 +224,7 @@ class Program:
         return found
 
     def calls(self, name: str) -> int:
-        """How often a function is called in the texts."""
+        """How often a function is called in the texts, or a little more: words are counted."""
         return sum(text.source.count(f"{name}(") for text in self.texts) - 1  # its definition
 
     def constant(self, value: Any) -> Value | None:
@@ -300,7 +301,6 @@ class _Function:
         self.locals = _stored(tree) | set(self.arguments)
         fused = program.contract and (definition.text.fused or "fused" in definition.marks)
         self.fast = "contract " if fused else ""
-        self.argument_types = types
         self.types: dict[str, Type] = dict(zip(self.arguments, types, strict=True))
         self.returns: Type = NOTHING
         self.returned = False
