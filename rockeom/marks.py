@@ -16,7 +16,7 @@ _F = TypeVar("_F", bound=Callable[..., object])
 
 
 def inlined(function: _F) -> _F:
-    """To be written out wherever it is called."""
+    """To be written out wherever it is called, unless the program would grow long by it."""
     return function
 
 

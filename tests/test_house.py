@@ -67,6 +67,20 @@ print("sympy" in sys.modules)
     assert run_python("-c", code) == "False"
 
 
+def test_a_program_is_made_without_scipy_and_sympy():
+    """SciPy alone takes as long to import as a program to compile."""
+    code = """
+import rockeom.generated.rigid_block as module
+from rockeom.numeric.printer import Program
+from rockeom.numeric.program import texts
+import sys
+for method in ("DOP853", "RK45", "Radau"):
+    assert Program(texts(module, method)).ir()
+print(sorted({"scipy", "sympy"} & set(sys.modules)))
+"""
+    assert run_python("-c", code) == "[]"
+
+
 # --- what is public
 
 

@@ -9,7 +9,7 @@ refused by file and line.
     float     64 bits; no exception: 1.0 / 0.0 is inf, math.sqrt(-1.0) is nan. x**n is a product
               where n is a whole number from 1 to 9
     bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
-    tuple     of any of these; indices are constants
+    tuple     of any of these; indices are constants. One that is an argument is not assigned
     array     of int or float, in C order, never out of bounds: indices are not checked. A negative
               index counts from the end. numpy.empty, zeros and array make one that lasts as long as
               the function's call, of constant size
@@ -18,7 +18,8 @@ refused by file and line.
 
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
-variable, the function is printed once more.
+variable, the function is printed once more. Nothing but what is marked @inlined is written out
+where it is called; a tuple is passed by its place on the stack.
 
 The same text gives the same numbers on every machine, but for `contract`: a*b + c is rounded once
 where the text is a fused one and the processor can.
@@ -29,7 +30,7 @@ from __future__ import annotations
 import ast
 import math
 import struct
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, NoReturn
@@ -108,6 +109,10 @@ class Text:
     fused: bool = False
 
 
+GROWTH = 3000.0
+"""Lines; beyond it compiling takes much longer, and calls cost less than code that is far apart."""
+
+
 class Refused(SyntaxError):  # noqa: N818
     """A text that is not in the closed part of Python, with its file and line."""
 
@@ -128,26 +133,32 @@ class Program:
     """Texts that know one another's names, and what is printed of them so far.
 
     contract : False rounds every operation by itself.
+    growth : lines by which the program may grow by one function that is written out wherever it is
+        called; what would make it longer is called, whatever its mark says.
 
-    The texts are run as Python to learn their constants.
+    The texts are run as Python, but for their functions, to learn their constants.
     """
 
-    def __init__(self, texts: Iterable[Text], contract: bool = True) -> None:
-        self.contract = contract
+    def __init__(
+        self, texts: Sequence[Text], contract: bool = True, growth: float = GROWTH
+    ) -> None:
+        self.texts, self.contract, self.growth = texts, contract, growth
         self.names: dict[str, Any] = {"__name__": "rockeom.numeric.program"}
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
         self.bodies: list[str] = []
+        self.written_out: dict[str, int] = {}  # lines of each function that is
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.declared: dict[str, str] = {}
         self.entries: dict[str, Entry] = {}
         for text in texts:
             tree = ast.parse(text.source, text.name)
+            functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+            for node in functions:
+                marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
+                self.definitions[node.name] = Definition(node, text, marks)
+            tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
             exec(compile(tree, text.name, "exec"), self.names)
-            for node in tree.body:
-                if isinstance(node, ast.FunctionDef):
-                    marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
-                    self.definitions[node.name] = Definition(node, text, marks)
         for name, definition in self.definitions.items():
             if "entry" in definition.marks:
                 self.entry(name, definition)
@@ -200,13 +211,21 @@ class Program:
                 caller.refuse(node, f"no function {name} is known")
             self.printed[key] = None
             symbol = f"{name}.{len(self.printed)}"
-            function = _Function(self, self.definitions[name], types)
+            definition = self.definitions[name]
+            function = _Function(self, definition, types)
+            inlined = "inlined" in definition.marks
+            if inlined and function.size * (self.calls(name) - 1) <= self.growth:
+                self.written_out[symbol] = function.size
             self.bodies.append(function.body(symbol))
             self.printed[key] = symbol, function.returns
         found = self.printed[key]
         if found is None:
             caller.refuse(node, f"{name} calls itself")
         return found
+
+    def calls(self, name: str) -> int:
+        """How often a function is called in the texts, or a little more: words are counted."""
+        return sum(text.source.count(f"{name}(") for text in self.texts) - 1  # its definition
 
     def constant(self, value: Any) -> Value | None:
         """A table of numbers as an array of the program, or None if it is none."""
@@ -282,7 +301,6 @@ class _Function:
         self.locals = _stored(tree) | set(self.arguments)
         fused = program.contract and (definition.text.fused or "fused" in definition.marks)
         self.fast = "contract " if fused else ""
-        self.argument_types = types
         self.types: dict[str, Type] = dict(zip(self.arguments, types, strict=True))
         self.returns: Type = NOTHING
         self.returned = False
@@ -293,6 +311,7 @@ class _Function:
                 self.refuse(tree.body[-1], "it ends without `return`")
             if not self.changed:
                 break
+        self.size += len(self.lines)
         if self.later is not None:
             self.refuse(self.later, "the type of this cannot be found out")
 
@@ -300,6 +319,7 @@ class _Function:
         self.lines: list[str] = []
         self.head: list[str] = []
         self.count = 0
+        self.size = 0  # lines of what is written out in this function
         self.open = True  # whether the block that is being printed can be reached and goes on
         self.label = "entry"
         self.loops: list[_Loop] = []
@@ -310,17 +330,25 @@ class _Function:
 
     def body(self, symbol: str) -> str:
         """The whole function as text."""
-        head = []
+        head, operands = [], []
         for name, type_ in self.types.items():
-            for i, part in enumerate(parts_of(type_)):
-                head.append(f"  %{name}.{i} = alloca {part}")
-        operands = []
-        for name, type_ in zip(self.arguments, self.argument_types, strict=True):
-            for i, part in enumerate(parts_of(type_)):
-                operands.append(f"{part} %in.{name}.{i}")
-                head.append(f"  store {part} %in.{name}.{i}, ptr %{name}.{i}")
-        marks = self.definition.marks
-        inline = "alwaysinline " * ("inlined" in marks) + "noinline " * ("apart" in marks)
+            parts = list(enumerate(parts_of(type_)))
+            if isinstance(type_, Tuple):
+                whole = self._whole(name)
+                if name in self.arguments:
+                    operands.append(f"ptr noalias readonly {whole}")
+                else:
+                    head.append(f"  {whole} = alloca i64, i64 {len(parts)}")
+                head += [
+                    f"  %{name}.{i} = getelementptr i64, ptr {whole}, i64 {i}" for i, _ in parts
+                ]
+                continue
+            head += [f"  %{name}.{i} = alloca {part}" for i, part in parts]
+            if name in self.arguments:
+                operands += [f"{part} %in.{name}.{i}" for i, part in parts]
+                head += [f"  store {part} %in.{name}.{i}, ptr %{name}.{i}" for i, part in parts]
+        inline = "alwaysinline " if symbol in self.program.written_out else ""
+        inline += "noinline " if "apart" in self.definition.marks else ""
         end = []
         if self.open:
             end = ["  ret void"] if self.returns == NOTHING else ["  unreachable"]
@@ -367,6 +395,10 @@ class _Function:
         name = f"%s{self.count}"
         self.head.append(f"  {name} = alloca {element}, i64 {size}, align {8 if size == 1 else 64}")
         return name
+
+    def _whole(self, name: str) -> str:
+        """Where the parts of a tuple begin, in 64 bits each: what a call of a function passes."""
+        return f"%{'in' if name in self.arguments else 'all'}.{name}"
 
     # -- constants ----------------------------------------------------------------------------
 
@@ -468,14 +500,18 @@ class _Function:
             )
         self.refuse(node, f"{told(value.type)} where {told(type_)} is wanted")
 
-    def _name(self, node: ast.Name) -> Value:
+    def _type_of(self, node: ast.Name) -> Type:
+        """The type of a variable that is read."""
         if node.id not in self.locals:
             self.refuse(node, f"{node.id} is not known")
         if node.id not in self.assigned:
             self.refuse(node, f"{node.id} may be read before it is assigned")
         if node.id not in self.types:
             raise _Later
-        type_ = self.types[node.id]
+        return self.types[node.id]
+
+    def _name(self, node: ast.Name) -> Value:
+        type_ = self._type_of(node)
         loads = [f"load {p}, ptr %{node.id}.{i}" for i, p in enumerate(parts_of(type_))]
         return Value(type_, tuple(map(self._new, loads)))
 
@@ -798,14 +834,11 @@ class _Function:
         built_in = getattr(self, f"_call_{function.id}", None)
         if built_in is not None and function.id not in self.program.definitions:
             return built_in(node, [self._value(a) for a in node.args])
-        values = [self._value(a) for a in node.args]
-        types = tuple(v.type for v in values)
+        given = [self._given(a) for a in node.args]
+        types = tuple(type_ for type_, _ in given)
         symbol, returns = self.program.function(function.id, types, node, self.definition)
-        operands = ", ".join(
-            f"{part} {operand}"
-            for v in values
-            for part, operand in zip(parts_of(v.type), v.parts, strict=True)
-        )
+        self.size += self.program.written_out.get(symbol, 0)
+        operands = ", ".join(operand for _, operands in given for operand in operands)
         call = f"call {_returned(returns)} @{symbol}({operands})"
         count = len(parts_of(returns))
         if count == 0:
@@ -819,6 +852,22 @@ class _Function:
             returns,
             tuple(self._new(f"extractvalue {type_} {result}, {i}") for i in range(count)),
         )
+
+    def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
+        """Type and operands of an argument of a call; a tuple is passed by its place."""
+        if isinstance(node, ast.Name) and node.id in self.locals:
+            type_ = self._type_of(node)
+            if isinstance(type_, Tuple):
+                return type_, [f"ptr {self._whole(node.id)}"]
+        value = self._value(node)
+        parts = list(zip(parts_of(value.type), value.parts, strict=True))
+        if not isinstance(value.type, Tuple):
+            return value.type, [f"{part} {operand}" for part, operand in parts]
+        whole = self._on_stack(INT, max(len(parts), 1))
+        for i, (part, operand) in enumerate(parts):
+            place = self._new(f"getelementptr i64, ptr {whole}, i64 {i}")
+            self._line(f"store {part} {operand}, ptr {place}")
+        return value.type, [f"ptr {whole}"]
 
     def _library_call(self, node: ast.Call, library: str, name: str) -> Value:
         if library == "np" and name in ("empty", "zeros", "array"):
@@ -960,6 +1009,8 @@ class _Function:
         if value.type == NOTHING:
             self.refuse(target, "this call gives nothing back")
         old = self.types.get(name)
+        if isinstance(old, Tuple) and name in self.arguments:
+            self.refuse(target, f"the argument {name} is a tuple, and stays what it is")
         type_ = value.type if old is None else joined(old, value.type)
         if type_ is None:
             assert old is not None
@@ -1125,11 +1176,17 @@ def _item(value: Value, i: int) -> Value:
 
 def _stored(statement: ast.stmt) -> set[str]:
     """Names that are assigned somewhere in a statement."""
-    return {
+    targets = [*getattr(statement, "targets", ()), getattr(statement, "target", None)]
+    found = {
         node.id
-        for node in ast.walk(statement)
+        for target in targets
+        if target is not None
+        for node in ast.walk(target)
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
     }
+    for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
+        found |= _stored(inner)
+    return found
 
 
 _OF_FLOATS = {"Add": "fadd", "Sub": "fsub", "Mult": "fmul", "Div": "fdiv"}

@@ -11,13 +11,12 @@ from __future__ import annotations
 import hashlib
 import json
 import linecache
+import math
 import sys
 import threading
 import time
 from functools import cache
 from importlib.resources import files
-from importlib.util import find_spec
-from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -87,9 +86,9 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
 def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
     # all that the code follows from
     digest = _digest(
-        _source(generated), method, target(), _scipy(), _own("loop.py"), _own("tableau.py"),
-        _own("implicit.py"), _own("printer.py"), _own("machine.py"), _own("machine_types.py"),
-        _own("program.py"), _own("contract.py", "rockeom"),
+        _source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
+        _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
+        _own("machine_types.py"), _own("program.py"), _own("contract.py", "rockeom"),
         *(_own(name) for name in _LANES if lanes),
     )  # fmt: skip
     name = f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}"
@@ -99,10 +98,12 @@ def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
 
 def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
     """A line that describes a program, and its machine code."""
-    from rockeom.numeric.printer import Program as Printed  # only where something is compiled
+    # only where something is compiled
+    from rockeom.numeric.printer import GROWTH, Program as Printed
 
     started = time.monotonic()
-    printed = Printed(texts(generated, method, lanes))
+    # a loop over lanes becomes one of vectors only where it calls nothing
+    printed = Printed(texts(generated, method, lanes), growth=math.inf if lanes else GROWTH)
     code = compiled(printed.ir(), lanes)
     sizes = {name: int(printed.names.get(name, 0)) for name in _SIZES}
     described = {"entries": printed.entries, "sizes": sizes}
@@ -120,7 +121,7 @@ def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
 def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
     """The parts of a program, in the order in which one needs the other."""
     from rockeom.numeric.printer import Text
-    from rockeom.numeric.tableau import step_text, tableau  # SciPy takes a while to import
+    from rockeom.numeric.tableau import step_text, tableau
 
     n = generated.N_STATES // 2
     if method == "Radau":
@@ -151,15 +152,6 @@ def _digest(*sources: str) -> str:
 def _own(name: str, package: str = "rockeom.numeric") -> str:
     """Text of a file of this package."""
     return (files(package) / name).read_text(encoding="utf-8")
-
-
-@cache
-def _scipy() -> str:
-    """What SciPy says of its version: it holds the methods' coefficients, and imports slowly."""
-    spec = find_spec("scipy")
-    assert spec is not None
-    assert spec.origin is not None
-    return Path(spec.origin).with_name("version.py").read_text(encoding="utf-8")
 
 
 # -- generated modules that are in no package ----------------------------------------------------

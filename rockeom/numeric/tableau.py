@@ -1,8 +1,7 @@
 """Embedded Runge-Kutta pairs, and the text of one step and of its dense output.
 
-The coefficients are SciPy's (`scipy.integrate.DOP853`, `RK45`); a tableau proves its order
-conditions when it is built. Writing a step out, each stage one line, lets the compiler drop
-zero coefficients and keep the rest as constants.
+A tableau proves its order conditions when it is built. Writing a step out, each stage one line,
+lets the compiler drop zero coefficients and keep the rest as constants.
 """
 
 from __future__ import annotations
@@ -13,7 +12,8 @@ from functools import cache, cached_property
 from math import comb
 
 import numpy as np
-from scipy import integrate
+
+from rockeom.numeric.coefficients import DOP853, RK45
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def _square(rows: np.ndarray, size: int) -> np.ndarray:
 
 def _rk45() -> Tableau:
     """Dormand and Prince (1980) 5(4), dense output of degree 4 by Shampine (1986)."""
-    r = integrate.RK45
+    r = RK45
     a = _square(r.A, 7)
     a[6, :6] = r.B
     return Tableau("RK45", a, r.B, np.append(r.C, 1.0), (r.E,), r.P, 5, 4)
@@ -100,7 +100,7 @@ def _rk45() -> Tableau:
 
 def _dop853() -> Tableau:
     """Hairer, Norsett and Wanner (1993) 8(5,3), dense output of degree 7."""
-    r = integrate.DOP853
+    r = DOP853
     a = _square(r.A, 16)
     a[12, :12] = r.B
     a[13:, :] = r.A_EXTRA

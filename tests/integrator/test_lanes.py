@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.numeric.ensemble import _Results
+from rockeom.numeric.case import Problems
+from rockeom.numeric.ensemble import Part, _Results
 from rockeom.numeric.machine import Loaded, compiled
 from rockeom.numeric.printer import Program as Printed
 from rockeom.numeric.program import texts
@@ -337,6 +338,31 @@ def test_mirror_changes_no_bit(make):
     np.testing.assert_array_equal(right.final, -left.final)
 
 
+class Called:
+    """A function of Python that is bound to its arguments as those of machine code are."""
+
+    def __init__(self, function):
+        self.function = function
+
+    def __call__(self, *given):
+        return self.function(*given)
+
+    def bound(self, *given):
+        return Bound(self.function, list(given))
+
+
+class Bound:
+    def __init__(self, function, given):
+        self.function, self.given = function, given
+
+    def __setitem__(self, name, value):
+        assert name == "first"
+        self.given[0] = value
+
+    def __call__(self):
+        return self.function(*self.given)
+
+
 def test_vectors_have_the_bits_of_plain_python():
     """Machine code that rounds every operation by itself, and the same texts run by Python."""
     wavelet = rk.GroundMotion.ricker(3.0, 0.3, duration=1.5)
@@ -355,10 +381,12 @@ def test_vectors_have_the_bits_of_plain_python():
     for functions in (vectors, printed.names):
         names = ("integrate_lanes", "integrate_many")
         sizes = {name: printed.names[name] for name in ("Z_SIZE", "W_SIZE")}
-        lanes = SimpleNamespace(**{name: functions[name] for name in names}, **sizes)
+        calls = {name: Called(functions[name]) for name in names}
+        part = Part(np.arange(len(problems)), Problems.of(problems), [])
         results = _Results.empty(len(problems), module.N_STATES, 20)
         with np.errstate(all="ignore"):
-            results.run(0, problems, lanes, rk.SolverOptions(rtol=1e-7), Event(), True)
+            solver = rk.SolverOptions(rtol=1e-7)
+            results.run(part, SimpleNamespace(**calls, **sizes), solver, Event(), True)
         found.append(results)
     by_vectors, by_python = found
     assert by_vectors.impacts.max() > 5

@@ -6,8 +6,10 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy import integrate
 
 import rockeom as rk
+from rockeom.numeric import coefficients
 from rockeom.numeric.tableau import step_text, tableau
 
 METHODS = pytest.mark.parametrize("name", ["RK45", "DOP853"])
@@ -70,6 +72,16 @@ def test_every_order_condition(name):
     assert worst(method.b, method.a[:s, :s], ORDER[name]) < 1e-13
     # and not one order more: the check can fail
     assert worst(method.b, method.a[:s, :s], ORDER[name] + 1) > 1e-6
+
+
+@METHODS
+def test_coefficients_are_those_of_scipy_to_the_last_bit(name):
+    ours = vars(getattr(coefficients, name))
+    names = [key for key in ours if key[0].isalpha()]
+    assert len(names) >= 5
+    for key in names:
+        theirs = np.asarray(getattr(getattr(integrate, name), key))
+        assert ours[key].tobytes() == theirs.tobytes(), key
 
 
 @METHODS

@@ -175,7 +175,34 @@ def run(x: Floats, n: Ints, out: Floats):
             out[i] += 0.25
 """
 
+WHOLE_TUPLES = """
+def moved(point, by):
+    (x, y), n = point
+    return (x + by[0], y - by[1]), n + 1
+
+def length(point):
+    (x, y), n = point
+    return n * math.sqrt(x * x + y * y)
+
+def both(point, by):
+    here = point
+    there = moved(here, by)
+    here = moved(there, (0.5, by[0]))
+    return length(point) - length(there) + length(here)
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    point = (x[0], x[1]), 1
+    for i in range(len(x)):
+        old = point
+        point = moved(point, (x[i], 0.25))
+        out[i] = length(point) - length(old) + both(point, (1.0, x[i]))
+        if n[i % len(n)] > 0:
+            point = old
+"""
+
 TEXTS = {
+    "whole tuples": WHOLE_TUPLES,
     "signs": SIGNS,
     "greatest common divisor": GREATEST_DIVISOR,
     "Collatz": COLLATZ,
@@ -221,6 +248,15 @@ def differences(source):
 @pytest.mark.parametrize("source", TEXTS.values(), ids=TEXTS)
 def test_text_runs_as_in_python_to_the_last_bit(source):
     assert not differences(source)
+
+
+def test_what_would_make_a_program_long_is_called():
+    """A short function is written out wherever it is called, a long one where that is once."""
+    long = HORNER.replace("    return", "    total += x\n" * 1000 + "    return")
+    once = long.replace("out[i] -= value(-x[i])[0] / 3", "pass")
+    for source, written_out in ((HORNER, True), (long, False), (once, True)):
+        ir = Program([Text("some file.py", HEAD + source)]).ir()
+        assert ("alwaysinline" in ir) == written_out
 
 
 # -- a printer that is wrong somewhere is noticed
@@ -310,6 +346,7 @@ REFUSED = {
     "n = 1.5": "the argument n is int, and would change that",
     "t = (y[0], 2.0)\n    x = t[n]": "the index of a tuple is a constant",
     "t = (1.0, 2.0)\n    x = t[2]": "a tuple of 2 has no item 2",
+    "x = tupled((1.0, 2.0))": "the argument pair is a tuple, and stays what it is",
     "x = y[0, 1]": "2 indices of an array of float with 1 dimensions",
     "x = y[::2]": "a slice is array[first:last]",
     "x = np.empty(n)": "the shape of an array is constant",
@@ -349,6 +386,10 @@ def recursive(a):
 def nothing(a):
     pass
 
+def tupled(pair):
+    pair = (pair[1], pair[0])
+    return pair[0]
+
 @entry
 def run(y: Floats, n: int):
     {}
@@ -365,7 +406,9 @@ def test_what_is_no_plain_arithmetic_is_refused_by_file_and_line(line):
     number = int(re.match(r"some file.py, line (\d+), in ", text).group(1))
     lines = FRAME.format(line).splitlines()
     within = lines[number - 1].strip()
-    assert within in line or within.startswith(("def recursive", "return recursive", "def outer"))
+    assert within in line or within.startswith(
+        ("def recursive", "return recursive", "def outer", "pair = ")
+    )
 
 
 @pytest.mark.parametrize(
