@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
@@ -53,4 +55,7 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
         raise NotImplementedError(f"{model.name}: the force enters non-linearly")
     slope = sp.diff(turning, LOAD)
     # laws are functions of which nothing is known that could make it simpler
-    return (sp.together if model.laws else sp.simplify)(-turning.subs(LOAD, 0) / slope)
+    return (sp.together if model.laws else _simple)(-turning.subs(LOAD, 0) / slope)
+
+
+_simple = lru_cache(maxsize=256)(sp.simplify)  # slow, and asked for again by pages and checks
