@@ -22,7 +22,6 @@ from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium
-
 from tests.evaluation import Values
 
 N = 1000

@@ -1,5 +1,6 @@
 """The first fall of a polynomial of degree 7 through zero, against extremes by numpy.roots."""
 
+import functools
 import itertools
 from fractions import Fraction
 from math import comb
@@ -10,10 +11,16 @@ from hypothesis import assume, example, given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.numeric.tableau import NODES, powers_to_bernstein, samples_to_bernstein
-from tests.machine_code import functions
+from tests import machine_code
 
-LOOP = functions(
-    """
+
+@functools.cache
+def loop():
+    """Compiled where it is first asked for: to collect the tests costs nothing."""
+    return machine_code.functions(LOOP, rk.RigidBlock(half_width=0.25, half_height=1.0).module)
+
+
+LOOP = """
 @entry
 def the_fall(b: Floats) -> float:
     return fall(b, 0)
@@ -25,25 +32,23 @@ def at(b: Floats, x: float, out: Floats):
 @entry
 def the_first_fall(b: Floats, touching: bool, noise: float, stack: Floats) -> float:
     return first_fall(b, 0, EXACT, touching, noise, stack)
-""",
-    rk.RigidBlock(half_width=0.25, half_height=1.0).module,
-)
+"""
 NEVER = 2.0
 
 
 def fall(b):
-    return LOOP["the_fall"](b)
+    return loop()["the_fall"](b)
 
 
 def at(b, x):
     found = np.empty(2)
-    LOOP["at"](b, x, found)
+    loop()["at"](b, x, found)
     return found
 
 
 def first_fall(b, touching=False, noise=0.0):
     stack = np.empty(640)
-    return LOOP["the_first_fall"](np.array(b, dtype=float), touching, noise, stack)
+    return loop()["the_first_fall"](np.array(b, dtype=float), touching, noise, stack)
 
 
 def value(b, x):
