@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 
 SIDE = sp.Symbol("s", real=True)
@@ -30,6 +32,7 @@ def angles_in(expr: sp.Expr) -> list[sp.Expr]:
     return sorted(found, key=sp.default_sort_key)
 
 
+@lru_cache(maxsize=4096)  # models are derived again and again in a session
 def tidy(expr: sp.Expr) -> sp.Expr:
     """Expand, use s**2 = 1 and, for each angle, sin**2 + cos**2 = 1; the shorter of both ways.
 
@@ -41,6 +44,8 @@ def tidy(expr: sp.Expr) -> sp.Expr:
     expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
     for angle in angles_in(expr):
         sin, cos = sp.sin(angle), sp.cos(angle)
+        if not any(p.base in (sin, cos) and p.exp.is_Integer for p in expr.atoms(sp.Pow)):
+            continue  # no square to write as the other's
         ways = [
             sp.expand(square_is(expr, sin, 1 - cos**2)),
             sp.expand(square_is(expr, cos, 1 - sin**2)),

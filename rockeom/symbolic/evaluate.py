@@ -169,10 +169,11 @@ def numpy_functions(model: RockingModel) -> dict[str, NumpyPhase]:
 
 def array_function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr]) -> Function:
     """values of the arguments, of one common shape (...) -> values of the expressions, (k, ...)."""
-    # dummies, so that no name of a symbol becomes a part of the function's text
-    compiled = sp.lambdify(
-        list(arguments), list(expressions), modules="numpy", cse=True, dummify=True
-    )
+    # renamed, so that no name of a symbol becomes a part of the function's text: all at once,
+    # where `dummify` would go through the expressions for each symbol again
+    names = {symbol: sp.Symbol(f"a{i:04}") for i, symbol in enumerate(arguments)}
+    renamed = [sp.sympify(e).xreplace(names) for e in expressions]
+    compiled = sp.lambdify(list(names.values()), renamed, modules="numpy", cse=True)
 
     def evaluate(values: Sequence) -> np.ndarray:
         found = compiled(*values)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
@@ -28,6 +30,19 @@ def equilibrium(phase: Phase) -> sp.Matrix:
 
 
 def pushover(model: RockingModel, contact: str) -> sp.Expr:
+    """The force P that holds the structure at a rotation, as short as SymPy can write it.
+
+    See `holding_force`, of which laws are left as they are: of functions nothing is known that
+    could make it simpler.
+    """
+    force = holding_force(model, contact)
+    return sp.together(force) if model.laws else _simple(force)
+
+
+_simple = lru_cache(maxsize=256)(sp.simplify)  # slow, and asked for again by pages and checks
+
+
+def holding_force(model: RockingModel, contact: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, the other coordinates condensed.
 
     Raises NotImplementedError where the condensation has no closed form that is unique (the
@@ -52,5 +67,4 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
     if sp.diff(turning, LOAD, 2) != 0:
         raise NotImplementedError(f"{model.name}: the force enters non-linearly")
     slope = sp.diff(turning, LOAD)
-    # laws are functions of which nothing is known that could make it simpler
-    return (sp.together if model.laws else sp.simplify)(-turning.subs(LOAD, 0) / slope)
+    return -turning.subs(LOAD, 0) / slope

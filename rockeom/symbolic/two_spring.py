@@ -29,7 +29,7 @@ from rockeom.symbolic.model import (
     parameter,
 )
 from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
-from rockeom.symbolic.statics import pushover
+from rockeom.symbolic.statics import holding_force
 
 FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
 FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
@@ -134,13 +134,13 @@ def bilinear_pushover() -> BilinearPushover:
     lever = HEIGHT.symbol  # u = H_e theta for small rotations
     left = sp.sympify(springs.phase("both").feet["left"].force)
     lift_off_rotation = sp.simplify(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
-    on_pivot = pushover(pivots, "right")
+    on_pivot = sp.factor(holding_force(pivots, "right"))
     cosine, sine = (sp.expand(sp.numer(on_pivot)).coeff(f(theta)) for f in (sp.cos, sp.sin))
     upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
     x = at_side(pivots.phase("right").bodies[0].position[0], 1)  # of the superstructure
     return BilinearPushover(
         contact_stiffness=sp.simplify(
-            sp.diff(pushover(springs, "both"), theta).subs(theta, 0) / lever
+            sp.diff(holding_force(springs, "both"), theta).subs(theta, 0) / lever
         ),
         lift_off=lift_off_rotation * lever,
         lift_off_force=on_pivot.subs(theta, lift_off_rotation),

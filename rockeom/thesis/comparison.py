@@ -165,7 +165,7 @@ def differs_somewhere(difference: sp.Expr) -> bool:
     at = {x: sp.Rational(draw.randrange(100, 900), 1000) for x in sorted(unknown, key=str)}
     if any(x.is_negative or x.is_integer for x in at):
         return False
-    for radius, _, height in POLAR:
+    for radius, _, height in (p for p in POLAR if p[0] in at):
         at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at).evalf(50)
     value = difference.xreplace({x: at[x] for x in at if not x.is_Symbol})
     value = value.evalf(15, subs=at, maxn=40)

@@ -14,12 +14,15 @@ import zlib
 import numpy as np
 import pytest
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 import rockeom as rk
 from rockeom.contract import IMPULSIVE, RATIO
+from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium
+from tests.evaluation import Values
 
 N = 1000
 TOLERANCE = 1e-12
@@ -136,25 +139,14 @@ class Sample:
 
     def values(self, *expressions, accelerations=()):
         """(k, N): expressions of the model at the sample."""
-        m = self.model
-        symbols = [p.symbol for p in m.parameters]
-        symbols += [e for c in m.coordinates for e in (c.position, c.velocity)]
-        numbers = [self.parameters[p.name] for p in m.parameters]
-        for i in range(len(m.coordinates)):
-            numbers += [self.y[i], self.y[len(m.coordinates) + i]]
-        symbols += [GROUND_X, GROUND_Y, LOAD, *(c.acceleration for c in self.phase.coordinates)]
-        numbers += [self.ax, self.ay, self.load, *accelerations]
-        symbols = [*symbols[: len(numbers)], *m.constants]
-        numbers += self.constants()
-        plain = [m.in_contact(sp.sympify(e), self.contact) for e in expressions]
-        found = sp.lambdify(symbols, plain, modules="numpy", dummify=True)(*numbers)
-        return np.array([np.broadcast_to(f, (N,)) for f in found])
-
-    def constants(self):
-        given = [p.symbol for p in self.model.parameters]
-        numbers = [self.parameters[p.name] for p in self.model.parameters]
-        values = list(self.model.constants.values())
-        return sp.lambdify(given, values, modules="numpy", dummify=True)(*numbers)
+        m, half = self.model, len(self.model.coordinates)
+        known = Exact(m, self.contact, {p.symbol: self.parameters[p.name] for p in m.parameters})
+        for i, c in enumerate(m.coordinates):
+            known |= {c.position: self.y[i], c.velocity: self.y[half + i]}
+        known |= {SIDE: self.side, GROUND_X: self.ax, GROUND_Y: self.ay, LOAD: self.load}
+        free = [c.acceleration for c in self.phase.coordinates]
+        known |= dict(zip(free, accelerations, strict=False))
+        return np.array([np.broadcast_to(known[sp.sympify(e)], (N,)) for e in expressions])
 
     def sizes(self, *expressions, accelerations=()):
         """(k, N): the sums of the absolute values of the expressions' terms, laws a number each."""
@@ -197,6 +189,22 @@ class Sample:
         for i in range(N):
             compiled(number, states[i], structures[i], *(a[i] for a in arguments), out[i])
         return out.T
+
+
+class Exact(Values):
+    """Values in a contact state, of its laws and derived constants by what they stand for."""
+
+    def __init__(self, model, contact, given):
+        super().__init__(given)
+        self.model, self.contact = model, contact
+        self.named = {law.symbol for law in model.laws}
+
+    def _of(self, expr):
+        if expr in self.model.constants:
+            return self[self.model.constants[expr]]
+        if expr in self.named or isinstance(expr, AppliedUndef | sp.Derivative | sp.Subs):
+            return self[self.model.in_contact(expr, self.contact)]
+        return super()._of(expr)
 
 
 def terms(expr):

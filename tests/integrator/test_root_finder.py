@@ -1,5 +1,6 @@
 """The first fall of a polynomial of degree 7 through zero, against extremes by numpy.roots."""
 
+import functools
 import itertools
 from fractions import Fraction
 from math import comb
@@ -10,10 +11,16 @@ from hypothesis import assume, example, given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.numeric.tableau import NODES, powers_to_bernstein, samples_to_bernstein
-from tests.machine_code import functions
+from tests import machine_code
 
-LOOP = functions(
-    """
+
+@functools.cache
+def loop():
+    """Compiled where it is first asked for: to collect the tests costs nothing."""
+    return machine_code.functions(LOOP, rk.RigidBlock(half_width=0.25, half_height=1.0).module)
+
+
+LOOP = """
 @entry
 def the_fall(b: Floats) -> float:
     return fall(b, 0)
@@ -32,25 +39,23 @@ def of_gap(b: Floats, touching: int, out: Floats):
     out[0] = 1.0 if stays_open(gap, touching) else 0.0
     out[1] = closes_once(gap, touching)
     out[2] = 1.0 if rises_and_falls(gap) else 0.0
-""",
-    rk.RigidBlock(half_width=0.25, half_height=1.0).module,
-)
+"""
 NEVER = 2.0
 
 
 def fall(b):
-    return LOOP["the_fall"](b)
+    return loop()["the_fall"](b)
 
 
 def at(b, x):
     found = np.empty(2)
-    LOOP["at"](b, x, found)
+    loop()["at"](b, x, found)
     return found
 
 
 def first_fall(b, touching=False, noise=0.0):
     stack = np.empty(640)
-    return LOOP["the_first_fall"](np.array(b, dtype=float), touching, noise, stack)
+    return loop()["the_first_fall"](np.array(b, dtype=float), touching, noise, stack)
 
 
 def value(b, x):
@@ -259,7 +264,7 @@ def test_samples_and_powers_give_the_same_bernstein_form(powers):
 def of_gap(b, touching=False):
     """(stays open, place where it closes once or NEVER, closes at the end only)."""
     found = np.empty(3)
-    LOOP["of_gap"](np.array(b, dtype=float), 0 if touching else -1, found)
+    loop()["of_gap"](np.array(b, dtype=float), 0 if touching else -1, found)
     return bool(found[0]), found[1], bool(found[2])
 
 
