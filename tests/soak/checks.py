@@ -778,13 +778,19 @@ def _in_lanes(r: Record, steps: int, linear: bool) -> Found:
         options, max_impacts=10 * options.max_impacts, max_steps=20 * options.max_steps
     )
     for i, (line, off) in _beside(kept, options).items():
-        if off is None and not _beside([kept[i]], roomier):
-            continue  # a limit that one way of landing just meets
+        if off is None and (not _beside([kept[i]], roomier) or _undecided(kept[i], options)):
+            continue  # a limit that one way of landing just meets, or a millionth decides it
         if off is not None:
             again = _beside([kept[i]], _finer(options)).get(0)
             if again is None or (again[1] is not None and (again[1] <= 0.1 * off).all()):
                 continue  # errors of steps, which become smaller
         yield f"lanes: sibling {i} with {options.steps_per_law} steps {line}"
+
+
+def _undecided(motion: Motion, options: rk.SolverOptions) -> bool:
+    """Whether some of twins within a millionth have another outcome than others."""
+    twins = [nearly(motion, factor) for factor in np.linspace(1 - 1e-6, 1 + 1e-6, 41)]
+    return len(set(_many(twins, False, options).outcome.values.tolist())) > 1
 
 
 def _many(motions: list[Motion], lanes: bool, options: rk.SolverOptions, **how):
