@@ -129,7 +129,7 @@ FAULTS = {
     "upright": Fault(
         "where shaking begins by nothing, the side is that of the middle of its first law",
         "rockeom/numeric/case.py",
-        (("start + 1e-3 * own", "0.5 * (start + end)"),),
+        (("1e-3 * min(", "0.5 * (end - start) + 0.0 * min("),),
         ("dirac_delta_block", "controlled_wall_oscillator"),
         ("mirror",),
         check="mirror",
