@@ -48,7 +48,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "0fa13a1580065ca9"
+SOURCE_HASH = "0b6f5ca5eee200c4"
 
 NAME = "controlled_wall_oscillator"
 STATES = (
@@ -268,8 +268,8 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (-1, 0, -1, 2,),  # left_inward
     (-1, 0, 3, -1,),  # left_inward_slack
     (-1, -1, 2, -1,),  # left_inward_yield
-    (-1, 0, -1, 2,),  # left_near
-    (-1, 0, 3, -1,),  # left_near_slack
+    (-1, -1, -1, 2,),  # left_near
+    (-1, -1, 3, -1,),  # left_near_slack
     (-1, -1, 2, -1,),  # left_near_yield
     (1, 2, -1, -1,),  # left_slack
     (1, -1, -1, -1,),  # left_yield
@@ -277,8 +277,8 @@ CLOSED = (  # guard of the contact state that follows which is closed on enterin
     (-1, 0, -1, 2,),  # right_inward
     (-1, 0, 3, -1,),  # right_inward_slack
     (-1, -1, 2, -1,),  # right_inward_yield
-    (-1, 0, -1, 2,),  # right_near
-    (-1, 0, 3, -1,),  # right_near_slack
+    (-1, -1, -1, 2,),  # right_near
+    (-1, -1, 3, -1,),  # right_near_slack
     (-1, -1, 2, -1,),  # right_near_yield
     (1, 2, -1, -1,),  # right_slack
     (1, -1, -1, -1,),  # right_yield

@@ -91,18 +91,19 @@ def _of_guards(model: RockingModel) -> list[str]:
 
 
 def _closed(model: RockingModel, contact: str) -> list[int]:
-    """For each guard of a contact state: the one of its target that is zero on entering, or -1.
+    """For each guard of a contact state: the one of its target that leads back, or -1.
 
-    It leads back, or, wherever it leads, it is the opposite one: up to rounding it is zero, and it
-    must not be taken for another event.
+    It is zero on entering, up to rounding, and must not be taken for another event.
     """
-    found = []
+    back = []
     for t in outgoing(model, contact):
-        onward = list(enumerate(outgoing(model, t.target)))
-        back = [i for i, o in onward if t.reversible and contact in (o.target, o.fallback)]
-        turned = [i for i, o in onward if t.guard is not None and o.guard == -t.guard]
-        found.append((back + turned + [-1])[0])
-    return found
+        returning = [
+            i
+            for i, other in enumerate(outgoing(model, t.target))
+            if t.reversible and contact in (other.target, other.fallback)
+        ]
+        back.append(returning[0] if returning else -1)
+    return back
 
 
 def _rate_unit(unit: str) -> str:

@@ -1097,7 +1097,7 @@ def integrate(
                     if rocks and not NARROW and abs(move) <= small:
                         extrapolate(h, move, y, y_new, k)
                         more = move
-                    elif corrections < 3 and least < abs(move) < near * h:
+                    elif corrections < 8 and least < abs(move) < near * h:
                         corrections += 1
                         h += move
                         continue

@@ -53,7 +53,7 @@ ONCE_WRONG = {
     1256216: ("none", "a foot lands, and the tendon tightens at the same moment"),
     1040351: ("cut", "small errors of steps grow at impacts whose loss depends on their speed"),
     1501368: ("lanes", "chaotic: a change of 1e-9 decides whether a count of impacts is reached"),
-    1670785: ("none", "a wall turns just where shaking begins from nothing"),
+    1670785: ("none", "a turning point is landed on with a remainder of time that settle asks for"),
     1656788: (
         "cut",
         "a motion is cut so near to an impact that a twin is below the ground",
