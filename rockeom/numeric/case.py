@@ -43,12 +43,14 @@ class Problem(NamedTuple):
     quiet_from: float
 
     def p(self, width: int = 0) -> np.ndarray:
-        """The parameters with the table behind them, which is read from its end.
+        """The parameters with the table behind them, which is read from its end; a new array.
 
+        The loop moves parameters and puts them back, to learn the noise of a guard: motions that
+        run at the same time must not share them.
         width : of the widest table of several cases, so that all have rows of one length.
         """
         if not (self.table or width):
-            return self.vector
+            return self.vector.copy()
         return np.concatenate([self.vector, np.zeros(max(width - len(self.table), 0)), self.table])
 
 

@@ -235,3 +235,11 @@ def test_a_response_keeps_its_numbers_whatever_is_simulated_next():
     for name in ("_samples", "_outputs"):
         vars(first).pop(name)
     assert bits(first) == before
+
+
+@pytest.mark.parametrize("impact", [None, rk.EnergyRatioAtSpeed(((np.inf, 0.8, 0.0),), height=1.0)])
+def test_motions_of_one_structure_share_no_parameters(impact):
+    """The loop changes them for a moment, and threads may run a structure at the same time."""
+    problem = rk.Case(BLOCK, rk.GroundMotion.none(1.0), impact=impact).problem()
+    assert not np.shares_memory(problem.p(), BLOCK.vector)
+    assert not np.shares_memory(problem.p(), problem.p())
