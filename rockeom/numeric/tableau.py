@@ -186,18 +186,6 @@ def _sum(weights: np.ndarray, name: str, indent: str) -> str:
     return f"\n{indent}+ ".join(terms)
 
 
-GROUND = "shaking(gx, tau), shaking(gy, tau)"
-
-
-def _rates(stage: int, states: list[str], time: str, n: int, ground: str) -> str:
-    found = ", ".join(f"a{stage}_{i}" for i in range(n))
-    tau = f"    tau = {time}\n" if "tau" in ground else ""
-    return f"""{tau}    ({found},) = accelerations(
-        contact, {", ".join(states)}, p, {ground}
-    )
-"""
-
-
 def _moved(weights: np.ndarray, rate: str, start: str) -> str:
     return f"""{start} + h * (
         {_sum(weights, rate, " " * 8)}
@@ -205,9 +193,10 @@ def _moved(weights: np.ndarray, rate: str, start: str) -> str:
 """
 
 
-def _stage(method: Tableau, j: int, n: int, ground: str = GROUND) -> str:
+def _stage(method: Tableau, j: int, n: int, ground: str) -> str:
     """Positions q, velocities v and accelerations a of a stage.
 
+    ground : accelerations of the ground, found before the step.
     Positions follow from the accelerations of all stages but the one just before, whose weight is
     zero (Nystrom's form): so the sines of a stage are found while that one is still worked on.
     """
@@ -218,8 +207,12 @@ def _stage(method: Tableau, j: int, n: int, ground: str = GROUND) -> str:
         if method.twice[j].any():
             text += f" + hh * (\n        {_sum(method.twice[j], f'a{{}}_{i}', ' ' * 8)}\n    )"
         text += "\n"
-    states = [f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)]
-    return text + _rates(j, states, f"t + {c!r} * h", n, ground)
+    states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
+    found = ", ".join(f"a{j}_{i}" for i in range(n))
+    return f"""{text}    ({found},) = accelerations(
+        contact, {states}, p, {ground}
+    )
+"""
 
 
 def method_header(method: Tableau, stages: int, all_stages: int) -> str:
