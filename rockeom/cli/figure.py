@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import textwrap
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from rockeom.thesis.figures import Drawn, ThesisFigure
 
 HELP = "draw a figure of the thesis anew, from simulations and closed forms"
 DESCRIPTION = """\
@@ -35,19 +35,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "number", nargs="?", metavar="NUMBER", help="such as 4-35; a list of all if left out"
     )
+    parser.add_argument("--list", action="store_true", help="list all figures, as without NUMBER")
     parser.add_argument(
         "--out", type=Path, metavar="FILE", help="draw into FILE; figure-NUMBER.png if left out"
     )
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.thesis.figures import FIGURES
+    from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 
     if args.number is None:
         if args.out is not None:
             raise UsageError(f"--out {args.out}: name the figure as well: rockeom figure 4-35 ...")
-        print(_list(FIGURES))
+        print(_list(FIGURES, NOT_DRAWN))
         return 0
+    if args.list:
+        raise UsageError(f"--list shows all figures: leave {args.number} out")
+    if args.number in NOT_DRAWN:
+        raise UsageError(f"figure {args.number} is not drawn anew: {NOT_DRAWN[args.number]}")
     if args.number not in FIGURES:
         raise UsageError(f"no figure {args.number!r} is drawn anew; there are {', '.join(FIGURES)}")
     path = args.out or Path(f"figure-{args.number}.png")
@@ -55,25 +60,33 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError(f"--out {path}: the name must end in {', '.join(_SUFFIXES)}")
     if not path.parent.is_dir():  # told before the drawing, not after
         raise UsageError(f"--out {path}: there is no folder {path.parent}; make it first")
-    draw = FIGURES[args.number]
-    print(f"drawing figure {args.number} ...", file=sys.stderr)
-    draw().savefig(path)
+    one = FIGURES[args.number]
+    print(f"drawing figure {one.number} ...", file=sys.stderr)
+    drawn = one.drawn()
+    drawn.figure.savefig(path)
     print(f"wrote {path}", file=sys.stderr)
-    print(_explained(args.number, draw))
+    print(_explained(one, drawn))
     return 0
 
 
-def _list(figures: Mapping[str, Callable[[], Figure]]) -> str:
-    rows = [("", "WHAT IT SHOWS"), *((n, _title(draw)) for n, draw in figures.items())]
-    return f"{listing(rows)}\n\n{len(figures)} figures; rockeom figure NUMBER draws one."
+def _list(figures: Mapping[str, ThesisFigure], not_drawn: Mapping[str, str]) -> str:
+    rows = [("", "FROM", "WHAT IT SHOWS")]
+    rows += [(one.number, one.source.value, one.title) for one in figures.values()]
+    parts = [listing(rows), f"{len(figures)} figures; rockeom figure NUMBER draws one."]
+    if not_drawn:
+        parts.append("Not drawn, and why:\n" + listing(list(not_drawn.items())))
+    return "\n\n".join(parts)
 
 
-def _title(draw: Callable[[], Figure]) -> str:
-    """The first line of its docstring."""
-    return (draw.__doc__ or "").strip().partition("\n")[0].rstrip(".")
-
-
-def _explained(number: str, draw: Callable[[], Figure]) -> str:
-    head, _, rest = (draw.__doc__ or "").strip().partition("\n")
-    paragraphs = [f"{number}  {head}", *textwrap.dedent(rest).strip().split("\n\n")]
-    return "\n\n".join(textwrap.fill(p, width()) for p in paragraphs if p)
+def _explained(one: ThesisFigure, drawn: Drawn) -> str:
+    head, _, rest = one.text.partition("\n")
+    paragraphs = [f"{one.number}  {head}", *textwrap.dedent(rest).strip().split("\n\n")]
+    paragraphs.append(f"Drawn from: {one.source.value}.")
+    said = [textwrap.fill(p, width()) for p in paragraphs if p]
+    for statement in drawn.statements:
+        lines = (
+            f"{statement.where}: {statement.printed}",
+            f"found: {statement.found} ({statement.verdict})",
+        )
+        said.append("\n".join(textwrap.fill(x, width(), subsequent_indent="  ") for x in lines))
+    return "\n\n".join(said)

@@ -154,7 +154,7 @@ def test_what_cannot_be_is_named(call, message):
 
 def test_figure_of_the_three_interfaces():
     figures = pytest.importorskip("rockeom.thesis.figures")
-    rigid, springs, bed = figures.figure_2_8().axes[0].lines[:3]
+    rigid, springs, bed = figures.FIGURES["2-8"]().axes[0].lines[:3]
     theta, moment = bed.get_xdata(), bed.get_ydata()
     up = theta > 1
     np.testing.assert_allclose(  # Yim and Chopra: M/M_up = 3 - 2 sqrt(theta_up/theta)

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from rockeom.cli import main
-from rockeom.thesis import figures_chapter_4
-from rockeom.thesis.figures import FIGURES
+from rockeom.thesis.figures import FIGURES, chapter_4_wall
 
 FREE_VIBRATION = ["4-37", "4-45", "4-47", "4-48"]
 SIMULATED = {"2-6", "2-16", "2-17", "4-71", "4-73", *FREE_VIBRATION}
@@ -17,12 +16,17 @@ CLOSED_FORM = [n for n in FIGURES if n not in SIMULATED]
 
 def test_list_names_each_figure_and_what_it_shows(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
+    assert main(["figure", "--list"]) == 0
+    with_flag = capsys.readouterr().out
     assert main(["figure"]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    for number, draw in FIGURES.items():
+    said = capsys.readouterr().out
+    assert said == with_flag
+    lines = said.splitlines()
+    for number, one in FIGURES.items():
         (line,) = (line for line in lines if line.split()[:1] == [number])
-        assert draw.__doc__.splitlines()[0].rstrip(".") in line
-    assert f"{len(FIGURES)} figures" in lines[-1]
+        assert one.title in line
+        assert one.source.value in line
+    assert any(f"{len(FIGURES)} figures" in line for line in lines)
 
 
 def test_figure_is_drawn_into_the_named_file_and_explained(tmp_path, capsys):
@@ -102,7 +106,7 @@ def test_free_vibrations_follow_the_measured_one(number):
 
 @pytest.mark.filterwarnings("error")
 def test_peaks_under_shaking_grow_with_the_energy_ratio(monkeypatch):
-    monkeypatch.setattr(figures_chapter_4, "RATIOS", 3)
+    monkeypatch.setattr(chapter_4_wall, "RATIOS", 3)
     (peaks, *_), *_ = (ax.lines for ax in FIGURES["4-71"]().axes)
     ratios, largest = peaks.get_xydata().T
     assert ratios == pytest.approx([0.9 * 0.852, 0.852, 1.1 * 0.852])

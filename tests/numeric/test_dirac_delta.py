@@ -226,7 +226,7 @@ def test_law_of_impact_is_refused():
 
 def test_figure_of_both_formulations_shows_them_alike_and_the_convergence():
     figures = pytest.importorskip("rockeom.thesis.figures")
-    *axes, right = figures.figure_2_16().axes
+    *axes, right = figures.FIGURES["2-16"]().axes
     sharp, smooth = axes[0].lines
     t = np.linspace(0, 6, 500)
     curves = [np.interp(t, line.get_xdata(), line.get_ydata()) for line in (sharp, smooth)]
@@ -238,13 +238,13 @@ def test_figure_of_both_formulations_shows_them_alike_and_the_convergence():
 
 def test_figure_of_the_delta_has_unit_areas():
     figures = pytest.importorskip("rockeom.thesis.figures")
-    for line in figures.figure_2_15().axes[0].lines[1:]:  # the widest leaves the picture
+    for line in figures.FIGURES["2-15"]().axes[0].lines[1:]:  # the widest leaves the picture
         assert np.trapezoid(line.get_ydata(), line.get_xdata()) == pytest.approx(1.0, abs=1e-4)
 
 
 def test_figure_of_the_widths_nears_the_piecewise_block():
     figures = pytest.importorskip("rockeom.thesis.figures")
-    *spread, sharp = figures.figure_2_17().axes[0].lines
+    *spread, sharp = figures.FIGURES["2-17"]().axes[0].lines
     t = np.linspace(0, 8, 400)
     values = [np.interp(t, line.get_xdata(), line.get_ydata()) for line in (*spread, sharp)]
     errors = [np.abs(v - values[-1]).max() for v in values[:-1]]

@@ -221,7 +221,7 @@ def test_exact_structure_tends_to_it_as_rotations_become_small():
 
 def test_figure_of_the_thesis_alternates_about_the_critical_deformation():
     figures = pytest.importorskip("rockeom.thesis.figures")
-    _, bottom = figures.figure_2_6().axes
+    _, bottom = figures.FIGURES["2-6"]().axes
     line = bottom.lines[0]
     t, u = line.get_xdata(), line.get_ydata()
     # before each of the first impacts the column has come to rest near u_c of its side

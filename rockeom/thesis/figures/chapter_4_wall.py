@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, style
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 
 MM = 1e3
@@ -69,7 +70,7 @@ def overview_and_origin(width: float = 7.6) -> tuple[Figure, Axes, Axes]:
 # --- where the wall turns, and what follows from it
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_17() -> Figure:
     """Distance of the rotation centre from the edge against the displacement: 4-7 and Table A-1.
 
@@ -99,7 +100,7 @@ def figure_4_17() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_18() -> Figure:
     """Uplift of both edges of the base against the displacement: 4-9 and Table A-1.
 
@@ -152,7 +153,7 @@ def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
     return points | {"centre": centre}
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_19() -> Figure:
     """What the extension of the tendon follows from: the wall turned about the point O of its base.
 
@@ -193,7 +194,7 @@ def figure_4_19() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_20() -> Figure:
     """Force of the tendon against the displacement: 4-16 and Table A-1.
 
@@ -219,7 +220,7 @@ def figure_4_20() -> Figure:
 # --- quarter periods and conservative motion
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_24() -> Figure:
     """Quarter periods against the peak: 4-17, the fit 4-5, quadrature, and Table A-1.
 
@@ -256,7 +257,7 @@ def figure_4_24() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_32() -> Figure:
     """Trajectories without losses from measured peaks, 4-23, and the measured zero crossings.
 
@@ -286,7 +287,7 @@ def figure_4_32() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_33() -> Figure:
     """Displacement in time without losses, 4-24, from five measured peaks to upright.
 
@@ -317,7 +318,7 @@ def figure_4_33() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_35() -> Figure:
     """Restoring force F_k of the wall against the displacement, 4-30, and -M a at measured peaks.
 
@@ -422,7 +423,7 @@ def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_37() -> Figure:
     """Free vibration of the equivalent oscillator with r of 4-31, and Table A-1.
 
@@ -448,7 +449,7 @@ def figure_4_37() -> Figure:
 # --- the substitute-gravity wall
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_44() -> Figure:
     """What a rotation centre on its way changes, R, alpha and b', and that way: 4-37.
 
@@ -479,7 +480,7 @@ def figure_4_44() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_46() -> Figure:
     """What 10 % of n change: the half-width b' of 4-37 and the force of the tendon, 4-16.
 
@@ -511,7 +512,7 @@ def substitute_gravity(factor: float = 1.0) -> rk.SubstituteGravityWall:
     )
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_45() -> Figure:
     """Free vibration of the substitute-gravity wall with r of 4-38, and Table A-1.
 
@@ -551,7 +552,7 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_47() -> Figure:
     """What 10 % of n change in the free vibration of the substitute-gravity wall with 4-38.
 
@@ -568,7 +569,7 @@ def figure_4_47() -> Figure:
     )
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_48() -> Figure:
     """What small changes of r in 4-38 do to the free vibration of the substitute-gravity wall.
 
@@ -590,7 +591,7 @@ def figure_4_48() -> Figure:
 # --- shaking
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_71() -> Figure:
     """Peaks of the oscillator under one shaking for many r about 0.852; in kind.
 
@@ -651,7 +652,7 @@ def settled_speeds(
     return np.array(speeds), {name: run.final[name] for name in ("u", "u_dot")}
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_4_73() -> Figure:
     """Velocities when upright under Z sin(16 pi t): at 8 Hz nothing splits, at 4.553 Hz it does.
 

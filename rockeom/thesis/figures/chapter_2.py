@@ -1,16 +1,8 @@
-"""Figures of the thesis, drawn anew from simulations and closed forms.
-
-    from rockeom.thesis.figures import FIGURES
-
-    FIGURES["2-16"]().savefig("2-16.png")
-
-What a caption or the text leaves open is said with each figure, and so is what was taken for it.
-"""
+"""Figures of chapter 2: uplifting oscillators, mats, and impacts as forces."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -24,7 +16,7 @@ from rockeom.analysis import (
     uplifted_frequency,
 )
 from rockeom.plots import style
-from rockeom.thesis import figures_chapter_4 as chapter_4
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 
 START, ENERGY_RATIO = 0.4, 0.7225
 """x_0 and r of Figures 2-16 and 2-17."""
@@ -33,7 +25,7 @@ START, ENERGY_RATIO = 0.4, 0.7225
 # --- 2.4 flexible structures and foundations
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_2_6() -> Figure:
     """Free vibration of Chopra and Yim's oscillator: rotation and deformation.
 
@@ -82,7 +74,7 @@ def figure_2_6() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_2_8() -> Figure:
     """Moment and rotation of a mat on rigid ground, two springs and a tension-less Winkler bed.
 
@@ -129,7 +121,7 @@ def gaussian(x, n):
     return np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi))
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_2_15() -> Figure:
     """The Gaussian that becomes Dirac's delta; the text does not say for which n it is drawn."""
     figure = style.new_figure(5.6, 3.4)
@@ -175,7 +167,7 @@ def exact_peaks(number: int) -> np.ndarray:
     return 1 - np.sqrt(1 - 2 * energy)
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_2_16() -> Figure:
     """The block released from x = 0.4 by both formulations, and how the one nears the other.
 
@@ -219,7 +211,7 @@ def figure_2_16() -> Figure:
     return figure
 
 
-@style.styled
+@thesis_figure(Source.COMPUTED)
 def figure_2_17() -> Figure:
     """The effect of n on the same motion; the text does not say for which three n it is drawn."""
     figure = style.new_figure(7.2, 3.6)
@@ -235,34 +227,3 @@ def figure_2_17() -> Figure:
     ax.set_ylabel("$x$ [-]")
     style.legend_above(ax)
     return figure
-
-
-# --- all of them
-
-FIGURES: dict[str, Callable[[], Figure]] = {
-    draw.__name__.removeprefix("figure_").replace("_", "-"): draw
-    for draw in (
-        figure_2_6,
-        figure_2_8,
-        figure_2_15,
-        figure_2_16,
-        figure_2_17,
-        chapter_4.figure_4_17,
-        chapter_4.figure_4_18,
-        chapter_4.figure_4_19,
-        chapter_4.figure_4_20,
-        chapter_4.figure_4_24,
-        chapter_4.figure_4_32,
-        chapter_4.figure_4_33,
-        chapter_4.figure_4_35,
-        chapter_4.figure_4_37,
-        chapter_4.figure_4_44,
-        chapter_4.figure_4_45,
-        chapter_4.figure_4_46,
-        chapter_4.figure_4_47,
-        chapter_4.figure_4_48,
-        chapter_4.figure_4_71,
-        chapter_4.figure_4_73,
-    )
-}
-"""Number of a figure -> the function that draws it."""
