@@ -9,10 +9,12 @@ import io
 import re
 from collections.abc import Callable, Iterable
 from functools import cache
+from pathlib import Path
 
 import sympy as sp
 
 from rockeom import thesis
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, Statement
 from rockeom.thesis.side_by_side import TextTable, side_by_side
 from rockeom.thesis.tables import TABLES
 from rockeom.thesis.typeset import written
@@ -20,6 +22,7 @@ from rockeom.thesis.typeset import written
 PLACE = re.compile(r"^<!-- (\w+)(?: (\w+))? -->$", re.MULTILINE)
 PAGES = {c: f"chapter-{c}" for c in "2345"} | {c: f"appendix-{c.lower()}" for c in "BD"}
 SYMBOLS = {s.symbol.name for s in thesis.NOTATION if isinstance(s.symbol, sp.Symbol)}
+PICTURES = Path(__file__).parent / "_build" / "figures"
 LONGEST_REST = 300  # characters of LaTeX; a longer remainder tells a reader nothing
 
 
@@ -30,6 +33,7 @@ def fill(app, docname: str, source: list[str]) -> None:
         "equations": equations,
         "symbols": symbols,
         "tables": tables,
+        "figures": figures,
         "help": help_text,
     }
 
@@ -177,6 +181,46 @@ def shown(one: TextTable) -> str:
             *(f"- {plain(remark)}" for remark in one.remarks),
         ]
     )
+
+
+# --- the figures, and what the thesis says of them
+
+
+@cache
+def drawn(number: str) -> Drawn:
+    """A figure, its picture written beside the pages."""
+    found = FIGURES[number].drawn()
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    found.figure.savefig(PICTURES / f"{number}.png", dpi=110)
+    return found
+
+
+def figures() -> str:
+    """Each figure with its conventions, and those that cannot be drawn."""
+    parts = []
+    for number, one in FIGURES.items():
+        found = drawn(number)
+        head, _, rest = one.text.partition("\n")
+        parts += [
+            f"(figure-{number})=\n## Figure {number}",
+            f"**{plain(_sentence(head))}** *Drawn from: {one.source.value}.*",
+            f"![Figure {number}: {plain(one.title)}](_build/figures/{number}.png)",
+            *(plain(" ".join(p.split())) for p in rest.split("\n\n") if p.strip()),
+        ]
+        if found.statements:
+            parts.append(_said(found.statements))
+    if NOT_DRAWN:
+        parts += ["## Not drawn", table(["figure", "why"], _cells(NOT_DRAWN.items()))]
+    return "\n\n".join(parts)
+
+
+def _said(said: Iterable[Statement]) -> str:
+    head = ["where", "printed", "computed", "verdict"]
+    return table(head, _cells((s.where, s.printed, s.found, s.verdict) for s in said))
+
+
+def _cells(rows: Iterable[tuple[str, ...]]) -> list[list[str]]:
+    return [[plain(cell) for cell in row] for row in rows]
 
 
 # --- the command line
