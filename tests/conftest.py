@@ -4,6 +4,7 @@ import gc
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 LONGEST = (
     "soak/test_soak.py",
@@ -17,6 +18,11 @@ LONGEST = (
 )
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""
+
+
+# How long an example takes by the clock is what else the machine does.
+settings.register_profile("any machine", deadline=None)
+settings.load_profile("any machine")
 
 
 def pytest_configure(config: pytest.Config) -> None:
