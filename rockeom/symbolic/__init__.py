@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 
 from rockeom.symbolic.controlled_wall import (
     controlled_wall,
@@ -60,13 +61,18 @@ def models() -> tuple[str, ...]:
 
 
 def derive(name: str) -> RockingModel:
-    """Derive a shipped structure by its name.
+    """A shipped structure by its name, derived once in a session.
 
     Raises KeyError, naming the shipped ones, if there is none of that name.
     """
     if name not in SHIPPED:
         raise KeyError(f"no structure named {name!r}; shipped are {', '.join(SHIPPED)}")
-    return SHIPPED[name]()
+    return _derived(SHIPPED[name])
+
+
+@cache
+def _derived(structure: Callable[[], RockingModel]) -> RockingModel:
+    return structure()
 
 
 __all__ = [

@@ -7,6 +7,7 @@ delta as the Gaussian delta_n.
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import pairwise
 
 import sympy as sp
@@ -33,6 +34,7 @@ def delta(x: sp.Expr, n: sp.Expr) -> sp.Expr:
     return sp.exp(-(x**2) / n**2) / (n * sp.sqrt(sp.pi))
 
 
+@cache
 def loss(r: sp.Expr) -> sp.Expr:
     """K of g(v) = K v**2: a passage multiplies the velocity by sqrt(r) (thesis 2-25).
 

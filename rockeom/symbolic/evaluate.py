@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property
 
 import numpy as np
 import sympy as sp
@@ -11,6 +12,8 @@ from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel, Transition
 
 Function = Callable[[Sequence], np.ndarray]
+Table = tuple[tuple[str, ...], Function]
+"""Names, and the function that gives their values."""
 
 
 class NumpyPhase:
@@ -32,46 +35,86 @@ class NumpyPhase:
 
     def __init__(self, model: RockingModel, contact: str) -> None:
         phase = model.phase(contact)
-        equations = phase.equations.map(lambda e: model.in_contact(e, contact))
+        self._model, self._phase = model, phase
         self.contact = contact
         self.states = model.states
         self.parameters = tuple(p.name for p in model.parameters)
         self.coordinates = tuple(c.name for c in phase.coordinates)
         self._rows = [model.states.index(name) for name in self.coordinates]
 
-        q = [c.position for c in model.coordinates]
-        qd = [c.velocity for c in model.coordinates]
-        given = [p.symbol for p in model.parameters]
-        self._constants = array_function(given, model.constants.values())
-        given += [*model.constants, *q, *qd, GROUND_X, GROUND_Y]
-        moving = [*given, *(c.acceleration for c in phase.coordinates)]
+    # each made when it is asked for first: printing the longer expressions takes a second
 
-        def table(named: Mapping[str, sp.Expr], arguments: list[sp.Symbol] = given):
-            exact = (model.in_contact(e, contact) for e in named.values())
-            return tuple(named), array_function(arguments, exact)
+    @cached_property
+    def _arguments(self) -> list[sp.Symbol]:
+        q = [c.position for c in self._model.coordinates]
+        qd = [c.velocity for c in self._model.coordinates]
+        given = [p.symbol for p in self._model.parameters]
+        return [*given, *self._model.constants, *q, *qd, GROUND_X, GROUND_Y]
 
-        self._mass_matrix = array_function(given, equations.mass_matrix)
-        self._forcing = array_function(given, equations.forcing)
-        self._energies = table(
+    def _function(self, expressions: Iterable[sp.Expr], *more: sp.Symbol) -> Function:
+        exact = (self._model.in_contact(e, self.contact) for e in expressions)
+        return array_function([*self._arguments, *more], exact)
+
+    def _table(self, named: Mapping[str, sp.Expr], *more: sp.Symbol) -> Table:
+        return tuple(named), self._function(named.values(), *more)
+
+    @cached_property
+    def _constants(self) -> Function:
+        given = [p.symbol for p in self._model.parameters]
+        return array_function(given, self._model.constants.values())
+
+    @cached_property
+    def _mass_matrix(self) -> Function:
+        return self._function(self._phase.equations.mass_matrix)
+
+    @cached_property
+    def _forcing(self) -> Function:
+        return self._function(self._phase.equations.forcing)
+
+    @cached_property
+    def _energies(self) -> Table:
+        equations = self._phase.equations
+        return self._table(
             {
                 "kinetic_energy": equations.kinetic_energy,
                 "gravitational_energy": equations.gravitational_energy,
                 "elastic_energy": equations.elastic_energy,
             }
         )
-        self._reactions = table(reactions(model, phase) | phase.quantities_in("N"), moving)
+
+    @cached_property
+    def _reactions(self) -> Table:
+        found = reactions(self._model, self._phase) | self._phase.quantities_in("N")
+        return self._table(found, *(c.acceleration for c in self._phase.coordinates))
+
+    @cached_property
+    def _positions(self) -> Table:
+        phase = self._phase
         places = {body.name: body.position for body in phase.bodies}
         places |= {f"{name}_foot": foot.position for name, foot in phase.feet.items()}
-        self._positions = table(
+        return self._table(
             {
                 f"{name}.{i}": phase.approximated(place[i])
                 for name, place in places.items()
                 for i in (0, 1)
             }
         )
-        leaving = [t for t in model.transitions if t.source == contact]
-        self._switches = table({t.target: t.guard for t in leaving if t.guard is not None})
-        self._uplifts = {t.target: _Opening(model, t, given) for t in leaving if t.kind == "uplift"}
+
+    @cached_property
+    def _leaving(self) -> list[Transition]:
+        return [t for t in self._model.transitions if t.source == self.contact]
+
+    @cached_property
+    def _switches(self) -> Table:
+        return self._table({t.target: t.guard for t in self._leaving if t.guard is not None})
+
+    @cached_property
+    def _uplifts(self) -> dict[str, _Opening]:
+        return {
+            t.target: _Opening(self._model, t, self._arguments)
+            for t in self._leaving
+            if t.kind == "uplift"
+        }
 
     def mass_matrix(self, y, parameters: Mapping[str, float]) -> np.ndarray:
         """M of M q'' = f, (d, d, ...)."""
@@ -151,11 +194,14 @@ class _Opening:
         rotation, target = model.rotation, transition.target
         phase, equations = model.phase(target), model.equations(target)
         closed = {rotation.position: 0, rotation.velocity: 0}
-        equations = equations.map(lambda e: model.in_contact(e, target))
+
+        def still(m: sp.Matrix) -> sp.Matrix:
+            return m.applyfunc(lambda e: model.in_contact(e, target).subs(closed))
+
         self._side = phase.side_of(target)
         self._row = [c.name for c in phase.coordinates].index(rotation.name)
-        self._mass_matrix = array_function(given, equations.mass_matrix.subs(closed))
-        self._forcing = array_function(given, equations.forcing.subs(closed))
+        self._mass_matrix = array_function(given, still(equations.mass_matrix))
+        self._forcing = array_function(given, still(equations.forcing))
 
     def __call__(self, values: Sequence) -> np.ndarray:
         found = _solved(self._mass_matrix(values), self._forcing(values))
@@ -195,6 +241,6 @@ def _solved(mass_matrix: np.ndarray, forcing: np.ndarray) -> np.ndarray:
     return np.moveaxis(np.linalg.solve(matrices, right)[..., 0], -1, 0)
 
 
-def _named(table: tuple[tuple[str, ...], Function], values: Sequence) -> dict[str, np.ndarray]:
+def _named(table: Table, values: Sequence) -> dict[str, np.ndarray]:
     names, function = table
     return dict(zip(names, function(values), strict=True))

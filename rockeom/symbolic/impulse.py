@@ -14,6 +14,7 @@ full contact after the impact the impulses of both feet drop out.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -107,4 +108,9 @@ def rigid_velocity_ratio(model: RockingModel, transition: Transition) -> sp.Expr
         full.mass_matrix[row, row].subs(frozen) * model.rotation.velocity
     )
     side = model.phase(transition.source).side_of(transition.source)
-    return at_side(sp.factor(tidy(sp.cancel(ratio))), side)
+    return at_side(_shortest(ratio), side)
+
+
+@lru_cache(maxsize=256)  # asked for again by the checks of a declaration, and for each side
+def _shortest(ratio: sp.Expr) -> sp.Expr:
+    return sp.factor(tidy(sp.cancel(ratio)))

@@ -33,6 +33,7 @@ class Notation(LatexPrinter):
 
     def __init__(self, phase: Phase, model: RockingModel | None = None) -> None:
         super().__init__()
+        self._collected: dict[sp.Expr, list[sp.Expr]] = {}  # counted first, and then written
         coordinates = model.coordinates if model else phase.coordinates
         unit = {p.symbol: p.unit for p in model.parameters} if model else {}
         self.coordinates = coordinates
@@ -112,6 +113,11 @@ class Notation(LatexPrinter):
 
     def terms(self, expr: sp.Expr) -> list[sp.Expr]:
         """The terms of `expr`, collected as stated above; their sum is `expr`."""
+        if expr not in self._collected:
+            self._collected[expr] = self._terms(expr)
+        return self._collected[expr]
+
+    def _terms(self, expr: sp.Expr) -> list[sp.Expr]:
         expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
         expr = _oriented(compound_angles(expr, self.coordinates), self.moving)
         leaders = [x for x in self.leaders if expr.has(x) and expr.is_polynomial(x)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -126,6 +127,7 @@ class BilinearPushover:
     overturning: sp.Expr
 
 
+@cache
 def bilinear_pushover() -> BilinearPushover:
     """The thesis's closed form k(u), from the exact statics of springs and of fixed pivots."""
     springs, pivots = two_spring_structure(), lumped_mass_structure()

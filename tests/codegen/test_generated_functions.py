@@ -175,6 +175,7 @@ class Sample:
         lacking = np.einsum("ijn,jn->in", mass_size, np.abs(found)) + right_size
         return np.einsum("nij,jn->in", inverse, lacking)
 
+    @functools.cached_property
     def prepared(self):
         """(N, m): parameters with their constants, as generated functions take them."""
         p = np.array([self.parameters[k] for k in module(self.name).PARAMETERS])
@@ -185,7 +186,7 @@ class Sample:
         number = module(self.name).CONTACTS.index(self.contact)
         out = np.empty((N, length))
         compiled = getattr(module(self.name), function)
-        states, structures = np.ascontiguousarray(self.y.T), self.prepared()
+        states, structures = np.ascontiguousarray(self.y.T), self.prepared
         for i in range(N):
             compiled(number, states[i], structures[i], *(a[i] for a in arguments), out[i])
         return out.T
@@ -207,6 +208,7 @@ class Exact(Values):
         return super()._of(expr)
 
 
+@functools.cache
 def terms(expr):
     return sp.Add.make_args(sp.expand(sp.sympify(expr).replace(sp.Min, sp.Add)))
 
@@ -219,7 +221,9 @@ def assert_agree(what, found, expected, size):
 STRUCTURES = pytest.mark.parametrize("name", TYPICAL)
 
 
+@functools.cache
 def samples(name):
+    """Of each contact state; tests do not change them."""
     return [Sample(name, contact) for contact in model(name).contacts]
 
 
@@ -348,7 +352,7 @@ def test_velocity_ratio_and_overturning(name):
         ("velocity_ratio", sp.Integer(1) if ratio is None else ratio),
         ("overturning", sample.model.overturning),
     ):
-        found = [getattr(module(name), function)(p) for p in sample.prepared()]
+        found = [getattr(module(name), function)(p) for p in sample.prepared]
         numerator, denominator = sp.fraction(sp.together(expr))
         size = sample.sizes(numerator)[0] / np.abs(sample.values(denominator)[0])
         assert_agree(function, np.array(found), sample.values(expr)[0], size)
@@ -400,7 +404,7 @@ def test_jump(name, law):
             expected = sample.y.copy()
             expected[rate] *= 0.7
             targets = np.full(N, t.target)
-        structures, out = sample.prepared(), np.empty_like(sample.y)
+        structures, out = sample.prepared, np.empty_like(sample.y)
         for i in range(N):
             row = np.empty(len(out))
             source = m.CONTACTS.index(t.source)

@@ -72,8 +72,8 @@ def quarter_period(gravity):
 
 def copy_of_the_package(folder):
     """Laid out as in a wheel, with what the models give today for generated module."""
-    ignored = shutil.ignore_patterns("__pycache__")
-    shutil.copytree(ROOT / "rockeom", folder / "rockeom", ignore=ignored)
+    halfway = shutil.ignore_patterns("*.pyc.*")  # what another process is just writing
+    shutil.copytree(ROOT / "rockeom", folder / "rockeom", ignore=halfway)
     generate(folder, rigid_block())
     return folder
 

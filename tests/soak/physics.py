@@ -83,6 +83,8 @@ def _text(model: RockingModel) -> str:
     q = [c.position for c in model.coordinates]
     qd = [c.velocity for c in model.coordinates]
     arguments = [*q, *qd, GROUND_X, GROUND_Y, *(p.symbol for p in model.parameters)]
+    # plain names: `dummify` would go through the expressions for each argument again
+    plain = {symbol: sp.Symbol(f"a{i:03}") for i, symbol in enumerate(arguments)}
     parts = ["from functools import reduce\n\nfrom numpy import *\n"]
     for number, contact in enumerate(model.contacts):
         for part, expressions in (
@@ -90,8 +92,8 @@ def _text(model: RockingModel) -> str:
             ("power", _power(model, contact)),
             ("guards", _guards(model, contact)),
         ):
-            exact = [_plain(model, e) for e in expressions]
-            compiled = sp.lambdify(arguments, exact, modules="numpy", cse=True, dummify=True)
+            exact = [_plain(model, e).xreplace(plain) for e in expressions]
+            compiled = sp.lambdify(list(plain.values()), exact, modules="numpy", cse=True)
             text = inspect.getsource(compiled)
             parts.append(text.replace("_lambdifygenerated", f"{part}_{number}"))
     return "\n\n".join(parts)

@@ -691,3 +691,7 @@ def test_rotation_need_not_be_first_where_it_is_named():
     ):  # fmt: skip
         assert found == pytest.approx(expected, rel=1e-11, abs=1e-13)
     np.testing.assert_allclose(other.pushover([0.01, 0.1]), one.pushover([0.01, 0.1]), rtol=1e-9)
+
+
+def test_shipped_structure_is_derived_once_in_a_session():
+    assert rk.derive("two_spring_cart") is rk.derive("two_spring_cart")

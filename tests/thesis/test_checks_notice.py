@@ -38,3 +38,13 @@ def test_numbers_tell_no_two_forms_of_the_same_apart():
     assert not any(differs_somewhere(e) for e in (turn, radius, turn / radius, sp.nan, sp.oo))
     assert differs_somewhere(turn + sp.Rational(1, 10**8) * theta)
     assert differs_somewhere(radius * sp.Rational(101, 100) + height**2 / 100)
+
+
+def test_numbers_that_are_no_floats_are_found_otherwise():
+    """Roots of negative numbers, numbers too large, and functions that floats leave out."""
+    theta, height = PIER["theta"], PIER["height"]
+    root = sp.sqrt(-1 - height)
+    assert differs_somewhere(root * sp.conjugate(root) + height)
+    assert not differs_somewhere(root**2 + 1 + height)
+    assert differs_somewhere(sp.exp(theta) - 1 - theta)
+    assert not differs_somewhere(sp.Float("1e300") * height * (sp.Float("1e300") * height))

@@ -14,13 +14,13 @@ from typing import Any
 
 import sympy as sp
 
-from rockeom.symbolic import SHIPPED, RockingModel
+from rockeom.symbolic import RockingModel, derive
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.lagrange import body_velocity, kinetic_energy, rate
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium, pushover
-from rockeom.symbolic.two_spring import BilinearPushover, bilinear_pushover
+from rockeom.symbolic.two_spring import bilinear_pushover
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.check import Check, Finding, Means, vanishes
@@ -55,7 +55,7 @@ class Derived:
 
 @cache
 def shipped(name: str) -> RockingModel:
-    return SHIPPED[name]()
+    return derive(name)
 
 
 def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple[list[Value], dict]:
@@ -75,11 +75,6 @@ def values_of_shipped(number: str, side: int) -> tuple[Value, dict]:
 def _values(number: str, side: int, model: RockingModel) -> tuple[Value, dict]:
     entry = DERIVED[number]
     return entry.value(model, side), entry.known(model, side)
-
-
-@cache
-def bilinear() -> BilinearPushover:
-    return bilinear_pushover()
 
 
 def compared(
@@ -259,7 +254,7 @@ def centroid(model: RockingModel, side: int) -> list[sp.Expr]:
 def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
     cart = shipped("two_spring_cart")
     # the sine and the cosine of an arctangent: its root is R_c / H_c
-    top = bilinear().overturning.replace(
+    top = bilinear_pushover().overturning.replace(
         lambda e: e.is_Pow and abs(e.exp) == sp.Rational(1, 2),
         lambda e: (th.R_c / TO_ENGINE[th.H_c]) ** (2 * e.exp),
     )
@@ -358,9 +353,9 @@ DERIVED: dict[str, Derived] = {
     "5-22": Derived(SPRINGS, lambda m, s: lift_off_sine(m)),
     "5-23": Derived(SPRINGS, lambda m, s: displacement(m, s).subs(sp.sin(THETA), lift_off_sine(m))),
     "5-24": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
-    "5-25": Derived(SPRINGS, lambda m, s: bilinear().contact_stiffness * PIER["u"]),
+    "5-25": Derived(SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]),
     "5-26": _of(SPRINGS, linear_lift_off_force),
-    "5-27": Derived(SPRINGS, lambda m, s: bilinear().contact_stiffness * PIER["u"]),
+    "5-27": Derived(SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]),
     "5-28": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
     "5-29": _of(SPRINGS, linear_lift_off_force),
     "5-30": _of(MODEL_A, centroid),

@@ -1,0 +1,48 @@
+"""What all tests run under."""
+
+import gc
+from pathlib import Path
+
+import pytest
+from hypothesis import settings
+
+LONGEST = (
+    "soak/test_soak.py",
+    "derivations/test_derivations.py",
+    "thesis/test_checks_notice.py",
+    "symbolic/test_typeset.py",
+    "thesis/test_equations.py",
+    "codegen/test_generated_functions.py",
+    "integrator/test_compiled_programs.py",
+    "readme/test_names.py",
+)
+"""Begun first, so that no worker is left with one of them at the end. Others may come in any
+order."""
+
+
+# How long an example takes by the clock is what else the machine does.
+settings.register_profile("any machine", deadline=None)
+settings.load_profile("any machine")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Look for garbage in cycles a hundred times less often, and keep the order of files.
+
+    SymPy makes and drops millions of small objects, nearly all without cycles; to look through
+    them by Python's own measure takes a tenth of the time of many tests. Workers would be given
+    the files with the most tests first, which are not those that take longest.
+    """
+    gc.set_threshold(70_000, 20, 20)
+    if hasattr(config.option, "loadscopereorder"):
+        config.option.loadscopereorder = False
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    places = {Path(__file__).parent / name: place for place, name in enumerate(LONGEST)}
+    assert all(path.exists() for path in places)
+    items.sort(key=lambda item: places.get(item.path, len(places)))
+
+
+def pytest_collection_finish() -> None:
+    """What is imported and collected stays until the end, and need not be looked through."""
+    gc.freeze()
