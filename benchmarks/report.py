@@ -247,6 +247,7 @@ Ratios are rockeom's time over that of C."""
 INTRODUCTION = """\
 Written by `python -m benchmarks --write docs/benchmarks.md`, or, of what `make bench` has left, by
 `python -m benchmarks --read out/bench.json --write docs/benchmarks.md`; what is compared, and how,
-is told in [verification.md](verification.md). Times are medians of processor time, ratios the medians of the
-ratios turn by turn: all ways of doing a workload take turns in one process, so that what slows the
-machine down for a while slows all of them. The goals are numbers that were set beforehand."""
+is told in [verification.md](verification.md). Times are medians of processor time, ratios the
+medians of the ratios turn by turn: all ways of doing a workload take turns in one process, so that
+what slows the machine down for a while slows all of them. The goals are numbers that were set
+beforehand."""
