@@ -3,6 +3,9 @@
 python -m benchmarks                  all workloads: errors, times, ratios; out/bench.md, bench.json
 python -m benchmarks W1 W4 --quick    some of them, with few repetitions
 python -m benchmarks --write docs/benchmarks.md
+python -m benchmarks --read out/bench.json --write docs/benchmarks.md   of an earlier run
+python -m benchmarks.first_call       what the first simulation of each structure costs
+python -m benchmarks.lanes            maps of many motions, in lanes and one by one
 python -m benchmarks.precision        error against time of each method, out/precision.png
 python -m benchmarks.convergence      orders of convergence through impacts
 python -m benchmarks.reference        the references of 30 digits anew (minutes)

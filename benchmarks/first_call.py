@@ -8,9 +8,8 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 
+from rockeom.numeric.options import METHODS
 from tests.readme.blocks import declaration
-
-METHODS = ("DOP853", "RK45", "Radau")
 
 _TWO_MASSES = (
     "mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37, "

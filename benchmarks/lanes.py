@@ -10,13 +10,13 @@ order 8.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from threading import Event
 
 import numpy as np
 
 import rockeom as rk
-from benchmarks import report, timing, with_c, with_rockeom, workloads as w
+from benchmarks import report, timing, ways, with_c, with_rockeom, workloads as w
 from rockeom.numeric.case import Problems
 from rockeom.numeric.ensemble import Part, _Results
 from rockeom.numeric.program import program
@@ -24,8 +24,6 @@ from rockeom.numeric.program import program
 RTOL = 1e-6
 """Of the controlled steps: so loose that hardly one is shorter than a sample."""
 FIRST_IMPACTS = 20
-TURNS = 7
-HEAD = ("map", "way", "time per motion", "of C's", "median error", "motions that fell")
 
 HEIGHTS, SLENDERNESSES = np.linspace(0.3, 3.0, 20), np.linspace(0.12, 0.36, 20)  # m, rad
 WIDTHS, STIFFNESSES = np.linspace(0.16, 0.36, 10), np.linspace(2e5, 1e6, 10)  # m, N/m
@@ -88,13 +86,14 @@ def fallen(result: _Results | list) -> int:
     return sum(outcome == with_c.OVERTURNED for outcome, *_ in result)
 
 
-def rows() -> list[report.Row]:
-    """Time and error of each way on each map, as cells under HEAD.
+def rows(
+    turns: int = 7, told: Callable[[str, str], None] = lambda *_: None
+) -> Iterator[report.Row]:
+    """Time and error of each way on each map, as cells of `report.lanes`.
 
-    The error of a motion is the largest among the times of its first impacts, against steps of
-    tolerance 1e-13.
+    A step's time is told where steps are as long as the samples. The error of a motion is the
+    largest among the times of its first impacts, against steps of tolerance 1e-13.
     """
-    found = []
     a_sample, loose = rk.SolverOptions(steps_per_law=1), with_rockeom.options(RTOL)
     maps = (
         ("blocks", blocks(), a_sample),
@@ -102,27 +101,30 @@ def rows() -> list[report.Row]:
         ("pulses", pulses(), loose),
     )
     for name, cases, of_lanes in maps:
-        runs = {variant: by_c(cases, variant) for variant in with_c.VARIANTS}
+        told("lanes and one by one:", name)
+        runs: dict[str, Callable[[], _Results | list]] = {}
+        if "C" not in ways.missing():
+            runs = {variant: by_c(cases, variant) for variant in with_c.VARIANTS}
         runs["one by one"] = by_rockeom(cases, loose, False)
         runs["lanes"] = by_rockeom(cases, of_lanes, True)
         exact = first_impacts(by_rockeom(cases, with_rockeom.options(1e-13), False)())
-        times = timing.in_turns(runs, TURNS)
+        times = timing.in_turns(runs, turns)
         for way, run in runs.items():
             result = run()
             off = np.abs(first_impacts(result) - exact)
             rocks = np.isfinite(off).any(axis=1)
-            found.append(
-                (
-                    name,
-                    way,
-                    report.seconds(times[way].median / len(cases)),
-                    report.times(times[way].ratio_to(times["C"])),
-                    report.scientific(np.median(np.nanmax(off[rocks], axis=1))),
-                    str(fallen(result)),
-                )
+            a_motion = times[way].median / len(cases)
+            equal = way == "lanes" and of_lanes.steps_per_law == 1
+            yield (
+                name,
+                way,
+                report.seconds(a_motion),
+                report.seconds(a_motion / len(cases[0].motion.segments)) if equal else "",
+                report.times(times[way].ratio_to(times["C"])) if "C" in times else "",
+                report.scientific(np.median(np.nanmax(off[rocks], axis=1))),
+                str(fallen(result)),
             )
-    return found
 
 
 if __name__ == "__main__":
-    print(report.table(HEAD, rows()))
+    print(report.lanes(list(rows())))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from numbers import Real
 from typing import Any
 
@@ -30,6 +31,14 @@ def told(value: Any) -> str:
 def _kind(value: Any) -> str:
     name = type(value).__name__
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """A hint at the known name that is most like an unknown one, or nothing if none is."""
+    import difflib  # only where there is an error
+
+    found = difflib.get_close_matches(name, known, n=1)
+    return f" (did you mean {found[0]}?)" if found else ""
 
 
 def is_number(value: Any) -> bool:

@@ -67,6 +67,26 @@ print("sympy" in sys.modules)
     assert run_python("-c", code) == "False"
 
 
+def test_a_wall_is_made_and_its_code_read_without_what_it_does_not_need():
+    """Together they took as long to import as all the rest."""
+    code = """
+import numpy, llvmlite.binding
+import sys
+before = set(sys.modules)
+import rockeom as rk
+import rockeom.numeric.machine, rockeom.numeric.simulate
+rk.ControlledWall.thesis().vector, rk.FlexibleControlledWall.thesis().vector
+rk.GroundMotion.single_sine(amplitude=2.8, period=0.5, duration=2.0).segments
+here = set(sys.modules) - before
+formulas = {name for name in here if name.startswith("rockeom.analysis.")}
+print(sorted(formulas - {"rockeom.analysis.arguments", "rockeom.analysis.controlled_wall"}))
+print(sorted(here & {
+    "csv", "difflib", "numpy.polynomial", "rockeom.motion.readers", "scipy", "subprocess",
+}))
+"""
+    assert run_python("-c", code) == "[]\n[]"
+
+
 def test_a_program_is_made_without_scipy_and_sympy():
     """SciPy alone takes as long to import as a program to compile."""
     code = """

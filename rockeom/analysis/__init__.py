@@ -10,97 +10,101 @@ a ValueError that names the function, the argument, its value and the remedy. "T
 the equations of Ma (2010), which `rockeom.thesis` checks.
 """
 
-from rockeom.analysis.controlled_wall import (
-    DissipationLimit,
-    EdgeUplifts,
-    RotationCentre,
-    Tendon,
-    TendonPath,
-    Wall,
-    back_calculated_force,
-    corrected_uplifts,
-    energy_ratio_4_31,
-    energy_ratio_4_36,
-    energy_ratio_4_38,
-    harmonic_force,
-    peak_sequence,
-    quarter_period_fit,
-)
-from rockeom.analysis.damping import (
-    DESIGN_FACTORS,
-    GRANT_FACTORS,
-    DesignFactors,
-    GrantFactors,
-    bilinear_damping,
-    damping_from_decrement,
-    damping_from_decrement_exact,
-    design_damping,
-    equivalent_damping,
-    fema_356_damping,
-    flag_damping,
-    grant_damping,
-    priestley_damping,
-    recentring_ratio,
-    simplified_damping,
-    takeda_damping,
-)
-from rockeom.analysis.foundation import (
-    TwoSprings,
-    circular_mat,
-    rectangular_mat,
-    rigid_moment,
-    two_spring_moment,
-    two_spring_uplift_rotation,
-    winkler_moment,
-    winkler_stiffness,
-    winkler_stiffness_from_rotation,
-    winkler_uplift_rotation,
-)
-from rockeom.analysis.free_vibration import (
-    Energies,
-    FreeVibration,
-    QuarterPeriods,
-    Restitution,
-    coefficient_of_determination,
-)
-from rockeom.analysis.measured import (
-    displacement_from_rotation,
-    rotation_about_moving_centre,
-    rotation_centre,
-    rotation_from_displacement,
-    stiffness_from_period,
-    viscous_coefficient,
-)
-from rockeom.analysis.orbits import (
-    PeriodicOrbit,
-    StroboscopicMap,
-    bifurcation_value,
-    continued_orbits,
-)
-from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
-from rockeom.analysis.restitution import (
-    energy_ratio_from_velocity_ratio,
-    energy_ratio_of_block,
-    energy_ratio_of_lumped_mass,
-    energy_ratios_from_peaks,
-    energy_ratios_from_peaks_of_lumped_mass,
-    gravitational_energy,
-    spring_energy,
-    velocity_ratio_from_energy_ratio,
-)
-from rockeom.analysis.support_forces import (
-    acceleration_at_impact,
-    block_reactions,
-    block_reactions_at_impact,
-    centroid_acceleration,
-    impact_speed,
-)
-from rockeom.analysis.uplift import (
-    uplift_acceleration,
-    uplift_displacement,
-    uplifted_damping,
-    uplifted_frequency,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.analysis.controlled_wall import (
+        DissipationLimit,
+        EdgeUplifts,
+        RotationCentre,
+        Tendon,
+        TendonPath,
+        Wall,
+        back_calculated_force,
+        corrected_uplifts,
+        energy_ratio_4_31,
+        energy_ratio_4_36,
+        energy_ratio_4_38,
+        harmonic_force,
+        peak_sequence,
+        quarter_period_fit,
+    )
+    from rockeom.analysis.damping import (
+        DESIGN_FACTORS,
+        GRANT_FACTORS,
+        DesignFactors,
+        GrantFactors,
+        bilinear_damping,
+        damping_from_decrement,
+        damping_from_decrement_exact,
+        design_damping,
+        equivalent_damping,
+        fema_356_damping,
+        flag_damping,
+        grant_damping,
+        priestley_damping,
+        recentring_ratio,
+        simplified_damping,
+        takeda_damping,
+    )
+    from rockeom.analysis.foundation import (
+        TwoSprings,
+        circular_mat,
+        rectangular_mat,
+        rigid_moment,
+        two_spring_moment,
+        two_spring_uplift_rotation,
+        winkler_moment,
+        winkler_stiffness,
+        winkler_stiffness_from_rotation,
+        winkler_uplift_rotation,
+    )
+    from rockeom.analysis.free_vibration import (
+        Energies,
+        FreeVibration,
+        QuarterPeriods,
+        Restitution,
+        coefficient_of_determination,
+    )
+    from rockeom.analysis.measured import (
+        displacement_from_rotation,
+        rotation_about_moving_centre,
+        rotation_centre,
+        rotation_from_displacement,
+        stiffness_from_period,
+        viscous_coefficient,
+    )
+    from rockeom.analysis.orbits import (
+        PeriodicOrbit,
+        StroboscopicMap,
+        bifurcation_value,
+        continued_orbits,
+    )
+    from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
+    from rockeom.analysis.restitution import (
+        energy_ratio_from_velocity_ratio,
+        energy_ratio_of_block,
+        energy_ratio_of_lumped_mass,
+        energy_ratios_from_peaks,
+        energy_ratios_from_peaks_of_lumped_mass,
+        gravitational_energy,
+        spring_energy,
+        velocity_ratio_from_energy_ratio,
+    )
+    from rockeom.analysis.support_forces import (
+        acceleration_at_impact,
+        block_reactions,
+        block_reactions_at_impact,
+        centroid_acceleration,
+        impact_speed,
+    )
+    from rockeom.analysis.uplift import (
+        uplift_acceleration,
+        uplift_displacement,
+        uplifted_damping,
+        uplifted_frequency,
+    )
 
 __all__ = [
     "DESIGN_FACTORS",
@@ -179,3 +183,24 @@ __all__ = [
     "winkler_stiffness_from_rotation",
     "winkler_uplift_rotation",
 ]
+
+_HOMES = (
+    "controlled_wall", "damping", "foundation", "free_vibration", "measured", "orbits", "periods",
+    "restitution", "support_forces", "uplift",
+)  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    """Import no more than it takes to find a name: who simulates a wall wants only `Wall`."""
+    if name in _HOMES:
+        return import_module(f"rockeom.analysis.{name}")
+    if name in __all__:
+        for home in map(__getattr__, _HOMES):
+            if hasattr(home, name):
+                globals()[name] = getattr(home, name)
+                return globals()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__, *_HOMES})

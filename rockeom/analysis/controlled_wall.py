@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -492,6 +493,7 @@ class Wall:
         self._sine(where, initial)
 
         near = self.rotation_centre.epsilon / 4
+        nodes, weights = _gauss()
 
         def time(d0: float, angle: float) -> float:
             def integrand(phi: np.ndarray) -> np.ndarray:
@@ -499,8 +501,8 @@ class Wall:
                 spare = self.potential_energy(d0) - self.potential_energy(d)
                 # Beside the release the difference of energies is lost in rounding; there the
                 # force hardly changes, and its mean over the way gives the work.
-                points = d[..., None] + way[..., None] * (1 + _NODES) / 2
-                work = way * (self.restoring_force(points) * _WEIGHTS).sum(axis=-1) / 2
+                points = d[..., None] + way[..., None] * (1 + nodes) / 2
+                work = way * (self.restoring_force(points) * weights).sum(axis=-1) / 2
                 spare = np.where(np.abs(way) < near, work, spare)
                 return abs(d0) * np.sin(phi) / np.sqrt(2 * spare / self._mass_at(d))
 
@@ -770,7 +772,11 @@ def _next_peak(force: Callable, start: float, r: float, n: float) -> float:
 
 # --- quadrature
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
+
+@cache
+def _gauss() -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights between -1 and 1; numpy.polynomial takes long to import."""
+    return np.polynomial.legendre.leggauss(16)
 
 
 def _integral(
@@ -780,11 +786,12 @@ def _integral(
 
     tolerance : of the integral of the absolute value.
     """
+    nodes, weights = _gauss()
     previous, panels = np.inf, 4
     while panels <= 2**14:
         edges = np.linspace(a, b, panels + 1)
         half = np.diff(edges)[:, None] / 2
-        terms = function(edges[:-1, None] + half * (1 + _NODES)) * half * _WEIGHTS
+        terms = function(edges[:-1, None] + half * (1 + nodes)) * half * weights
         value = float(terms.sum())
         if abs(value - previous) <= tolerance * np.abs(terms).sum():
             return value

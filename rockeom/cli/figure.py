@@ -19,7 +19,7 @@ HELP = "draw a figure of the thesis anew, from simulations and closed forms"
 DESCRIPTION = """\
 List the figures of Ma's thesis (2010) that are drawn anew, or draw one of them into a file. What
 the thesis leaves open about a figure, and what was taken for it, is printed beside it.
-The first drawing of a simulated figure compiles its structures, which takes some ten seconds.
+The first drawing of a simulated figure compiles its structures, which takes a second or two.
 """
 EPILOG = """\
 examples:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
-import difflib
 import importlib
 from collections.abc import Sequence
 from types import ModuleType
 
+from rockeom.arguments import near
 from rockeom.cli.errors import UsageError
 from rockeom.numeric.structures import SHIPPED, Structure
 
@@ -42,9 +42,9 @@ def run(args: argparse.Namespace) -> int:
 def shipped(name: str) -> type[Structure]:
     """The class of a shipped structure; raises UsageError naming all of them if it is unknown."""
     if name not in SHIPPED:
-        near = difflib.get_close_matches(name, SHIPPED, n=1)
-        hint = f" (did you mean {near[0]}?)" if near else ""
-        raise UsageError(f"no structure named {name!r}{hint}; there are {', '.join(SHIPPED)}")
+        raise UsageError(
+            f"no structure named {name!r}{near(name, SHIPPED)}; there are {', '.join(SHIPPED)}"
+        )
     return SHIPPED[name]
 
 

@@ -7,16 +7,16 @@ import re
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.arguments import number, numbers, told
 from rockeom.many import Many, isfinite
-from rockeom.motion import library, readers
+from rockeom.motion import library
 from rockeom.motion.errors import MotionError
-from rockeom.motion.readers import Column, FilePath, Record
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
     ANTISYMMETRIC_RICKER_PEAK,
@@ -36,6 +36,9 @@ from rockeom.motion.segments import (
     shaking_ends as _shaking_ends,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
+
+if TYPE_CHECKING:
+    from rockeom.motion.readers import Column, FilePath
 
 QUIET_PERIODS = 10
 """Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
@@ -239,7 +242,7 @@ class GroundMotion:
         Raises MotionError for NaN or infinity (with its index) and for other than one dimension.
         """
         values = _one_dimension(acceleration) * factor(units, gravity)
-        return _from_record(Record(values, dt, name, "array"))
+        return _from_record(values, dt, name, "array")
 
     @classmethod
     def from_at2(
@@ -258,7 +261,7 @@ class GroundMotion:
 
         Raises MotionError, with file, line, value and remedy, for anything the file leaves open.
         """
-        return _from_record(readers.read_at2(path, units, gravity, name))
+        return _from_record(*_readers().read_at2(path, units, gravity, name))
 
     @classmethod
     def from_columns(
@@ -282,7 +285,7 @@ class GroundMotion:
 
         Raises MotionError, with file, line, value and remedy, for anything the file leaves open.
         """
-        return _from_record(readers.read_columns(path, units, gravity, name))
+        return _from_record(*_readers().read_columns(path, units, gravity, name))
 
     @classmethod
     def from_csv(
@@ -300,7 +303,7 @@ class GroundMotion:
         Everything else is as in `from_columns`.
         """
         return _from_record(
-            readers.read_csv(path, time_column, acceleration_column, units, gravity, name)
+            *_readers().read_csv(path, time_column, acceleration_column, units, gravity, name)
         )
 
     @classmethod
@@ -313,7 +316,7 @@ class GroundMotion:
         name: str | None = None,
     ) -> GroundMotion:
         """A record from a file, by `from_at2` or `from_columns`, whichever the file calls for."""
-        return _from_record(readers.read(path, units, gravity, name))
+        return _from_record(*_readers().read(path, units, gravity, name))
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
@@ -505,15 +508,22 @@ def _pulse(
     return _analytic(name, [law]).padded_to(total)
 
 
-def _from_record(record: Record) -> GroundMotion:
+def _readers() -> ModuleType:
+    """Only who reads a file waits for the patterns of its headers to be compiled."""
+    from rockeom.motion import readers
+
+    return readers
+
+
+def _from_record(a: np.ndarray, dt: float, name: str, source: str) -> GroundMotion:
     """A record as linear segments from sample to sample."""
-    a, dt = record.acceleration, _positive("dt", record.dt)
+    dt = _positive("dt", dt)
     if len(a) < 2:
-        raise MotionError(f"{record.source}: {len(a)} sample(s), where a record needs two or more")
+        raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
     largest = float(np.abs(a).max())
     if largest > _ABSURD_PEAK:
         warnings.warn(
-            f"{record.source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
+            f"{source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
             "is above all that was ever recorded: check the units",
             stacklevel=3,
         )
@@ -521,7 +531,7 @@ def _from_record(record: Record) -> GroundMotion:
     segments = np.zeros((len(a) - 1, COLUMNS))
     segments[:, START], segments[:, END] = t[:-1], t[1:]
     segments[:, C0], segments[:, C1] = a[:-1], np.diff(a) / np.diff(t)
-    return GroundMotion(segments, record.name, record.source, dt, a)
+    return GroundMotion(segments, name, source, dt, a)
 
 
 # -- checks --------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Coefficients of explicit Runge-Kutta pairs.
+"""Coefficients of explicit Runge-Kutta pairs: who adds one writes it here, and nowhere else.
 
 They are SciPy's to the last bit, under its names (`scipy.integrate.RK45` and `DOP853`, which say
 what each is), and stand here since SciPy takes about as long to import as a program to compile.
@@ -21,6 +21,7 @@ def _table(text: str) -> np.ndarray:
 class RK45:
     """Dormand and Prince (1980) 5(4), dense output by Shampine (1986)."""
 
+    order, error_estimator_order = 5, 4
     A = _table("""
         0;
         0.2;
@@ -55,6 +56,7 @@ class RK45:
 class DOP853:
     """Hairer, Norsett and Wanner (1993) 8(5,3), dense output of degree 7."""
 
+    order, error_estimator_order = 8, 7
     A = _table("""
         0;
         0.05260015195876773;
@@ -128,3 +130,7 @@ class DOP853:
         29.8402934266605, -43.53345659001114, 96.32455395918828, -39.17726167561544,
         -149.72683625798564
     """)
+
+
+PAIRS: dict[str, type] = {"DOP853": DOP853, "RK45": RK45}
+"""By the names that a user chooses them by, the default first."""

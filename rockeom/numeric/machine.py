@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import ctypes.util
 import sys
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -83,8 +82,8 @@ def compiled(ir: str, lanes: bool = False) -> bytes:
 @cache
 def _library_is_known() -> bool:
     """Tell LLVM where the functions of mathematics are, on whatever system."""
-    name = "ucrtbase" if sys.platform == "win32" else ctypes.util.find_library("m")
-    library = ctypes.CDLL(name)
+    # None: what this process has loaded, and Python needs the library of mathematics itself
+    library = ctypes.CDLL("ucrtbase" if sys.platform == "win32" else None)
     for function in LIBRARY:
         if hasattr(library, function):
             address = ctypes.cast(getattr(library, function), ctypes.c_void_p).value

@@ -7,6 +7,10 @@ from dataclasses import dataclass
 from functools import cache
 
 from rockeom.arguments import number, told, whole_number
+from rockeom.numeric.coefficients import PAIRS
+
+METHODS = (*PAIRS, "Radau")
+"""Explicit ones, and the implicit one of implicit.py."""
 
 
 @dataclass(frozen=True)
@@ -48,8 +52,9 @@ class SolverOptions:
     output_step: float | None = None
 
     def __post_init__(self) -> None:
-        if self.method not in ("DOP853", "RK45", "Radau"):
-            raise ValueError(f"method is {self.method!r}: choose 'DOP853', 'RK45' or 'Radau'")
+        if self.method not in METHODS:
+            *others, last = map(repr, METHODS)
+            raise ValueError(f"method is {self.method!r}: choose {', '.join(others)} or {last}")
         # Compiled code knows a number by its type: kept are float and int, whatever was given.
         for name in ("rtol", "atol", "max_step", "rest_tolerance", "output_step"):
             if name == "output_step" and self.output_step is None:

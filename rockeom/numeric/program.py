@@ -88,7 +88,8 @@ def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
     digest = _digest(
         _source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
-        _own("machine_types.py"), _own("program.py"), _own("contract.py", "rockeom"),
+        _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
+        _own("contract.py", "rockeom"),
         *(_own(name) for name in _LANES if lanes),
     )  # fmt: skip
     name = f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}"

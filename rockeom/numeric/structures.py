@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import functools
 import importlib
 import math
@@ -14,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transf
 
 import numpy as np
 
-from rockeom.arguments import number, told
+from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -359,9 +358,7 @@ def check_names(what: str, required: set[str], known: set[str], given: set[str])
     text = []
     if missing:
         text.append(f"missing {', '.join(missing)}")
-    for name in unknown:
-        near = difflib.get_close_matches(name, known, n=1)
-        text.append(f"unknown {name}" + (f" (did you mean {near[0]}?)" if near else ""))
+    text += [f"unknown {name}{near(name, known)}" for name in unknown]
     raise ParameterError(
         f"{what}: {'; '.join(text)}. Its parameters are {', '.join(sorted(known))}"
     )
@@ -1136,10 +1133,9 @@ def structure(model: Any, /, **parameters: float) -> Structure:
     """
     if isinstance(model, str):
         if model not in SHIPPED:
-            near = difflib.get_close_matches(model, SHIPPED, n=1)
-            hint = f" (did you mean {near[0]}?)" if near else ""
             raise ValueError(
-                f"no structure named {model!r}{hint}; shipped are {', '.join(SHIPPED)}"
+                f"no structure named {model!r}{near(model, SHIPPED)}; shipped are "
+                f"{', '.join(SHIPPED)}"
             )
         return SHIPPED[model](**parameters)
     if not hasattr(model, "check_values"):

@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from math import comb
+from typing import Any
 
 import numpy as np
 
-from rockeom.numeric.coefficients import DOP853, RK45
+from rockeom.numeric.coefficients import PAIRS
 
 
 @dataclass(frozen=True)
@@ -76,12 +77,11 @@ class Tableau:
 
 @cache
 def tableau(name: str) -> Tableau:
-    """The pair of that name, "DOP853" (order 8) or "RK45" (order 5)."""
-    if name == "RK45":
-        return _rk45()
-    if name == "DOP853":
-        return _dop853()
-    raise ValueError(f"no method {name!r}; there are 'DOP853' and 'RK45'")
+    """The explicit pair of that name in coefficients.py."""
+    if name not in PAIRS:
+        raise ValueError(f"no method {name!r}; there are {' and '.join(map(repr, PAIRS))}")
+    pair: Any = PAIRS[name]
+    return _of_the_book(name, pair) if hasattr(pair, "D") else _plain(name, pair)
 
 
 def _square(rows: np.ndarray, size: int) -> np.ndarray:
@@ -90,17 +90,16 @@ def _square(rows: np.ndarray, size: int) -> np.ndarray:
     return full
 
 
-def _rk45() -> Tableau:
-    """Dormand and Prince (1980) 5(4), dense output of degree 4 by Shampine (1986)."""
-    r = RK45
-    a = _square(r.A, 7)
-    a[6, :6] = r.B
-    return Tableau("RK45", a, r.B, np.append(r.C, 1.0), (r.E,), r.P, 5, 4)
+def _plain(name: str, r: Any) -> Tableau:
+    """A pair whose dense output needs no other stages, P its weights."""
+    a = _square(r.A, len(r.B) + 1)
+    a[-1, :-1] = r.B
+    c = np.append(r.C, 1.0)
+    return Tableau(name, a, r.B, c, (r.E,), r.P, r.order, r.error_estimator_order)
 
 
-def _dop853() -> Tableau:
-    """Hairer, Norsett and Wanner (1993) 8(5,3), dense output of degree 7."""
-    r = DOP853
+def _of_the_book(name: str, r: Any) -> Tableau:
+    """Hairer, Norsett and Wanner's (1993), with stages for the dense output of degree 7."""
     a = _square(r.A, 16)
     a[12, :12] = r.B
     a[13:, :] = r.A_EXTRA
@@ -119,7 +118,7 @@ def _dop853() -> Tableau:
     for i in range(7):
         basis = basis * np.polynomial.Polynomial([0.0, 1.0] if i % 2 == 0 else [1.0, -1.0])
         dense[:, : len(basis.coef) - 1] += np.outer(weights[i], basis.coef[1:])
-    return Tableau("DOP853", a, r.B, c, (r.E5, r.E3), dense, 8, 7)
+    return Tableau(name, a, r.B, c, (r.E5, r.E3), dense, r.order, r.error_estimator_order)
 
 
 # -- Bernstein form of a polynomial on a step ---------------------------------------------------

@@ -212,3 +212,42 @@ def test_text_that_does_not_run_leaves_nothing_behind():
     one, two = load_text("probe", "VALUE = 1\n"), load_text("probe", "VALUE = 2\n")
     assert (one.VALUE, two.VALUE) == (1, 2)
     assert load_text("probe", "VALUE = 1\n") is one
+
+
+def test_every_file_that_has_part_in_a_program_is_in_its_name():
+    """One that is imported to make it and left out would keep old machine code in use."""
+    code = """
+import sys
+import rockeom.generated.rigid_block as module
+from rockeom.numeric import program as programs
+
+hashed, own = set(), programs._own
+
+def noted(name, package="rockeom.numeric"):
+    hashed.add(f"{package}.{name.removesuffix('.py')}")
+    return own(name, package)
+
+class Named(Exception):
+    pass
+
+def kept(name, digest, make):
+    raise Named
+
+programs._own, programs.kept = noted, kept
+try:
+    programs.program(module, "DOP853", lanes=True)
+except Named:
+    pass
+programs._own = own
+programs.texts(module, "DOP853", lanes=True), programs.texts(module, "Radau")
+imported = {name for name in sys.modules if name.startswith("rockeom.")}
+print(*sorted(imported - hashed))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    # the module's own text is hashed as such; marks are read where they stand, and do nothing
+    assert done.stdout.split() == [
+        "rockeom.generated", "rockeom.generated.rigid_block", "rockeom.marks", "rockeom.numeric",
+        "rockeom.numeric.store",
+    ]  # fmt: skip

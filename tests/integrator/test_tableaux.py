@@ -2,6 +2,8 @@
 
 import itertools
 import math
+import subprocess
+import sys
 from functools import cache
 
 import numpy as np
@@ -74,6 +76,29 @@ def test_every_order_condition(name):
     assert worst(method.b, method.a[:s, :s], ORDER[name] + 1) > 1e-6
 
 
+def test_a_pair_is_added_in_one_file():
+    """All that asks for a method by its name finds it: Dormand and Prince's by another."""
+    code = """
+from rockeom.numeric import coefficients
+coefficients.PAIRS["Prince"] = coefficients.RK45
+import rockeom as rk
+import rockeom.generated.rigid_block as module
+from rockeom.numeric.printer import Program
+from rockeom.numeric.program import texts
+assert rk.SolverOptions(method="Prince").method == "Prince"
+for lanes in (False, True):
+    one, other = (Program(texts(module, m, lanes)).ir() for m in ("Prince", "RK45"))
+    assert one == other
+try:
+    rk.SolverOptions(method="Dormand")
+except ValueError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    wanted = "method is 'Dormand': choose 'DOP853', 'RK45', 'Prince' or 'Radau'"
+    assert done.stdout.strip() == wanted
+
+
 @METHODS
 def test_coefficients_are_those_of_scipy_to_the_last_bit(name):
     ours = vars(getattr(coefficients, name))
@@ -81,7 +106,7 @@ def test_coefficients_are_those_of_scipy_to_the_last_bit(name):
     assert len(names) >= 5
     for key in names:
         theirs = np.asarray(getattr(getattr(integrate, name), key))
-        assert ours[key].tobytes() == theirs.tobytes(), key
+        assert np.asarray(ours[key]).tobytes() == theirs.tobytes(), key
 
 
 @METHODS
