@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from rockeom.arguments import number, numbers, told
 from rockeom.many import Many, isfinite
 from rockeom.motion import library
-from rockeom.motion.errors import MotionError
+from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
     ANTISYMMETRIC_RICKER_PEAK,
@@ -36,9 +36,6 @@ from rockeom.motion.segments import (
     shaking_ends as _shaking_ends,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
-
-if TYPE_CHECKING:
-    from rockeom.motion.readers import Column, FilePath
 
 QUIET_PERIODS = 10
 """Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
@@ -292,8 +289,8 @@ class GroundMotion:
         cls,
         path: FilePath,
         *,
-        time_column: Column,
-        acceleration_column: Column,
+        time_column: str | int,
+        acceleration_column: str | int,
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,

@@ -26,10 +26,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.arguments import is_number, told
-from rockeom.motion.errors import MotionError
+from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import NAMES, factor, is_known
 
-FilePath = str | os.PathLike[str]
 Column = str | int
 
 
