@@ -219,7 +219,10 @@ class Program:
         lines = [f"%row = alloca i64, i64 {len(parts) + 1}"]
         for i, part in enumerate(parts):
             lines.append(f"%p{i} = getelementptr i64, ptr %row, i64 {i}")
-            lines.append(f"store {part} %x{i}, ptr %p{i}")
+            if part == BOOL:
+                lines.append(f"%w{i} = zext i1 %x{i} to i64")
+            wide = f"i64 %w{i}" if part == BOOL else f"{part} %x{i}"
+            lines.append(f"store {wide}, ptr %p{i}")
         lines.append(f"call void @{name}(ptr %row)")
         if returns == NOTHING:
             lines.append("ret void")
