@@ -70,6 +70,7 @@ PLACES: int
 STAGE_PLACES: Floats
 NODE_PLACES: Floats
 DAMPING: float
+GAP_SIDES: tuple[float, ...]
 
 def shake_lanes(z: Floats, times: Floats) -> None: ...
 def bend_x_lanes(z: Floats, times: Floats) -> None: ...

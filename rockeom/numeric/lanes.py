@@ -37,6 +37,7 @@ from rockeom.contract import (
     TIME,
     TOO_MANY_IMPACTS,
     TOUCHING,
+    UPLIFT,
 )
 from rockeom.marks import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 
@@ -44,6 +45,8 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
         CLOSED,
         DAMPING,
+        GAP_SIDES,
+        KINDS,
         LANES,
         N_PARAMETERS,
         N_STATES,
@@ -316,7 +319,7 @@ def take_in(lane, z, w, home, fallen):
     z[Z_T + lane], z[Z_NEXT + lane] = clock[case, TIME], clock[case, NEXT_STEP]
     z[Z_DAMP + lane] = math.exp(DAMPING * clock[case, LAST_ERROR])
     z[Z_CONTACT + lane] = status[case, CONTACT]
-    z[Z_SIDE + lane] = SIDES[status[case, CONTACT]]
+    z[Z_SIDE + lane] = GAP_SIDES[status[case, CONTACT]]
     z[Z_TOUCHING + lane] = status[case, TOUCHING]
     z[Z_TAKEN + lane] = status[case, TAKEN]
     z[Z_FALLEN + lane] = fallen[case]
@@ -460,7 +463,8 @@ def impact(lane, z, w, home, stop, data, how, work):
             for i in range(N_STATES):
                 least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
                 z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
-    z[Z_CONTACT + lane], z[Z_SIDE + lane], z[Z_TOUCHING + lane] = contact, SIDES[contact], touching
+    z[Z_CONTACT + lane], z[Z_SIDE + lane] = contact, GAP_SIDES[contact]
+    z[Z_TOUCHING + lane] = touching
     for i in range(n):
         z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
 
@@ -504,6 +508,26 @@ def next_laws(lane, z, w, case, ground, fixed):
     return jumped
 
 
+def skip_laws(lane, z, w, case, home, ground, up, down, doubt):
+    """Pass laws of the horizontal ground in which no foot lifts, while the vertical one is none."""
+    rows, n = ground[0], w[W_NX + lane] + 1
+    ay, first = z[Z_Y0 + lane], n
+    still_up, still_down = up[0] + up[2] * ay, down[0] + down[2] * ay
+    while n < ground[1][case, 1] and rows[n, 2] == 0.0 and rows[n, 1] < ground[4][case]:
+        ax = rows[n, 3]
+        ax_end = ax + rows[n, 4] * (rows[n, 1] - rows[n, 0])
+        opens = max(still_up + up[1] * ax, still_down + down[1] * ax)
+        opens = max(opens, max(still_up + up[1] * ax_end, still_down + down[1] * ax_end))
+        if not opens < -doubt:
+            break
+        n += 1
+    if n > first:
+        w[W_NX + lane] = n - 1
+        z[Z_T + lane] = rows[n - 1, 1]
+        z[Z_TOUCHING + lane] = -1.0
+        home[0][case, NEWS] = home[0][case, FRESH] = 1
+
+
 def pass_rest(lane, z, w, case, home, ground, p, fixed):
     """Pass a structure that cannot move on both its feet over the laws in which it stays there.
 
@@ -524,6 +548,8 @@ def pass_rest(lane, z, w, case, home, ground, p, fixed):
     doubt = 1e-9 * (abs(up[0]) + abs(down[0]))
     while z[Z_T + lane] < ground[4][case]:
         if z[Z_T + lane] >= z[Z_LAST + lane]:
+            if z[Z_END_Y + lane] == np.inf and z[Z_KIND_Y + lane] == 0.0 == z[Z_Y1 + lane]:
+                skip_laws(lane, z, w, case, home, ground, up, down, doubt)
             next_laws(lane, z, w, case, ground, fixed)
         if z[Z_KIND_X + lane] != 0.0 or z[Z_KIND_Y + lane] != 0.0:
             return
@@ -557,7 +583,7 @@ def ready(lane, z, w, home, ground, data, how, work):
             if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
                 z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
             return True
-        if N_STATES == 2:
+        if N_STATES == 2 and KINDS[int(z[Z_CONTACT + lane])][0] == UPLIFT:
             t = z[Z_T + lane]
             pass_rest(lane, z, w, case, home, ground, data[0][case], fixed)
             if z[Z_T + lane] > t:
@@ -647,7 +673,8 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                     impact(lane, z, w, home, stop, data, how, work)
                 elif verdict == DOUBTFUL:
                     until = z[Z_LAST + lane]
-                    if z[Z_EQUAL + lane] == 0.0:
+                    # nan: beyond an eighth of a turn lanes know no sine, nor soon behind it
+                    if z[Z_EQUAL + lane] == 0.0 and z[Z_ERROR + lane] == z[Z_ERROR + lane]:
                         until = end_of_step(lane, z, z[Z_H + lane])
                     alone(lane, z, w, home, ground, data, how, work, until)
                 goes_on = True

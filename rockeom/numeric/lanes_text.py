@@ -7,6 +7,7 @@ from types import ModuleType
 
 import numpy as np
 
+from rockeom.contract import IMPACT, UPLIFT
 from rockeom.numeric.tableau import (
     NODES,
     Tableau,
@@ -30,8 +31,8 @@ def _shaken(places: int) -> str:
     known = "".join(f"    c{j} = times[{j}]\n" for j in range(places))
     text = f"""
 
-@apart
-def shake_lanes(z, times):
+@entry
+def shake_lanes(z: Floats, times: Floats):
     \"\"\"The ground at some times of a step, by linear laws.\"\"\"
 {known}    for lane in range(LANES):
         t, h = z[Z_T + lane], z[Z_H + lane]
@@ -45,8 +46,8 @@ def shake_lanes(z, times):
     for axis, name in (("X", "x"), ("Y", "y")):
         text += f"""
 
-@apart
-def bend_{name}_lanes(z, times):
+@entry
+def bend_{name}_lanes(z: Floats, times: Floats):
     \"\"\"The same of lanes whose law is a sine; others keep what they have.\"\"\"
 {known}    for lane in range(LANES):
         t, h, start = z[Z_T + lane], z[Z_H + lane], z[Z_START_{axis} + lane]
@@ -56,8 +57,8 @@ def bend_{name}_lanes(z, times):
         for j in range(places):
             place = f"z[Z_A{axis} + {j} * LANES + lane]"
             text += f"        tau = t + c{j} * h\n"
-            text += "        sine, _ = sine_cosine(rate * (tau - start) + phase)\n"
-            text += f"        {place} = size * sine if bent else {place}\n"
+            text += "        bend = size * sine(rate * (tau - start) + phase)\n"
+            text += f"        {place} = bend if bent else {place}\n"
     return text
 
 
@@ -69,6 +70,112 @@ def _powers(exponent: float) -> str:
     """A power of `error` as a product of its roots r1, r2, ...; the exponent within a 128th."""
     bits = round(exponent * 2**ROOTS)
     return " * ".join(f"r{k}" for k in range(1, ROOTS + 1) if bits >> (ROOTS - k) & 1)
+
+
+SINES = """
+
+@inlined
+def sine_cosine(x):
+    \"\"\"Sine and cosine up to an eighth of a turn; not a number beyond, where the loop goes on.
+
+    It has no branches, so that all contact states share what they have of it.
+    \"\"\"
+    r = x if abs(x) <= 0.7853981633974483 else np.nan
+    z = r * r
+    zz = z * z
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * (s2 - zz * (1 / 1307674368000))
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    return r + r * z * (s0 + zz * s1), 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+"""
+"""What takes the place of a generated module's `sine_cosine` in the step of lanes."""
+
+
+def _accelerations(generated: ModuleType) -> str:
+    """A function of all contact states without branches: what they have in common is found once."""
+    n = generated.N_STATES // 2
+    arguments = ", ".join([f"q_{i}" for i in range(n)] + [f"v_{i}" for i in range(n)])
+    text = f"\n\n@inlined\ndef accelerations_of_lanes(contact, {arguments}, p, ax, ay):\n"
+    if len(_held(generated)) < 2:
+        return f"{text}    return accelerations(contact, {arguments}, p, ax, ay)\n"
+    for c in range(len(generated.CONTACTS)):
+        found = ", ".join(f"{'b' if c else 'a'}_{i}" for i in range(n))
+        text += f"    ({found},) = accelerations({c}, {arguments}, p, ax, ay)\n"
+        if c:
+            text += "".join(f"    a_{i} = b_{i} if contact == {c} else a_{i}\n" for i in range(n))
+    return f"{text}    return ({', '.join(f'a_{i}' for i in range(n))},)\n"
+
+
+def gap_sides(generated: ModuleType) -> tuple[float, ...]:
+    """Of each contact state that an impact ends, and nothing else, its side; 0 of all others."""
+    return tuple(
+        side if kinds[:guards] == (IMPACT,) else 0.0
+        for side, guards, kinds in zip(
+            generated.SIDES, generated.GUARDS, generated.KINDS, strict=True
+        )
+    )
+
+
+def _held(generated: ModuleType) -> list[int]:
+    """Contact states that all their guards are asked of, sampled in a step."""
+    return [c for c, side in enumerate(gap_sides(generated)) if side == 0.0]
+
+
+def _sampled(generated: ModuleType) -> str:
+    """Lines that find whether all guards clearly stay open, as `stays_held` of the loop does.
+
+    They are sampled on the quintics through both ends of a step. A guard that a contact state has
+    not is open.
+    """
+    n, r, states = generated.N_STATES // 2, generated.ROTATION, _held(generated)
+    still = all(generated.KINDS[c][0] == UPLIFT for c in states)  # then it does not rotate, either
+    text = ""
+    to_samples, to_slopes = bernstein_at(NODES, 5), 5.0 * bernstein_at(NODES, 4)
+    moving = [i for i in range(n) if i != r or not still]
+    for i in moving:
+        text += f"        b0_{i}, b5_{i} = q0_{i}, q1_{i}\n"
+        text += f"        b1_{i}, b4_{i} = q0_{i} + 0.2 * h * v0_{i}, q1_{i} - 0.2 * h * v1_{i}\n"
+        text += f"        b2_{i} = q0_{i} + 0.4 * h * v0_{i} + 0.05 * h * h * a0_{i}\n"
+        text += f"        b3_{i} = q1_{i} - 0.4 * h * v1_{i} + 0.05 * h * h * a1_{i}\n"
+        text += "".join(f"        d{j}_{i} = (b{j + 1}_{i} - b{j}_{i}) / h\n" for j in range(5))
+    functions = generated.N_GUARDS + generated.N_PARTS
+    for m in range(len(NODES)):
+        for i in range(n):
+            q = v = "0.0"
+            if i in moving:
+                q = _sum(to_samples[m], f"b{{}}_{i}", " " * 12)
+                v = _sum(to_slopes[m], f"d{{}}_{i}", " " * 12)
+            text += f"        y[{i}] = (\n            {q}\n        )\n"
+            text += f"        y[{n + i}] = (\n            {v}\n        )\n"
+        text += f"        ax, ay = z[Z_AX + {m} * LANES + lane], z[Z_AY + {m} * LANES + lane]\n"
+        for c in states:
+            text += "".join(f"        g[{f}] = 1.0\n" for f in range(functions))
+            text += f"        guards({c}, y, p, ax, ay, g)\n"
+            for f in range(functions):
+                other = f"g[{f}]" if c == states[0] else f"g[{f}] if contact == {c} else g{f}_{m}"
+                text += f"        g{f}_{m} = {other}\n"
+    for f in range(functions):
+        text += f"        most = abs(g{f}_0)\n"
+        text += "".join(f"        most = max(most, abs(g{f}_{m}))\n" for m in range(1, 8))
+        text += f"        open_{f} = True\n"
+        for row in samples_to_bernstein():
+            coefficient = _sum(row, f"g{f}_{{}}", " " * 12)
+            text += f"        open_{f} &= (\n            {coefficient}\n        ) > 1e-3 * most\n"
+    text += "        held = True\n"
+    for guard in range(generated.N_GUARDS):
+        text += f"        clear = open_{guard}\n"
+        for place in range(generated.N_GUARDS, functions, 2):
+            of = [c for c in states if generated.PARTS[c][guard] == place]
+            if of:  # the larger of two parts
+                where = " | ".join(f"(contact == {c})" for c in of)
+                text += f"        clear = (open_{place} | open_{place + 1}) if {where} else clear\n"
+        text += "        held &= clear\n"
+    return text
 
 
 def lanes_text(method: Tableau, generated: ModuleType) -> str:
@@ -84,7 +191,6 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
     damping = round(-0.4 * method_exponent * 2**ROOTS) / 2**ROOTS
     roots = "        r1 = math.sqrt(error)\n"
     roots += "".join(f"        r{k} = math.sqrt(r{k - 1})\n" for k in range(2, ROOTS + 1))
-    rocking = [c for c, side in enumerate(generated.SIDES) if side != 0.0]
 
     def at(rows: str, i: int) -> str:
         return f"z[{rows} + {i} * LANES + lane]"
@@ -122,48 +228,16 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
     def stage(j: int) -> str:
         place = min(j, len(times)) - 1
         ground = f"{at('Z_AX', place)}, {at('Z_AY', place)}"
-        return _stage(method, j, n, ground)
+        return _stage(method, j, n, ground, "accelerations_of_lanes")
 
     stages = "".join(stage(j) for j in range(1, s + 1))
     errors = indent(error_text(method, n), "    ")
     gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
 
-    # full contact: the guards sampled on the quintics through both ends
-    quintics, sampled = "", ""
-    to_samples, to_slopes = bernstein_at(NODES, 5), 5.0 * bernstein_at(NODES, 4)
-    for i in range(n):
-        if i == r:
-            continue
-        quintics += f"        b0_{i}, b5_{i} = q0_{i}, q1_{i}\n"
-        quintics += (
-            f"        b1_{i}, b4_{i} = q0_{i} + 0.2 * h * v0_{i}, q1_{i} - 0.2 * h * v1_{i}\n"
-        )
-        quintics += f"        b2_{i} = q0_{i} + 0.4 * h * v0_{i} + 0.05 * h * h * a0_{i}\n"
-        quintics += f"        b3_{i} = q1_{i} - 0.4 * h * v1_{i} + 0.05 * h * h * a1_{i}\n"
-        quintics += "".join(f"        d{j}_{i} = (b{j + 1}_{i} - b{j}_{i}) / h\n" for j in range(5))
-    for m in range(len(NODES)):
-        for i in range(n):
-            q = v = "0.0"
-            if i != r:
-                q = _sum(to_samples[m], f"b{{}}_{i}", " " * 12)
-                v = _sum(to_slopes[m], f"d{{}}_{i}", " " * 12)
-            sampled += f"        q_{i} = (\n            {q}\n        )\n"
-            sampled += f"        v_{i} = (\n            {v}\n        )\n"
-        states = ", ".join([f"q_{i}" for i in range(n)] + [f"v_{i}" for i in range(n)])
-        sampled += f"        ax, ay = {at('Z_AX', m)}, {at('Z_AY', m)}\n"
-        for c in rocking:
-            sampled += f"        found = accelerations({c}, {states}, p, ax, ay)\n"
-            sampled += f"        g{c}_{m} = -SIDES[{c}] * found[{r}]\n"
-    held = ""
-    for c in rocking:
-        held += f"        most = abs(g{c}_0)\n"
-        held += "".join(f"        most = max(most, abs(g{c}_{m}))\n" for m in range(1, 8))
-        for row in samples_to_bernstein():
-            coefficient = _sum(row, f"g{c}_{{}}", " " * 12)
-            held += f"        held &= (\n            {coefficient}\n        ) > 1e-3 * most\n"
+    held = _held(generated)
 
     return f'''
-from rockeom.marks import apart
+from rockeom.marks import Floats, entry, inlined
 
 LANES = {LANES}
 N_PARAMETERS = {parameters}
@@ -171,10 +245,11 @@ PLACES = {places}  # of a step at which the ground is found at once
 STAGE_PLACES = np.array({_padded(times, places)!r})
 NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
 DAMPING = {damping!r}
-{_shaken(places)}
+GAP_SIDES = {gap_sides(generated)!r}  # of contact states that end by an impact alone; 0 of others
+{_accelerations(generated)}{_shaken(places)}
 
-@apart
-def control_lanes(z):
+@entry
+def control_lanes(z: Floats):
     """The next step of each lane by proportional-integral control, as in the loop.
 
     A step that is cut, or is to end at an impact, says nothing of it unless it is refused. Powers
@@ -194,8 +269,8 @@ def control_lanes(z):
         z[Z_DAMP + lane] = {_powers(damping)} if tells else last
 
 
-@apart
-def step_lanes(z, rtol, tolerances):
+@entry
+def step_lanes(z: Floats, rtol: float, tolerances: Floats):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     atol = ({", ".join(f"tolerances[{i}]" for i in range(size))},)
     for lane in range(LANES):
@@ -204,8 +279,8 @@ def step_lanes(z, rtol, tolerances):
 {start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
 
 
-@apart
-def judge_lanes(z, coarse):
+@entry
+def judge_lanes(z: Floats, coarse: float):
     """What becomes of the step of each rocking lane; the length of one to be repeated.
 
     One with an error above its bound, `coarse` for an equal step, is refused, or doubtful if it is
@@ -226,19 +301,22 @@ def judge_lanes(z, coarse):
         z[Z_H + lane] = h if refused else new_h
 
 
-@apart
-def judge_held_lanes(z, coarse):
-    """What becomes of the step of each lane in full contact: it stands where no foot lifts."""
+@entry
+def judge_held_lanes(z: Floats, coarse: float):
+    """What becomes of the step of each lane in other contact states: it stands where they last."""
+    y, g = np.empty({size}), np.empty({generated.N_GUARDS + generated.N_PARTS})
     for lane in range(LANES):
-{start_of}{start}{end}{quintics}{sampled}        held = z[Z_SIDE + lane] == 0.0
+        contact = {"z[Z_CONTACT + lane]" if len(held) > 1 else held[0]}
+{start_of}{start}{end}{_sampled(generated)}        held &= z[Z_SIDE + lane] == 0.0
+        held &= abs(q1_{r}) < z[Z_FALLEN + lane]
         held &= z[Z_ERROR + lane] <= (coarse if z[Z_EQUAL + lane] > 0.0 else 1.0)
-{held}        within = True
+        within = True
 {within}        stands = STANDS if within else TURNS
         z[Z_VERDICT + lane] = stands if held else z[Z_VERDICT + lane]
 
 
-@apart
-def accept_lanes(z):
+@entry
+def accept_lanes(z: Floats):
     """Move the lanes whose step stands to its end."""
     for lane in range(LANES):
         stands = z[Z_VERDICT + lane] >= STANDS

@@ -92,12 +92,16 @@ def _library_is_known() -> bool:
 
 
 class Loaded:
-    """Machine code in memory, and its functions by name."""
+    """Machine code in memory, and its functions by name.
 
-    def __init__(self, code: bytes, entries: Mapping[str, Entry]) -> None:
+    others : further programs, whose entries it calls or which call its own.
+    """
+
+    def __init__(self, code: bytes, entries: Mapping[str, Entry], *others: bytes) -> None:
         _library_is_known()
         self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
-        self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+        for part in (code, *others):
+            self._engine.add_object_file(llvm.ObjectFileRef.from_data(part))
         self._engine.finalize_object()
         self.functions: dict[str, Function] = {
             name: Function(name, entry, self._engine.get_function_address(name), self)

@@ -70,11 +70,15 @@ ANNOTATIONS: dict[str, Type] = {
 
 @dataclass(frozen=True)
 class Text:
-    """A part of a program: its file's name, its source, whether a*b + c may be rounded once."""
+    """A part of a program: its file's name, its source, whether a*b + c may be rounded once.
+
+    elsewhere : its entries are another program's, which this one calls.
+    """
 
     name: str
     source: str
     fused: bool = False
+    elsewhere: bool = False
 
 
 GROWTH = 3000.0
@@ -95,6 +99,16 @@ class Definition(NamedTuple):
     def refuse(self, node: ast.AST | None, why: str) -> NoReturn:
         line = getattr(node, "lineno", self.tree.lineno)
         raise Refused(f"{self.text.name}, line {line}, in {self.tree.name}: {why}")
+
+    def arguments(self) -> tuple[tuple[str, Type], ...]:
+        """Names and annotated types of the arguments of an entry."""
+        found = []
+        for argument in self.tree.args.args:
+            annotation = argument.annotation
+            if not isinstance(annotation, ast.Name) or annotation.id not in ANNOTATIONS:
+                self.refuse(argument, f"{argument.arg} has no annotation that is known")
+            found.append((argument.arg, ANNOTATIONS[annotation.id]))
+        return tuple(found)
 
 
 class Program:
@@ -128,7 +142,7 @@ class Program:
             tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
             exec(compile(tree, text.name, "exec"), self.names)
         for name, definition in self.definitions.items():
-            if "entry" in definition.marks:
+            if "entry" in definition.marks and not definition.text.elsewhere:
                 self.entry(name, definition)
 
     def entry(self, name: str, definition: Definition) -> None:
@@ -136,13 +150,7 @@ class Program:
 
         Arrays come as address and shape. What is returned stands in the place behind them.
         """
-        arguments = []
-        for argument in definition.tree.args.args:
-            annotation = argument.annotation
-            known = isinstance(annotation, ast.Name) and annotation.id in ANNOTATIONS
-            if not known:
-                definition.refuse(argument, f"{argument.arg} has no annotation that is known")
-            arguments.append((argument.arg, ANNOTATIONS[annotation.id]))  # type: ignore[union-attr]
+        arguments = definition.arguments()
         types = tuple(type_ for _, type_ in arguments)
         symbol, returns = self.function(name, types, None, definition)
         if returns not in (FLOAT, INT, BOOL, NOTHING):
@@ -167,7 +175,35 @@ class Program:
                 lines.append(f"store {returns} %r, ptr %place")
         body = "\n".join(f"  {line}" for line in [*lines, "ret void"])
         self.bodies.append(f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}")
-        self.entries[name] = Entry(tuple(arguments), returns)
+        self.entries[name] = Entry(arguments, returns)
+
+    def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
+        """Print a function that calls an entry of another program by its row of places."""
+        arguments, annotation = definition.arguments(), definition.tree.returns
+        returns = ANNOTATIONS.get(annotation.id) if isinstance(annotation, ast.Name) else NOTHING
+        if returns is None:
+            definition.refuse(None, "what it returns has no annotation that is known")
+        parts = [part for _, type_ in arguments for part in parts_of(type_)]
+        lines = [f"%row = alloca i64, i64 {len(parts) + 1}"]
+        for i, part in enumerate(parts):
+            lines.append(f"%p{i} = getelementptr i64, ptr %row, i64 {i}")
+            if part == BOOL:
+                lines.append(f"%w{i} = zext i1 %x{i} to i64")
+            wide = f"i64 %w{i}" if part == BOOL else f"{part} %x{i}"
+            lines.append(f"store {wide}, ptr %p{i}")
+        lines.append(f"call void @{name}(ptr %row)")
+        if returns == NOTHING:
+            lines.append("ret void")
+        else:
+            lines.append(f"%place = getelementptr i64, ptr %row, i64 {len(parts)}")
+            lines += [f"%r = load {returns}, ptr %place", f"ret {returns} %r"]
+        operands = ", ".join(f"{part} %x{i}" for i, part in enumerate(parts))
+        body = "\n".join(f"  {line}" for line in lines)
+        self.bodies.append(
+            f"define internal {returned(returns)} @{symbol}({operands}) {{\n{body}\n}}"
+        )
+        self.declared[name] = f"void @{name}(ptr)"
+        return returns
 
     def function(
         self, name: str, types: tuple[Type, ...], node: ast.AST | None, caller: Definition
@@ -180,6 +216,11 @@ class Program:
             self.printed[key] = None
             symbol = f"{name}.{len(self.printed)}"
             definition = self.definitions[name]
+            if "entry" in definition.marks and definition.text.elsewhere:
+                if tuple(type_ for _, type_ in definition.arguments()) != types:
+                    caller.refuse(node, f"arguments of {name} are not as it is annotated")
+                self.printed[key] = symbol, self.elsewhere(name, symbol, definition)
+                return self.function(name, types, node, caller)
             function = _Function(self, definition, types)
             inlined = "inlined" in definition.marks
             if inlined and function.size * (self.calls(name) - 1) <= self.growth:

@@ -15,6 +15,7 @@ import math
 import sys
 import threading
 import time
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from types import ModuleType
@@ -37,6 +38,8 @@ class Program:
     integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
     in loop.py and lanes.py; SCRATCH, Z_SIZE and W_SIZE, the sizes of the arrays that they want; all
     else is that of the generated module.
+
+    codes : of the loop, and of lanes, which call it.
     """
 
     SCRATCH: int
@@ -50,12 +53,18 @@ class Program:
     at_rest: Function
     evaluate: Function
 
-    def __init__(self, name: str, module: ModuleType, code: bytes) -> None:
-        header, _, machine_code = code.partition(b"\n")
-        described = json.loads(header)
-        entries = {n: Entry(*_of_lists(e)) for n, e in described["entries"].items()}
+    def __init__(self, name: str, module: ModuleType, *codes: bytes) -> None:
+        entries: dict[str, Entry] = {}
+        sizes: dict[str, int] = {}
+        objects = []
+        for code in codes:
+            header, _, machine_code = code.partition(b"\n")
+            described = json.loads(header)
+            entries |= {n: Entry(*_of_lists(e)) for n, e in described["entries"].items()}
+            sizes |= described["sizes"]
+            objects.append(machine_code)
         self.name, self.module = name, module
-        self.__dict__ |= described["sizes"] | Loaded(machine_code, entries).functions
+        self.__dict__ |= sizes | Loaded(objects[0], entries, *objects[1:]).functions
 
     def __getattr__(self, name: str) -> Any:
         if name == "module":  # not there yet
@@ -84,39 +93,68 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
 
 @cache
 def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
-    # all that the code follows from
+    parts = (LOOP, VECTORS, GLUE) if lanes else (LOOP,)
+    keys = [_key(generated, method, part) for part in parts]
+    codes = [
+        kept(*key, lambda part=part: _made(generated, method, part))  # type: ignore[misc]
+        for key, part in zip(keys, parts, strict=True)
+    ]
+    return Program("_".join(keys[-1]), generated, *codes)
+
+
+LOOP, VECTORS, GLUE = "loop", "vectors", "lanes"
+"""The parts of a program, each compiled and kept by itself: a sweep in lanes finds the loop there
+that a single motion has been run by. Vectors are the work on all lanes at once, and the last is
+what it is called by."""
+
+
+def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
+    """Name of a part of a program, and a hash of all that its code follows from."""
     digest = _digest(
-        _source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
+        part, _source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
-        *(_own(name) for name in _LANES if lanes),
+        *(_own(name) for name in _LANES if part != LOOP),
     )  # fmt: skip
-    name = f"{generated.NAME}_{method.lower()}{'_lanes' * lanes}"
-    code = kept(name, digest, lambda: _made(generated, method, lanes))
-    return Program(f"{name}_{digest}", generated, code)
+    return f"{generated.NAME}_{method.lower()}{'' if part == LOOP else '_' + part}", digest
 
 
-def _made(generated: ModuleType, method: str, lanes: bool) -> bytes:
-    """A line that describes a program, and its machine code."""
+def _made(generated: ModuleType, method: str, part: str) -> bytes:
+    """A line that describes a part of a program, and its machine code."""
     # only where something is compiled
     from rockeom.numeric.printer import GROWTH, Program as Printed
 
     started = time.monotonic()
     # a loop over lanes becomes one of vectors only where it calls nothing
-    printed = Printed(texts(generated, method, lanes), growth=math.inf if lanes else GROWTH)
-    code = compiled(printed.ir(), lanes)
-    sizes = {name: int(printed.names.get(name, 0)) for name in _SIZES}
+    joined = joined_texts(generated, method, part)
+    printed = Printed(joined, growth=math.inf if part == VECTORS else GROWTH)
+    code = compiled(printed.ir(), part == VECTORS)
+    sizes = {name: int(printed.names[name]) for name in _SIZES if name in printed.names}
     described = {"entries": printed.entries, "sizes": sizes}
     took = time.monotonic() - started
     if took > 1.0 and sys.stderr is not None:  # None: a program without a console
-        of_lanes = " in lanes" * lanes
+        of_lanes = "" if part == LOOP else " in lanes"
         sys.stderr.write(
             f"rockeom: compiled {generated.NAME} with {method}{of_lanes} in {took:.1f} s, once on "
             "this machine\n"
         )
         sys.stderr.flush()
     return json.dumps(described).encode() + b"\n" + code
+
+
+def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
+    """What a part of a program is printed from; entries of the other parts are called."""
+    from rockeom.numeric.printer import Text
+
+    own = {LOOP: "loop.py", VECTORS: VECTORS, GLUE: "lanes.py"}[part]
+    found = texts(generated, method, part != LOOP)
+    found = [replace(text, elsewhere=text.name != own) for text in found]
+    if part == VECTORS:
+        from rockeom.numeric.lanes_text import SINES
+
+        found.append(Text("sines of lanes", SINES, fused=True))
+    return found
 
 
 def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
@@ -140,7 +178,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
         from rockeom.numeric.lanes_text import lanes_text
 
         step = lanes_text(tableau(method), generated)
-        parts.append(Text(f"the lanes of {method}", step, fused=True))
+        parts.append(Text(VECTORS, step, fused=True))
         parts.append(Text("lanes.py", _own("lanes.py"), fused=True))
     return parts
 

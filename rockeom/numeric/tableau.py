@@ -192,10 +192,13 @@ def _moved(weights: np.ndarray, rate: str, start: str) -> str:
 """
 
 
-def _stage(method: Tableau, j: int, n: int, ground: str) -> str:
+def _stage(
+    method: Tableau, j: int, n: int, ground: str, accelerations: str = "accelerations"
+) -> str:
     """Positions q, velocities v and accelerations a of a stage.
 
-    ground : accelerations of the ground, found before the step.
+    ground : accelerations of the ground, found before the step. accelerations : what finds those
+    of the coordinates.
     Positions follow from the accelerations of all stages but the one just before, whose weight is
     zero (Nystrom's form): so the sines of a stage are found while that one is still worked on.
     """
@@ -208,7 +211,7 @@ def _stage(method: Tableau, j: int, n: int, ground: str) -> str:
         text += "\n"
     states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
     found = ", ".join(f"a{j}_{i}" for i in range(n))
-    return f"""{text}    ({found},) = accelerations(
+    return f"""{text}    ({found},) = {accelerations}(
         contact, {states}, p, {ground}
     )
 """

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -149,6 +150,22 @@ def test_threads_that_want_one_program_compile_it_once(tmp_path, monkeypatch):
     assert (len(found), len(made)) == (1, 1)
 
 
+def test_lanes_compile_no_loop_that_is_there(monkeypatch):
+    text = Path(rk.RigidBlock(half_width=0.1, half_height=0.4).module.__file__).read_text()
+    module, made = load_text("with_lanes", text + "\n# known to nobody\n"), []
+
+    def make(module, method, part):
+        made.append(part)
+        return b'{"entries": {}, "sizes": {}}\n'
+
+    monkeypatch.setattr(programs, "_made", make)
+    monkeypatch.setattr(programs, "Loaded", lambda *codes: SimpleNamespace(functions={}))
+    programs.program(module, "RK45")
+    assert made == [programs.LOOP]
+    programs.program(module, "RK45", lanes=True)
+    assert made == [programs.LOOP, programs.VECTORS, programs.GLUE]
+
+
 def test_compiling_is_told_where_it_takes_more_than_a_second(monkeypatch, capsys):
     module = rk.RigidBlock(half_width=0.1, half_height=0.4).module
     monkeypatch.setattr(programs, "compiled", lambda ir, lanes: b"")
@@ -159,7 +176,7 @@ def test_compiling_is_told_where_it_takes_more_than_a_second(monkeypatch, capsys
     ):
         times = iter([started, started + seconds])
         monkeypatch.setattr(programs.time, "monotonic", lambda times=times: next(times))
-        programs._made(module, "RK45", False)
+        programs._made(module, "RK45", programs.LOOP)
         assert capsys.readouterr() == ("", line)
 
 

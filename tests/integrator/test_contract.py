@@ -34,6 +34,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
     for function in FUNCTIONS if lanes else FUNCTIONS.keys() - of_lanes:
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
     tables = {"LANES", "N_PARAMETERS", "PLACES", "STAGE_PLACES", "NODE_PLACES", "DAMPING"}
+    tables.add("GAP_SIDES")
     assert (TABLES if lanes else TABLES - tables) <= joined.keys()
 
 

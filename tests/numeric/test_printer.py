@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from rockeom.numeric import machine_lines, printer
+from rockeom.numeric.machine import Loaded, compiled
 from rockeom.numeric.machine_lines import Lines
 from rockeom.numeric.printer import Program, Refused, Text
 from tests.machine_code import HEAD, functions
@@ -444,6 +445,51 @@ def test_what_is_no_plain_arithmetic_is_refused_by_file_and_line(line):
 def test_entry_that_python_could_not_call_is_refused(text, word):
     with pytest.raises(Refused, match=re.escape(word)):
         Program([Text("some file.py", HEAD + text)])
+
+
+FILLS = """
+@entry
+def fill(x: Floats, scale: float, upwards: bool, n: int) -> float:
+    for i in range(n):
+        x[i] = scale * i if upwards else -scale * i
+    return x[n - 1]
+
+
+@entry
+def doubled(x: Floats):
+    for i in range(len(x)):
+        x[i] *= 2.0
+"""
+CALLS = """
+@entry
+def run(x: Floats, upwards: bool) -> float:
+    found = fill(x, 1.5, upwards, 3)
+    doubled(x)
+    return found
+"""
+
+
+def test_entry_of_another_program_is_called_and_not_compiled_again():
+    there = Program([Text("there.py", HEAD + FILLS)])
+    texts = [Text("there.py", HEAD + FILLS, elsewhere=True), Text("here.py", CALLS)]
+    here = Program(texts)
+    assert [*here.entries] == ["run"]
+    codes = [compiled(program.ir()) for program in (there, here)]
+    run = Loaded(codes[0], there.entries | here.entries, codes[1]).functions["run"]
+    for upwards, sign in ((True, 1.0), (False, -1.0)):
+        x = np.zeros(3)
+        assert run(x, upwards) == sign * 3.0
+        assert (x == sign * np.array([0.0, 3.0, 6.0])).all()
+
+
+def test_entry_of_another_program_is_called_with_what_it_takes():
+    for given in ("x, 2, upwards, 3", "x, 1.5, 1.0, 3"):
+        texts = [
+            Text("there.py", HEAD + FILLS, elsewhere=True),
+            Text("here.py", CALLS.replace("x, 1.5, upwards, 3", given)),
+        ]
+        with pytest.raises(Refused, match="arguments of fill are not as"):
+            Program(texts)
 
 
 def test_array_that_machine_code_would_misread_is_refused():
