@@ -147,7 +147,8 @@ class Program:
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
         self.bodies: list[str] = []
-        self.written_out: dict[str, int] = {}  # lines of each function that is
+        self.sizes: dict[str, int] = {}  # lines of each function that is marked @inlined
+        self.written_out: set[str] = set()  # those of them that are written out at every call
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.declared: dict[str, str] = {}
         self.entries: dict[str, Entry] = {}
@@ -213,9 +214,10 @@ class Program:
             symbol = f"{name}.{len(self.printed)}"
             definition = self.definitions[name]
             function = _Function(self, definition, types)
-            inlined = "inlined" in definition.marks
-            if inlined and function.size * (self.calls(name) - 1) <= self.growth:
-                self.written_out[symbol] = function.size
+            if "inlined" in definition.marks:
+                self.sizes[symbol] = function.size
+                if function.size * (self.calls(name) - 1) <= self.growth:
+                    self.written_out.add(symbol)
             self.bodies.append(function.body(symbol))
             self.printed[key] = symbol, function.returns
         found = self.printed[key]
@@ -347,8 +349,7 @@ class _Function:
             if name in self.arguments:
                 operands += [f"{part} %in.{name}.{i}" for i, part in parts]
                 head += [f"  store {part} %in.{name}.{i}, ptr %{name}.{i}" for i, part in parts]
-        inline = "alwaysinline " if symbol in self.program.written_out else ""
-        inline += "noinline " if "apart" in self.definition.marks else ""
+        inline = "noinline " if "apart" in self.definition.marks else ""
         end = []
         if self.open:
             end = ["  ret void"] if self.returns == NOTHING else ["  unreachable"]
@@ -837,9 +838,11 @@ class _Function:
         given = [self._given(a) for a in node.args]
         types = tuple(type_ for type_, _ in given)
         symbol, returns = self.program.function(function.id, types, node, self.definition)
-        self.size += self.program.written_out.get(symbol, 0)
         operands = ", ".join(operand for _, operands in given for operand in operands)
         call = f"call {_returned(returns)} @{symbol}({operands})"
+        if self._written_out(symbol, node):
+            self.size += self.program.sizes[symbol]
+            call += " alwaysinline"
         count = len(parts_of(returns))
         if count == 0:
             self._line(call)
@@ -852,6 +855,14 @@ class _Function:
             returns,
             tuple(self._new(f"extractvalue {type_} {result}, {i}") for i in range(count)),
         )
+
+    def _written_out(self, symbol: str, node: ast.Call) -> bool:
+        """Whether a function is written out at this call."""
+        if symbol not in self.program.sizes or symbol in self.program.written_out:
+            return symbol in self.program.written_out
+        # where an argument is a constant, little of it may be left
+        folds = any(self._maybe(argument) is not None for argument in node.args)
+        return folds and 3 * self.program.sizes[symbol] <= self.program.growth
 
     def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
         """Type and operands of an argument of a call; a tuple is passed by its place."""
