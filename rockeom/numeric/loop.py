@@ -157,8 +157,9 @@ def shake(row, t, h, first, last, out, at):
 
 def shake_by_curve(row, t, h, first, last, out, at):
     if row[2] == 1.0:
+        angle, turn, size = row[4] * (t - row[0]) + row[5], row[4] * h, row[3]
         for j in range(first, last):
-            out[at + j] = row[3] * sine(row[4] * ((t + STAGE_TIMES[j] * h) - row[0]) + row[5])
+            out[at + j] = size * sine(angle + STAGE_TIMES[j] * turn)
     else:
         for j in range(first, last):
             out[at + j] = pulse(row, t + STAGE_TIMES[j] * h)
