@@ -15,7 +15,6 @@ import numpy as np
 
 from rockeom.numeric.machine_types import BOOL, FLOAT, INT, LIBRARY, NOTHING, Array, Entry
 
-
 LINKED = sys.platform != "win32"
 """Whether a program and its constants lie side by side, as LLVM's own linker puts them.
 
