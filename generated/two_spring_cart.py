@@ -32,7 +32,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "bd4791fd18c17e8a"
+SOURCE_HASH = "07ea08ad28af8055"
 
 NAME = "two_spring_cart"
 STATES = ("u", "u_dot",)
@@ -121,7 +121,7 @@ ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a
 @inlined
 @fused
 def sine_cosine(x):
-    """Sine and cosine, within 1.2e-16: their Taylor series about multiples of pi/2."""
+    """Sine and cosine, within 1.2e-16: fdlibm's polynomials about multiples of pi/2."""
     n = 0.0
     r = x
     turned = abs(x) > 0.7853981633974483
@@ -130,18 +130,15 @@ def sine_cosine(x):
         r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
     z = r * r
     zz = z * z
-    z4 = zz * zz
     # in pairs of terms, so that the processor need not wait for one after the other
-    s0 = -1 / 6 + z * (1 / 120)
-    s1 = -1 / 5040 + z * (1 / 362880)
-    s2 = -1 / 39916800 + z * (1 / 6227020800)
-    c0 = 1 / 24 - z * (1 / 720)
-    c1 = 1 / 40320 - z * (1 / 3628800)
-    c2 = 1 / 479001600 - z * (1 / 87178291200)
-    s1 += zz * s2
-    c1 += zz * (c2 + zz * (1 / 20922789888000))
-    sine = r + r * z * (s0 + (zz * s1 - z4 * zz * (1 / 1307674368000)))
-    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+    s0 = -0.16666666666666632 + z * 0.00833333333332249
+    s1 = -0.0001984126982985795 + z * 2.7557313707070068e-06
+    s2 = -2.5050760253406863e-08 + z * 1.58969099521155e-10
+    c0 = 0.0416666666666666 - z * 0.001388888888887411
+    c1 = 2.480158728947673e-05 - z * 2.7557314351390663e-07
+    c2 = 2.087572321298175e-09 - z * 1.1359647557788195e-11
+    sine = r + r * z * (s0 + zz * (s1 + zz * s2))
+    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * (c1 + zz * c2)))
     if turned:
         # by quarters of a turn: -2 to 2
         quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)

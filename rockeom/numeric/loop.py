@@ -157,8 +157,9 @@ def shake(row, t, h, first, last, out, at):
 
 def shake_by_curve(row, t, h, first, last, out, at):
     if row[2] == 1.0:
+        angle, turn, size = row[4] * (t - row[0]) + row[5], row[4] * h, row[3]
         for j in range(first, last):
-            out[at + j] = row[3] * sine(row[4] * ((t + STAGE_TIMES[j] * h) - row[0]) + row[5])
+            out[at + j] = size * sine(angle + STAGE_TIMES[j] * turn)
     else:
         for j in range(first, last):
             out[at + j] = pulse(row, t + STAGE_TIMES[j] * h)
@@ -505,22 +506,19 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
         quintics[at], quintics[at + 1], quintics[at + 2] = y[i], y[i] + v0, y[i] + 2.0 * v0 + a0
         quintics[at + 5], quintics[at + 4] = y_new[i], y_new[i] - v1
         quintics[at + 3] = y_new[i] - 2.0 * v1 + a1
-    for i in range(8 * (N_GUARDS + N_PARTS)):
-        b[i] = 0.0
     for m in range(8):
         for i in range(n):
-            w[i] = w[n + i] = 0.0
-            for j in range(6):
-                w[i] += QUINTIC[m, j] * quintics[6 * i + j]
+            at = 6 * i
+            place = QUINTIC[m, 0] * quintics[at]
+            slope = 0.0
             for j in range(5):
-                slope = quintics[6 * i + j + 1] - quintics[6 * i + j]
-                w[n + i] += QUARTIC[m, j] * slope
-            w[n + i] *= 5.0 / h
+                place += QUINTIC[m, j + 1] * quintics[at + j + 1]
+                slope += QUARTIC[m, j] * (quintics[at + j + 1] - quintics[at + j])
+            w[i], w[n + i] = place, slope * (5.0 / h)
         tau = t + NODES[m] * h
         guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
         for n_g in range(N_GUARDS + N_PARTS):
-            for i in range(8):
-                b[8 * n_g + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n_g]
+            b[8 * n_g + m] = g[n_g]
     for n_g in range(GUARDS[contact]):
         held = clearly_open(b, 8 * n_g)
         if N_PARTS > 0 and PARTS[contact][n_g] >= 0:
@@ -586,13 +584,18 @@ def beside_gap(contact, guard, there, away):
     return KINDS[contact][guard] == IMPACT or small
 
 
-@inlined
 def clearly_open(b, at):
-    """Whether all coefficients are positive by a margin far above the error of a quintic."""
-    least, most = b[at], abs(b[at])
-    for i in range(1, 8):
-        least, most = min(least, b[at + i]), max(most, abs(b[at + i]))
-    return least > 1e-3 * most
+    """Whether a guard of eight samples b[at : at + 8] stays open, far above a quintic's error.
+
+    All coefficients of its polynomial are positive then by a margin.
+    """
+    least, most = np.inf, 0.0
+    for i in range(8):
+        value = 0.0
+        for m in range(8):
+            value += SAMPLES_TO_BERNSTEIN[i, m] * b[at + m]
+        least, most = min(least, value), max(most, abs(value))
+    return 1e-3 * most < least < np.inf  # no samples that are not numbers
 
 
 @inlined

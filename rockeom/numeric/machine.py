@@ -14,17 +14,24 @@ import numpy as np
 
 from rockeom.numeric.machine_types import BOOL, FLOAT, INT, LIBRARY, NOTHING, Array, Entry
 
+LINKED = sys.platform != "win32"
+"""Whether a program and its constants lie side by side, as LLVM's own linker puts them.
+
+Code then finds a constant by its distance, in half the instructions. Of Windows' objects that
+linker does not know all.
+"""
+
 
 def _machine() -> llvm.TargetMachine:
-    """What compiles for this processor; an engine that it is given to owns it, and frees it."""
+    """What compiles for this processor; a linker that it is given to owns it, and frees it."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     return llvm.Target.from_default_triple().create_target_machine(
         cpu=llvm.get_host_cpu_name(),
         features=llvm.get_host_cpu_features().flatten(),
         opt=3,
-        reloc="default",
-        codemodel="jitdefault",
+        reloc="pic" if LINKED else "default",
+        codemodel="small" if LINKED else "jitdefault",
         jit=True,
     )
 
@@ -80,15 +87,12 @@ def compiled(ir: str, lanes: bool = False) -> bytes:
 
 
 @cache
-def _library_is_known() -> bool:
-    """Tell LLVM where the functions of mathematics are, on whatever system."""
+def _library() -> dict[str, int]:
+    """Where the functions of mathematics are, on whatever system."""
     # None: what this process has loaded, and Python needs the library of mathematics itself
     library = ctypes.CDLL("ucrtbase" if sys.platform == "win32" else None)
-    for function in LIBRARY:
-        if hasattr(library, function):
-            address = ctypes.cast(getattr(library, function), ctypes.c_void_p).value
-            llvm.add_symbol(function, address)
-    return True
+    found = {f: getattr(library, f) for f in LIBRARY if hasattr(library, f)}
+    return {f: ctypes.cast(at, ctypes.c_void_p).value or 0 for f, at in found.items()}
 
 
 class Loaded:
@@ -98,14 +102,17 @@ class Loaded:
     """
 
     def __init__(self, code: bytes, entries: Mapping[str, Entry], *others: bytes) -> None:
-        _library_is_known()
-        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+        linker = llvm.create_lljit_compiler(_machine(), use_jit_link=LINKED)
+        builder = llvm.JITLibraryBuilder().add_current_process()
         for part in (code, *others):
-            self._engine.add_object_file(llvm.ObjectFileRef.from_data(part))
-        self._engine.finalize_object()
+            builder.add_object_img(part)
+        for name, address in _library().items():
+            builder.import_symbol(name, address)
+        for name in entries:
+            builder.export_symbol(name)
+        self._linked = builder.link(linker, "program")
         self.functions: dict[str, Function] = {
-            name: Function(name, entry, self._engine.get_function_address(name), self)
-            for name, entry in entries.items()
+            name: Function(name, entry, self._linked[name], self) for name, entry in entries.items()
         }
 
 

@@ -219,9 +219,10 @@ class Lines:
             self.line(f"store {part} {operand}, ptr {place}")
         return [f"ptr {whole}"]
 
-    def call(self, symbol: str, returns: Type, operands: Sequence[str]) -> Value:
+    def call(self, symbol: str, returns: Type, operands: Sequence[str], how: str = "") -> Value:
+        """how : attributes of the call."""
         type_, count = returned(returns), len(parts_of(returns))
-        call = f"call {type_} @{symbol}({', '.join(operands)})"
+        call = f"call {type_} @{symbol}({', '.join(operands)}){how}"
         if count == 0:
             self.line(call)
             return Value(NOTHING, ())

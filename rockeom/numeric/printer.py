@@ -129,7 +129,8 @@ class Program:
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
         self.bodies: list[str] = []
-        self.written_out: dict[str, int] = {}  # lines of each function that is
+        self.sizes: dict[str, int] = {}  # lines of each function that is marked @inlined
+        self.written_out: set[str] = set()  # those of them that are written out at every call
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.declared: dict[str, str] = {}
         self.entries: dict[str, Entry] = {}
@@ -222,9 +223,10 @@ class Program:
                 self.printed[key] = symbol, self.elsewhere(name, symbol, definition)
                 return self.function(name, types, node, caller)
             function = _Function(self, definition, types)
-            inlined = "inlined" in definition.marks
-            if inlined and function.size * (self.calls(name) - 1) <= self.growth:
-                self.written_out[symbol] = function.size
+            if "inlined" in definition.marks:
+                self.sizes[symbol] = function.size
+                if function.size * (self.calls(name) - 1) <= self.growth:
+                    self.written_out.add(symbol)
             self.bodies.append(function.body(symbol))
             self.printed[key] = symbol, function.returns
         found = self.printed[key]
@@ -330,8 +332,7 @@ class _Function:
 
     def body(self, symbol: str) -> str:
         """The whole function as text."""
-        how = "alwaysinline " if symbol in self.program.written_out else ""
-        how += "noinline " if "apart" in self.definition.marks else ""
+        how = "noinline " if "apart" in self.definition.marks else ""
         return self.ir.function(symbol, self.types, self.returns, f"{how}nounwind ")
 
     # -- constants ----------------------------------------------------------------------------
@@ -629,8 +630,19 @@ class _Function:
         given = [self._given(a) for a in node.args]
         types = tuple(type_ for type_, _ in given)
         symbol, returns = self.program.function(name, types, node, self.definition)
-        self.size += self.program.written_out.get(symbol, 0)
-        return self.ir.call(symbol, returns, [o for _, operands in given for o in operands])
+        how = ""
+        if self._written_out(symbol, node):
+            self.size += self.program.sizes[symbol]
+            how = " alwaysinline"
+        return self.ir.call(symbol, returns, [o for _, operands in given for o in operands], how)
+
+    def _written_out(self, symbol: str, node: ast.Call) -> bool:
+        """Whether a function is written out at this call."""
+        if symbol not in self.program.sizes or symbol in self.program.written_out:
+            return symbol in self.program.written_out
+        # where an argument is a constant, little of it may be left
+        folds = any(self._maybe(argument) is not None for argument in node.args)
+        return folds and 3 * self.program.sizes[symbol] <= self.program.growth
 
     def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
         """Type and operands of an argument of a call; a variable is not copied if it is a tuple."""

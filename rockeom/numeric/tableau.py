@@ -205,7 +205,7 @@ def _stage(
     text, c = "", float(method.c[j])
     for i in range(n):
         text += f"    v{j}_{i} = " + _moved(method.a[j, :j], f"a{{}}_{i}", f"v0_{i}")
-        text += f"    q{j}_{i} = (q0_{i} + {c!r} * h * v0_{i})"
+        text += f"    q{j}_{i} = (q0_{i} + {c!r} * (h * v0_{i}))"
         if method.twice[j].any():
             text += f" + hh * (\n        {_sum(method.twice[j], f'a{{}}_{i}', ' ' * 8)}\n    )"
         text += "\n"

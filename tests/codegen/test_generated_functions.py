@@ -11,6 +11,7 @@ import importlib
 import itertools
 import zlib
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,6 +19,7 @@ from sympy.core.function import AppliedUndef
 
 import rockeom as rk
 from rockeom.contract import IMPULSIVE, RATIO
+from rockeom.generated import rigid_block
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -417,3 +419,14 @@ def test_jump(name, law):
     # without rotary inertia the momentum left would turn the oscillator into the ground
     never = {"left", "right"} if name == "uplifting_oscillator" else set()
     assert law == RATIO or met == {"left", "right", "both"} - never
+
+
+def test_sine_and_cosine_are_within_their_error_of_thirty_digits():
+    """Small angles by their relative error, too: gaps of feet are made of them."""
+    random = np.random.default_rng(11)
+    angles = [*random.uniform(-20.0, 20.0, 2000), *random.uniform(-0.8, 0.8, 2000)]
+    with mpmath.workdps(30):
+        for x in map(float, [*angles, *10.0 ** random.uniform(-300.0, -1.0, 500), 0.0]):
+            sine, cosine = rigid_block.sine_cosine(x)
+            assert abs(sine - mpmath.sin(x)) <= 2.3e-16 * min(1.0, abs(x))
+            assert abs(cosine - mpmath.cos(x)) <= 2.3e-16

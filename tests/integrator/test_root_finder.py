@@ -39,6 +39,10 @@ def of_gap(b: Floats, touching: int, out: Floats):
     out[0] = 1.0 if stays_open(gap, touching) else 0.0
     out[1] = closes_once(gap, touching)
     out[2] = 1.0 if rises_and_falls(gap) else 0.0
+
+@entry
+def of_samples(b: Floats) -> bool:
+    return clearly_open(b, 0)
 """
 NEVER = 2.0
 
@@ -302,3 +306,17 @@ def test_gap_that_clearly_closes_or_stays_open(start, rest):
         # it may close beside the end, if its last coefficient is small
         size = max(abs(c) for c in rest[:4])
         assert abs(rest[4]) > 0.01 * size or all(x > 0.5 for x in roots)
+
+
+def test_samples_stay_open_where_all_coefficients_of_their_polynomial_do():
+    """Not where one of the eight is no number: nothing is known of that guard."""
+    random = np.random.default_rng(5)
+    known = set()
+    for samples in 1.0 + random.uniform(0.0, 1.0, (2000, 1)) * random.uniform(-1, 1, (2000, 8)):
+        coefficients = samples_to_bernstein() @ samples
+        wanted = coefficients.min() > 1e-3 * np.abs(coefficients).max()
+        assert loop()["of_samples"](samples) == wanted
+        known.add(bool(wanted))
+        samples[random.integers(8)] = np.nan
+        assert not loop()["of_samples"](samples)
+    assert known == {False, True}

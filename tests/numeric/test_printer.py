@@ -261,6 +261,17 @@ def test_what_would_make_a_program_long_is_called():
         assert ("alwaysinline" in ir) == written_out
 
 
+def test_function_of_a_constant_is_written_out_where_it_is_called():
+    """Little of it may be left there; where nothing is constant it is called as before."""
+    often = HORNER.replace("value(-x[i])[0] / 3", " + ".join(["value(-x[i])[0]"] * 7))
+    for argument, written_out in (("x[i]", 0), ("0.5", 1)):
+        source = often.replace("_ = value(x[i])", f"_ = value({argument})")
+        size = Program([Text("some file.py", HEAD + source)]).sizes["value.2"]
+        ir = Program([Text("some file.py", HEAD + source)], growth=4.0 * size).ir()
+        assert ir.count("alwaysinline") == written_out
+        assert not differences(source)
+
+
 # -- a printer that is wrong somewhere is noticed
 
 WRONG = {
