@@ -393,7 +393,7 @@ class Response:
             return "The model has no feet: it says nothing of sliding or contact."
         text = self._friction()
         if self.lost_contact:
-            return text + " A foot's vertical reaction turned negative: it would have jumped."
+            return f"{text} A foot's vertical reaction turned negative: {self.structure.pulled}."
         return text + " No foot's vertical reaction turned negative."
 
     def _friction(self) -> str:
