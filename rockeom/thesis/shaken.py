@@ -48,32 +48,25 @@ def sylmar_360() -> rk.GroundMotion:
 
 
 @cache
-def wall_motion(run: str) -> rk.GroundMotion | None:
-    """The intended motion of a run of Table 4-1, scaled as printed there; None if not at hand.
+def wall_motion(run: str) -> rk.GroundMotion:
+    """The intended motion of a run of Table 4-1, scaled as printed there.
 
-    None, too, where the extra that carries its record is not installed.
+    Raises MotionError where its record is not at hand, or the extra is not installed that has it.
     """
     row = next(row for row in TABLE_4_1.rows if row[0] == run)
     scales = {"acceleration": float(row[5] or 0.0), "time": float(row[6] or 0.0)}
-    try:
-        if row[1] == "El Centro 180":
-            return rk.GroundMotion.from_library("El Centro 1940 180").scaled(**scales)
-        if row[1] == "Northridge Sylmar 360":
-            return sylmar_360().scaled(**scales)
-    except rk.MotionError:
-        pass
-    return None
+    if row[1] == "El Centro 180":
+        return rk.GroundMotion.from_library("El Centro 1940 180").scaled(**scales)
+    if row[1] == "Northridge Sylmar 360":
+        return sylmar_360().scaled(**scales)
+    raise rk.MotionError(f"run {run}: {row[1]} is among the records of no package at hand")
 
 
 @cache
-def column_motion(run: str) -> rk.GroundMotion | None:
-    """The intended motion of run 3 or 4 of Table 5-1; None if its extra is not installed."""
+def column_motion(run: str) -> rk.GroundMotion:
+    """The intended motion of run 3 or 4 of Table 5-1; MotionError if its extra is missing."""
     words, peak = COLUMN_RECORDS[run]
-    try:
-        record = rk.GroundMotion.from_library(words)
-    except rk.MotionError:
-        return None
-    return record.scaled(time=COLUMN_TIME_SCALE).scaled_to(peak)
+    return rk.GroundMotion.from_library(words).scaled(time=COLUMN_TIME_SCALE).scaled_to(peak)
 
 
 def wall_of(run: str) -> analysis.Wall:
@@ -83,31 +76,27 @@ def wall_of(run: str) -> analysis.Wall:
 
 
 @cache
-def oscillator_run(run: str, law: float | rk.EnergyRatioAtSpeed) -> Response | None:
-    """A run by 4-27 (SDOF), with F_k raised by 6 % as in section 4.8.1; None without its record."""
-    if (motion := wall_motion(run)) is None:
-        return None
+def oscillator_run(run: str, law: float | rk.EnergyRatioAtSpeed) -> Response:
+    """A run of the wall by 4-27 (SDOF), with F_k raised by 6 % as in section 4.8.1."""
     wall = wall_of(run)
     oscillator = rk.ControlledWallOscillator.from_wall(
         wall, law, effective_mass=wall.mass / STIFFER
     )
-    return rk.simulate(oscillator, motion)
+    return rk.simulate(oscillator, wall_motion(run))
 
 
 @cache
-def substitute_gravity_run(run: str, law: ImpactLaw) -> Response | None:
-    """A run by 4-40 (MHSG); None without its record."""
-    if (motion := wall_motion(run)) is None:
-        return None
-    return rk.simulate(rk.SubstituteGravityWall.from_wall(wall_of(run)), motion, impact=law)
+def substitute_gravity_run(run: str, law: ImpactLaw) -> Response:
+    """A run of the wall by 4-40 (MHSG)."""
+    return rk.simulate(
+        rk.SubstituteGravityWall.from_wall(wall_of(run)), wall_motion(run), impact=law
+    )
 
 
 @cache
-def column_run(run: str, structure: rk.Structure, r: float) -> Response | None:
-    """A run of Table 5-1 by a structure with an energy ratio; None without its record."""
-    if (motion := column_motion(run)) is None:
-        return None
-    return rk.simulate(structure, motion, impact=rk.EnergyRatio(r))
+def column_run(run: str, structure: rk.Structure, r: float) -> Response:
+    """A run of Table 5-1 by a structure with an energy ratio."""
+    return rk.simulate(structure, column_motion(run), impact=rk.EnergyRatio(r))
 
 
 MODEL_A = rk.LumpedMassStructure(**COLUMN)

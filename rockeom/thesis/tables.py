@@ -576,7 +576,7 @@ def _with_peaks(table: PrintedTable, *simulations: Callable[[str], Any]) -> list
     measured = dict(zip(TABLE_4_2.column("run"), TABLE_4_2.column(_LARGEST), strict=True))
     rows: list[Row] = []
     for run, *_ in table.rows:
-        runs = [simulate(str(run)) for simulate in simulations]
+        runs = [_if_recorded(simulate, str(run)) for simulate in simulations]
         one, other = (None if r is None else peaks_of(r) for r in runs)
         cells = itertools.chain.from_iterable(
             (None, one and factor * one[i], other and factor * other[i])
@@ -584,6 +584,16 @@ def _with_peaks(table: PrintedTable, *simulations: Callable[[str], Any]) -> list
         )
         rows.append((run, measured[run], *tuple(cells)[1:]))
     return rows
+
+
+def _if_recorded(simulate: Callable[[str], Any], run: str) -> Any:
+    """What a simulation gives, or None where there is no record for the run."""
+    from rockeom.motion import MotionError
+
+    try:
+        return simulate(run)
+    except MotionError:
+        return None
 
 
 def _measured_displacements(table: PrintedTable, *runs: tuple[str, ...]) -> list[Row]:
@@ -645,7 +655,7 @@ def _uplift_of_column() -> list[Row]:
             theta = analysis.rotation_from_displacement(size, pivot, height)
         found: Cell = displacement
         if isinstance(run, str) and run in models:
-            response = shaken.column_run(run, models[run], 0.74)
+            response = _if_recorded(lambda r: shaken.column_run(r, models[r], 0.74), run)
             found = None
             if response is not None:
                 found = 1e3 * abs(response.extremes("displacement").peak)
