@@ -198,9 +198,10 @@ class DesignReport:
                 "No bouncing: a foot that stood would have been pulled under "
                 f"{jumped or 'none'} of the records."
             )
+        body = "nothing bends" if self._held is None else "the column stays elastic"
         said.append(
-            "Rigid ground, motion in one plane, no vertical shaking; the column stays elastic "
-            "and the energy of an impact is lost as the law says: the responses cannot tell."
+            f"Rigid ground, motion in one plane, no vertical shaking; {body}, and the energy of an "
+            "impact is lost as the law says: of these the responses tell nothing."
         )
         if self._held is not None:
             pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
