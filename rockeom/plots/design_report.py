@@ -81,7 +81,7 @@ class UnderRecord:
             f"{1e3 * rocks.displacement:.3g}",
             "–" if held is None else f"{1e3 * held.displacement:.3g}",
             f"{1e3 * rocks.uplift:.3g}",
-            f"{rocks.base_shear / 1e3:.3g}",
+            f"{rocks.base_shear:.4g}",
             "–" if held is None else f"{rocks.base_shear / held.base_shear:.2f}",
             "–" if held is None else f"{rocks.base_moment / held.base_moment:.2f}",
             f"{self.run.friction_demand:.2f}",
@@ -94,7 +94,7 @@ COLUMNS = (
     "displ. [mm]",
     "fixed [mm]",
     "uplift [mm]",
-    "shear [kN]",
+    "shear [N]",
     "shear ratio",
     "moment ratio",
     "friction",
@@ -160,7 +160,7 @@ class DesignReport:
     def findings(self) -> tuple[str, ...]:
         """The set in sentences."""
         fallen = len(self.results) - len(self.standing)
-        said = [f"Of {len(self.results)} records {fallen or 'none'} overturned the structure."]
+        said = ["The structure stood under each of the records."]
         if fallen:
             outcomes = {str(one.run.outcome) for one in self.results if not one.stands}
             said = [f"Under {fallen} of {len(self.results)}: {', '.join(sorted(outcomes))}."]
@@ -184,15 +184,16 @@ class DesignReport:
     def assumptions(self) -> tuple[str, ...]:
         """What the model takes for granted, and how far the responses bear it out."""
         friction = [one.run.friction_demand for one in self.standing]
-        impulses = [one.run.impact_friction_demand for one in self.standing]
+        impulses = [x for one in self.standing if (x := one.run.impact_friction_demand) >= 0.0]
         jumped = sum(one.run.lost_contact for one in self.standing)
         lifted = sum(not one.run.never_lifted for one in self.results)
         said = [f"Rocking: under {lifted} of {len(self.results)} records a foot lifted."]
         if friction:
+            needed = f"; the impulses at impacts {max(impulses):.2f}" if impulses else ""
             said.append(
                 "No sliding: the feet would have needed a friction coefficient of "
                 f"{max(friction):.2f} under the worst record, {np.median(friction):.2f} under half "
-                f"of them; the impulses at impacts {max(impulses):.2f}."
+                f"of them{needed}."
             )
             said.append(
                 "No bouncing: a foot that stood would have been pulled under "
@@ -203,7 +204,7 @@ class DesignReport:
             f"Rigid ground, motion in one plane, no vertical shaking; {body}, and the energy of an "
             "impact is lost as the law says: of these the responses tell nothing."
         )
-        if self._held is not None:
+        if self._held is not None and self._held.rocking == self.structure:  # no tendon helps
             pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
             said.append(f"Fixed base: a foot has to be held down by up to {pull / 1e3:.3g} kN.")
         errors = [one.energy_error for one in self.standing]
@@ -254,7 +255,7 @@ class DesignReport:
 
     def _draw_both(self, force: Axes, drift: Axes) -> None:
         n = len(self.results)
-        _draw_demands(force, self.standing, n, "base_shear", 1e-3, "base shear [kN]")
+        _draw_demands(force, self.standing, n, "base_shear", 1.0, "base shear [N]")
         _draw_demands(drift, self.standing, n, "displacement", 1e3, "displacement [mm]")
 
     def html(self) -> str:
@@ -347,8 +348,9 @@ def _draw_history(ax: Axes, one: UnderRecord) -> None:
     ax.set_xlabel("time [s]")
     ax.set_ylabel("displacement [mm]")
     ax.set_xlim(0, one.run.t[-1])
-    title = textwrap.shorten(one.run.motion.name or "a ground motion", 60, placeholder=" …")
-    ax.set_title(f"largest displacement: {title}", loc="left", fontsize=8.5)
+    ax.set_title(
+        f"largest displacement: {_short(one.run.motion.name, 64)}", loc="left", fontsize=8.5
+    )
     style.legend_above(ax)
 
 
@@ -443,10 +445,11 @@ def _least_foot(run: Response) -> float:
     return min(run.extremes(f"{foot}_reaction").minimum for foot in ("left", "right"))
 
 
-def _short(name: str) -> str:
-    """A name that fits the table: a long one without its middle; the component is at its end."""
+def _short(name: str, most: int = 41) -> str:
+    """A name of so many letters, without its middle if it is long; the component is at its end."""
     name = name or "a ground motion"
-    return name if len(name) <= 41 else f"{name[:17].rstrip(' ,')} … {name[-21:].lstrip(' ,')}"
+    head = name[: most - 24].rstrip(" ,")
+    return name if len(name) <= most else f"{head} … {name[-21:].lstrip(' ,')}"
 
 
 def _unit(unit: str) -> str:

@@ -199,14 +199,27 @@ def figure_5_44() -> Drawn:
 
 
 @cache
-def beside(scale: float = 1.0) -> analysis.Isolation:
-    """Run 3's record times a factor, rocking and on a fixed base."""
+def beside(scale: float = 1.0, run: str = "3") -> analysis.Isolation:
+    """A run's record times a factor, rocking and on a fixed base."""
     return analysis.beside_fixed_base(
-        MODEL_C, shaken.column_motion("3").scaled(scale), impact=rk.EnergyRatio(0.74)
+        MODEL_C, shaken.column_motion(run).scaled(scale), impact=rk.EnergyRatio(0.74)
     )
 
 
-SCALES = (0.25, 0.5, 1.0, 1.5, 2.0)
+def bought(found: analysis.Isolation) -> Statement:
+    """What rocking gives and takes under a record."""
+    ratios = found.ratios
+    name = found.rocking_run.motion.name.split(", 180")[0].split(", 254")[0]
+    return Statement(
+        "5.3.3.1", "drift increases and design actions decrease",
+        f"{name}: base shear x {ratios['base_shear']:.2f}, base moment x "
+        f"{ratios['base_moment']:.2f}, displacement x {ratios['displacement']:.2f}; uplift "
+        f"{MM * found.rocking.uplift:.1f} mm",
+        bool(ratios["base_shear"] < 1 < ratios["displacement"]),
+    )  # fmt: skip
+
+
+SCALES = (0.25, 0.5, 1.0, 2.0)
 
 
 @thesis_figure(Source.IN_KIND)
@@ -215,7 +228,8 @@ def figure_5_45() -> Drawn:
 
     Model C with r = 0.74, k = 571.8 kN/m, c = 502.4 N s/m, under the record of Figure 5-24. The
     force is the base shear. Below, not in the thesis: base shear, base moment and displacement of
-    the column that rocks over those on the fixed base, against the scale of the record.
+    the column that rocks over those on the fixed base, against the scale of the record. Among the
+    statements stands the same under run 4's record, Pacoima Dam with 2.4 g.
     """
     found = beside()
     figure = style.new_figure(6.8, 6.2)
@@ -241,20 +255,15 @@ def figure_5_45() -> Drawn:
     ratio.set_ylabel("rocking over fixed base [-]")
     ratio.set_ylim(0, None)
     style.legend_above(ratio)
-    one = found.ratios
-    balances = [analysis.energy_balance(run) for run in (found.rocking_run, found.fixed_run)]
+    other = beside(run="4")
+    runs = [r for both in (found, other) for r in (both.rocking_run, both.fixed_run)]
+    error = max(analysis.energy_balance(run).error for run in runs)
     return Drawn(figure, (
+        bought(found),
+        bought(other),
         Statement(
-            "5.3.3.1", "drift increases and design actions decrease",
-            f"base shear x {one['base_shear']:.2f}, base moment x {one['base_moment']:.2f}, "
-            f"displacement x {one['displacement']:.2f}; uplift "
-            f"{MM * found.rocking.uplift:.1f} mm",
-            bool(one["base_shear"] < 1 < one["displacement"]),
-        ),
-        Statement(
-            "not in the thesis", "the energy of both responses balances",
-            f"to {max(b.error for b in balances):.0e} of the largest part",
-            bool(max(b.error for b in balances) < 1e-6),
+            "not in the thesis", "the energy of all four responses balances",
+            f"to {error:.0e} of the largest part", bool(error < 1e-6),
         ),
     ))  # fmt: skip
 
