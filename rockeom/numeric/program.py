@@ -111,7 +111,7 @@ what it is called by."""
 def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
     """Name of a part of a program, and a hash of all that its code follows from."""
     digest = _digest(
-        part, _source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
+        part, source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
@@ -170,7 +170,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
     else:
         step = step_text(tableau(method), n)
     parts = [
-        Text(f"{generated.NAME}.py", _source(generated)),
+        Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),
         Text("loop.py", _own("loop.py"), fused=True),
     ]
@@ -196,7 +196,7 @@ def _own(name: str, package: str = "rockeom.numeric") -> str:
 # -- generated modules that are in no package ----------------------------------------------------
 
 
-def _source(generated: ModuleType) -> str:
+def source(generated: ModuleType) -> str:
     """Of a file, or of what `load_text` has put in its place."""
     return "".join(linecache.getlines(str(generated.__file__)))
 

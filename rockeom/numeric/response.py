@@ -328,6 +328,27 @@ class Response:
         return last_crest(self.steps, self._columns(("gravitational_energy",)))
 
     @cached_property
+    def base_moment(self) -> Extremes | None:
+        """Extremes of the moment of the ground's forces about the middle of the base [N m].
+
+        The force on the right less that on the left, times the distance at which they act: half
+        the distance of the feet, or that of a rotation centre that moves. None unless the structure
+        stands on rigid ground and has a `half_width`.
+        """
+        arm = self.structure.parameters().get("half_width")
+        moves = "rotation_centre" in self.names
+        if arm is None or not (moves or self.structure.rocks_on_rigid_ground):
+            return None
+        names = ("left_reaction", "right_reaction", *("rotation_centre",) * moves)
+        forces = self._columns(names)
+
+        def moment(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
+            left, right, *centre = forces(t, y, contact).T
+            return ((centre[0] if moves else arm) * (right - left))[:, None]
+
+        return extremes(self.steps, moment)[0]
+
+    @cached_property
     def friction_demand(self) -> float:
         """Largest |horizontal|/vertical force that not sliding needed, found within the steps.
 
@@ -393,7 +414,7 @@ class Response:
             return "The model has no feet: it says nothing of sliding or contact."
         text = self._friction()
         if self.lost_contact:
-            return text + " A foot's vertical reaction turned negative: it would have jumped."
+            return f"{text} A foot's vertical reaction turned negative: {self.structure.pulled}."
         return text + " No foot's vertical reaction turned negative."
 
     def _friction(self) -> str:

@@ -21,6 +21,7 @@ from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLa
 
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
+    from rockeom.numeric.fixed_base import FixedBase
 
 
 class Structure:
@@ -34,6 +35,8 @@ class Structure:
     may_vanish: ClassVar[frozenset[str]] = frozenset()
     may_be_negative: ClassVar[frozenset[str]] = frozenset()
     not_numbers: ClassVar[frozenset[str]] = frozenset()
+    pulled: ClassVar[str] = "it would have jumped"
+    """What it means that the ground would have to pull a foot."""
 
     # -- what a subclass gives --------------------------------------------------------------
 
@@ -308,6 +311,23 @@ class Structure:
     def hints(self) -> tuple[str, ...]:
         """What about the parameters is allowed and hardly meant, a sentence each."""
         return ()
+
+    def fixed_base(self) -> FixedBase:
+        """The same structure with feet that cannot lift, with its periods.
+
+        It is simulated as any other, and has the same energies, forces and displacements.
+
+        Raises ValueError for a structure without full contact on rigid ground, and for a rigid
+        one, which has no degree of freedom left.
+
+        >>> column = FlexibleStructure(
+        ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
+        ...     base_inertia=1.37, half_width=0.285, stiffness=571.8e3, damping=502.4,
+        ... )
+        >>> column.fixed_base().periods  # s
+        array([0.09200...])
+        """
+        return importlib.import_module("rockeom.numeric.fixed_base").FixedBase(self)
 
     def pushover(self, rotations) -> np.ndarray:
         """Horizontal force at the load point that holds the structure at each rotation [N].
@@ -917,6 +937,25 @@ class FlexibleControlledWall(_ControlledWall):
     ) -> FlexibleControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
         return cls.from_wall(_thesis_wall(initial_force), damping_ratio=damping_ratio)
+
+    def fixed_base(self) -> FixedBase:
+        """The wall on a base that cannot turn: its mass at centroid_height on the elastic column.
+
+        The tendon then keeps its force, which bends nothing; the forces on the feet are those of
+        weight and shaking alone.
+        """
+        return FlexibleStructure(
+            mass=self.mass,
+            height=self.centroid_height,
+            inertia=self.inertia,
+            base_mass=0.0,
+            base_height=0.0,
+            base_inertia=0.0,
+            half_width=self.half_width,
+            gravity=self.gravity,
+            stiffness=self.stiffness,
+            damping=self.damping,
+        ).fixed_base()
 
     def _load(self, contact: int, y: np.ndarray) -> float:
         """As for the rigid wall; u of the state is put to its own equilibrium."""

@@ -7,12 +7,15 @@ holds the pieces of a drawing of your own, and `use_style` gives pyplot the look
 
 from rockeom.plots import free_body
 from rockeom.plots.comparison import plot_comparison
+from rockeom.plots.design_report import DesignReport, design_report
 from rockeom.plots.portrait import plot_phase_portrait
 from rockeom.plots.response import plot_response
 from rockeom.plots.sketch import draw_structure
 from rockeom.plots.style import use_style
 
 __all__ = [
+    "DesignReport",
+    "design_report",
     "draw_structure",
     "free_body",
     "plot_comparison",

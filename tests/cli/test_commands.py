@@ -15,7 +15,17 @@ from rockeom.cli.plain import mathematics
 from rockeom.codegen.write import write_generated
 from rockeom.numeric.structures import SHIPPED
 
-COMMANDS = ("models", "derive", "simulate", "equations", "verify", "figure", "tables", "generate")
+COMMANDS = (
+    "models",
+    "derive",
+    "simulate",
+    "report",
+    "equations",
+    "verify",
+    "figure",
+    "tables",
+    "generate",
+)
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -68,6 +68,11 @@ def test_full_contact_vibrates_in_the_modes_of_the_fixed_base(mode):
         )
 
 
+def test_held_at_its_feet_it_has_the_periods_of_its_matrices():
+    frequencies, _ = fixed_base_modes()
+    assert undamped().fixed_base().periods == pytest.approx(2 * np.pi / frequencies, rel=1e-9)
+
+
 def test_full_contact_is_driven_by_the_masses():
     """A constant ground acceleration moves the static equilibrium to -a sum(m)/k per storey."""
     a = 0.1

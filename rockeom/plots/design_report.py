@@ -1,0 +1,456 @@
+"""One page on a structure under a set of records: figures, numbers, assumptions and how they held.
+
+from rockeom.plots import design_report
+
+page = design_report(column, records, impact=rk.EnergyRatio(0.74))
+page.write("column.pdf")   # or column.html
+"""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+import math
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rockeom.analysis.isolation import Demands, demands, energy_balance
+from rockeom.motion import STANDARD_GRAVITY, GroundMotion
+from rockeom.numeric.fixed_base import FixedBase
+from rockeom.numeric.impact import AngularMomentum, ImpactLaw
+from rockeom.numeric.response import Outcome, Response
+from rockeom.numeric.simulate import simulate
+from rockeom.numeric.structures import Structure
+from rockeom.plots import style
+
+A4 = (8.27, 11.69)  # in
+SHOWN = 12
+"""Records that the page lists: those of the largest displacement."""
+FILES = (".html", ".pdf")
+
+Row = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class UnderRecord:
+    """What one record does to the structure, rocking and, if it has one, on a fixed base."""
+
+    run: Response
+    fixed_run: Response | None
+
+    @property
+    def stands(self) -> bool:
+        """Whether it was followed to its end and did not fall."""
+        return self.run.outcome in (Outcome.COMPLETED, Outcome.CAME_TO_REST)
+
+    @cached_property
+    def rocking(self) -> Demands:
+        return demands(self.run)
+
+    @cached_property
+    def fixed(self) -> Demands | None:
+        return None if self.fixed_run is None else demands(self.fixed_run)
+
+    @cached_property
+    def energy_error(self) -> float:
+        """Of the energy balances; nan where that of the structure is not known."""
+        try:
+            runs = (self.run, self.fixed_run)
+            return max(energy_balance(run).error for run in runs if run is not None)
+        except ValueError:
+            return math.nan
+
+    @property
+    def row(self) -> Row:
+        """Its line in the table of the page."""
+        peak = f"{self.run.motion.peak / STANDARD_GRAVITY:.3g}"
+        if not self.stands:
+            return (_short(self.run.motion.name), peak, str(self.run.outcome), *("–",) * 6)
+        rocks, held = self.rocking, self.fixed
+        return (
+            _short(self.run.motion.name),
+            peak,
+            f"{1e3 * rocks.displacement:.3g}",
+            "–" if held is None else f"{1e3 * held.displacement:.3g}",
+            f"{1e3 * rocks.uplift:.3g}",
+            f"{rocks.base_shear:.4g}",
+            "–" if held is None else f"{rocks.base_shear / held.base_shear:.2f}",
+            "–" if held is None else f"{rocks.base_moment / held.base_moment:.2f}",
+            f"{self.run.friction_demand:.2f}",
+        )
+
+
+COLUMNS = (
+    "record",
+    "peak [g]",
+    "displ. [mm]",
+    "fixed [mm]",
+    "uplift [mm]",
+    "shear [N]",
+    "shear ratio",
+    "moment ratio",
+    "friction",
+)
+
+
+@dataclass(frozen=True)
+class DesignReport:
+    """What `design_report` found; `page` draws it, `html` and `write` hand it on."""
+
+    structure: Structure
+    impact: ImpactLaw | None
+    results: tuple[UnderRecord, ...]
+
+    @property
+    def title(self) -> str:
+        name = type(self.structure).__name__
+        return f"{name} under {len(self.results)} record{'s' * (len(self.results) > 1)}"
+
+    @cached_property
+    def facts(self) -> tuple[tuple[str, str], ...]:
+        """The structure in names and values."""
+        m = self.structure.module
+        units = zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
+        values = self.structure.parameters()
+        found = [
+            (name.replace("_", " "), f"{values[name]:.5g}{_unit(unit)}")
+            for name, unit in units
+            if name in values
+        ]
+        threshold = self.structure.uplift_acceleration
+        if threshold is not None and math.isfinite(threshold):
+            found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
+        if self.structure.has_impacts:
+            found.append(("law of impact", repr(self.impact or AngularMomentum())))
+        held = self._held
+        if held is not None:
+            periods = ", ".join(f"{p:.4g}" for p in held.periods)
+            ratios = ", ".join(f"{100 * z:.3g}" for z in held.damping_ratios)
+            found += [("fixed-base period", f"{periods} s"), ("its damping", f"{ratios} %")]
+        return tuple(found)
+
+    @property
+    def _held(self) -> FixedBase | None:
+        """The structure on its fixed base, if it has one."""
+        first = self.results[0].fixed_run
+        held = None if first is None else first.structure
+        return held if isinstance(held, FixedBase) else None
+
+    @cached_property
+    def standing(self) -> tuple[UnderRecord, ...]:
+        """Those that ended upright, the largest displacement first; the others count as fallen."""
+        found = [one for one in self.results if one.stands]
+        return tuple(sorted(found, key=lambda one: -one.rocking.displacement))
+
+    @cached_property
+    def rows(self) -> tuple[Row, ...]:
+        """Those that did not stand first, then the largest displacements; as many as are shown."""
+        fallen = [one for one in self.results if not one.stands]
+        return tuple(one.row for one in (*fallen, *self.standing)[:SHOWN])
+
+    @cached_property
+    def findings(self) -> tuple[str, ...]:
+        """The set in sentences."""
+        fallen = len(self.results) - len(self.standing)
+        said = ["The structure stood under each of the records."]
+        if fallen:
+            outcomes = {str(one.run.outcome) for one in self.results if not one.stands}
+            said = [f"Under {fallen} of {len(self.results)}: {', '.join(sorted(outcomes))}."]
+        if not self.standing:
+            return tuple(said)
+        said.append(
+            "Displacement of the load point: "
+            + _spread([1e3 * one.rocking.displacement for one in self.standing], "mm")
+        )
+        both = [(one.rocking, one.fixed) for one in self.standing if one.fixed is not None]
+        for what, name in (("Base shear", "base_shear"), ("Base moment", "base_moment")):
+            ratios = [getattr(a, name) / getattr(b, name) for a, b in both]
+            if ratios and np.isfinite(ratios).all():
+                said.append(f"{what}, rocking over fixed base: {_spread(ratios, '')}")
+        drifts = [a.displacement / b.displacement for a, b in both]
+        if drifts:
+            said.append(f"Displacement, rocking over fixed base: {_spread(drifts, '')}")
+        return tuple(said)
+
+    @cached_property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the model takes for granted, and how far the responses bear it out."""
+        friction = [one.run.friction_demand for one in self.standing]
+        impulses = [x for one in self.standing if (x := one.run.impact_friction_demand) >= 0.0]
+        jumped = sum(one.run.lost_contact for one in self.standing)
+        lifted = sum(not one.run.never_lifted for one in self.results)
+        said = [f"Rocking: under {lifted} of {len(self.results)} records a foot lifted."]
+        if friction:
+            needed = f"; the impulses at impacts {max(impulses):.2f}" if impulses else ""
+            said.append(
+                "No sliding: the feet would have needed a friction coefficient of "
+                f"{max(friction):.2f} under the worst record, {np.median(friction):.2f} under half "
+                f"of them{needed}."
+            )
+            said.append(
+                "No bouncing: a foot that stood would have been pulled under "
+                f"{jumped or 'none'} of the records."
+            )
+        body = "nothing bends" if self._held is None else "the column stays elastic"
+        said.append(
+            f"Rigid ground, motion in one plane, no vertical shaking; {body}, and the energy of an "
+            "impact is lost as the law says: of these the responses tell nothing."
+        )
+        if self._held is not None and self._held.rocking == self.structure:  # no tendon helps
+            pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
+            said.append(f"Fixed base: a foot has to be held down by up to {pull / 1e3:.3g} kN.")
+        errors = [one.energy_error for one in self.standing]
+        if errors and not np.isnan(errors).any():
+            said.append(f"Integration: all energy balances close to {max(errors):.1g} or better.")
+        return tuple(said)
+
+    @style.styled
+    def figures(self) -> Figure:
+        """The worst record as time histories, and the demands of all records."""
+        figure = style.new_figure(7.4, 5.0)
+        axes = figure.subplot_mosaic("hh;fd")
+        history, force, drift = (axes[place] for place in "hfd")
+        _draw_history(history, (self.standing or self.results)[0])
+        self._draw_both(force, drift)
+        return figure
+
+    @style.styled
+    def page(self) -> Figure:
+        """All of it on one page of A4."""
+        figure = style.NotebookFigure(figsize=A4, dpi=150)
+        figure.text(0.07, 0.962, self.title, fontsize=15, weight="bold")
+        third = math.ceil(len(self.facts) / 3)
+        for i, (name, value) in enumerate(self.facts):
+            x, y = 0.07 + 0.3 * (i // third), 0.94 - 0.0145 * (i % third)
+            figure.text(x, y, name, fontsize=7.5, color="0.4")
+            figure.text(x + 0.12, y, value, fontsize=7.5)
+        top = 0.94 - 0.0145 * third - 0.015
+        history = figure.add_axes((0.1, top - 0.14, 0.84, 0.125))
+        _draw_history(history, (self.standing or self.results)[0])
+        self._draw_both(
+            figure.add_axes((0.1, top - 0.33, 0.36, 0.13)),
+            figure.add_axes((0.58, top - 0.33, 0.36, 0.13)),
+        )
+        bottom = _draw_table(figure, top - 0.395, self.rows, len(self.results))
+        for heading, sentences in (
+            ("What was found", self.findings),
+            ("What was assumed, and how far it held", self.assumptions),
+        ):
+            figure.text(0.07, bottom, heading, fontsize=9, weight="bold", va="top")
+            bottom -= 0.017
+            for sentence in sentences:
+                lines = textwrap.wrap(sentence, 125)
+                figure.text(0.07, bottom, "\n".join(lines), fontsize=7.4, va="top")
+                bottom -= 0.0118 * len(lines) + 0.002
+            bottom -= 0.006
+        return figure
+
+    def _draw_both(self, force: Axes, drift: Axes) -> None:
+        n = len(self.results)
+        _draw_demands(force, self.standing, n, "base_shear", 1.0, "base shear [N]")
+        _draw_demands(drift, self.standing, n, "displacement", 1e3, "displacement [mm]")
+
+    def html(self) -> str:
+        """The same as a page that needs no other file."""
+        image = io.BytesIO()
+        self.figures().savefig(image, format="svg")
+        svg = base64.b64encode(image.getvalue()).decode()
+        facts = "".join(
+            f"<dt>{html.escape(name)}</dt><dd>{html.escape(value)}</dd>"
+            for name, value in self.facts
+        )
+        head = "".join(f"<th>{html.escape(name)}</th>" for name in COLUMNS)
+        body = "\n".join(
+            f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>"
+            for row in self.rows
+        )
+        findings, assumptions = (
+            "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
+            for sentences in (self.findings, self.assumptions)
+        )
+        return _PAGE.format(
+            title=html.escape(self.title), facts=facts, svg=svg, head=head, body=body,
+            shown=_shown(len(self.rows), len(self.results)), findings=findings,
+            assumptions=assumptions,
+        )  # fmt: skip
+
+    def write(self, path: str | Path) -> None:
+        """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
+        path = Path(path)
+        check_name(path)
+        if path.suffix.lower() == ".pdf":
+            self.page().savefig(path)
+        else:
+            path.write_text(self.html(), encoding="utf-8")
+
+
+def check_name(path: Path) -> None:
+    """Raise ValueError for a name that says no format."""
+    if path.suffix.lower() not in FILES:
+        raise ValueError(f"{path}: a report is a {' or a '.join(FILES)} file; end the name so")
+
+
+def design_report(
+    structure: Structure,
+    motions: Sequence[GroundMotion],
+    impact: ImpactLaw | None = None,
+    duration: float | None = None,
+) -> DesignReport:
+    """Simulate a structure on rigid ground under each of the motions, beside its fixed base.
+
+    impact, duration : as in `simulate`. A rigid structure has no fixed base and stands alone.
+
+    Raises ValueError for no motions and for a structure without feet on rigid ground.
+    """
+    if not motions:
+        raise ValueError("a report needs a motion: give one or more, as a list")
+    if "left_uplift" not in structure.module.KINEMATICS or structure.module.STATE_UNITS[0] == "-":
+        raise ValueError(
+            f"{structure.model} has no feet that lift, in metres: there is no report of it; take a "
+            "RigidBlock, LumpedMassStructure, FlexibleStructure or a wall"
+        )
+    try:
+        held = structure.fixed_base()
+    except ValueError:  # rigid
+        held = None
+    return DesignReport(
+        structure,
+        impact,
+        tuple(
+            UnderRecord(
+                simulate(structure, motion, impact=impact, duration=duration),
+                None if held is None else simulate(held, motion, duration=duration),
+            )
+            for motion in motions
+        ),
+    )
+
+
+# -- the parts of the page -----------------------------------------------------------------------
+
+
+def _draw_history(ax: Axes, one: UnderRecord) -> None:
+    """Displacement of the load point, rocking and on the fixed base."""
+    if one.fixed_run is not None:
+        ax.plot(
+            one.fixed_run.t, 1e3 * one.fixed_run["displacement"], color=style.LINES[1], lw=0.8,
+            label="fixed base",
+        )  # fmt: skip
+    ax.plot(one.run.t, 1e3 * one.run["displacement"], color=style.LINES[0], label="rocking")
+    ax.set_xlabel("time [s]")
+    ax.set_ylabel("displacement [mm]")
+    ax.set_xlim(0, one.run.t[-1])
+    ax.set_title(
+        f"largest displacement: {_short(one.run.motion.name, 64)}", loc="left", fontsize=8.5
+    )
+    style.legend_above(ax)
+
+
+def _draw_demands(
+    ax: Axes, results: Sequence[UnderRecord], total: int, name: str, factor: float, what: str
+) -> None:
+    """The part of the records that stay below a demand; those that fell stay below none."""
+    both = {
+        "fixed base": [getattr(one.fixed, name) for one in results if one.fixed is not None],
+        "rocking": [getattr(one.rocking, name) for one in results],
+    }
+    for (label, found), color in zip(both.items(), (style.LINES[1], style.LINES[0]), strict=True):
+        if found:
+            number = total if label == "rocking" else len(found)
+            values = factor * np.sort(found)
+            ax.step(
+                [0.0, *values], [0.0, *(np.arange(1, len(values) + 1) / number)], where="post",
+                color=color, label=label,
+            )  # fmt: skip
+            ax.plot(values, np.arange(1, len(values) + 1) / number, ".", ms=3.5, color=color)
+    ax.set_xlabel(what)
+    ax.set_ylabel("part of the records [-]")
+    ax.set_xlim(0, None)
+    ax.set_ylim(0, 1.03)
+    style.legend_above(ax)
+
+
+def _draw_table(figure: Figure, top: float, rows: Sequence[Row], number: int) -> float:
+    """The table as text from `top` downwards; returns where it ends."""
+    places = (0.07, 0.42, 0.49, 0.56, 0.63, 0.70, 0.775, 0.85, 0.925)
+    y = top
+    for n, row in enumerate((COLUMNS, *rows)):
+        for i, (x, cell) in enumerate(zip(places, row, strict=True)):
+            text = cell.replace(" ", "\n", 1) if n == 0 and i else cell
+            figure.text(
+                x, y, text, fontsize=7.2, ha="right" if i else "left",
+                weight="bold" if n == 0 else "normal",
+            )  # fmt: skip
+        y -= 0.0175 if n == 0 else 0.0132
+    figure.text(0.07, y, _shown(len(rows), number), fontsize=7.2, color="0.4")
+    return y - 0.016
+
+
+_PAGE = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>
+body {{ font: 14px/1.45 system-ui, sans-serif; max-width: 52rem; margin: 2rem auto; color: #222 }}
+h1 {{ font-size: 1.5rem }} h2 {{ font-size: 1.1rem }} img {{ width: 100% }}
+dl {{ display: grid; grid-template-columns: repeat(4, auto); gap: 0.1rem 1rem }}
+dt {{ color: #777 }} dd {{ margin: 0 }}
+table {{ border-collapse: collapse; font-size: 0.85rem; width: 100% }}
+th, td {{ text-align: right; padding: 0.15rem 0.4rem; border-bottom: 1px solid #ddd }}
+th:first-child, td:first-child {{ text-align: left }}
+@media print {{ body {{ font-size: 10px; margin: 0 }} }}
+</style></head><body>
+<h1>{title}</h1>
+<dl>{facts}</dl>
+<img alt="displacement under the worst record, base shear and displacement under all records"
+ src="data:image/svg+xml;base64,{svg}">
+<h2>What was found</h2><ul>{findings}</ul>
+<table><thead><tr>{head}</tr></thead><tbody>
+{body}
+</tbody></table><p>{shown}</p>
+<h2>What was assumed, and how far it held</h2><ul>{assumptions}</ul>
+</body></html>
+"""
+
+
+# -- words ---------------------------------------------------------------------------------------
+
+
+def _shown(rows: int, number: int) -> str:
+    less = number - rows
+    rest = f" {less} of smaller displacement are not listed." if less else ""
+    return (
+        "Ratios are those of rocking to the fixed base; friction is the coefficient that not "
+        f"sliding needed.{rest}"
+    )
+
+
+def _spread(values: Sequence[float], unit: str) -> str:
+    """Median and range of some values."""
+    unit = f" {unit}" if unit else ""
+    if len(values) == 1:
+        return f"{values[0]:.3g}{unit}."
+    return (
+        f"median {np.median(values):.3g}{unit}, from {min(values):.3g} to {max(values):.3g}{unit}."
+    )
+
+
+def _least_foot(run: Response) -> float:
+    """The least vertical force on a foot [N]."""
+    return min(run.extremes(f"{foot}_reaction").minimum for foot in ("left", "right"))
+
+
+def _short(name: str, most: int = 41) -> str:
+    """A name of so many letters, without its middle if it is long; the component is at its end."""
+    name = name or "a ground motion"
+    head = name[: most - 24].rstrip(" ,")
+    return name if len(name) <= most else f"{head} … {name[-21:].lstrip(' ,')}"
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "-" else f" {unit}"
