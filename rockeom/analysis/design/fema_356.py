@@ -89,7 +89,7 @@ def fema_356_rocking(
     block, motion : whose spectrum takes the place of the design spectrum.
     damping : "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
     bearing_capacity q_c of the ground for each metre of the edge's way in [N/m]: the pivot lies
-        m g/(2 q_c) inside the edge; for rigid ground infinite. With it the mass of the block counts.
+        m g/(2 q_c) inside the edge, which needs the block's mass; infinite for rigid ground.
     fixed_base_period : at which S_a is read, with 5 % of damping, in step 2 [s]; at 0, a rigid
         block, S_a is the peak of the ground's acceleration.
     arm of the rotation, theta = delta/arm [m]; R about the pivot if not given.
@@ -196,20 +196,26 @@ class FemaComparison:
         return np.divide(found, self.rotation, out=np.full(len(found), np.nan), where=rocked)
 
     def __str__(self) -> str:
-        """The table, its rotations over alpha, and what there is of each outcome."""
-        lines = [f"{'motion':40} {'2-15':>14} {'2-16':>14} {'integrated':>12} {'ratio':>7}"]
-        rows = zip(self.motions, self.fema, self.priestley, self.rotation, self.outcome, self.ratio,
+        """The table, its rotations over alpha, and what there is of each outcome.
+
+        The ratio is that of 2-15 to integration; where only the estimate overturns, more than
+        alpha over the rotation found.
+        """
+        lines = [f"{'motion':40} {'2-15':>14} {'2-16':>14} {'integrated':>12} {'ratio':>9}"]
+        rows = zip(self.motions, self.fema, self.priestley, self.rotation, self.overturned,
                    strict=True)  # fmt: skip
-        for name, one, other, rotation, outcome, ratio in rows:
+        for name, one, other, rotation, fell in rows:
             shown = [
                 f"{e.rotation / self.alpha:.3f}" if np.isfinite(e.rotation) else e.outcome
                 for e in (one, other)
             ]
-            found = outcome if outcome == "overturned" else f"{rotation / self.alpha:.3f}"
-            lines.append(
-                f"{name[:40]:40} {shown[0]:>14} {shown[1]:>14} {found:>12} "
-                + (f"{ratio:7.2f}" if np.isfinite(ratio) else f"{'-':>7}")
-            )
+            found = "overturned" if fell else f"{rotation / self.alpha:.3f}"
+            ratio = "-"
+            if not fell and one.outcome == CONVERGED:
+                ratio = f"{one.rotation / rotation:.2f}"
+            elif not fell and one.outcome == OVERTURNED:
+                ratio = f"> {self.alpha / rotation:.2f}"
+            lines.append(f"{name[:40]:40} {shown[0]:>14} {shown[1]:>14} {found:>12} {ratio:>9}")
         return "\n".join([*lines, "", self.summary()])
 
     def summary(self) -> str:
@@ -225,7 +231,12 @@ class FemaComparison:
                 for o in (CONVERGED, OVERTURNED, NOT_CONVERGED, NO_ROCKING)
             )
             known = ratio[np.isfinite(ratio)]
-            text.append(f"{name}: {counted}")
+            fell = np.array([o == OVERTURNED for o in outcomes])
+            text.append(
+                f"{name}: {counted}; overturned by both {(fell & self.overturned).sum()}, by the "
+                f"estimate alone {(fell & ~self.overturned).sum()}, by integration alone "
+                f"{(~fell & self.overturned).sum()}"
+            )
             if len(known):
                 text.append(
                     f"      ratio to integration of {len(known)}: median {np.median(known):.2f}, "

@@ -44,7 +44,7 @@ class HysteresisLoop(NamedTuple):
         return self.area / (2 * np.pi * np.abs(self.force).max() * np.abs(self.displacement).max())
 
 
-class Step(NamedTuple):
+class HysteresisStep(NamedTuple):
     """The force [N] after a step, (n,), and what the rule then remembers, (k, n)."""
 
     force: np.ndarray
@@ -83,7 +83,7 @@ class HysteresisRule:
         """What `number` springs remember that were never moved, (k, number)."""
         raise NotImplementedError
 
-    def step(self, memory: np.ndarray, displacement: np.ndarray) -> Step:
+    def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
         """The force after going straight to a displacement (n,) [m]."""
         raise NotImplementedError
 
@@ -142,11 +142,11 @@ class _BetweenBounds(HysteresisRule):
     def start(self, number: int = 1) -> np.ndarray:
         return np.zeros((1, number))
 
-    def step(self, memory: np.ndarray, displacement: np.ndarray) -> Step:
+    def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
         elastic = self.stiffness * displacement
         low, high = self._bounds(displacement)
         force = np.clip(elastic + memory[0], low, high)
-        return Step(force, (force - elastic)[None])
+        return HysteresisStep(force, (force - elastic)[None])
 
     def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         raise NotImplementedError
@@ -233,7 +233,7 @@ class TakedaRule(HysteresisRule):
         memory[2:4] = self.yield_displacement
         return memory
 
-    def step(self, memory: np.ndarray, displacement: np.ndarray) -> Step:
+    def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
         u0, f0, right, left, zero = memory
         way = np.sign(displacement - u0)
         side = np.where(f0 != 0, np.sign(f0), way)
@@ -246,7 +246,7 @@ class TakedaRule(HysteresisRule):
         kept = np.minimum(side * trial, aimed)
         force = side * np.maximum(np.where(crossed | (f0 == 0), aimed, kept), 0.0)
         right, left = np.maximum(right, displacement), np.maximum(left, -displacement)
-        return Step(force, np.array([displacement + 0 * u0, force, right, left, zero]))
+        return HysteresisStep(force, np.array([displacement + 0 * u0, force, right, left, zero]))
 
     def _unloading(self, peak: np.ndarray) -> np.ndarray:
         return self.stiffness * (self.yield_displacement / peak) ** self.unloading_exponent
