@@ -215,7 +215,7 @@ def test_design_names_targets_out_of_the_spectrum():
 
 
 def test_wall_of_the_thesis_is_designed_for_a_drift_and_checked():
-    """From 1 % of drift to a prestress; the elastic substitute reaches the target by integration."""
+    """From 1 % of drift to a prestress; the elastic substitute reaches the target when shaken."""
     wall, target = analysis.Wall.thesis(), 0.01 * 2.438
     motions = [PULSE.scaled_to(peak=6.0), PULSE.scaled(time=0.5).scaled_to(peak=9.0)]
     yields = analysis.bilinear_fit(wall.restoring_force, target).yield_displacement
