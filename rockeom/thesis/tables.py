@@ -530,7 +530,8 @@ TABLES: Mapping[str, PrintedTable] = MappingProxyType(
     {
         table.number: table
         for table in (
-            TABLE_2_1, TABLE_2_2, TABLE_2_3, TABLE_2_4, TABLE_2_5, TABLE_3_1, TABLE_4_1, TABLE_4_2, TABLE_4_3, TABLE_4_4, TABLE_4_5,
+            TABLE_2_1, TABLE_2_2, TABLE_2_3, TABLE_2_4, TABLE_2_5, TABLE_3_1, TABLE_4_1,
+            TABLE_4_2, TABLE_4_3, TABLE_4_4, TABLE_4_5,
             TABLE_5_1, TABLE_A_1, FIGURE_3_3, FIGURE_4_29, FIGURE_5_6, FIGURE_5_10,
         )
     }

@@ -14,6 +14,7 @@ from rockeom.thesis.figures import (
     chapter_2,
     chapter_2_blocks,
     chapter_2_design,
+    chapter_4_shaken,
     chapter_4_wall,
 )
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, ThesisFigure, figures_of
@@ -25,6 +26,7 @@ FIGURES: dict[str, ThesisFigure] = figures_of(
         chapter_2,
         chapter_2_blocks,
         chapter_2_design,
+        chapter_4_shaken,
         chapter_4_wall,
     )
 )

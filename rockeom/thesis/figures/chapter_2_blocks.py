@@ -331,7 +331,7 @@ def figure_2_13() -> Drawn:
 
 @thesis_figure(Source.COMPUTED)
 def figure_2_14() -> Drawn:
-    """Four blocks under one sine: small changes of the aspect ratio, and large ones of the motion.
+    """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
 
     The sine has 0.3 g and 2 s, r is by 2-6. The width is not stated: the half-width is 1 m here,
     as in Figure 2-13.

@@ -91,7 +91,7 @@ def figure_2_20() -> Drawn:
     amplitude.
     """
     figure = style.new_figure(8.6, 3.2)
-    angle = np.linspace(0.0, 4 * np.pi, 2001)
+    angle = np.linspace(0.0, 4 * np.pi, 801)
     theta, rate = np.sin(angle), np.cos(angle)
     kinds = ("elastic and plastic", "friction", "viscous")
     areas: dict[str, list[float]] = {kind: [] for kind in kinds}
@@ -139,7 +139,7 @@ def dissipaters(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Moments of the elastic parts and of a dissipater along rotations and their rates."""
     joint = analysis.FlagRule(1.0, 0.01, HARDENING * 0.01)
-    elastic = joint.along(theta) / float(joint.backbone(1.0)) * ratio / (1 + ratio)
+    elastic = joint.backbone(theta) / float(joint.backbone(1.0)) * ratio / (1 + ratio)
     share = 1 / (1 + ratio)
     if kind == "elastic and plastic":
         rule = analysis.BilinearRule(1.0, 0.1, 0.0)
@@ -213,7 +213,7 @@ def figure_2_22() -> Drawn:
     ranges = {
         name: (found[name][mu >= 1.5] / found["flag"][mu >= 1.5]) for name in ("bilinear", "Takeda")
     }
-    inside = all(((2 <= r) & (r <= 3)).all() for r in ranges.values())
+    inside = all(((r >= 2) & (r <= 3)).all() for r in ranges.values())
     text = ", ".join(f"{n} {r.min():.1f} to {r.max():.1f} times" for n, r in ranges.items())
     return Drawn(
         figure,
@@ -221,8 +221,8 @@ def figure_2_22() -> Drawn:
             Statement(
                 "2.7", "a flag has consistently 2 to 3 times less damping than the others",
                 f"{text} the flag's, from a ductility of 1.5 to 8; the bilinear ratio is "
-                f"2 (1 - k_p/k_i)/beta_FS = {2 * (1 - HARDENING) / FLAG_HEIGHT:.1f} at any ductility, "
-                f"which is 2 to 3 for beta_FS from {2 * (1 - HARDENING) / 3:.2f} to "
+                f"2 (1 - k_p/k_i)/beta_FS = {2 * (1 - HARDENING) / FLAG_HEIGHT:.1f} at any "
+                f"ductility, which is 2 to 3 for beta_FS from {2 * (1 - HARDENING) / 3:.2f} to "
                 f"{1 - HARDENING:.2f}",
                 inside,
             ),
