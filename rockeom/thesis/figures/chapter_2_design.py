@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -172,7 +174,7 @@ def figure_2_21() -> Drawn:
         worst = max(worst, abs(loop.damping / float(rule.damping(mu)) - 1))
     bilinear, takeda, flag = figure.axes
     bilinear.set_ylabel("force $F/F_y$ [-]")
-    texts = {"fontsize": 8, "textcoords": "offset points"}
+    texts: dict[str, Any] = {"fontsize": 8, "textcoords": "offset points"}
     bilinear.annotate("$k_i$", (0.5, 0.5), xytext=(4, -8), **texts)
     bilinear.annotate("$k_p$", (2.6, 1.08), xytext=(0, 5), **texts)
     bilinear.annotate(r"$\mu u_y$", (4.0, 0.0), xytext=(-6, 5), **texts)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -52,7 +53,7 @@ def bending(displacement: np.ndarray) -> np.ndarray:
 
 @thesis_figure(Source.IN_KIND)
 def figure_4_57() -> Drawn:
-    """Uplifts of both edges against the displacement, and the sliding that the text reads from it.
+    """Uplifts of both edges against the displacement, and the sliding read from them.
 
     The measured uplifts of the shaking-table tests are lost: drawn are 4-9, which the thesis finds
     to hold for them unchanged, the points of the free vibration in Table A-1, and a band of
@@ -69,8 +70,8 @@ def figure_4_57() -> Drawn:
             ("right", 1, "s", style.LINES[1]),
         ):
             uplift = WALL.uplift(d, side * b)
-            band = [(d + shift) * MM for shift in (-SPREAD, SPREAD)]
-            ax.fill_betweenx(uplift * MM, *band, color=color, alpha=0.15, lw=0)
+            low, high = (d - SPREAD) * MM, (d + SPREAD) * MM
+            ax.fill_betweenx(uplift * MM, low, high, color=color, alpha=0.15, lw=0)
             ax.plot(d * MM, uplift * MM, color=color, label=f"{name} edge, 4-9")
             ax.plot(
                 measured.displacement[near] * MM, getattr(measured, f"{name}_uplift")[near] * MM,
@@ -88,7 +89,7 @@ def figure_4_57() -> Drawn:
             Statement(
                 "4.9.1.1", "typical sliding of about 2.5 mm to either side, from the scatter",
                 f"after the tests at most {change * MM:.2f} mm are left (Table 4-2); bending, "
-                f"which shifts the points as well, is {bent * MM:.2f} mm at most; the traces are lost",
+                f"which shifts the points too, is {bent * MM:.2f} mm at most; the traces are lost",
                 None,
             ),
         ),
@@ -108,8 +109,8 @@ def figure_4_58() -> Drawn:
     for ax, far in zip(axes, (0.032, 0.012), strict=True):
         d = symmetric(far + SPREAD)
         force = WALL.tendon_force(d) / 1e3
-        band = [(d + shift) * MM for shift in (-SPREAD, SPREAD)]
-        ax.fill_betweenx(force, *band, color=style.LINES[0], alpha=0.15, lw=0,
+        low, high = (d - SPREAD) * MM, (d + SPREAD) * MM
+        ax.fill_betweenx(force, low, high, color=style.LINES[0], alpha=0.15, lw=0,
                          label="2.5 mm of sliding")  # fmt: skip
         ax.plot(d * MM, force, color=style.LINES[0], label="4-16")
         draw_measured(ax, "tendon_force", 1e3, "Table A-1 ")
@@ -180,7 +181,8 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
         sin, cos = np.sin(state["theta"]), np.cos(state["theta"])
         a = h * (turning * cos - state["theta_dot"] ** 2 * sin)
         found.append((d[i], analysis.back_calculated_force(mass, a, ground)))
-    return tuple(np.array(found).T)  # type: ignore[return-value]
+    displacement, force = np.array(found).T
+    return displacement, force
 
 
 @thesis_figure(Source.IN_KIND)
@@ -244,7 +246,7 @@ def trials() -> dict[str, analysis.OscillatorResponse]:
     critical = float(analysis.priestley_damping(RATIO))
     viscous = analysis.ViscousDamping.of_ratio(critical, mass, natural)
     straight = analysis.tabulated(analysis.linear_start(WALL.restoring_force, 2e-3), 0.06)
-    choices = {
+    choices: dict[str, tuple[Any, tuple[analysis.Damping, ...]]] = {
         "r = 0.852": (force, (passages,)),
         "r by 4-31": (force, (analysis.PassageDamping(analysis.energy_ratio_4_31, n),)),
         "linear start": (straight, (passages,)),
@@ -263,7 +265,7 @@ def trials() -> dict[str, analysis.OscillatorResponse]:
 
 @thesis_figure(Source.IN_KIND)
 def figure_4_70() -> Drawn:
-    """The oscillator with the constant r = 0.852 under the motion of test run 4, and other trials.
+    """The oscillator with r = 0.852 under the record of test run 4, and other trials.
 
     The motion is the record that the test names, not that of the table, and the measured trace is
     lost; its peak of 23.91 mm is drawn as a line. Right: the peaks of the changes that 4.9.1.4
