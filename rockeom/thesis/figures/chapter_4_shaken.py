@@ -224,7 +224,7 @@ def figure_4_69() -> Drawn:
             Statement(
                 "4.9.1.4", "4-30 adequately characterises the dynamic response",
                 f"R2 = {fit:.3f} for {len(d)} points; beyond 1 mm 4-42 has {ratio:.3f} times "
-                "the force on the median, as M_e H**2 is not I_o", bool(fit > 0.9),
+                "the force on the median, as the ground pushes the mass below H", bool(fit > 0.9),
             ),
         ),
     )  # fmt: skip
