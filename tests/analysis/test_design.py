@@ -66,6 +66,17 @@ def test_random_cycles_never_give_energy(rule):
     assert work.min() > -1e-9 * work.max()  # all of it, what is stored included
 
 
+def test_takeda_unloads_by_the_peak_of_its_own_side_and_aims_at_that_of_the_other():
+    rule = analysis.TakedaRule(20e3, 3e-3, 0.05, 0.5)
+    u = 3e-3 * np.array([0.0, 4.0, 3.9, -2.25, -2.15, 3.0])
+    force = rule.along(u)
+    slopes = np.diff(force)[[1, 3]] / np.diff(u)[[1, 3]] / rule.stiffness
+    assert slopes == pytest.approx([4**-0.5, 2.25**-0.5])
+    zero = u[4] + abs(force[4]) / (rule.stiffness * 2.25**-0.5)  # on the way back
+    aimed = float(rule.backbone(u[1])) * (u[5] - zero) / (u[1] - zero)
+    assert force[5] == pytest.approx(aimed)
+
+
 def test_virgin_rule_follows_its_backbone():
     u = 3e-3 * np.linspace(0, 5, 101)
     for rule in RULES:
