@@ -15,6 +15,7 @@ equation of first order. It is solved exactly from sample to sample (Nigam and J
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -23,6 +24,9 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.motion import GroundMotion
+
+Spectrum = Callable[[float, float], float]
+"""Period [s] and damping ratio to the largest displacement [m]."""
 
 _PER_PERIOD = 16
 """Steps in a period, at least: no peak between two turns of the velocity is passed over then."""

@@ -111,6 +111,18 @@ def test_fema_356_names_no_rocking_overturning_and_no_convergence():
     assert hurried.outcome == "not converged"
 
 
+def test_fema_356_takes_a_design_spectrum_too():
+    def spectrum(period, damping_ratio):
+        return float(analysis.response_spectrum(PULSE, period, damping_ratio).displacement[0])
+
+    by_motion = analysis.fema_356_rocking(BLOCK, PULSE, fixed_base_period=0.1)
+    by_spectrum = analysis.fema_356_rocking(BLOCK, spectrum, fixed_base_period=0.1)
+    assert by_spectrum.rotation == by_motion.rotation > 0
+    assert by_spectrum.initiation == pytest.approx(by_motion.initiation)
+    with pytest.raises(ValueError, match="fixed_base_period is 0"):
+        analysis.fema_356_rocking(BLOCK, spectrum)
+
+
 def test_fema_356_pivot_stands_in_the_middle_of_the_stress_block():
     capacity = 2.0 * 9.81 / 0.3  # m g/q_c = 0.3 m
     found = analysis.fema_356_rocking(BLOCK, PULSE, bearing_capacity=capacity)

@@ -28,11 +28,8 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.analysis.controlled_wall import Wall
 from rockeom.analysis.design.hysteresis import FlagRule
-from rockeom.analysis.spectra import response_spectrum
+from rockeom.analysis.spectra import Spectrum, response_spectrum
 from rockeom.motion import GroundMotion
-
-Spectrum = Callable[[float, float], float]
-"""Period [s] and damping ratio to the displacement [m]."""
 
 DESIGNED = "designed"
 BEYOND = "target beyond the spectrum"

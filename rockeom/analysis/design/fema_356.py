@@ -33,7 +33,7 @@ from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.analysis.damping import fema_356_damping, priestley_damping
 from rockeom.analysis.periods import rocking_period
 from rockeom.analysis.restitution import energy_ratio_of_block
-from rockeom.analysis.spectra import response_spectrum
+from rockeom.analysis.spectra import Spectrum, response_spectrum
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ class FemaEstimate:
 
 def fema_356_rocking(
     block: RigidBlock,
-    motion: GroundMotion,
+    motion: GroundMotion | Spectrum,
     *,
     damping: str = "2-15",
     bearing_capacity: float = np.inf,
@@ -86,7 +86,9 @@ def fema_356_rocking(
 ) -> FemaEstimate:
     """Peak rotation of a rocking block by FEMA 356; the steps are those of this module.
 
-    block, motion : whose spectrum takes the place of the design spectrum.
+    block, motion : whose spectrum takes the place of the design spectrum; or a design spectrum, a
+        function of period [s] and damping ratio that gives the displacement [m], such as
+        `modified_spectrum` of one for 5 %. It needs a fixed_base_period.
     damping : "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
     bearing_capacity q_c of the ground for each metre of the edge's way in [N/m]: the pivot lies
         m g/(2 q_c) inside the edge, which needs the block's mass; infinite for rigid ground.
@@ -119,7 +121,7 @@ def fema_356_rocking(
         return estimate(NO_ROCKING, 0.0)
     for _ in range(iterations):
         period = float(rocking_period(rotations[-1] / pivot.alpha, pivot.p))
-        found = float(response_spectrum(motion, period, ratio).displacement[0]) / reach
+        found = _displacement(motion, period, ratio) / reach
         rotations.append(found)
         if found >= pivot.alpha:
             return estimate(OVERTURNED, np.nan)
@@ -154,9 +156,25 @@ def _pivot(where: str, block: RigidBlock, bearing_capacity: float) -> _Pivot:
     return _Pivot(alpha, radius, p, float(r), gravity * np.tan(alpha))
 
 
-def _spectral_acceleration(where: str, motion: GroundMotion, period: float) -> float:
-    (t,) = not_negative(where, fixed_base_period=period)
-    return float(response_spectrum(motion, t).pseudo_acceleration[0]) if t else motion.peak
+def _displacement(motion: GroundMotion | Spectrum, period: float, damping_ratio: float) -> float:
+    if isinstance(motion, GroundMotion):
+        return float(response_spectrum(motion, period, damping_ratio).displacement[0])
+    return float(motion(period, damping_ratio))
+
+
+def _spectral_acceleration(
+    where: str, motion: GroundMotion | Spectrum, fixed_base_period: float
+) -> float:
+    (t,) = not_negative(where, fixed_base_period=fixed_base_period)
+    period = float(t)
+    if period:
+        return (2 * np.pi / period) ** 2 * _displacement(motion, period, 0.05)
+    if isinstance(motion, GroundMotion):
+        return motion.peak
+    raise ValueError(
+        f"{where}: fixed_base_period is 0, at which a spectrum of displacements tells no "
+        "acceleration: give the period at which the block does not rock [s], such as 0.05"
+    )
 
 
 @dataclass(frozen=True)

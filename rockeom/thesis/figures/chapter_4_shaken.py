@@ -246,9 +246,12 @@ def trials() -> dict[str, analysis.OscillatorResponse]:
     critical = float(analysis.priestley_damping(RATIO))
     viscous = analysis.ViscousDamping.of_ratio(critical, mass, natural)
     straight = analysis.tabulated(analysis.linear_start(WALL.restoring_force, 2e-3), 0.06)
+    edge = replace(WALL, rotation_centre=analysis.RotationCentre.thesis_edge())
+    other = analysis.tabulated(edge.restoring_force, 0.06)
     choices: dict[str, tuple[Any, tuple[analysis.Damping, ...]]] = {
         "r = 0.852": (force, (passages,)),
         "r by 4-31": (force, (analysis.PassageDamping(analysis.energy_ratio_4_31, n),)),
+        "centre 442, 66 mm": (other, (passages,)),
         "linear start": (straight, (passages,)),
         "bilinear": (analysis.bilinear_fit(WALL.restoring_force, 0.03), (passages,)),
         "viscous below 5 mm": (force, (passages, replace(viscous, below=5e-3))),
@@ -269,7 +272,8 @@ def figure_4_70() -> Drawn:
 
     The motion is the record that the test names, not that of the table, and the measured trace is
     lost; its peak of 23.91 mm is drawn as a line. Right: the peaks of the changes that 4.9.1.4
-    tries; their values are not stated. Here the linear start goes to 2 mm, the bilinear backbone
+    tries; their values are not stated. Here the other rotation centre is 4-7 referred to the edge,
+    for that of Figure 4-60 is lost, the linear start goes to 2 mm, the bilinear backbone
     is the nearest up to 30 mm, and viscous damping is that of 2-16 for r at the period of the
     secant at 2 mm, everywhere or below 5 mm with r besides; that of the tangent stiffness has the
     same ratio there.
@@ -299,9 +303,10 @@ def figure_4_70() -> Drawn:
         figure,
         (
             Statement(
-                "4.9.1.4", "a constant r = 0.852 gives a satisfactory prediction of run 4",
-                f"{peaks['r = 0.852']:.1f} mm under the record, measured 23.91 mm on the table",
-                bool(abs(peaks["r = 0.852"] / 23.91 - 1) < 0.25),
+                "4.9.1.4", "a constant r at times gives a satisfactory prediction",
+                f"{peaks['r = 0.852']:.1f} mm under the record, measured 23.91 mm under the "
+                "motion of the table, which is lost",
+                None,
             ),
             Statement(
                 "4.9.1.4", "no change of backbone or damping improves it",
