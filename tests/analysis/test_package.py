@@ -25,11 +25,12 @@ def test_formula_says_what_it_takes_and_where_it_is_from(name):
 
 
 def test_everything_public_is_re_exported():
-    for module in pkgutil.iter_modules(analysis.__path__):
-        if module.name == "arguments":
+    for module in pkgutil.walk_packages(analysis.__path__, "rockeom.analysis."):
+        if module.name == "rockeom.analysis.arguments" or module.ispkg:
             continue
-        source = importlib.import_module(f"rockeom.analysis.{module.name}")
-        assert getattr(analysis, module.name) is source  # no formula hides a module
+        source = importlib.import_module(module.name)
+        home, _, name = module.name.rpartition(".")
+        assert getattr(importlib.import_module(home), name) is source  # no formula hides a module
         public = [
             name
             for name, value in vars(source).items()

@@ -15,7 +15,9 @@ from rockeom.thesis import shaken
 from rockeom.thesis.figures import FIGURES, chapter_4_wall
 
 FREE_VIBRATION = ["4-37", "4-45", "4-47", "4-48"]
-SIMULATED = {"2-6", "2-16", "2-17", "4-71", "4-73", *FREE_VIBRATION}
+PORTRAITS = {"2-10", "2-11", "2-12", "2-13", "2-14"}
+SHAKEN = {"4-69", "4-70", "4-71", "4-73"}
+SIMULATED = {"2-6", "2-16", "2-17", *FREE_VIBRATION, *PORTRAITS, *SHAKEN}
 SIMULATED |= {n for n in FIGURES if n.startswith("5-")} - {"5-28", "5-29"}
 CLOSED_FORM = [n for n in FIGURES if n not in SIMULATED]
 

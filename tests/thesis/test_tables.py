@@ -88,6 +88,26 @@ def test_table_2_1_ratios_are_those_of_the_sizes():
     np.testing.assert_allclose(height / width, ratio, rtol=3e-3)
 
 
+def test_table_2_2_rectangular_springs_are_of_another_dimension():
+    """Per metre of side they are right; the circle's are as printed."""
+    printed, again = column("2-2", 2)
+    np.testing.assert_allclose(again, printed, rtol=1e-3)
+    printed, again = column("2-2", 4)
+    np.testing.assert_allclose(again / printed, [1, 1 / 4, 1 / 4, 1 / 16, 1 / 2], rtol=1e-3)
+
+
+def test_tables_2_4_and_2_5_are_the_factors_that_are_used():
+    for number, places in (("2-4", 6), ("2-5", 4)):
+        for i in range(1, 1 + places):
+            printed, again = column(number, i)
+            assert (printed == again).all()
+    said, found = column("2-4", 7)
+    np.testing.assert_allclose(found[1:], said[1:], atol=0.07)
+    assert found[0] == pytest.approx(1.84, abs=0.005)
+    design, analysed = column("2-5", 5)
+    np.testing.assert_allclose(design, analysed, atol=1.2)
+
+
 def test_table_2_3_takes_the_velocity_ratio_for_the_energy_ratio():
     printed, r = column("2-3", 5)
     np.testing.assert_allclose(analysis.velocity_ratio_from_energy_ratio(r), printed, atol=5e-4)

@@ -12,6 +12,9 @@ A module here holds the figures of one subject; `FIGURES` finds them by themselv
 
 from rockeom.thesis.figures import (
     chapter_2,
+    chapter_2_blocks,
+    chapter_2_design,
+    chapter_4_shaken,
     chapter_4_wall,
     chapter_5_flexible,
     chapter_5_rigid,
@@ -23,6 +26,9 @@ __all__ = ["FIGURES", "NOT_DRAWN", "Drawn", "Source", "Statement", "ThesisFigure
 FIGURES: dict[str, ThesisFigure] = figures_of(
     (
         chapter_2,
+        chapter_2_blocks,
+        chapter_2_design,
+        chapter_4_shaken,
         chapter_4_wall,
         chapter_5_rigid,
         chapter_5_flexible,

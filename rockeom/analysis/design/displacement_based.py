@@ -1,0 +1,249 @@
+"""Displacement-based design: from a target drift to the base shear (thesis 2-31 to 2-35).
+
+    import rockeom as rk
+    from rockeom import analysis
+
+    records = [rk.GroundMotion.from_library(f"El Centro 1940 {n}") for n in (180, 270)]
+    design = analysis.displacement_based_design(
+        target_displacement=0.15, yield_displacement=0.03, mass=20e3,
+        spectrum=analysis.MeanSpectrum(records),
+        damping=lambda ductility, period: analysis.design_damping("flag", ductility, period),
+    )
+    design.base_shear, design.effective_period  # N, s
+
+The substitute structure is elastic: its stiffness is the secant one at the target displacement,
+and its damping ratio that of 2-31 to 2-35 at the ductility there. The period at which the spectrum
+of that damping has the target displacement gives the stiffness, and this the base shear
+(Priestley, Calvi and Kowalsky 2007).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import not_negative, positive, require
+from rockeom.analysis.controlled_wall import Wall
+from rockeom.analysis.design.hysteresis import FlagRule
+from rockeom.analysis.spectra import Spectrum, response_spectrum
+from rockeom.motion import GroundMotion
+
+DESIGNED = "designed"
+BEYOND = "target beyond the spectrum"
+BELOW = "target below the spectrum"
+
+
+def damping_modifier(damping_ratio: ArrayLike, exponent: float = 0.5):
+    """Displacement of a damped spectrum over that of 5 %, (0.07/(0.02 + xi))**exponent.
+
+    damping_ratio xi, any shape. exponent : 0.5, or 0.25 near a fault whose motion is a pulse.
+    Source: Priestley, Calvi and Kowalsky (2007).
+    """
+    (xi,) = not_negative("damping_modifier", damping_ratio=damping_ratio)
+    positive("damping_modifier", exponent=exponent)
+    return (0.07 / (0.02 + xi)) ** exponent
+
+
+def modified_spectrum(spectrum: Callable[[float], float], exponent: float = 0.5) -> Spectrum:
+    """A spectrum for any damping, out of that for 5 %.
+
+    spectrum : period [s] to displacement [m], for 5 % of damping. exponent of `damping_modifier`.
+    """
+
+    def damped(period: float, damping_ratio: float) -> float:
+        return float(spectrum(period) * damping_modifier(damping_ratio, exponent))
+
+    return damped
+
+
+@dataclass(frozen=True)
+class MeanSpectrum:
+    """The mean of the elastic spectra of some motions, exact for any period and damping."""
+
+    motions: Sequence[GroundMotion]
+
+    def __call__(self, period: float, damping_ratio: float) -> float:
+        """Mean of the largest displacements [m]; period [s]."""
+        found = [response_spectrum(m, period, damping_ratio).displacement[0] for m in self.motions]
+        return float(np.mean(found))
+
+
+@dataclass(frozen=True)
+class DisplacementDesign:
+    """What the design comes to.
+
+    outcome : "designed"; "target beyond the spectrum", no period up to the longest needs so much;
+        or "target below the spectrum", the shortest period needs more.
+    target_displacement, yield_displacement [m]; ductility; mass [kg].
+    damping_ratio; effective_period [s]; effective_stiffness, the secant one [N/m]; base_shear,
+    the force at the target displacement [N]. NaN where there is no design.
+    """
+
+    outcome: str
+    target_displacement: float
+    yield_displacement: float
+    ductility: float
+    mass: float
+    damping_ratio: float
+    effective_period: float
+    effective_stiffness: float
+    base_shear: float
+
+    def flag(self, stiffness_ratio: float, flag_height: float = 0.0) -> FlagRule:
+        """The flag-shaped rule of this strength.
+
+        stiffness_ratio, flag_height : as in `FlagRule`; its force at the target displacement is
+        the base shear.
+        """
+        strength = self.base_shear / (1 + stiffness_ratio * (self.ductility - 1))
+        return FlagRule(strength, self.yield_displacement, stiffness_ratio, flag_height)
+
+
+def displacement_based_design(
+    target_displacement: float,
+    yield_displacement: float,
+    mass: float,
+    spectrum: Spectrum,
+    damping: Callable[[float, float], float],
+    *,
+    periods: tuple[float, float] = (0.05, 10.0),
+) -> DisplacementDesign:
+    """The base shear with which a structure keeps to a target displacement.
+
+    target_displacement, yield_displacement [m], of the substitute structure; mass, the effective
+    one [kg].
+    spectrum : displacement [m] of period [s] and damping ratio, such as `MeanSpectrum(motions)`, or
+        `modified_spectrum` of one for 5 %.
+    damping : ratio of ductility and effective period [s], such as 2-31 with 2-32c,
+        `lambda mu, t: 0.05 + flag_damping(mu, 0.05, 0.35)`, 2-33 (`grant_damping`), 2-34 or 2-35.
+    periods : shortest and longest that are looked at [s].
+
+    The shortest of the periods at which the spectrum has the target displacement is taken.
+    Raises ValueError for a target below the yield displacement, where the structure is elastic.
+    """
+    from scipy.optimize import brentq  # takes long to import
+
+    where = "displacement_based_design"
+    target, yields, m = positive(
+        where, target_displacement=target_displacement, yield_displacement=yield_displacement,
+        mass=mass,
+    )  # fmt: skip
+    rule = "the target is below the yield displacement: the structure stays elastic"
+    require(target >= yields, where, "target_displacement", target, rule)
+    first, last = (float(t) for t in positive(where, periods=np.asarray(periods))[0])
+    mu = float(target / yields)
+
+    def ratio(period: float) -> float:
+        return float(damping(mu, period))
+
+    def beyond(period: float) -> float:
+        return spectrum(period, ratio(period)) - float(target)
+
+    def design(outcome: str, period: float) -> DisplacementDesign:
+        known = outcome == DESIGNED
+        stiffness = float(4 * np.pi**2 * m / period**2) if known else np.nan
+        return DisplacementDesign(
+            outcome, float(target), float(yields), mu, float(m),
+            ratio(period) if known else np.nan, period if known else np.nan, stiffness,
+            stiffness * float(target),
+        )  # fmt: skip
+
+    before = first
+    if beyond(first) > 0:
+        return design(BELOW, np.nan)
+    for period in np.geomspace(first, last, 80)[1:]:
+        if beyond(float(period)) >= 0:
+            return design(DESIGNED, float(brentq(beyond, before, float(period), xtol=1e-10)))
+        before = float(period)
+    return design(BEYOND, np.nan)
+
+
+@dataclass(frozen=True)
+class DesignCheck:
+    """Peaks of a non-linear structure under some motions, beside the target of its design.
+
+    peaks (m,) [m]; factors (m,) by which the motions were scaled; target_displacement [m].
+    """
+
+    peaks: np.ndarray
+    factors: np.ndarray
+    target_displacement: float
+
+    @property
+    def ratio(self) -> np.ndarray:
+        """(m,) peak over target."""
+        return self.peaks / self.target_displacement
+
+    def __str__(self) -> str:
+        low, middle, high = np.quantile(self.ratio, [0.16, 0.5, 0.84])
+        return (
+            f"{len(self.ratio)} motions: peak over target {self.ratio.mean():.2f} on the mean, "
+            f"median {middle:.2f}, 16 to 84 % from {low:.2f} to {high:.2f}"
+        )
+
+
+def check_design(
+    design: DisplacementDesign,
+    motions: Sequence[GroundMotion],
+    peaks: Callable[[Sequence[GroundMotion]], ArrayLike],
+    *,
+    matched: bool = True,
+) -> DesignCheck:
+    """A design beside the integration of the structure that was designed.
+
+    design : of `displacement_based_design`. peaks : what makes the largest displacements (m,) [m]
+    of m motions, such as `lambda some: oscillator.response(some).peak` of an
+    `EquivalentOscillator`, or a sweep of a structure.
+    motions : matched, each is first scaled so that its own damped spectrum has the target at the
+    effective period: what is compared is then the substitute structure with the non-linear one.
+    Otherwise they are taken as they are, and their scatter counts as well.
+
+    Raises ValueError for a design that has no effective period.
+    """
+    rule = "there is no design to check: choose another target or spectrum"
+    found = design.outcome == DESIGNED
+    require(found, "check_design", "design.effective_period", design.effective_period, rule)
+    factors = np.ones(len(motions))
+    if matched:
+        for i, motion in enumerate(motions):
+            spectrum = response_spectrum(motion, design.effective_period, design.damping_ratio)
+            factors[i] = design.target_displacement / spectrum.displacement[0]
+    scaled = [m.scaled(acceleration=float(f)) for m, f in zip(motions, factors, strict=True)]
+    return DesignCheck(np.asarray(peaks(scaled), dtype=float), factors, design.target_displacement)
+
+
+def wall_for_base_shear(wall: Wall, displacement: float, base_shear: float) -> Wall:
+    """The wall with the prestress of its tendons at which its force at a displacement is given.
+
+    wall : whose tendons are all prestressed by the same factor more or less. displacement [m];
+    base_shear, the horizontal force at the wall's height there [N].
+
+    Raises ValueError where no prestress between none and yield gives it, with what can be had.
+    """
+    from scipy.optimize import brentq  # takes long to import
+
+    where = "wall_for_base_shear"
+    shear, at = positive(where, base_shear=base_shear, displacement=displacement)
+
+    def stressed(factor: float) -> Wall:
+        return replace(
+            wall,
+            tendons=tuple(
+                replace(one, initial_force=factor * one.initial_force) for one in wall.tendons
+            ),
+        )
+
+    def lacking(factor: float) -> float:
+        return float(stressed(factor).restoring_force(at)) - float(shear)
+
+    most = min(one.yield_force / one.initial_force for one in wall.tendons) * (1 - 1e-9)
+    low, high = lacking(0.0) + float(shear), lacking(most) + float(shear)
+    rule = (
+        f"the wall has from {low:.0f} to {high:.0f} N at {float(at):g} m, by the prestress of its "
+        "tendons: change their number or the wall"
+    )
+    require((shear >= low) & (shear <= high), where, "base_shear", shear, rule)
+    return stressed(float(brentq(lacking, 0.0, most, xtol=1e-12)))

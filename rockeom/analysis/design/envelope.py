@@ -1,0 +1,100 @@
+"""The largest response over a range of restitution: a procedure of design (thesis 4.9.1.4).
+
+    import rockeom as rk
+    from rockeom import analysis
+
+    block = rk.RigidBlock(half_width=1.0, half_height=5.0)
+    records = [rk.GroundMotion.from_library("El Centro 1940 180").scaled_to(peak=3.5)]
+    found = analysis.restitution_envelope(block, records, ratios=[0.80, 0.85, 0.90, 0.95])
+    found.envelope  # the largest |theta| over all r, for each record
+
+The thesis proposes it for want of a known r, and gives it up: the peak is no slowly varying
+function of r (Figure 4-71). `conservative` says how many of the analyses reach a response that is
+known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import positive, require
+from rockeom.motion import GroundMotion
+
+if TYPE_CHECKING:
+    from rockeom.numeric.case import Case
+    from rockeom.numeric.structures import Structure
+
+
+@dataclass(frozen=True)
+class RestitutionEnvelope:
+    """Peaks over restitution and motion.
+
+    ratios r (n,); motions : names, m of them; peaks (n, m) : largest absolute value of the state,
+    infinite where the structure overturned; state : its name; overturned (n, m).
+    """
+
+    ratios: np.ndarray
+    motions: tuple[str, ...]
+    peaks: np.ndarray
+    state: str
+    overturned: np.ndarray
+
+    @property
+    def envelope(self) -> np.ndarray:
+        """(m,) the largest peak over all ratios."""
+        return self.peaks.max(axis=0)
+
+    @property
+    def governing(self) -> np.ndarray:
+        """(m,) the ratio r that has the largest peak."""
+        return self.ratios[self.peaks.argmax(axis=0)]
+
+    def conservative(self, reference: ArrayLike) -> np.ndarray:
+        """(m,) part of the analyses whose peak exceeds a reference, for each motion or for all."""
+        return (self.peaks > np.asarray(reference, dtype=float)).mean(axis=0)
+
+
+def restitution_envelope(
+    structure: Structure | Callable[[float, GroundMotion], Case],
+    motions: Sequence[GroundMotion],
+    ratios: ArrayLike,
+    *,
+    state: str | None = None,
+) -> RestitutionEnvelope:
+    """Peaks of a structure for each ratio r of kinetic energies and each ground motion.
+
+    structure : one whose law of impact is to be EnergyRatio(r), or a function that makes the
+        `Case` of r and a motion, where r enters in another way, as in `ControlledWallOscillator`.
+    motions : whose quiet time at the end is long enough to fall in. ratios (n,) in (0, 1].
+    state : whose peaks are kept, the first one of the structure if not given.
+
+    Raises ValueError for a ratio outside (0, 1] and an unknown state.
+    """
+    from rockeom.numeric.case import Case
+    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.numeric.impact import EnergyRatio
+    from rockeom.numeric.structures import Structure
+
+    where = "restitution_envelope"
+    (r,) = positive(where, ratios=np.atleast_1d(ratios))
+    require(r <= 1, where, "ratios", r, "more than 1 would add energy")
+
+    def case(ratio: float, motion: int) -> Case:
+        if isinstance(structure, Structure):
+            return Case(structure, motions[motion], EnergyRatio(ratio))
+        return structure(ratio, motions[motion])
+
+    over = {"ratio": [float(one) for one in r], "motion": range(len(motions))}
+    found = simulate_many(case, over=over, progress=False)
+    names = [str(one) for one in found["state"].values]
+    state = names[0] if state is None else state
+    if state not in names:
+        raise ValueError(f"{where}: state is {state!r}: choose among {', '.join(names)}")
+    overturned = (found.outcome == "overturned").values
+    peaks = np.where(overturned, np.inf, found.peak.sel(state=state).values)
+    return RestitutionEnvelope(r, tuple(m.name for m in motions), peaks, state, overturned)

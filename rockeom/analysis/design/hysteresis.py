@@ -1,0 +1,262 @@
+"""Hysteresis: the rules of Figure 2-21 of the thesis, their loops, and what these lose.
+
+    from rockeom import analysis
+
+    flag = analysis.FlagRule(yield_force=20e3, yield_displacement=2e-3, stiffness_ratio=0.05,
+                             flag_height=0.35)
+    flag.loop(ductility=4.0).damping  # of the closed loop, as a function
+    flag.simulated_loop(ductility=4.0).damping  # of a displacement to and fro
+    flag.damping(ductility=4.0)  # by thesis 2-32c
+
+A rule goes from one displacement to the next; as long as it does not turn back in between, the
+step may be of any length and the force is exact. What it remembers is an array (k, n) for n
+springs at once, so that a time integration may try a step and throw it away.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis import damping
+from rockeom.analysis.arguments import not_negative, numbers, positive, require
+
+
+class HysteresisLoop(NamedTuple):
+    """Displacement [m] and force [N] along a closed loop, (n,) each, straight in between."""
+
+    displacement: np.ndarray
+    force: np.ndarray
+
+    @property
+    def area(self) -> float:
+        """Energy that a cycle loses [J]."""
+        u, f = self
+        return float(abs(((u + np.roll(u, 1)) * (f - np.roll(f, 1))).sum()) / 2)
+
+    @property
+    def damping(self) -> float:
+        """The area over 2 pi F_m u_m, of the largest force and displacement; Jacobsen (1930)."""
+        return self.area / (2 * np.pi * np.abs(self.force).max() * np.abs(self.displacement).max())
+
+
+class HysteresisStep(NamedTuple):
+    """The force [N] after a step, (n,), and what the rule then remembers, (k, n)."""
+
+    force: np.ndarray
+    memory: np.ndarray
+
+
+@dataclass(frozen=True)
+class HysteresisRule:
+    """What the three rules share: elastic up to yield, and a stiffness after it.
+
+    yield_force F_y [N]; yield_displacement u_y [m]; stiffness_ratio k_p/k_i in [0, 1), of the
+    stiffness after yield and the initial one, F_y/u_y.
+    """
+
+    yield_force: float
+    yield_displacement: float
+    stiffness_ratio: float
+
+    def __post_init__(self) -> None:
+        name = type(self).__name__
+        positive(name, yield_force=self.yield_force, yield_displacement=self.yield_displacement)
+        (ratio,) = not_negative(name, stiffness_ratio=self.stiffness_ratio)
+        require(ratio < 1, name, "stiffness_ratio", ratio, "k_p/k_i lies in [0, 1)")
+
+    @property
+    def stiffness(self) -> float:
+        """The initial one, k_i [N/m]."""
+        return self.yield_force / self.yield_displacement
+
+    def backbone(self, displacement: ArrayLike) -> np.ndarray:
+        """Force of the first loading [N]; displacement [m], any shape."""
+        (u,) = numbers(f"{type(self).__name__}.backbone", displacement=displacement)
+        return self._envelope(u)
+
+    def start(self, number: int = 1) -> np.ndarray:
+        """What `number` springs remember that were never moved, (k, number)."""
+        raise NotImplementedError
+
+    def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
+        """The force after going straight to a displacement (n,) [m]."""
+        raise NotImplementedError
+
+    def along(self, displacement: ArrayLike) -> np.ndarray:
+        """Forces [N] along a path of displacements (n,) [m], from a spring never moved."""
+        (path,) = numbers(f"{type(self).__name__}.along", displacement=displacement)
+        memory, forces = self.start(), np.empty(len(path))
+        for i, u in enumerate(path):
+            force, memory = self.step(memory, np.array([u]))
+            forces[i] = force[0]
+        return forces
+
+    def loop(self, ductility: float) -> HysteresisLoop:
+        """The closed loop between -ductility u_y and ductility u_y: its corners."""
+        mu = self._ductility(ductility)
+        corners = np.array(self._half_loop(mu)).T
+        u, f = np.concatenate([corners, -corners], axis=1)
+        return HysteresisLoop(u * self.yield_displacement, f * self.yield_force)
+
+    def simulated_loop(self, ductility: float, points: int = 200) -> HysteresisLoop:
+        """What the rule goes through in the second of two cycles to and fro.
+
+        ductility : largest displacement over that at yield. points of the cycle, besides the
+        corners of `loop`, which are among them: between its points the loop is then straight.
+        """
+        largest = self._ductility(ductility) * self.yield_displacement
+        corners = self.loop(ductility).displacement
+        levels = np.union1d(corners, largest * np.cos(np.linspace(0, np.pi, points // 2 + 1)))
+        cycle = np.concatenate([levels[::-1], levels[1:-1]])
+        forces = self.along(np.concatenate([levels[levels > 0], cycle, cycle]))
+        return HysteresisLoop(cycle, forces[-len(cycle) :])
+
+    def damping(self, ductility: ArrayLike) -> np.ndarray:
+        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
+        raise NotImplementedError
+
+    def _envelope(self, u: np.ndarray) -> np.ndarray:
+        k, r = self.stiffness, self.stiffness_ratio
+        yielded = np.maximum(np.abs(u) - self.yield_displacement, 0.0)
+        return np.sign(u) * k * (np.minimum(np.abs(u), self.yield_displacement) + r * yielded)
+
+    def _half_loop(self, mu: float) -> Sequence[tuple[float, float]]:
+        """Corners in units of yield, on the way from the largest displacement to the opposite."""
+        raise NotImplementedError
+
+    def _ductility(self, value: float) -> float:
+        (mu,) = numbers(f"{type(self).__name__}.loop", ductility=value)
+        require(mu.ndim == 0, "loop", "ductility", value, "give one number")
+        require(mu > 1, "loop", "ductility", mu, "up to 1 nothing yields: give more than 1")
+        return float(mu)
+
+
+class _BetweenBounds(HysteresisRule):
+    """A rule that is elastic between two bounds and follows them: it remembers F - k_i u."""
+
+    def start(self, number: int = 1) -> np.ndarray:
+        return np.zeros((1, number))
+
+    def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
+        elastic = self.stiffness * displacement
+        low, high = self._bounds(displacement)
+        force = np.clip(elastic + memory[0], low, high)
+        return HysteresisStep(force, (force - elastic)[None])
+
+    def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class BilinearRule(_BetweenBounds):
+    """Elastic and plastic with kinematic hardening; thesis Figure 2-21, 2-32a.
+
+    As `HysteresisRule`: it unloads with the initial stiffness over twice the yield force.
+    """
+
+    def damping(self, ductility: ArrayLike) -> np.ndarray:
+        return damping.bilinear_damping(ductility, self.stiffness_ratio)
+
+    def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        hardened = self.stiffness_ratio * self.stiffness * u
+        width = (1 - self.stiffness_ratio) * self.yield_force
+        return hardened - width, hardened + width
+
+    def _half_loop(self, mu: float) -> Sequence[tuple[float, float]]:
+        force = 1 + self.stiffness_ratio * (mu - 1)
+        return (mu, force), (mu - 2, force - 2)
+
+
+@dataclass(frozen=True)
+class FlagRule(_BetweenBounds):
+    """Returns to the origin: a controlled rocking structure; thesis Figure 2-21, 2-32c.
+
+    As `HysteresisRule`. flag_height beta_FS : the gap between loading and unloading at the same
+    displacement, over the yield force, up to 1 - k_p/k_i.
+    """
+
+    flag_height: float = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        (height,) = not_negative("FlagRule", flag_height=self.flag_height)
+        rule = "above 1 - stiffness_ratio it does not return to the origin; it is no flag"
+        require(height <= 1 - self.stiffness_ratio, "FlagRule", "flag_height", height, rule)
+
+    def damping(self, ductility: ArrayLike) -> np.ndarray:
+        return damping.flag_damping(ductility, self.stiffness_ratio, self.flag_height)
+
+    def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        side, size = np.sign(u), np.abs(u)
+        outer = np.abs(self._envelope(u))
+        unloading = (1 - self.stiffness_ratio - self.flag_height) * self.yield_force
+        unloading = unloading + self.stiffness_ratio * self.stiffness * size
+        inner = np.minimum(self.stiffness * size, unloading)
+        return np.where(side > 0, inner, -outer), np.where(side > 0, outer, -inner)
+
+    def _half_loop(self, mu: float) -> Sequence[tuple[float, float]]:
+        r, height = self.stiffness_ratio, self.flag_height
+        force, fall = 1 + r * (mu - 1), height / (1 - r)
+        lowest = 1 - fall  # where the unloading meets the elastic line
+        return (mu, force), (mu - fall, force - fall), (lowest, lowest), (-1.0, -1.0)
+
+
+@dataclass(frozen=True)
+class TakedaRule(HysteresisRule):
+    """Softer on unloading, aims at the last peak on reloading; thesis Figure 2-21, 2-32b.
+
+    As `HysteresisRule`. unloading_exponent alpha_T in [0, 1): from a peak of the ductility mu it
+    unloads with k_i mu**-alpha_T, and from zero force it goes straight to the largest displacement
+    that there was on the other side, or to yield. Otani's beta, which lets it aim at less, is 0,
+    as in 2-32b.
+    """
+
+    unloading_exponent: float = 0.5
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        (exponent,) = not_negative("TakedaRule", unloading_exponent=self.unloading_exponent)
+        rule = "alpha_T lies in [0, 1)"
+        require(exponent < 1, "TakedaRule", "unloading_exponent", exponent, rule)
+
+    def damping(self, ductility: ArrayLike) -> np.ndarray:
+        return damping.takeda_damping(ductility, self.stiffness_ratio, self.unloading_exponent)
+
+    def start(self, number: int = 1) -> np.ndarray:
+        """Displacement, force, largest displacement of either side, and that of zero force."""
+        memory = np.zeros((5, number))
+        memory[2:4] = self.yield_displacement
+        return memory
+
+    def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
+        u0, f0, right, left, zero = memory
+        way = np.sign(displacement - u0)
+        side = np.where(f0 != 0, np.sign(f0), way)
+        stiffness = self._unloading(np.where(side > 0, right, left))
+        trial = f0 + stiffness * (displacement - u0)
+        crossed = trial * side <= 0
+        zero = np.where(crossed | (f0 == 0), u0 - f0 / stiffness, zero)
+        side = np.where(crossed, way, side)
+        aimed = self._reloading(side * displacement, side * zero, np.where(side > 0, right, left))
+        kept = np.minimum(side * trial, aimed)
+        force = side * np.maximum(np.where(crossed | (f0 == 0), aimed, kept), 0.0)
+        right, left = np.maximum(right, displacement), np.maximum(left, -displacement)
+        return HysteresisStep(force, np.array([displacement + 0 * u0, force, right, left, zero]))
+
+    def _unloading(self, peak: np.ndarray) -> np.ndarray:
+        return self.stiffness * (self.yield_displacement / peak) ** self.unloading_exponent
+
+    def _reloading(self, u: np.ndarray, zero: np.ndarray, peak: np.ndarray) -> np.ndarray:
+        """On the way from zero force to the peak, and on the envelope beyond it."""
+        line = self._envelope(peak) * (u - zero) / (peak - zero)
+        return np.where(u < peak, line, self._envelope(u))
+
+    def _half_loop(self, mu: float) -> Sequence[tuple[float, float]]:
+        self.damping(mu)  # raises where the unloading would pass the origin
+        force = 1 + self.stiffness_ratio * (mu - 1)
+        return (mu, force), (mu - force * mu**self.unloading_exponent, 0.0)

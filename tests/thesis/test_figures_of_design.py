@@ -1,0 +1,70 @@
+"""Numbers behind the figures of 2.5, 2.7 and 4.9.1; the figures themselves are drawn elsewhere."""
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.thesis.figures import FIGURES, chapter_2_blocks, chapter_4_shaken
+
+
+@pytest.mark.parametrize(
+    ("number", "holds"),
+    [
+        ("2-2", [True, True]),
+        ("2-20", [True, True]),
+        ("2-21", [True]),
+        ("2-22", [False]),  # 1.4 to 2.3 and 5.4 times, not 2 to 3
+        ("2-23", [True, True, True]),
+        ("4-57", [None]),
+        ("4-58", [True, True]),
+    ],
+)
+def test_statements_of_closed_form_figures(number, holds):
+    assert [one.holds for one in FIGURES[number].drawn().statements] == holds
+
+
+def test_orbits_of_figure_2_11_and_doublings_of_2_12():
+    """Symmetric, asymmetric and doubled: what distinguishes them, not where they are."""
+
+    def speeds(beta):
+        return chapter_2_blocks.upright_speeds(chapter_2_blocks.driven(beta))
+
+    symmetric, asymmetric = speeds(2.0), speeds(2.8)
+    assert np.ptp(np.abs(symmetric)) < 1e-6
+    assert chapter_2_blocks.distinct(np.abs(asymmetric)) == 2
+    found = [chapter_2_blocks.distinct(speeds(beta)) for beta in (3.0, 3.18, 3.22)]
+    assert found == [2, 4, 8]
+
+
+def test_pulses_of_figures_2_13_and_2_14():
+    """Facts of the text: 0.172 g overturns, 0.454 g does not; 4.26 stands, 4.28 does not."""
+    outcomes = [
+        chapter_2_blocks.pulsed(8.0, peak, 2.192, 0.954).outcome.label for peak in (0.172, 0.454)
+    ]
+    assert (outcomes[0] == "overturned", outcomes[1] == "overturned") == (True, False)
+    ratios = (3.8, 3.82, 4.26, 4.28)
+    fell = [chapter_2_blocks.pulsed(x, 0.3, 2.0, None).outcome.label for x in ratios]
+    assert [one == "overturned" for one in fell] == [False, False, False, True]
+
+
+def test_table_4_2_as_figures_4_57_and_4_58_read_it():
+    found = chapter_4_shaken.rows_of_75_kn()
+    assert found["displacement"] == pytest.approx([-5.4e-3, -4.34e-3, 8.65e-3, -23.91e-3, 9.44e-3])
+    assert found["largest"][3] == pytest.approx(119.5e3)
+    assert float(chapter_4_shaken.bending(np.array(5e-3))) == pytest.approx(0.57e-3, rel=0.02)
+
+
+def test_turning_points_of_figure_4_69_give_back_the_force_of_the_wall():
+    """4-42 where the wall stands still, but for the height at which the ground pushes its mass."""
+    run = rk.simulate(
+        rk.ControlledWall.thesis(),
+        rk.GroundMotion.single_sine(8.0, 0.4, 1.5),
+        impact=rk.EnergyRatio(0.852),
+        options=rk.SolverOptions(output_step=1e-3),
+    )
+    displacement, force = chapter_4_shaken.forces_when_still(run)
+    assert np.abs(displacement).max() > 3e-3
+    far = np.abs(displacement) > 1e-3
+    expected = chapter_4_shaken.WALL.restoring_force(displacement[far])
+    assert len(expected) > 3
+    assert force[far] == pytest.approx(expected, abs=0.08 * np.abs(expected).max())
