@@ -448,7 +448,7 @@ def draw_boundary(ax: Axes) -> None:
 
 @thesis_figure(Source.COMPUTED)
 def figure_4_27() -> Drawn:
-    """Where the wall loses energy, in the plane of displacement and speed: 4-25, 4-26, Table A-1.
+    """Where the wall loses energy, by displacement and speed: 4-25, 4-26 and Table A-1.
 
     The boundary of the thesis is drawn by eye into the record, which is not printed. Here it is a
     quarter of each peak with the speed that the wall has there without losses; both equations are
@@ -599,7 +599,7 @@ def draw_ratios(low: float, high: float) -> Figure:
 
 @thesis_figure(Source.COMPUTED)
 def figure_4_30() -> Drawn:
-    """Apparent restitution of each passage against the peak before it and the speed: Table A-1.
+    """Apparent restitution of each passage against the peak before it and its speed.
 
     r is the ratio of the total energies at successive peaks. Left out are passages next to a row
     that had to be guessed.
