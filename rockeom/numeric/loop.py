@@ -744,14 +744,19 @@ def first_event(
 def ratio_at(law, ratio, impact, y, p):
     """Ratio of the rates of rotation at an impact from the state y; `ratio`, unless tabled.
 
-    impact : its number in the motion. The end of p holds what a law needs, of the left foot before
-    the right one; the left one lands where the rotation falls. AT_SPEED: the energy ratio in pieces
-    of the rate, rows of limit, value at zero and slope, and their number. BY_FOOT: of each foot the
-    energy ratio at no rate, its slope, and what is divided by the rate. BY_NUMBER: of each foot the
-    ratio of each impact, and their number, behind which they begin anew.
+    impact : its number in the motion.
     """
-    if law < AT_SPEED:
-        return ratio
+    return ratio if law < AT_SPEED else tabled_ratio(law, impact, y, p)
+
+
+def tabled_ratio(law, impact, y, p):
+    """The ratio by the table at the end of p, that of the left foot before the right one's.
+
+    The left foot lands where the rotation falls. AT_SPEED: the energy ratio in pieces of the rate,
+    rows of limit, value at zero and slope, and their number. BY_FOOT: of each foot the energy ratio
+    at no rate, its slope, and what is divided by the rate. BY_NUMBER: of each foot the ratio of
+    each impact, and their number, behind which they begin anew.
+    """
     speed = abs(y[ROTATION_RATE])
     if law == BY_FOOT:
         end = p.shape[0] if y[ROTATION_RATE] > 0.0 else p.shape[0] - 3
