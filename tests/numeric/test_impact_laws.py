@@ -106,6 +106,31 @@ def test_drawn_ratios_follow_from_seed_and_number_alone():
     assert not np.allclose(other[:10], reference[:10])
 
 
+def test_impacts_are_counted_through_a_long_motion():
+    """Records are emptied on the way, and behind the 500th impact the draws begin anew."""
+    law = rk.RandomEnergyRatio([0.5, 0.6, 0.7], seed=1)
+    shaking = rk.GroundMotion.harmonic(4.0, frequency=3.0, duration=100.0)
+    r = energy_ratios(rk.simulate(BLOCK, shaking, impact=law))
+    assert len(r) > 550
+    assert r == pytest.approx(np.resize(law.drawn["left"], len(r)), rel=1e-12)
+
+
+@pytest.mark.parametrize("shaken", [False, True])
+def test_feet_are_the_image_of_each_other(shaken):
+    motion = rk.GroundMotion.single_sine(2.0, 0.3, 3.0) if shaken else STILL
+    for one, other in (
+        (rk.EnergyRatio(left=0.7, right=0.95), rk.EnergyRatio(left=0.95, right=0.7)),
+        (
+            rk.EnergyLossAtSpeed(left=(0.1, 9.0, 5.0), right=(0.2, 3.0, -1.0)),
+            rk.EnergyLossAtSpeed(left=(0.2, 3.0, -1.0), right=(0.1, 9.0, 5.0)),
+        ),
+    ):
+        run = rk.simulate(BLOCK, motion, impact=one, initial={"theta": 0.05})
+        image = rk.simulate(BLOCK, -motion, impact=other, initial={"theta": -0.05})
+        assert len(run.impacts) == len(image.impacts) > 5
+        assert np.array_equal(run.y, -image.y)
+
+
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
 def test_sweeps_and_the_state_after_an_impact_have_the_same_law(law):
     run = released(law)
