@@ -453,7 +453,7 @@ def energy_ratios_by_release(
     ratios = np.full(len(x) - 1, np.nan)
     for i, pair in enumerate(pairwise(x.tolist())):
         if beyond(NO_RATIO, *pair) < 0 < beyond(1.0, *pair):
-            ratios[i] = brentq(beyond, NO_RATIO, 1.0, args=pair, xtol=1e-10)
+            ratios[i] = brentq(beyond, NO_RATIO, 1.0, args=pair, xtol=1e-9, rtol=1e-9)
     return ratios
 
 

@@ -332,6 +332,31 @@ class EnergyLossAtSpeed(TabledLaw):
         """Thesis 3-18, the second trend of impacts on the right foot; the left one by 3-17."""
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.0381, 7.576, -7.144))
 
+    @classmethod
+    def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> EnergyLossAtSpeed:
+        """Of measured impacts, each foot by itself, by least squares.
+
+        rate : (n,) of rotation before each impact [rad/s], negative where the left foot lands.
+        loss : (n,) of energy [J]. Raises ValueError where a foot has fewer than three rates.
+        """
+        w, lost = numbers("rate", rate), numbers("loss", loss)
+        if w.ndim != 1 or w.shape != lost.shape or not np.isfinite([w, lost]).all():
+            raise ValueError(
+                f"EnergyLossAtSpeed.from_data: rate has the shape {w.shape}, loss {lost.shape}: "
+                "give one finite number of each for every impact"
+            )
+        feet = {}
+        for foot, rows in (("left", w < 0), ("right", w > 0)):
+            size = np.abs(w[rows])
+            if len(set(size.tolist())) < 3:
+                raise ValueError(
+                    f"EnergyLossAtSpeed.from_data: {rows.sum()} impacts of the {foot} foot are too "
+                    "few for three numbers: measure more"
+                )
+            powers = np.column_stack([size, size**2, size**3])
+            feet[foot] = tuple(np.linalg.lstsq(powers, lost[rows], rcond=None)[0].tolist())
+        return cls(**feet)
+
     def loss(self, rate: float) -> float:
         """Energy lost at a rate before the impact [J]; as fitted, without bounds.
 

@@ -11,7 +11,7 @@ from rockeom import analysis
 from rockeom.thesis.tables import COLUMN, FIGURE_5_6, GAUGE
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
-STILL = rk.GroundMotion.none(4.0)
+STILL = rk.GroundMotion.none(3.0)
 McMANUS = rk.LumpedMassStructure(**COLUMN)
 RUN_1 = np.array([(time, displacement) for time, displacement, _ in FIGURE_5_6.rows])
 PEAKS = analysis.rotation_from_displacement(RUN_1[::2, 1] * 1e-3, *GAUGE)  # rad
@@ -48,7 +48,8 @@ def test_a_straight_line_has_the_errors_of_linear_regression():
 
 
 def test_swings_of_a_block_are_those_of_quadrature():
-    run = rk.simulate(BLOCK, STILL, impact=rk.EnergyRatio(0.85), initial={"theta": 0.13})
+    still = rk.GroundMotion.none(4.0)
+    run = rk.simulate(BLOCK, still, impact=rk.EnergyRatio(0.85), initial={"theta": 0.13})
     found = analysis.swings(run, "theta", 9)
     alpha, p = BLOCK.alpha, BLOCK.frequency_parameter
     assert found.crossing_time == pytest.approx([e.time for e in run.impacts[:9]], abs=1e-9)
@@ -62,16 +63,20 @@ def test_swings_of_a_block_are_those_of_quadrature():
     assert cut.crossing_time[1:].tolist() == [0.5] * 3
 
 
-@pytest.mark.parametrize("known", [True, False], ids=["noise known", "noise estimated"])
-def test_the_ratio_of_noisy_peaks_lies_within_its_interval_as_often_as_stated(known):
-    true, noise, trials = 0.83, 1e-3, 30
+@pytest.mark.parametrize(
+    ("known", "trials", "least"),
+    [(True, 25, 21), (False, 15, 12)],  # fewer hold it in one of a hundred such tests
+    ids=["noise known", "noise estimated"],
+)
+def test_the_ratio_of_noisy_peaks_lies_within_its_interval(known, trials, least):
+    true, noise = 0.83, 1e-3
     exact = analysis.swings(rk.simulate(
         BLOCK, STILL, impact=rk.EnergyRatio(true), initial={"theta": 0.13}
-    ), "theta", 9).peak  # fmt: skip
+    ), "theta", 6).peak  # fmt: skip
     rng = np.random.default_rng(11)
     within, values, widths = 0, [], []
     for _ in range(trials):
-        peaks = exact + noise * np.append(0.0, rng.standard_normal(8))
+        peaks = exact + noise * np.append(0.0, rng.standard_normal(5))
         found = analysis.fit_free_vibration(
             let_go, {"r": 0.8}, peaks=peaks, quantity="theta", bounds=RATIO,
             uncertainty=noise if known else None,
@@ -80,10 +85,10 @@ def test_the_ratio_of_noisy_peaks_lies_within_its_interval_as_often_as_stated(kn
         within += low < true < high
         values.append(found.values["r"])
         widths.append((high - low) / 2)
-    # fewer than 25 of 30 intervals of 95 % hold it in three of a thousand such tests
-    assert within >= 25
+    assert within >= least
     # and they are no wider than the scatter asks for
-    assert np.mean(widths) < 1.5 * stats.norm.ppf(0.975) * np.std(values, ddof=1)
+    wide = stats.norm.ppf(0.975) if known else stats.t.ppf(0.975, 4)
+    assert np.mean(widths) < 1.5 * wide * np.std(values, ddof=1)
 
 
 def test_a_structure_and_its_law_from_peaks_and_crossings():
@@ -94,7 +99,7 @@ def test_a_structure_and_its_law_from_peaks_and_crossings():
     ), "theta", 9)  # fmt: skip
     rng = np.random.default_rng(3)
     misfits = []
-    for _ in range(6):
+    for _ in range(4):
         found = analysis.fit_free_vibration(
             let_go,
             {"r": 0.8, "theta": 0.12, "height": 0.5},

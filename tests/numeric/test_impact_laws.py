@@ -176,6 +176,18 @@ def test_pieces_fitted_to_impacts():
         rk.EnergyRatioAtSpeed.from_data(speed, r[1:])
 
 
+def test_losses_fitted_to_impacts():
+    law = rk.EnergyLossAtSpeed.equation_3_18()
+    rate = np.linspace(-0.9, 0.9, 40)
+    found = rk.EnergyLossAtSpeed.from_data(rate, [law.loss(w) for w in rate])
+    assert found.left == pytest.approx(law.left)
+    assert found.right == pytest.approx(law.right)
+    with pytest.raises(ValueError, match="left foot are too few"):
+        rk.EnergyLossAtSpeed.from_data(np.abs(rate), np.abs(rate))
+    with pytest.raises(ValueError, match="one finite number of each"):
+        rk.EnergyLossAtSpeed.from_data(rate, rate[1:])
+
+
 @pytest.mark.parametrize(
     ("made", "error", "says"),
     [

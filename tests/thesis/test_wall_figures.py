@@ -31,12 +31,8 @@ def test_what_the_table_says_of_the_thesis():
     # the constant r of section 4.9.2.1
     assert pytest.approx(0.835, abs=1e-3) == record.HOUSNER
     assert verdicts("4-11") == ["differs", "holds"]  # 38 % of the toe's compression, not 26 %
-    assert verdicts("4-13")[:2] == ["holds", "holds"]
     assert verdicts("4-15") == ["differs"]
-    assert verdicts("4-22b") == ["holds"]
-    assert verdicts("4-28") == ["holds", "holds"]
     assert verdicts("4-29") == ["holds"]
-    assert verdicts("4-31")[:2] == ["holds", "holds"]
     # 4-16 lies above the peaks, which no part of the curve about upright can change
     r_squared, above, stiffness = FIGURES["4-20"].drawn().statements
     assert (r_squared.verdict, above.verdict, stiffness.verdict) == ("open", "differs", "differs")
