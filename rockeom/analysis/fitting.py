@@ -366,7 +366,8 @@ def fit_free_vibration(
     fitted, as the parameter "release_time". options : of the simulations. bounds, and what is
     returned: as in `fit`, the values in the order peaks, peak_times, crossing_times.
 
-    A peak from which the simulation is let go, moved by no parameter, counts nowhere.
+    A peak from which the simulation is let go, moved by no parameter, counts nowhere. Peaks of a
+    noisy record lie too far out, the largest of several samples; filter it first, or fit crossings.
     Raises ValueError as `fit` does, and where nothing was measured.
     """
     where = "fit_free_vibration"
