@@ -23,9 +23,11 @@ _NAMES_OF = {
     "rockeom.numeric.extremes": ("Extremes",),
     "rockeom.numeric.impact": (
         "AngularMomentum",
+        "EnergyLossAtSpeed",
         "EnergyRatio",
         "EnergyRatioAtSpeed",
         "Impulsive",
+        "RandomEnergyRatio",
         "VelocityRatio",
     ),
     "rockeom.numeric.options": ("SolverOptions",),
@@ -63,9 +65,11 @@ if TYPE_CHECKING:
     from rockeom.numeric.extremes import Extremes as Extremes
     from rockeom.numeric.impact import (
         AngularMomentum as AngularMomentum,
+        EnergyLossAtSpeed as EnergyLossAtSpeed,
         EnergyRatio as EnergyRatio,
         EnergyRatioAtSpeed as EnergyRatioAtSpeed,
         Impulsive as Impulsive,
+        RandomEnergyRatio as RandomEnergyRatio,
         VelocityRatio as VelocityRatio,
     )
     from rockeom.numeric.options import SolverOptions as SolverOptions

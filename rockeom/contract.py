@@ -16,8 +16,9 @@ IMPACT, UPLIFT, SWITCH, REST = range(4)
 KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
 
 # Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
-# momentum is conserved; the ratio of the energies, by the speed
-RATIO, IMPULSIVE, AT_SPEED = range(3)
+# momentum is conserved; the ratio of the energies, by the speed, or by the foot that lands and the
+# speed; the ratio of the rates, by that foot and the number of the impact
+RATIO, IMPULSIVE, AT_SPEED, BY_FOOT, BY_NUMBER = range(5)
 
 # What `integrate` must know of a motion to go on with it, by columns of `status`
 (

@@ -90,6 +90,16 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         overturning_spectral_velocity,
         stable_slenderness,
     )
+    from rockeom.analysis.fitting import (
+        Fit,
+        Swings,
+        energy_ratios_by_release,
+        fit,
+        fit_free_vibration,
+        fit_moving_centre,
+        fit_rotation_centre,
+        swings,
+    )
     from rockeom.analysis.foundation import (
         TwoSprings,
         circular_mat,
@@ -178,6 +188,7 @@ __all__ = [
     "EquivalentOscillator",
     "FemaComparison",
     "FemaEstimate",
+    "Fit",
     "FlagRule",
     "FreeVibration",
     "GrantFactors",
@@ -196,6 +207,7 @@ __all__ = [
     "RestitutionEnvelope",
     "RotationCentre",
     "StroboscopicMap",
+    "Swings",
     "TakedaRule",
     "TangentDamping",
     "Tendon",
@@ -231,6 +243,7 @@ __all__ = [
     "energy_ratio_from_velocity_ratio",
     "energy_ratio_of_block",
     "energy_ratio_of_lumped_mass",
+    "energy_ratios_by_release",
     "energy_ratios_from_peaks",
     "energy_ratios_from_peaks_of_lumped_mass",
     "equivalent_damping",
@@ -238,6 +251,10 @@ __all__ = [
     "fema_356_against_integration",
     "fema_356_damping",
     "fema_356_rocking",
+    "fit",
+    "fit_free_vibration",
+    "fit_moving_centre",
+    "fit_rotation_centre",
     "flag_damping",
     "grant_damping",
     "gravitational_energy",
@@ -266,6 +283,7 @@ __all__ = [
     "spring_energy",
     "stable_slenderness",
     "stiffness_from_period",
+    "swings",
     "tabulated",
     "takeda_damping",
     "two_spring_moment",
@@ -287,7 +305,7 @@ _HOMES = (
     "controlled_wall", "damping", "foundation", "free_vibration", "measured", "orbits", "periods",
     "restitution", "support_forces", "uplift", "isolation", "design.displacement_based",
     "design.envelope", "design.fema_356", "design.hysteresis", "design.oscillator",
-    "design.overturning", "spectra",
+    "design.overturning", "spectra", "fitting",
 )  # fmt: skip
 
 

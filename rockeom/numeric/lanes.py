@@ -422,7 +422,7 @@ def impact(lane, z, w, home, stop, data, how, work):
     if status[case, IMPACTS] < impact_times.shape[1]:
         impact_times[case, status[case, IMPACTS]] = t
     before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
-    passed = ratio_at(law[case], ratio[case], y, p[case])
+    passed = ratio_at(law[case], ratio[case], status[case, IMPACTS], y, p[case])
     contact = jump(before, 0, law[case], passed, y, p[case], after)
     touching = -1
     status[case, IMPACTS] += 1
@@ -445,8 +445,8 @@ def impact(lane, z, w, home, stop, data, how, work):
         # nor is it asked while what this impact has lost says that the sum is far too long
         if a > 0.0 and not flight > min(2.0 * loss, 1.0) * rest_tolerance / math.sqrt(a):
             rests, follows = time_to_rest(
-                contact, y, p[case], law[case], ratio[case], ax, ay, rest_tolerance, y_w, after,
-                scratch[_POWERS:_GUARDS],
+                contact, y, p[case], law[case], ratio[case], status[case, IMPACTS], ax, ay,
+                rest_tolerance, y_w, after, scratch[_POWERS:_GUARDS],
             )  # fmt: skip
         hop(lane, z, t, flight)
         short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t

@@ -16,6 +16,8 @@ import numpy as np
 from rockeom.contract import (
     AT_SPEED,
     AT_THE_START,
+    BY_FOOT,
+    BY_NUMBER,
     CAME_TO_REST,
     CHATTER,
     COMPLETED,
@@ -742,16 +744,33 @@ def first_event(
 
 
 @inlined
-def ratio_at(law, ratio, y, p):
-    """Ratio of the rates of rotation at an impact from the state y; `ratio`, unless AT_SPEED.
+def ratio_at(law, ratio, impact, y, p):
+    """Ratio of the rates of rotation at an impact from the state y; `ratio`, unless tabled.
 
-    Then the end of p holds the energy ratio in pieces of the rate: rows of limit, value at zero and
-    slope, and their number.
+    impact : its number in the motion.
     """
-    if law != AT_SPEED:
-        return ratio
+    return ratio if law < AT_SPEED else tabled_ratio(law, impact, y, p)
+
+
+def tabled_ratio(law, impact, y, p):
+    """The ratio by the table at the end of p, that of the left foot before the right one's.
+
+    The left foot lands where the rotation falls. AT_SPEED: the energy ratio in pieces of the rate,
+    rows of limit, value at zero and slope, and their number. BY_FOOT: of each foot the energy ratio
+    at no rate, its slope, and what is divided by the rate. BY_NUMBER: of each foot the ratio of
+    each impact, and their number, behind which they begin anew.
+    """
     speed = abs(y[ROTATION_RATE])
+    if law == BY_FOOT:
+        end = p.shape[0] if y[ROTATION_RATE] > 0.0 else p.shape[0] - 3
+        energy = p[end - 3] + p[end - 2] * speed
+        if p[end - 1] != 0.0:
+            energy += p[end - 1] / speed
+        return math.sqrt(min(max(energy, 0.0), 1.0))
     rows = int(p[-1])
+    if law == BY_NUMBER:
+        row = p.shape[0] - 1 - (rows if y[ROTATION_RATE] > 0.0 else 2 * rows)
+        return p[row + impact - rows * int(impact / rows)]
     row = p.shape[0] - 1 - 3 * rows
     for _ in range(rows - 1):
         if speed < p[row]:
@@ -764,7 +783,7 @@ def ratio_at(law, ratio, y, p):
 # -- infinitely many impacts ---------------------------------------------------------------------
 
 
-def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
+def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, kick):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
     Close to the end of a free rocking motion the flights between impacts are parabolas: a flight
@@ -772,9 +791,9 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
     map gives the v of the next. Their sum converges. Returns (inf, contact) while it is longer
     than `tolerance` in units of 1/sqrt(a), or while an acceleration opens the gap.
 
-    `out` gets the state in which the structure stands once the rotation has given to the other
-    rates what flights and impacts give them; `stand` moves these through the time. kick (2 * N,) :
-    scratch.
+    impacts : how many there were. `out` gets the state in which the structure stands once the
+    rotation has given to the other rates what flights and impacts give them; `stand` moves these
+    through the time. kick (2 * N,) : scratch.
     """
     held = -1
     for c in range(len(SIDES)):
@@ -812,12 +831,12 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
         alike = abs(a - a_before) <= 1e-13 * a and abs(loss - last_loss) <= 1e-13
         if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
             # what a constant loss leaves of the two series of flights
-            left = (1.0 - loss) * (1.0 - loss)
+            left = (1.0 - loss) * (1.0 - (last_loss if law > AT_SPEED else loss))
             total += (last_flight + flight) * left / (1.0 - left)
             w[ROTATION_RATE] = 0.0
             if v > EPS * start:
                 whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
-        contact = jump(contact, 0, law, ratio_at(law, ratio, w, p), w, p, out)
+        contact = jump(contact, 0, law, ratio_at(law, ratio, impacts + turn, w, p), w, p, out)
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
         if SIDES[contact] == 0.0:
@@ -827,7 +846,9 @@ def time_to_rest(contact, y, p, law, ratio, ax, ay, tolerance, w, out, kick):
             return total, contact
         last_loss = loss
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
-        if not loss > 0.0 or flight > loss * tolerance / math.sqrt(a):
+        # one foot, or one impact, may lose next to nothing where the other does not
+        least = max(loss, last_loss) if law > AT_SPEED else loss
+        if not least > 0.0 or flight > least * tolerance / math.sqrt(a):
             return np.inf, contact  # so little is lost that the end is far, or never comes
         for i in range(N_STATES):
             w[i] = out[i]
@@ -1234,7 +1255,7 @@ def integrate(
             break
         before = contact
         kind = KINDS[contact][landed]
-        contact = jump(before, landed, law, ratio_at(law, ratio, y, p), y, p, after)
+        contact = jump(before, landed, law, ratio_at(law, ratio, impacts, y, p), y, p, after)
         record_event(
             n_events, t, kind, before, contact, y, after, events, event_kinds, event_states
         )
@@ -1264,7 +1285,7 @@ def integrate(
         # -- the rest of infinitely many impacts at once
         ax, ay = shaking(gx, t), shaking(gy, t)
         rests, follows = time_to_rest(
-            contact, y, p, law, ratio, ax, ay, rest_tolerance, w, after, coefficients
+            contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
         )
         if (t + rests < last or rests < 16.0 * EPS * t) and stand(
             follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new

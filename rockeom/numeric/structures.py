@@ -17,7 +17,13 @@ from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.impact import AngularMomentum, EnergyRatioAtSpeed, ImpactLaw, check_law
+from rockeom.numeric.impact import (
+    AngularMomentum,
+    EnergyRatioAtSpeed,
+    ImpactLaw,
+    TabledLaw,
+    check_law,
+)
 
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
@@ -220,10 +226,15 @@ class Structure:
         return dict(zip(self.states[:n], dy[n:].tolist(), strict=True))
 
     def after_impact(
-        self, state: Mapping[str, float], phase: str, impact: ImpactLaw | None = None
+        self,
+        state: Mapping[str, float],
+        phase: str,
+        impact: ImpactLaw | None = None,
+        impact_number: int = 0,
     ) -> tuple[dict[str, float], str]:
         """State after the impact that closes `phase`, and the phase that follows.
 
+        impact_number : of the impact in its motion, from 0 on, for a law that draws.
         Raises ValueError where the model has no impact in that phase.
         """
         m = self.module
@@ -232,10 +243,8 @@ class Structure:
         if m.KINDS[contact][0] != IMPACT or m.GUARDS[contact] == 0:
             raise ValueError(f"no impact ends the phase {phase!r} of {self.model}")
         law, ratio = self.law(impact)
-        if isinstance(impact, EnergyRatioAtSpeed):
-            height = self.speed_height if impact.height is None else impact.height
-            impact.table(height, self.model)
-            ratio = math.sqrt(impact.at(float(y[m.ROTATION_RATE]) * (height or math.nan)))
+        if isinstance(impact, TabledLaw):
+            ratio = impact.velocity_ratio(self, float(y[m.ROTATION_RATE]), impact_number)
         out = np.empty_like(y)
         follows = m.jump(contact, 0, law, ratio, y, self.vector, out)
         return dict(zip(self.states, out.tolist(), strict=True)), m.CONTACTS[follows]
@@ -264,9 +273,28 @@ class Structure:
 
     def impact_table(self, impact: ImpactLaw | None) -> list[float]:
         """What the compiled loop reads behind the parameters, for a law that needs a table."""
-        if isinstance(impact, EnergyRatioAtSpeed) and self.has_impacts:
-            return impact.table(self.speed_height, self.model)
+        if isinstance(impact, TabledLaw) and impact.table_needed and self.has_impacts:
+            return impact.table(self)
         return []
+
+    @property
+    def rocking_inertia(self) -> float:
+        """Moment of inertia with which an impact finds the structure rocking [kg m2].
+
+        Twice the kinetic energy upright on one foot, turning by 1 rad/s, the other rates zero.
+        Raises TypeError for a structure whose rotation is no angle in time.
+        """
+        m, p = self.module_for(self.vector), self.vector
+        if m.STATE_UNITS[m.ROTATION_RATE] != "rad/s":
+            raise TypeError(
+                f"the rate of {self.model} is in {m.STATE_UNITS[m.ROTATION_RATE]}: a loss of "
+                "energy in joules says nothing of it; give an energy ratio"
+            )
+        y = np.zeros(len(m.STATES), p.dtype)
+        y[m.ROTATION_RATE] = 1.0
+        out = np.zeros(len(m.ENERGIES), p.dtype)
+        m.energies(next(c for c, side in enumerate(m.SIDES) if side > 0), y, p, out)
+        return 2.0 * out[m.ENERGIES.index("kinetic_energy")]
 
     def energies(self, state: Mapping[str, float], phase: str | None = None) -> dict[str, float]:
         """Kinetic, gravitational and elastic energy [J]; heights count from the ground."""

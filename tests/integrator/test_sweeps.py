@@ -192,6 +192,8 @@ LAWS = {
     "velocity": rk.VelocityRatio,
     "speed": lambda r: rk.EnergyRatioAtSpeed(((0.3, r, 0.1), (math.inf, r / 2, 0.0)), height=0.4),
     "height": lambda r: rk.EnergyRatioAtSpeed(((0.3, 0.8, 0.1), (math.inf, 0.7, 0.0)), height=r),
+    "foot": lambda r: rk.EnergyRatio(left=r, right=0.9),
+    "loss": lambda r: rk.EnergyLossAtSpeed(left=(0.0, r, 0.1), right=(r, 0.0, 0.0)),
     "none": lambda r: None,
     "impulsive": lambda r: rk.Impulsive(),
 }
