@@ -68,10 +68,12 @@ from rockeom.analysis.impacts import (
     EnergyLossFit,
     Impacts,
     Mean,
+    PeakChange,
     Peaks,
     RotationalSpring,
     fitted_peaks,
     fitted_rotational_spring,
+    low_pass_on_peaks,
     record_energies,
     rotational_stiffness_from_excess,
     static_energy,
@@ -84,6 +86,13 @@ from rockeom.analysis.measured import (
     stiffness_from_period,
     viscous_coefficient,
 )
+from rockeom.analysis.measured_forces import (
+    ImpactForces,
+    SupportForces,
+    impact_forces_of_record,
+    kink_gain,
+    support_forces_of_record,
+)
 from rockeom.analysis.noise import Noise, noise_level
 from rockeom.analysis.orbits import (
     PeriodicOrbit,
@@ -92,7 +101,13 @@ from rockeom.analysis.orbits import (
     continued_orbits,
 )
 from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
-from rockeom.analysis.records import MeasuredRecord, PeakChange, Velocities
+from rockeom.analysis.points_of_interest import (
+    PointsOfInterest,
+    importance_scores,
+    points_by_prominence,
+    points_by_score,
+)
+from rockeom.analysis.records import MeasuredRecord, Velocities
 from rockeom.analysis.restitution import (
     energy_ratio_from_velocity_ratio,
     energy_ratio_of_block,
@@ -103,6 +118,13 @@ from rockeom.analysis.restitution import (
     spring_energy,
     velocity_ratio_from_energy_ratio,
 )
+from rockeom.analysis.slips import (
+    Slips,
+    rotation_centre_between_gauges,
+    slips_from_tendon_force,
+    slips_from_uplifts,
+)
+from rockeom.analysis.spectra import MovingWindow, moving_window
 from rockeom.analysis.support_forces import (
     acceleration_at_impact,
     block_reactions,
@@ -127,18 +149,23 @@ __all__ = [
     "EnergyLossFit",
     "FreeVibration",
     "GrantFactors",
+    "ImpactForces",
     "Impacts",
     "Mean",
     "MeasuredRecord",
+    "MovingWindow",
     "Noise",
     "PeakChange",
     "Peaks",
     "PeriodicOrbit",
+    "PointsOfInterest",
     "QuarterPeriods",
     "Restitution",
     "RotationCentre",
     "RotationalSpring",
+    "Slips",
     "StroboscopicMap",
+    "SupportForces",
     "Tendon",
     "TendonPath",
     "TwoSprings",
@@ -176,9 +203,16 @@ __all__ = [
     "grant_damping",
     "gravitational_energy",
     "harmonic_force",
+    "impact_forces_of_record",
     "impact_speed",
+    "importance_scores",
+    "kink_gain",
+    "low_pass_on_peaks",
+    "moving_window",
     "noise_level",
     "peak_sequence",
+    "points_by_prominence",
+    "points_by_score",
     "priestley_damping",
     "quarter_period",
     "quarter_period_fit",
@@ -190,12 +224,16 @@ __all__ = [
     "rocking_period",
     "rotation_about_moving_centre",
     "rotation_centre",
+    "rotation_centre_between_gauges",
     "rotation_from_displacement",
     "rotational_stiffness_from_excess",
     "simplified_damping",
+    "slips_from_tendon_force",
+    "slips_from_uplifts",
     "spring_energy",
     "static_energy",
     "stiffness_from_period",
+    "support_forces_of_record",
     "takeda_damping",
     "two_spring_moment",
     "two_spring_uplift_rotation",

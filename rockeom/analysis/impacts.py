@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, numbers, require
-from rockeom.analysis.free_vibration import Energies, FreeVibration, coefficient_of_determination
+from rockeom.analysis.free_vibration import Energies, coefficient_of_determination
 from rockeom.analysis.noise import COVERED, Noise
 from rockeom.analysis.records import MeasuredRecord
 from rockeom.analysis.restitution import spring_energy
@@ -44,7 +44,7 @@ def static_energy(structure: Structure, rotation: ArrayLike) -> np.ndarray:
     upright = _energies(structure, np.zeros(structure.module.N_STATES)).sum()
     found = np.empty(rotations.shape)
     for index in np.ndindex(rotations.shape):
-        _, y = structure.held(float(rotations[index]))
+        _, y = structure.equilibrium(float(rotations[index]))
         found[index] = _energies(structure, y).sum() - upright
     return found
 
@@ -62,7 +62,7 @@ def _speed(structure: Structure, rotation: float, energy: float) -> float:
     m = structure.module
     y = np.zeros(m.N_STATES)
     y[m.ROTATION_RATE] = 1.0
-    contact = structure.contact(structure.held(rotation)[1])
+    contact = structure.contact(structure.equilibrium(rotation)[1])
     return float(-np.sign(rotation) * np.sqrt(energy / _energies(structure, y, contact)[0]))
 
 
@@ -70,7 +70,7 @@ def _speed(structure: Structure, rotation: float, energy: float) -> float:
 
 
 class Peaks(NamedTuple):
-    """Peaks of a channel: time [s], value with its sign, and the standard deviation of the value."""
+    """Peaks of a channel: time [s], value with its sign, standard deviation of the value."""
 
     time: np.ndarray
     value: np.ndarray
@@ -82,23 +82,57 @@ def fitted_peaks(
 ) -> Peaks:
     """Peaks of a free vibration, each of the polynomial of degree 4 that fits it best.
 
-    smallest : as in `MeasuredRecord.free_vibration`. reach : part of the way from a peak to the
-    crossings on both sides over which it is fitted. The deviation follows from the noise of the
+    record and channel : a free vibration that counts from upright; smallest : as in
+    `MeasuredRecord.free_vibration`. reach : the part of a half-cycle, about its middle, over which
+    it is fitted. The deviation follows from the noise of the
     record; where the polynomial leaves more than that, from what it leaves.
     """
     free = record.free_vibration(channel, smallest)
     t, x, noise = record.time, record[channel], record.noise[channel]
-    instants = np.flatnonzero(free.at_peak)
+    at, quarters = free.time, np.diff(free.time)
     found = []
-    for i in instants:
-        quarter = np.diff(free.time)[max(i - 1, 0)]
-        before = free.time[i - 1] if i else free.time[i] - quarter
-        after = free.time[i + 1] if i + 1 < len(free.time) else free.time[i] + quarter
-        start = free.time[i] - reach * (free.time[i] - before)
-        end = free.time[i] + reach * (after - free.time[i])
-        near = (t >= start) & (t <= end)
-        found.append(_fitted_peak(t[near], x[near], noise, free.time[i], free.displacement[i]))
+    for i in np.flatnonzero(free.at_peak):
+        # between crossings a half-cycle is the same forward and backward, about its peak
+        before = at[i - 1] if i else at[i] - quarters[0]
+        after = at[i + 1] if i + 1 < len(at) else at[i] + quarters[-1]
+        middle = (before + after) / 2
+        near = np.abs(t - middle) <= reach * (after - before) / 2
+        found.append(_fitted_peak(t[near], x[near], noise, at[i], free.displacement[i]))
     return Peaks(*(np.array(column) for column in zip(*found, strict=True)))
+
+
+class PeakChange(NamedTuple):
+    """What a filter does to peaks, (n,) each: time [s], height before and after it, deviation.
+
+    deviation : standard deviation of the height before.
+    """
+
+    time: np.ndarray
+    before: np.ndarray
+    after: np.ndarray
+    deviation: np.ndarray
+
+
+def low_pass_on_peaks(
+    record: MeasuredRecord,
+    channel: str,
+    cutoff: float,
+    order: int = 4,
+    smallest: float | None = None,
+) -> PeakChange:
+    """Peaks of a free vibration before and after `MeasuredRecord.low_pass`.
+
+    cutoff [Hz] and order as there, smallest as in `MeasuredRecord.free_vibration`. Before, they are
+    those of `fitted_peaks`; after, the largest sample about each. A peak of rocking is round, an
+    impact a bend of the trace: the filter takes little from a peak as long as its half-cycle is
+    long against 1/cutoff, and rounds the bends. A record that begins at a peak loses there, too.
+    """
+    peaks = fitted_peaks(record, channel, smallest)
+    filtered = record.low_pass(cutoff, order)[channel]
+    middles = (peaks.time[1:] + peaks.time[:-1]) / 2
+    parts = np.split(filtered, np.searchsorted(record.time, middles))
+    after = [part[np.argmax(part * np.sign(x))] for part, x in zip(parts, peaks.value, strict=True)]
+    return PeakChange(peaks.time, peaks.value, np.array(after), peaks.deviation)
 
 
 _DOUBT = 4.0  # standard deviations of the residual's own scatter
@@ -139,7 +173,7 @@ class Mean(NamedTuple):
     energy_ratio: float
     half_width: float
     scatter: float
-    count: int
+    number: int
 
 
 class EnergyLossFit(NamedTuple):
@@ -320,7 +354,7 @@ class Impacts:
         return Mean(float(np.mean(r)), half_width, scatter, n)
 
     def cumulative(self) -> tuple[np.ndarray, np.ndarray]:
-        """(r, part): sorted r (n,), and the part of the impacts with no more than it; Figure 3-20."""
+        """(r, part): sorted r (n,), and the part of the impacts with no more; Figure 3-20."""
         return np.sort(self.energy_ratio), np.arange(1, len(self) + 1) / len(self)
 
     def histogram(self, width: float = 0.01) -> tuple[np.ndarray, np.ndarray]:
@@ -376,14 +410,14 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
         if name in record.channels:
             y[:, i] = record[name]
     small = 1e-3 * structure.overturning_rotation
-    left, right = (structure.contact(structure.held(x)[1]) for x in (-small, small))
+    left, right = (structure.contact(structure.equilibrium(x)[1]) for x in (-small, small))
     rows = [_energies(structure, state, right if state[m.ROTATION] >= 0 else left) for state in y]
     kinetic, gravity, elastic = (np.array(rows) - _energies(structure, np.zeros(m.N_STATES))).T
     return Energies(gravity, elastic, kinetic)
 
 
 class RotationalSpring(NamedTuple):
-    """A fitted spring: its stiffness [N m/rad], the standard deviation, those of each half-cycle."""
+    """A fitted spring: stiffness [N m/rad], its standard deviation, those of each half-cycle."""
 
     stiffness: float
     deviation: float
@@ -415,8 +449,8 @@ def fitted_rotational_spring(
     k, w = np.array(stiffness), np.array(weight)
     if len(k) < 2:
         raise ValueError(
-            f"fitted_rotational_spring: {len(k)} half-cycles between crossings of {channel}: give a "
-            "record with at least two"
+            f"fitted_rotational_spring: {len(k)} half-cycles between crossings of {channel}: give "
+            "a record with at least two"
         )
     mean = float(np.average(k, weights=w))
     part = w / w.sum()
@@ -434,5 +468,3 @@ def rotational_stiffness_from_excess(excess_energy: ArrayLike, rotation: ArrayLi
     energy, theta = numbers(where, excess_energy=excess_energy, rotation=rotation)
     require(theta != 0, where, "rotation", theta, "upright a spring holds no energy")
     return 2 * energy / theta**2
-
-

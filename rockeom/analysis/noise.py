@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, numbers, require
 
-COVERED = 1.96
-"""Half-widths of intervals in standard deviations: 95 % of a normal distribution."""
+COVERED = 2.0
+"""Half-widths of intervals in standard deviations: 95 % of a normal distribution, the coverage
+factor of the Guide to the Expression of Uncertainty in Measurement (JCGM 100:2008)."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -42,14 +42,6 @@ class Velocities(NamedTuple):
     spread: float
 
 
-class PeakChange(NamedTuple):
-    """What a filter does to the peaks of a free vibration: times [s], heights before and after."""
-
-    time: np.ndarray
-    before: np.ndarray
-    after: np.ndarray
-
-
 @dataclass(frozen=True, eq=False)
 class MeasuredRecord:
     """Channels of a test, sampled at even steps, in SI units, and the noise of each.
@@ -187,22 +179,6 @@ class MeasuredRecord:
         _, response = sosfreqz(sos, np.ravel(f), fs=1 / self.step)
         return np.reshape(np.abs(response) ** 2, f.shape)
 
-    def low_pass_on_peaks(
-        self, channel: str, cutoff: float, order: int = 4, smallest: float | None = None
-    ) -> PeakChange:
-        """Heights of the peaks of a free vibration before and after `low_pass`.
-
-        smallest : as in `FreeVibration.from_samples`. A peak of rocking is round, an impact a bend
-        of the curve: the filter takes little from peaks as long as their half-cycle is long against
-        1/cutoff, and rounds the bends.
-        """
-        from scipy.interpolate import CubicSpline
-
-        found = self.free_vibration(channel, smallest)
-        peaks = found.time[found.at_peak]
-        filtered = CubicSpline(self.time, self.low_pass(cutoff, order)[channel])
-        return PeakChange(peaks, found.displacement[found.at_peak], filtered(peaks))
-
     def _butterworth(self, where: str, cutoff: float, order: int) -> np.ndarray:
         from scipy.signal import butter
 
@@ -276,9 +252,7 @@ class MeasuredRecord:
         what the velocity shows is in the record.
         """
         made = {1.0: self} | {f: self.resampled(f) for f in factors}
-        rates = {
-            f: one.with_derivatives(channel, window, degree) for f, one in made.items()
-        }
+        rates = {f: one.with_derivatives(channel, window, degree) for f, one in made.items()}
         coarse = min(rates.values(), key=lambda one: len(one.time))
         name = f"{channel}_dot"
         found = {
@@ -288,9 +262,7 @@ class MeasuredRecord:
         shortest = min(len(v) for v in found.values())
         found = {f: v[:shortest] for f, v in found.items()}
         spread = max(float(np.std(v - found[1.0])) for v in found.values())
-        return Velocities(
-            coarse.time[:shortest], found, rates[1.0].noise[name].level, spread
-        )
+        return Velocities(coarse.time[:shortest], found, rates[1.0].noise[name].level, spread)
 
     # -- what is in it ----------------------------------------------------------------------
 
@@ -306,7 +278,7 @@ class MeasuredRecord:
         floor = smallest
         if floor is None:
             floor = resolved_floor(self.time, self[channel], self.noise[channel].level)
-        beside = {name: self[column] for name, column in other.items()}
+        beside: dict[str, Any] = {name: self[column] for name, column in other.items()}
         return FreeVibration.from_samples(self.time, self[channel], **beside, smallest=floor)
 
 

@@ -98,7 +98,9 @@ def read_channels(
     if not table.names:
         remedy = "write a first line with a name for each column, such as time (s), theta (deg)"
         raise MotionError.at(path, None, "the columns have no names", remedy)
-    time = _column(table, time_column if isinstance(time_column, int) else _full(table, time_column))
+    time = _column(
+        table, time_column if isinstance(time_column, int) else _full(table, time_column)
+    )
     bare = [_BRACKETED.sub("", name).strip() for name in table.names]
     wanted = [n for i, n in enumerate(bare) if i != time] if channels is None else list(channels)
     for name in (*wanted, *units):

@@ -19,7 +19,7 @@ def pushover(structure: Structure, rotations) -> np.ndarray:
     rotations = angles(rotations)
     forces = np.empty(rotations.shape)
     for index in np.ndindex(rotations.shape):
-        forces[index] = structure.held(float(rotations[index]))[0]
+        forces[index] = structure.equilibrium(float(rotations[index]))[0]
     return forces
 
 
@@ -31,7 +31,7 @@ def angles(rotations) -> np.ndarray:
     return found
 
 
-def held(structure: Structure, rotation: float) -> tuple[float, np.ndarray]:
+def equilibrium(structure: Structure, rotation: float) -> tuple[float, np.ndarray]:
     """(force, state) of equilibrium in the contact state that is consistent with it."""
     m = structure.module
     side = -1.0 if rotation < 0 else 1.0

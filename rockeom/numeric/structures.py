@@ -310,15 +310,15 @@ class Structure:
         """What about the parameters is allowed and hardly meant, a sentence each."""
         return ()
 
-    def held(self, rotation: float) -> tuple[float, np.ndarray]:
+    def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
         """(force, state) at rest under the force at the load point that holds a rotation [N].
 
         The state is a vector (N,) in the order of `states`. Raises ValueError where no equilibrium
         was found.
         """
-        from rockeom.numeric.statics import held
+        from rockeom.numeric.statics import equilibrium
 
-        return held(self, rotation)
+        return equilibrium(self, rotation)
 
     def pushover(self, rotations) -> np.ndarray:
         """Horizontal force at the load point that holds the structure at each rotation [N].
@@ -793,7 +793,7 @@ class _ControlledWall(Structure):
         """
         return super().pushover(rotations)
 
-    def held(self, rotation: float) -> tuple[float, np.ndarray]:
+    def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
         m = self.module
         y = np.zeros(m.N_STATES)
         y[m.ROTATION] = rotation
