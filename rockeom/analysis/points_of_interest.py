@@ -61,9 +61,9 @@ def points_by_prominence(
 ) -> PointsOfInterest:
     """Peaks of both sides by scipy.signal.find_peaks.
 
-    record and channel : the trace; prominence : how far the trace falls on both sides of a peak before it rises above it, in the
-    unit of the channel; ten standard deviations of its noise if not given. No window hides short
-    half-cycles; a flat, noisy start, held by hand, is no peak to it.
+    record and channel : the trace; prominence : how far it falls on both sides of a peak before it
+    rises above it, in the unit of the channel; ten standard deviations of its noise if not given.
+    No window hides short half-cycles; a flat, noisy start, held by hand, is no peak to it.
     """
     from scipy.signal import find_peaks
 

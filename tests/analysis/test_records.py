@@ -1,5 +1,7 @@
 """Measured records: what is read, what noise it has, and what the signal chain does to both."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -183,8 +185,8 @@ def rocking(sigma=2e-4, seed=0):
     """A trace whose half-cycles shorten as they shrink, like that of Figure 3-3."""
     ends = np.cumsum([0.0, 0.6, 0.5, 0.42, 0.35, 0.29, 0.24, 0.2, 0.16, 0.13])
     x = np.zeros(len(T))
-    for n, (a, b) in enumerate(zip(ends[:-1], ends[1:], strict=True)):
-        inside = (T >= a) & (T < b)
+    for n, (a, b) in enumerate(pairwise(ends)):
+        inside = (a <= T) & (b > T)
         x[inside] = (-1) ** n * (b - a) ** 2 * np.sin(np.pi * (T[inside] - a) / (b - a))
     return ends, analysis.MeasuredRecord(
         T, {"x": x + np.random.default_rng(seed).normal(0.0, sigma, len(T))}
