@@ -10,7 +10,7 @@ What a caption or the text leaves open is said with each figure, and so is what 
 A module here holds the figures of one subject; `FIGURES` finds them by themselves.
 """
 
-from rockeom.thesis.figures import chapter_2, chapter_4_wall
+from rockeom.thesis.figures import chapter_2, chapter_3, chapter_4_wall
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, ThesisFigure, figures_of
 
 __all__ = ["FIGURES", "NOT_DRAWN", "Drawn", "Source", "Statement", "ThesisFigure"]
@@ -18,6 +18,7 @@ __all__ = ["FIGURES", "NOT_DRAWN", "Drawn", "Source", "Statement", "ThesisFigure
 FIGURES: dict[str, ThesisFigure] = figures_of(
     (
         chapter_2,
+        chapter_3,
         chapter_4_wall,
     )
 )
