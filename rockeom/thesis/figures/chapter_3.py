@@ -1,16 +1,18 @@
 """The figures of chapter 3, the free rocking block; see `rockeom.thesis.figures`.
 
-Of the 430 tests the text prints the thirteen points of Figure 3-3; the traces are lost. In kind here
-means simulated records of the same block, sampled as the tests were, a thousand times a second, with
-noise of 0.01 degrees, and with an r for each foot: the means of those that Figure 3-3 gives.
+Of the 430 tests the text prints the thirteen points of Figure 3-3; the traces are lost. In kind
+here means simulated records of the same block, sampled as the tests were, a thousand times a
+second, with noise of 0.01 degrees, and with an r for each foot: the means of those that Figure 3-3
+gives.
 """
 
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.axes import Axes
 
 import rockeom as rk
 from rockeom import analysis
@@ -20,7 +22,7 @@ from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.tables import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
-SHAPE = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}
+SHAPE: dict[str, Any] = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}
 R_HOUSNER = float(analysis.energy_ratio_of_block(BLOCK.alpha))
 PRINTED_HOUSNER = 0.89
 """Of section 3.3; 2-6 gives 0.879 for this block."""
@@ -59,7 +61,7 @@ def feet() -> dict[str, float]:
     return {f: float(np.mean(found.at_foot(f).energy_ratio)) for f in ("left", "right")}
 
 
-def mark_points(ax, label: str = "Figure 3-3, measured") -> None:
+def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
     """The printed peaks and zeros, in degrees."""
     time, rotation = points()
     ax.plot(
@@ -230,8 +232,8 @@ def figure_3_4() -> Drawn:
             Statement(
                 "section 3.2",
                 "each test run contained at least 20 peaks and zero crossings",
-                f"of 5 s: by score {len(scored.peaks)} peaks, {len(scored.crossings)} crossings; by "
-                f"find_peaks {len(found.peaks)} and {len(found.crossings)}",
+                f"of 5 s: by score {len(scored.peaks)} peaks, {len(scored.crossings)} crossings; "
+                f"by find_peaks {len(found.peaks)} and {len(found.crossings)}",
                 len(scored.peaks) + len(scored.crossings) >= 20,
             ),
         ),
@@ -309,12 +311,13 @@ def figure_3_6() -> Drawn:
     )
     figure = style.new_figure(7.2, 3.2)
     ax = figure.add_subplot()
-    ends, errors = [], []
+    ends: list[float] = []
+    errors = []
     for ratio, line in ((PRINTED_HOUSNER, "-"), (0.88 * PRINTED_HOUSNER, "--")):
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
         ax.plot(run.t, np.degrees(run["theta"]), line, lw=0.9, label=label)
-        ends.append(run.rest_time)
+        ends.append(run.rest_time or np.inf)
         own = [hit.time for hit in run.impacts[:6]]
         errors.append(np.array(own) - (time[1::2] - late))
     moved = np.maximum(time - late, 0.0)
@@ -398,7 +401,9 @@ def figure_3_7() -> Drawn:
 # --- energy
 
 
-def draw_energies(ax, time: np.ndarray, curves: list[tuple[str, np.ndarray, dict]]) -> None:
+def draw_energies(
+    ax: Axes, time: np.ndarray, curves: list[tuple[str, np.ndarray, dict[str, Any]]]
+) -> None:
     for label, energy, line in curves:
         ax.plot(time, energy, label=label, **line)
     ax.set_xlabel("time [s]")
@@ -720,9 +725,7 @@ def figure_3_22() -> Drawn:
     ax = figure.add_subplot()
     ax.plot(speed, fit_3_17(speed), label="3-17, all impacts")
     ax.plot(speed[speed > 0], fit_3_18(speed[speed > 0]), "--", label="3-18, right edge")
-    runs = [
-        analysis.Impacts.of_record(record(release, seed), BLOCK) for release, seed in RUNS
-    ]
+    runs = [analysis.Impacts.of_record(record(release, seed), BLOCK) for release, seed in RUNS]
     kind = analysis.Impacts.together(runs)
     ax.plot(kind.speed, kind.energy_change, "x", ms=4, color="0.6", label="in kind")
     ax.plot(

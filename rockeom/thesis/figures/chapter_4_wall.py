@@ -155,7 +155,7 @@ def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
 
 @thesis_figure(Source.COMPUTED)
 def figure_4_19() -> Figure:
-    """What the extension of the tendon follows from: the wall turned about the point O of its base.
+    """What the extension of the tendon follows from: the wall turned about O in its base.
 
     Drawn to scale, but turned much further than in any of the tests. The base is straight and the
     pressed edge enters the ground, as 4-1 has it.
