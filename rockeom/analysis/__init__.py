@@ -57,6 +57,7 @@ from rockeom.analysis.foundation import (
     winkler_uplift_rotation,
 )
 from rockeom.analysis.free_vibration import (
+    CycleDamping,
     Energies,
     FreeVibration,
     QuarterPeriods,
@@ -142,6 +143,7 @@ from rockeom.analysis.uplift import (
 __all__ = [
     "DESIGN_FACTORS",
     "GRANT_FACTORS",
+    "CycleDamping",
     "DesignFactors",
     "DissipationLimit",
     "EdgeUplifts",

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.controlled_wall import Wall
+from rockeom.analysis.damping import damping_from_decrement
 from rockeom.analysis.noise import noise_level
 
 if TYPE_CHECKING:
@@ -33,6 +34,13 @@ class QuarterPeriods(NamedTuple):
 
     peak: np.ndarray
     time: np.ndarray
+
+
+class CycleDamping(NamedTuple):
+    """Of each cycle: the peak that it begins with [m], signed, and its damping ratio."""
+
+    peak: np.ndarray
+    ratio: np.ndarray
 
 
 class Energies(NamedTuple):
@@ -213,6 +221,14 @@ class FreeVibration:
         """From each peak to the crossing after it; thesis Figure 4-13."""
         starts = np.flatnonzero(self.at_peak[:-1])
         return QuarterPeriods(self.displacement[starts], np.diff(self.time)[starts])
+
+    def damping_ratios(self) -> CycleDamping:
+        """Of each cycle, from a peak to the next one of its side; thesis 5-7, Figure 5-16.
+
+        Those of small damping, `damping_from_decrement`; negative where the motion grew.
+        """
+        peaks = self.displacement[self.at_peak]
+        return CycleDamping(peaks[:-2], damping_from_decrement(peaks[:-2], peaks[2:]))
 
     def energies(self, wall: Wall) -> Energies:
         """Of `wall` at each peak and crossing; thesis 4-18 to 4-20, Figure 4-29.
