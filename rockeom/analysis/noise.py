@@ -42,7 +42,7 @@ class Noise:
 
         (k,) = numbers("Noise.through", kernel=kernel)
         own = np.concatenate([self.covariance[:0:-1], self.covariance])
-        behind = fftconvolve(np.convolve(k, k[::-1]) if len(k) < 99 else _correlated(k), own)
+        behind = fftconvolve(fftconvolve(k, k[::-1]), own)
         return Noise(behind[len(behind) // 2 :])
 
     def of_sum(self, weights: ArrayLike) -> float:
@@ -56,12 +56,6 @@ class Noise:
     def every(self, step: int) -> Noise:
         """That of every `step`-th sample."""
         return Noise(self.covariance[::step])
-
-
-def _correlated(kernel: np.ndarray) -> np.ndarray:
-    from scipy.signal import fftconvolve
-
-    return fftconvolve(kernel, kernel[::-1])
 
 
 def noise_level(time: ArrayLike, values: ArrayLike, order: int = 6) -> float:
