@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import lcm
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -253,16 +254,14 @@ class MeasuredRecord:
         """
         made = {1.0: self} | {f: self.resampled(f) for f in factors}
         rates = {f: one.with_derivatives(channel, window, degree) for f, one in made.items()}
-        coarse = min(rates.values(), key=lambda one: len(one.time))
+        shared = lcm(*(round(1 / f) for f in factors if f < 1))
         name = f"{channel}_dot"
-        found = {
-            f: one[name][:: round(coarse.step / one.step)][: len(coarse.time)]
-            for f, one in rates.items()
-        }
+        found = {f: one[name][:: round(shared * f)] for f, one in rates.items()}
         shortest = min(len(v) for v in found.values())
         found = {f: v[:shortest] for f, v in found.items()}
         spread = max(float(np.std(v - found[1.0])) for v in found.values())
-        return Velocities(coarse.time[:shortest], found, rates[1.0].noise[name].level, spread)
+        noise = rates[1.0].noise[name].level
+        return Velocities(self.time[::shared][:shortest], found, noise, spread)
 
     # -- what is in it ----------------------------------------------------------------------
 

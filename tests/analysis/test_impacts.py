@@ -185,6 +185,20 @@ def test_uncertainty_follows_the_noise_and_grows_as_the_energy_falls():
     assert calm.half_width[-1] > 3 * calm.half_width[0]
 
 
+def test_a_filter_before_changes_neither_the_ratios_nor_their_intervals():
+    """Its noise is no longer white, and the intervals know it."""
+    errors, growth = [], []
+    for seed in range(12):
+        record = noisy(np.radians(0.02), seed)
+        plain = analysis.Impacts.of_record(record, BLOCK, threshold=6.5)
+        found = analysis.Impacts.of_record(record.low_pass(40.0), BLOCK, threshold=6.5)
+        true = np.array([BY_FOOT[foot] for foot in found.foot])
+        errors.append((found.energy_ratio - true) / found.half_width)
+        growth.append(found.half_width / plain.half_width)
+    np.testing.assert_allclose(growth, 1.0, atol=0.2)
+    assert 0.4 < np.std(errors) < 0.62  # of half-widths that are two standard deviations
+
+
 def test_means_histogram_and_distribution():
     found = analysis.Impacts.of_record(noisy(np.radians(0.02)), BLOCK, threshold=6.5)
     both = found.mean()  # the feet differ: the interval is that of the scatter

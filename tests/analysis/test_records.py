@@ -169,8 +169,8 @@ def test_velocity_is_the_same_after_resampling():
     record = analysis.MeasuredRecord(
         T, {"x": x + np.random.default_rng(1).normal(0, sigma, len(T))}
     )
-    found = record.velocities_by_resampling("x", 0.08)
-    assert set(found.velocity) == {0.5, 1.0, 2.0}
+    found = record.velocities_by_resampling("x", 0.08, factors=(0.5, 1 / 3, 2.0))
+    assert set(found.velocity) == {0.5, 1 / 3, 1.0, 2.0}
     assert found.noise / 4 < found.spread < 1.5 * found.noise
     inner = slice(50, -50)
     for velocity in found.velocity.values():
