@@ -22,6 +22,8 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.controlled_wall import Wall
+from rockeom.analysis.damping import damping_from_decrement
+from rockeom.analysis.noise import noise_level
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
@@ -32,6 +34,13 @@ class QuarterPeriods(NamedTuple):
 
     peak: np.ndarray
     time: np.ndarray
+
+
+class CycleDamping(NamedTuple):
+    """Of each cycle: the peak that it begins with [m], signed, and its damping ratio."""
+
+    peak: np.ndarray
+    ratio: np.ndarray
 
 
 class Energies(NamedTuple):
@@ -132,7 +141,7 @@ class FreeVibration:
         left_uplift: ArrayLike | None = None,
         right_uplift: ArrayLike | None = None,
         *,
-        smallest: float = 0.0,
+        smallest: float | None = None,
         crossing: str = "displacement",
     ) -> FreeVibration:
         """Peaks and crossings of a sampled record, between samples by cubic splines.
@@ -141,7 +150,8 @@ class FreeVibration:
         given the derivatives of the displacement's spline; tendon_force [N]; left_uplift,
         right_uplift [m]; all of the shape (samples,). The displacement counts from upright.
         smallest : the record swings to the other side once it is this far there [m]; noise about
-        upright is below it. A half-cycle with a smaller peak is not one.
+        upright is below it. A half-cycle with a smaller peak is not one. If not given it follows
+        from the record, `resolved_floor`.
         crossing : "displacement", where that is zero, or "acceleration", as in the thesis, whose
         wall slid: its displacement does not tell when it is upright. With losses spread over the
         displacement the acceleration vanishes up to some mm before upright.
@@ -175,6 +185,8 @@ class FreeVibration:
                 )
         rule = "times must increase: of an instant that is there twice, drop one"
         require(np.diff(t) > 0, where, "time", t[1:], rule)
+        if smallest is None:
+            smallest = resolved_floor(t, x)
         (floor,) = numbers(where, smallest=smallest)
         require(floor >= 0, where, "smallest", floor, "it must be zero or positive")
         if crossing not in ("displacement", "acceleration"):
@@ -209,6 +221,14 @@ class FreeVibration:
         """From each peak to the crossing after it; thesis Figure 4-13."""
         starts = np.flatnonzero(self.at_peak[:-1])
         return QuarterPeriods(self.displacement[starts], np.diff(self.time)[starts])
+
+    def damping_ratios(self) -> CycleDamping:
+        """Of each cycle, from a peak to the next one of its side; thesis 5-7, Figure 5-16.
+
+        Those of small damping, `damping_from_decrement`; negative where the motion grew.
+        """
+        peaks = self.displacement[self.at_peak]
+        return CycleDamping(peaks[:-2], damping_from_decrement(peaks[:-2], peaks[2:]))
 
     def energies(self, wall: Wall) -> Energies:
         """Of `wall` at each peak and crossing; thesis 4-18 to 4-20, Figure 4-29.
@@ -259,22 +279,49 @@ class FreeVibration:
         return np.divide(2 * b * pressed, difference, out=centre, where=difference != 0)
 
 
+def resolved_floor(time: ArrayLike, displacement: ArrayLike, noise: float | None = None) -> float:
+    """The smallest peak that a record of free vibration resolves, in its unit.
+
+    time (n,) [s]; displacement (n,), from upright. noise : standard deviation; `noise_level` of the
+    record if not given. It is the larger of two: five standard deviations, which noise passes once
+    in two million samples; and the peak of the largest half-cycle of fewer than six samples, whose
+    height they do not tell. By this a record without noise ends where rocking becomes too fast
+    for it, and one that is at rest for most of its time needs no `smallest`.
+    """
+    t, x = numbers("resolved_floor", time=time, displacement=displacement)
+    if noise is None:
+        noise = noise_level(t, x) if len(t) >= 8 else 0.0
+    floor = _CLEAR * float(noise)
+    index, starts = _half_cycles(x, floor)
+    for i, j in pairwise(starts):
+        if 0 < j - i < _RESOLVED and index[i] > 0:  # what the start cuts off says nothing
+            floor = max(floor, float(np.abs(x[index[i:j]]).max()))
+    return floor
+
+
+_CLEAR = 5.0  # standard deviations
+_RESOLVED = 6  # samples
+
+
+def _half_cycles(x: np.ndarray, floor: float) -> tuple[np.ndarray, np.ndarray]:
+    """Samples further than `floor` from upright, and where among them each change of side is."""
+    index = np.flatnonzero(np.abs(x) > floor)
+    changes = np.flatnonzero(np.diff(np.sign(x[index]))) + 1
+    return index, np.concatenate(([0], changes, [len(index)]))
+
+
 def _peaks(t: np.ndarray, x: np.ndarray, path: CubicSpline, floor: float) -> list[float]:
     """Times of the extremes between changes of side, until a half-cycle stays below `floor`."""
-    away = np.abs(x) > floor
-    index = np.flatnonzero(away)
+    index, starts = _half_cycles(x, floor)
     if not len(index):
         return []
-    sides = np.sign(x[index])
-    starts = np.concatenate(([0], np.flatnonzero(np.diff(sides)) + 1, [len(index)]))
     turning = path.derivative().roots(discontinuity=False, extrapolate=False)
     peaks = []
     for i, j in pairwise(starts):
         first, last = index[i], index[j - 1]
         k = first + int(np.argmax(np.abs(x[first : last + 1])))
         if k == 0:
-            # released there, or else it began on its way back
-            if np.abs(path(t[0], 1)) <= np.abs(path(t[0], 2)) * (t[1] - t[0]):
+            if _begins_at_rest(t, x, path, floor):  # or else it began on its way back
                 peaks.append(float(t[0]))
             continue
         if j == len(index) and np.abs(x[k]) - np.abs(x[-1]) <= floor:
@@ -283,6 +330,22 @@ def _peaks(t: np.ndarray, x: np.ndarray, path: CubicSpline, floor: float) -> lis
         values = np.abs(path(near))
         peaks.append(float(near[np.argmax(values)]) if len(near) else float(t[k]))
     return peaks
+
+
+def _begins_at_rest(t: np.ndarray, x: np.ndarray, path: CubicSpline, floor: float) -> bool:
+    """Whether a record that begins at its peak has no velocity there, within a sample or noise.
+
+    A velocity v says that the peak was higher by v**2/(2 a). Under noise both are those of a cubic
+    through the first samples, and a height that noise hides is none.
+    """
+    if np.abs(path(t[0], 1)) <= np.abs(path(t[0], 2)) * (t[1] - t[0]):
+        return True
+    fallen = np.flatnonzero(np.abs(x) < 0.7 * np.abs(x[0]))
+    n = int(fallen[0]) if len(fallen) else len(t)
+    if n < _RESOLVED:
+        return False
+    _, half, rate, _ = np.polyfit(t[:n] - t[0], x[:n], 3)
+    return bool(rate**2 <= 4 * np.abs(half) * floor / _CLEAR)
 
 
 def coefficient_of_determination(measured: ArrayLike, predicted: ArrayLike) -> float:

@@ -1,4 +1,4 @@
-"""Readers of recorded accelerations: PEER .AT2 and columns of text.
+"""Readers of records: accelerations (PEER .AT2, columns of text) and the channels of a test.
 
 A reader returns what the file says, in SI units, or raises `MotionError`: it fills no gap, drops no
 value and guesses no unit.
@@ -16,7 +16,7 @@ import math
 import os
 import re
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Context, Decimal, InvalidOperation
 from itertools import chain, islice
@@ -27,9 +27,18 @@ import numpy as np
 
 from rockeom.arguments import is_number, told
 from rockeom.motion.errors import FilePath, MotionError
-from rockeom.motion.units import NAMES, factor, is_known
+from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
 
 Column = str | int
+
+
+class Channels(NamedTuple):
+    """Channels of a test, (n,) each, in SI units, at start, start + dt ... [s]."""
+
+    start: float
+    dt: float
+    values: dict[str, np.ndarray]
+    name: str
 
 
 class Record(NamedTuple):
@@ -70,6 +79,68 @@ def read_csv(
     table = _table(_open(path))
     time, acceleration = (_column(table, wanted) for wanted in (time_column, acceleration_column))
     return _record(table, time, acceleration, units, gravity, name)
+
+
+def read_channels(
+    path: FilePath,
+    units: Mapping[str, str],
+    channels: Sequence[str] | None,
+    time_column: Column,
+    gravity: float,
+) -> Channels:
+    """Several columns of a table with a heading, each by its name without its unit.
+
+    units : of the columns whose heading states none in brackets. channels : which to read, all
+    but the time if None.
+    """
+    table = _table(_open(path))
+    if not table.names:
+        remedy = "write a first line with a name for each column, such as time (s), theta (deg)"
+        raise MotionError.at(path, None, "the columns have no names", remedy)
+    time = _column(
+        table, time_column if isinstance(time_column, int) else _full(table, time_column)
+    )
+    bare = [_BRACKETED.sub("", name).strip() for name in table.names]
+    wanted = [n for i, n in enumerate(bare) if i != time] if channels is None else list(channels)
+    for name in (*wanted, *units):
+        if bare.count(name) != 1 or bare.index(name) == time:
+            known = ", ".join(_short(n) for i, n in enumerate(bare) if i != time)
+            what = f"no single channel is called {told(name)}; the names are {known}"
+            raise MotionError.at(path, table.header_line, what, "use one of these names")
+    columns = {bare.index(name): name for name in wanted}
+    if len(columns) < len(wanted):
+        what = f"a channel is named twice in {wanted}"
+        raise MotionError.at(path, table.header_line, what, "name each once")
+    factors = [_channel_factor(table, i, n, units.get(n), gravity) for i, n in columns.items()]
+    start, dt, values = _sampled(table, time, columns)
+    scaled = {n: v * f for n, v, f in zip(wanted, values, factors, strict=True)}
+    return Channels(start, dt, scaled, Path(path).stem)
+
+
+def _full(table: _Table, name: str) -> str:
+    """The heading that is called `name` once its unit is taken off, or `name` itself."""
+    found = [n for n in table.names if _BRACKETED.sub("", n).strip() == name]
+    return found[0] if len(found) == 1 else name
+
+
+def _channel_factor(
+    table: _Table, column: int, name: str, asked: str | None, gravity: float
+) -> float:
+    """The factor to SI of a channel, from its heading or from the caller."""
+    path, line = table.text.path, table.header_line
+    in_file = _unit_in_heading(table, column)
+    stated = asked if asked is not None else in_file
+    known = ", ".join(CHANNEL_UNITS)
+    if stated is None:
+        remedy = f"say units={{{name!r}: ...}} with one of {known}, or leave the channel out"
+        raise MotionError.at(path, line, f"nothing says the unit of {_short(name)}", remedy)
+    if not isinstance(stated, str) or (found := channel_factor(stated, gravity)) is None:
+        what = f"the unit of {_short(name)} is {told(stated)}, which is unknown"
+        raise MotionError.at(path, line, what, f"give one of {known}")
+    if in_file is not None and asked is not None and channel_factor(in_file, gravity) != found:
+        what = f"the heading states {_short(name)} in {in_file!r}, the caller in {asked!r}"
+        raise MotionError.at(path, line, what, "leave it out of units=, or correct the file")
+    return found
 
 
 # -- files ---------------------------------------------------------------------------------------
@@ -499,42 +570,57 @@ def _record(
     name: str | None,
 ) -> Record:
     path = table.text.path
-    time_unit, in_file = (_unit_in_heading(table, column) for column in (time, acceleration))
+    in_file = _unit_in_heading(table, acceleration)
+    in_file = in_file if in_file is not None and is_known(in_file) else None
+    to_si = _factor(path, table.header_line, in_file, units, gravity)
+    start, dt, (a,) = _sampled(table, time, {acceleration: "acceleration"})
+    source = Path(path).name
+    if start != 0.0:
+        source += f", whose time {start:g} s is the start of the motion"
+    return Record(a * to_si, dt, name or Path(path).stem, source)
+
+
+def _sampled(
+    table: _Table, time: int, columns: Mapping[int, str]
+) -> tuple[float, float, list[np.ndarray]]:
+    """(first time [s], step [s], values (n,) of each column) of a table with an even time column.
+
+    columns : number of a column -> what an error calls it.
+    """
+    path = table.text.path
+    time_unit = _unit_in_heading(table, time)
     if time_unit is not None and time_unit.lower() in _OTHER_TIMES:
         what = f"time is in {time_unit!r}"
         raise MotionError.at(path, table.header_line, what, "convert the time column to seconds")
-    in_file = in_file if in_file is not None and is_known(in_file) else None
-    to_si = _factor(path, table.header_line, in_file, units, gravity)
 
-    t, a, last_digits, leading = array("d"), array("d"), array("q"), array("q")
+    called = {time: "time"} | dict(columns)
+    found = {column: array("d") for column in called}
+    last_digits, leading = array("q"), array("q")
     ends: list[Decimal] = []
     for block in table.blocks():
-        times = _numbers([row[time] for _, row in block])
-        values = _numbers([row[acceleration] for _, row in block])
-        if times is None or values is None:  # one by one, which tells the line
-            times, values = [], []
-            for n, (line, row) in enumerate(block, len(t) + 1):
-                times.append(_number(row[time], path, line, f"time of sample {n}"))
-                what = f"acceleration of sample {n}"
-                values.append(_number(row[acceleration], path, line, what))
-        t.extend(times)
-        a.extend(values)
+        values = {c: _numbers([row[c] for _, row in block]) for c in called}
+        if any(v is None for v in values.values()):  # one by one, which tells the line
+            values = {c: [] for c in called}
+            for n, (line, row) in enumerate(block, len(found[time]) + 1):
+                for c, what in called.items():
+                    number = _number(row[c], path, line, f"{what} of sample {n}")
+                    values[c].append(number)  # type: ignore[union-attr]
+        for c, read in values.items():
+            found[c].extend(read or ())
         for line, row in block:
             exact = _decimal(path, line, row[time])
             last_digits.append(int(exact.as_tuple().exponent))
             leading.append(exact.adjusted())
             ends[1:] = [exact]
+    t = np.array(found[time])
     if len(t) < 2:
         what = "one sample, where a record needs two or more"
         raise MotionError.at(path, table.first_line, what, _GET_AGAIN)
     mean = _EXACT.divide(_EXACT.subtract(*reversed(ends)), len(t) - 1)
     dt = float(mean)  # 0.02, not 0.019999999999999997
     digit = _last_printed_digit(np.array(last_digits), np.array(leading))
-    _check_steps(table, time, np.array(t), dt, digit)
-    source = Path(path).name
-    if t[0] != 0.0:
-        source += f", whose time {t[0]:g} s is the start of the motion"
-    return Record(np.array(a) * to_si, dt, name or Path(path).stem, source)
+    _check_steps(table, time, t, dt, digit)
+    return float(t[0]), dt, [np.array(found[c]) for c in columns]
 
 
 def _decimal(path: FilePath, line: int, text: str) -> Decimal:
@@ -601,7 +687,7 @@ def _check_steps(
         before, after = steps[:n].mean(), steps[n:].mean()
         found = f"up to {_cut(text)} s the mean step is {before:.6g} s, after it {after:.6g} s"
     what = f"the time column is not uniform: {found}"
-    remedy = "resample to a uniform step (numpy.interp) and use GroundMotion.from_array"
+    remedy = "resample to a uniform step (numpy.interp) and give the arrays"
     raise MotionError.at(path, line, what, remedy)
 
 

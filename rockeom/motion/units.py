@@ -1,4 +1,4 @@
-"""Units of acceleration, converted once, where a record enters."""
+"""Units of what records hold, converted once, where a record enters."""
 
 from __future__ import annotations
 
@@ -49,3 +49,44 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
         raise MotionError(f"units {told(units)} are unknown: choose one of {', '.join(NAMES)}")
     plain = _plain(units)
     return float(gravity) if plain == "g" else _FACTORS[plain]
+
+
+# --- what a test measures
+
+_OF_CHANNELS = {
+    "m": 1.0,
+    "cm": 0.01,
+    "mm": 0.001,
+    "um": 1e-6,
+    "in": 0.0254,
+    "rad": 1.0,
+    "mrad": 0.001,
+    "deg": math.pi / 180,
+    "m/s": 1.0,
+    "cm/s": 0.01,
+    "mm/s": 0.001,
+    "rad/s": 1.0,
+    "deg/s": math.pi / 180,
+    "rad/s2": 1.0,
+    "deg/s2": math.pi / 180,
+    "n": 1.0,
+    "kn": 1e3,
+    "-": 1.0,
+}
+CHANNEL_UNITS = (
+    *("m", "cm", "mm", "um", "in", "rad", "mrad", "deg", "m/s", "cm/s", "mm/s", "rad/s", "deg/s"),
+    *("rad/s2", "deg/s2", "N", "kN", "-"),
+    *NAMES,
+)
+"""Units in which a channel of a test may stand."""
+
+
+def channel_factor(units: str, gravity: float = STANDARD_GRAVITY) -> float | None:
+    """What a value in these units is multiplied by to be in SI units; None for unknown units.
+
+    Besides accelerations: lengths, angles, their rates, forces, and "-" for a pure number.
+    """
+    plain = _plain(units).replace("µ", "u").replace("°", "deg")
+    if plain in _OF_CHANNELS:
+        return _OF_CHANNELS[plain]
+    return factor(units, gravity) if is_known(units) else None

@@ -19,7 +19,7 @@ def pushover(structure: Structure, rotations) -> np.ndarray:
     rotations = angles(rotations)
     forces = np.empty(rotations.shape)
     for index in np.ndindex(rotations.shape):
-        forces[index] = _force(structure, float(rotations[index]))
+        forces[index] = structure.equilibrium(float(rotations[index]))[0]
     return forces
 
 
@@ -31,12 +31,12 @@ def angles(rotations) -> np.ndarray:
     return found
 
 
-def _force(structure: Structure, rotation: float) -> float:
-    """Equilibrium in the contact state that is consistent with it."""
+def equilibrium(structure: Structure, rotation: float) -> tuple[float, np.ndarray]:
+    """(force, state) of equilibrium in the contact state that is consistent with it."""
     m = structure.module
     side = -1.0 if rotation < 0 else 1.0
     if structure.rocks_on_rigid_ground:
-        return _solve(structure, m.CONTACTS.index("right" if side > 0 else "left"), rotation)[0]
+        return _solve(structure, m.CONTACTS.index("right" if side > 0 else "left"), rotation)
     for contact, count in enumerate(m.GUARDS):
         if m.SIDES[contact] * side < 0:
             continue
@@ -44,7 +44,7 @@ def _force(structure: Structure, rotation: float) -> float:
         g = np.zeros(m.N_GUARDS + m.N_PARTS)
         m.guards(contact, y, structure.vector, 0.0, 0.0, g)
         if np.isfinite(force) and g[:count].min() >= -1e-9 * max(1.0, np.abs(g[:count]).max()):
-            return force
+            return force, y
     raise ValueError(f"no equilibrium of {structure.model} at rotation {rotation}")
 
 

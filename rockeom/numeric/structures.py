@@ -357,6 +357,16 @@ class Structure:
         """
         return importlib.import_module("rockeom.numeric.fixed_base").FixedBase(self)
 
+    def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
+        """(force, state) at rest under the force at the load point that holds a rotation [N].
+
+        The state is a vector (N,) in the order of `states`. Raises ValueError where no equilibrium
+        was found.
+        """
+        from rockeom.numeric.statics import equilibrium
+
+        return equilibrium(self, rotation)
+
     def pushover(self, rotations) -> np.ndarray:
         """Horizontal force at the load point that holds the structure at each rotation [N].
 
@@ -826,19 +836,16 @@ class _ControlledWall(Structure):
         rotations : any shape, in the unit of the model's first state. Each is reached from upright
         by a growing rotation: a tendon that yields has its yield force.
         """
-        m = self.module
-        from rockeom.numeric.statics import angles
+        return super().pushover(rotations)
 
-        rotations = angles(rotations)
-        forces = np.empty(rotations.shape)
-        for index in np.ndindex(rotations.shape):
-            y = np.zeros(m.N_STATES)
-            y[m.ROTATION] = rotations[index]
-            side = "left" if rotations[index] < 0 else "right"
-            elastic = self._elastic_force(side, y)
-            state = "_yield" if elastic > self.yield_force else "_slack" if elastic < 0 else ""
-            forces[index] = self._load(m.CONTACTS.index(side + state), y)
-        return forces
+    def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
+        m = self.module
+        y = np.zeros(m.N_STATES)
+        y[m.ROTATION] = rotation
+        side = "left" if rotation < 0 else "right"
+        elastic = self._elastic_force(side, y)
+        state = "_yield" if elastic > self.yield_force else "_slack" if elastic < 0 else ""
+        return self._load(m.CONTACTS.index(side + state), y), y
 
     def _load(self, contact: int, y: np.ndarray) -> float:
         """The force with which the rotation of a state is in equilibrium [N]."""

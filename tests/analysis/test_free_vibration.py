@@ -162,6 +162,26 @@ def test_noise_about_upright_makes_no_peaks():
     np.testing.assert_allclose(record.time[~record.at_peak], [0.125, 0.375, 0.625], atol=2e-3)
 
 
+@pytest.mark.parametrize("sigma", [0.0, 2e-5, 4e-4])
+def test_floor_follows_from_the_noise_of_the_record(sigma):
+    """One long decay to far below the noise: peaks are found as long as they stand out."""
+    lag = np.arctan(1.2 / (4 * np.pi)) / (4 * np.pi)  # it begins at rest
+    t = np.arange(0.0, 6.0, 0.002) - lag
+    noise = np.random.default_rng(1).normal(0.0, sigma, len(t)) if sigma else 0.0
+    x = 0.02 * np.exp(-1.2 * t) * np.cos(2 * np.pi * 2 * t)
+    record = analysis.FreeVibration.from_samples(t, x + noise)
+    count = record.at_peak.sum()
+    if sigma:
+        assert 0.02 * np.exp(-1.2 * (count + 1) / 4) < 8 * sigma
+        assert analysis.resolved_floor(t, x + noise) == pytest.approx(5 * sigma, rel=0.2)
+    else:
+        assert count == 24
+    np.testing.assert_allclose(record.time[record.at_peak], np.arange(count) / 4 - lag, atol=0.06)
+    if not sigma:
+        damping = record.damping_ratios()
+        np.testing.assert_allclose(damping.ratio, 1.2 / (4 * np.pi), rtol=1e-3)
+
+
 def test_crossing_that_noise_makes_three():
     """A ripple, odd about upright and steeper than the motion: the crossing is the middle one."""
     t = np.arange(0.0, 0.45, 0.0005)

@@ -14,12 +14,15 @@ from rockeom.thesis.figures import (
     chapter_2,
     chapter_2_blocks,
     chapter_2_design,
+    chapter_3,
     chapter_4_free_vibration,
     chapter_4_shaken,
     chapter_4_simulated,
+    chapter_4_spectra,
     chapter_4_wall,
     chapter_5_flexible,
     chapter_5_rigid,
+    chapter_5_tests,
 )
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, ThesisFigure, figures_of
 
@@ -30,15 +33,31 @@ FIGURES: dict[str, ThesisFigure] = figures_of(
         chapter_2,
         chapter_2_blocks,
         chapter_2_design,
+        chapter_3,
         chapter_4_free_vibration,
         chapter_4_shaken,
         chapter_4_simulated,
+        chapter_4_spectra,
         chapter_4_wall,
-        chapter_5_rigid,
         chapter_5_flexible,
+        chapter_5_rigid,
+        chapter_5_tests,
     )
 )
 """Number of a figure -> the figure."""
 
-NOT_DRAWN: dict[str, str] = {}
+_TRACES = "the measured traces of chapter 3 are lost"
+NOT_DRAWN: dict[str, str] = {
+    "3-1": "a drawing and a photograph of the specimen",
+    "3-2": "a drawing of the steel mechanism",
+    "3-11": "a diagram of forces: the notebook on Housner's block has one",
+    "3-12": f"{_TRACES}; 3-13 has the simulated block",
+    "3-15": f"{_TRACES}; `impact_forces_of_record` finds such forces in a record",
+    "3-16": f"{_TRACES}; `impact_forces_of_record` finds such forces in a record",
+    "3-18": f"{_TRACES}; `Impacts` finds r in a record",
+    "3-19": f"{_TRACES}; `Impacts.histogram` counts",
+    "3-20": f"{_TRACES}; `Impacts.cumulative` sums",
+    "3-21": f"{_TRACES}; `Impacts` finds r against the speed in a record",
+    "3-23": f"{_TRACES}, and with them the impact forces",
+}
 """Number of a figure that cannot be drawn from the text -> why."""

@@ -1,0 +1,470 @@
+"""What each impact of a free rocking test leaves, from the peaks before and after it.
+
+    from rockeom import analysis
+
+    block = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
+    found = analysis.Impacts.of_record(record, block, threshold=6.0)    # J
+    found.energy_ratio, found.half_width, found.foot, found.speed
+    found.at_foot("left").mean()
+
+Between two impacts the structure keeps its energy, so that r is the ratio of its potential energies
+at both peaks: thesis 3-3, 3-16 and 5-4. The energies are the structure's own, of any structure.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import not_negative, numbers, require
+from rockeom.analysis.free_vibration import Energies, coefficient_of_determination
+from rockeom.analysis.noise import COVERED, Noise
+from rockeom.analysis.records import MeasuredRecord
+from rockeom.analysis.restitution import spring_energy
+
+if TYPE_CHECKING:
+    from rockeom.numeric.structures import Structure
+
+
+# --- energies of a structure
+
+
+def static_energy(structure: Structure, rotation: ArrayLike) -> np.ndarray:
+    """Energy of a structure held at rest at a rotation, above that upright [J].
+
+    rotation : the structure's own coordinate, any shape. Gravitational and elastic energy as they
+    are derived; its other coordinates are in equilibrium under the load of a pushover.
+    Raises ValueError where there is no equilibrium.
+    """
+    (rotations,) = numbers("static_energy", rotation=rotation)
+    upright = _energies(structure, np.zeros(structure.module.N_STATES)).sum()
+    found = np.empty(rotations.shape)
+    for index in np.ndindex(rotations.shape):
+        _, y = structure.equilibrium(float(rotations[index]))
+        found[index] = _energies(structure, y).sum() - upright
+    return found
+
+
+def _energies(structure: Structure, y: np.ndarray, contact: int | None = None) -> np.ndarray:
+    """Kinetic, gravitational and elastic energy of a state [J]."""
+    out = np.empty(len(structure.module.ENERGIES))
+    where = structure.contact(y) if contact is None else contact
+    structure.module.energies(where, y, structure.vector, out)
+    return out
+
+
+def _speed(structure: Structure, rotation: float, energy: float) -> float:
+    """Rate of rotation upright, before the impact, of a structure with that energy."""
+    m = structure.module
+    y = np.zeros(m.N_STATES)
+    y[m.ROTATION_RATE] = 1.0
+    contact = structure.contact(structure.equilibrium(rotation)[1])
+    return float(-np.sign(rotation) * np.sqrt(energy / _energies(structure, y, contact)[0]))
+
+
+# --- peaks, and how well they are known
+
+
+class Peaks(NamedTuple):
+    """Peaks of a channel: time [s], value with its sign, standard deviation of the value."""
+
+    time: np.ndarray
+    value: np.ndarray
+    deviation: np.ndarray
+
+
+def fitted_peaks(
+    record: MeasuredRecord, channel: str, smallest: float | None = None, reach: float = 0.5
+) -> Peaks:
+    """Peaks of a free vibration, each of the polynomial of degree 4 that fits it best.
+
+    record and channel : a free vibration that counts from upright; smallest : as in
+    `MeasuredRecord.free_vibration`. reach : the part of a half-cycle, about its middle, over which
+    it is fitted. The deviation follows from the noise of the
+    record; where the polynomial leaves more than that, from what it leaves.
+    """
+    free = record.free_vibration(channel, smallest)
+    t, x, noise = record.time, record[channel], record.noise[channel]
+    at, quarters = free.time, np.diff(free.time)
+    found = []
+    for i in np.flatnonzero(free.at_peak):
+        # between crossings a half-cycle is the same forward and backward, about its peak
+        before = at[i - 1] if i else at[i] - quarters[0]
+        after = at[i + 1] if i + 1 < len(at) else at[i] + quarters[-1]
+        middle = (before + after) / 2
+        near = np.abs(t - middle) <= reach * (after - before) / 2
+        found.append(_fitted_peak(t[near], x[near], noise, at[i], free.displacement[i]))
+    return Peaks(*(np.array(column) for column in zip(*found, strict=True)))
+
+
+class PeakChange(NamedTuple):
+    """What a filter does to peaks, (n,) each: time [s], height before and after it, deviation.
+
+    deviation : standard deviation of the height before.
+    """
+
+    time: np.ndarray
+    before: np.ndarray
+    after: np.ndarray
+    deviation: np.ndarray
+
+
+def low_pass_on_peaks(
+    record: MeasuredRecord,
+    channel: str,
+    cutoff: float,
+    order: int = 4,
+    smallest: float | None = None,
+) -> PeakChange:
+    """Peaks of a free vibration before and after `MeasuredRecord.low_pass`.
+
+    cutoff [Hz] and order as there, smallest as in `MeasuredRecord.free_vibration`. Before, they are
+    those of `fitted_peaks`; after, the largest sample about each. A peak of rocking is round, an
+    impact a bend of the trace: the filter takes little from a peak as long as its half-cycle is
+    long against 1/cutoff, and rounds the bends. A record that begins at a peak loses there, too.
+    """
+    peaks = fitted_peaks(record, channel, smallest)
+    filtered = record.low_pass(cutoff, order)[channel]
+    middles = (peaks.time[1:] + peaks.time[:-1]) / 2
+    parts = np.split(filtered, np.searchsorted(record.time, middles))
+    after = [part[np.argmax(part * np.sign(x))] for part, x in zip(parts, peaks.value, strict=True)]
+    return PeakChange(peaks.time, peaks.value, np.array(after), peaks.deviation)
+
+
+_DOUBT = 4.0  # standard deviations of the residual's own scatter
+
+
+def _fitted_peak(
+    t: np.ndarray, x: np.ndarray, noise: Noise, guess: float, value: float
+) -> tuple[float, float, float]:
+    """(time, value, standard deviation) of the extreme of the polynomial that fits samples."""
+    degree = 4 if len(t) >= 10 else 2
+    if len(t) < degree + 2:
+        return guess, value, noise.level
+    scale = max(t[-1] - guess, guess - t[0])
+    powers = np.vander((t - guess) / scale, degree + 1, increasing=True)
+    weights = np.linalg.pinv(powers)
+    best = np.polynomial.Polynomial(weights @ x)
+    turning = best.deriv().roots()
+    turning = turning[np.abs(turning.imag) < 1e-9].real
+    lowest, highest = (t[0] - guess) / scale, (t[-1] - guess) / scale
+    at = np.append(turning[(turning >= lowest) & (turning <= highest)], [lowest, highest])
+    at = at[np.argmax(np.abs(best(at)))]
+    deviation = noise.of_sum(at ** np.arange(degree + 1) @ weights)
+    left = x - powers @ best.coef
+    free = len(t) - degree - 1
+    unexplained = np.sqrt(left @ left / free)
+    if unexplained > noise.level * (1 + _DOUBT / np.sqrt(2 * free)):
+        grown = Noise.white(unexplained).of_sum(at ** np.arange(degree + 1) @ weights)
+        deviation = max(deviation, grown)
+    return float(guess + scale * at), float(best(at)), deviation
+
+
+# --- impacts
+
+
+class Mean(NamedTuple):
+    """Of several impacts: the mean of r, its half-width at 95 %, the scatter of r, their number."""
+
+    energy_ratio: float
+    half_width: float
+    scatter: float
+    number: int
+
+
+class EnergyLossFit(NamedTuple):
+    """Energy lost at an impact as a polynomial of its speed; thesis 3-17 and 3-18.
+
+    coefficients (k,) of speed**1, speed**2 ... [J/(rad/s)**n]; deviations (k,) of them; r_squared.
+    Calling it with speeds [rad/s] gives the change of energy [J], negative where it is lost.
+    """
+
+    coefficients: np.ndarray
+    deviations: np.ndarray
+    r_squared: float
+
+    def __call__(self, speed: ArrayLike) -> np.ndarray:
+        (v,) = numbers("EnergyLossFit", speed=speed)
+        return np.polynomial.polynomial.polyval(v, np.append(0.0, self.coefficients))
+
+
+@dataclass(frozen=True, eq=False)
+class Impacts:
+    """Impacts of a free rocking test in the order of time, (n,) each.
+
+    time [s], between the two peaks; foot : "left" or "right", which lands; speed : rate of rotation
+    just before [rad/s], positive where the right foot lands, of the energy before; peak_before,
+    peak_after : rotations; energy_before, energy_after [J], above upright; half_width : of the
+    interval about `energy_ratio` in which it lies with 95 %, as far as noise is concerned; 0 where
+    none was stated.
+    """
+
+    time: np.ndarray
+    foot: np.ndarray
+    speed: np.ndarray
+    peak_before: np.ndarray
+    peak_after: np.ndarray
+    energy_before: np.ndarray
+    energy_after: np.ndarray
+    half_width: np.ndarray
+
+    @classmethod
+    def of_record(
+        cls,
+        record: MeasuredRecord,
+        structure: Structure,
+        channel: str = "theta",
+        *,
+        threshold: float = 0.0,
+        rotational_stiffness: float = 0.0,
+        smallest: float | None = None,
+    ) -> Impacts:
+        """From the peaks of a channel of a record, as `of_peaks`.
+
+        record : as measured; each peak is fitted, which needs no filter, and the noise of the
+        record gives the intervals. smallest : as in `MeasuredRecord.free_vibration`.
+        """
+        peaks = fitted_peaks(record, channel, smallest)
+        return cls.of_peaks(
+            peaks.time,
+            peaks.value,
+            structure,
+            deviation=peaks.deviation,
+            threshold=threshold,
+            rotational_stiffness=rotational_stiffness,
+        )
+
+    @classmethod
+    def of_peaks(
+        cls,
+        time: ArrayLike,
+        peaks: ArrayLike,
+        structure: Structure,
+        *,
+        deviation: ArrayLike = 0.0,
+        threshold: float = 0.0,
+        rotational_stiffness: float = 0.0,
+    ) -> Impacts:
+        """From successive peaks: r = U_after/U_before by the structure's own energies.
+
+        time (n,) [s]; peaks (n,), rotations of the structure on both sides in turn, signed;
+        deviation : standard deviation of the peaks, (n,) or one for all.
+        threshold : impacts with less energy before them are left out [J]; r is a ratio, and its
+        error grows as the energy falls. Thesis section 3.2.4 takes 6 J for its block.
+        rotational_stiffness : of a spring that gives back all it takes [N m/rad]; 3-16.
+
+        Raises ValueError for fewer than two peaks, peaks that do not change side, and a peak at or
+        beyond the balance of the structure.
+        """
+        where = "Impacts.of_peaks"
+        t, x = numbers(where, time=time, peaks=peaks)
+        (sigma,) = not_negative(where, deviation=deviation)
+        (least,) = not_negative(where, threshold=threshold)
+        if x.ndim != 1 or len(x) < 2 or t.shape != x.shape:
+            raise ValueError(
+                f"{where}: time has the shape {t.shape}, peaks has {x.shape}: give one time for "
+                "each of at least two peaks"
+            )
+        rule = "successive peaks lie on both sides in turn"
+        require(x[1:] * x[:-1] < 0, where, "peaks", x[1:], rule)
+        balance = structure.overturning_rotation
+        rule = f"a free structure turns back before {balance:.4g}, its balance; give radians"
+        require(np.abs(x) < balance, where, "peaks", x, rule)
+
+        def energy(rotation: np.ndarray) -> np.ndarray:
+            return static_energy(structure, rotation) + spring_energy(
+                rotation, rotational_stiffness
+            )
+
+        u = energy(x)
+        h = 1e-4 * np.abs(x)
+        relative = np.broadcast_to(sigma, x.shape) * (energy(x + h) - energy(x - h)) / (2 * h * u)
+        ratio = u[1:] / u[:-1]
+        half_width = COVERED * ratio * np.hypot(relative[1:], relative[:-1])
+        kept = u[:-1] >= least
+        speed = [_speed(structure, a, b) for a, b in zip(x[:-1], u[:-1], strict=True)]
+        found = cls(
+            time=(t[1:] + t[:-1]) / 2,
+            foot=np.where(x[1:] > 0, "right", "left"),
+            speed=np.array(speed),
+            peak_before=x[:-1],
+            peak_after=x[1:],
+            energy_before=u[:-1],
+            energy_after=u[1:],
+            half_width=half_width,
+        )
+        return found.select(kept)
+
+    @property
+    def energy_ratio(self) -> np.ndarray:
+        """r, the ratio of the energies after and before each impact; may exceed 1."""
+        return self.energy_after / self.energy_before
+
+    @property
+    def energy_change(self) -> np.ndarray:
+        """Energy after less energy before [J]; negative where it is lost."""
+        return self.energy_after - self.energy_before
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def select(self, chosen: ArrayLike) -> Impacts:
+        """Some of them, by a mask (n,) or by their numbers."""
+        rows = np.asarray(chosen)
+        return Impacts(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
+
+    def at_foot(self, foot: str) -> Impacts:
+        """Those in which the "left" or the "right" foot lands; a ValueError for another."""
+        if foot not in ("left", "right"):
+            raise ValueError(f"Impacts.at_foot: foot is {foot!r}: left or right")
+        return self.select(self.foot == foot)
+
+    @staticmethod
+    def together(several: list[Impacts]) -> Impacts:
+        """Those of several tests, one after the other."""
+        names = [f.name for f in fields(Impacts)]
+        return Impacts(**{n: np.concatenate([getattr(s, n) for s in several]) for n in names})
+
+    def mean(self) -> Mean:
+        """Mean of r with its interval, and how it scatters.
+
+        Where the noise explains the scatter (99 % of chi-squared) each counts by its accuracy, and
+        the interval is that of the noise. Else the ratios themselves differ, or no noise was
+        stated: all count alike, and the interval is that of their scatter (Student's t). Impacts of
+        one foot share no peak; of both feet they do, and then it is somewhat too wide.
+        Raises ValueError where there is no impact.
+        """
+        from scipy.stats import chi2, t
+
+        r, n = self.energy_ratio, len(self)
+        if not n:
+            raise ValueError("Impacts.mean: there is no impact: lower the threshold")
+        scatter = float(np.std(r, ddof=1)) if n > 1 else 0.0
+        sigma = self.half_width / COVERED
+        if np.all(sigma > 0):
+            weights = sigma**-2 / np.sum(sigma**-2)
+            mean = float(weights @ r)
+            if n == 1 or np.sum(((r - mean) / sigma) ** 2) <= chi2.ppf(0.99, n - 1):
+                return Mean(mean, float(COVERED * np.sqrt(weights**2 @ sigma**2)), scatter, n)
+        half_width = float(t.ppf(0.975, n - 1)) * scatter / np.sqrt(n) if n > 1 else np.inf
+        return Mean(float(np.mean(r)), half_width, scatter, n)
+
+    def cumulative(self) -> tuple[np.ndarray, np.ndarray]:
+        """(r, part): sorted r (n,), and the part of the impacts with no more; Figure 3-20."""
+        return np.sort(self.energy_ratio), np.arange(1, len(self) + 1) / len(self)
+
+    def histogram(self, width: float = 0.01) -> tuple[np.ndarray, np.ndarray]:
+        """(edges (k + 1,), counts (k,)) of r in classes of equal width; thesis Figure 3-19."""
+        r = self.energy_ratio
+        first, last = np.floor(r.min() / width), np.floor(r.max() / width) + 1
+        edges = width * np.arange(first, last + 1)
+        return edges, np.histogram(r, edges)[0]
+
+    def energy_loss_fit(self, degree: int = 3) -> EnergyLossFit:
+        """Least squares of the change of energy on speed, speed**2 ... speed**degree; 3-17, 3-18.
+
+        There is no constant: without speed nothing is lost. Raises ValueError for fewer impacts
+        than degree + 1.
+        """
+        if len(self) < degree + 1:
+            raise ValueError(
+                f"Impacts.energy_loss_fit: {len(self)} impacts do not determine a polynomial of "
+                f"degree {degree}: lower it, or take impacts of more tests together"
+            )
+        powers = np.vander(self.speed, degree + 1, increasing=True)[:, 1:]
+        loss = self.energy_change
+        coefficients = np.linalg.lstsq(powers, loss, rcond=None)[0]
+        left = loss - powers @ coefficients
+        variance = left @ left / max(len(loss) - degree, 1)
+        deviations = np.sqrt(variance * np.diag(np.linalg.inv(powers.T @ powers)))
+        return EnergyLossFit(
+            coefficients, deviations, coefficient_of_determination(loss, powers @ coefficients)
+        )
+
+
+# --- energy in the course of a record
+
+
+def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
+    """Energies of a structure at each sample of a record, above those upright, (n,) each [J].
+
+    record : channels named as the structure's states, at least the rotation and its rate, such as
+    theta and theta_dot (`MeasuredRecord.with_derivatives`); states that it lacks count as zero.
+    Each sample counts as on the foot of its side.
+    Raises ValueError where the rotation or its rate is missing. Thesis 3-1, 3-2, Figure 3-9.
+    """
+    m = structure.module
+    rotation, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
+    missing = [n for n in (rotation, rate) if n not in record.channels]
+    if missing:
+        raise ValueError(
+            f"record_energies: the record has no {', '.join(missing)}: add it, the rate by "
+            f"with_derivatives({rotation!r})"
+        )
+    y = np.zeros((len(record.time), m.N_STATES))
+    for i, name in enumerate(m.STATES):
+        if name in record.channels:
+            y[:, i] = record[name]
+    small = 1e-3 * structure.overturning_rotation
+    left, right = (structure.contact(structure.equilibrium(x)[1]) for x in (-small, small))
+    rows = [_energies(structure, state, right if state[m.ROTATION] >= 0 else left) for state in y]
+    kinetic, gravity, elastic = (np.array(rows) - _energies(structure, np.zeros(m.N_STATES))).T
+    return Energies(gravity, elastic, kinetic)
+
+
+class RotationalSpring(NamedTuple):
+    """A fitted spring: stiffness [N m/rad], its standard deviation, those of each half-cycle."""
+
+    stiffness: float
+    deviation: float
+    of_half_cycles: np.ndarray
+
+
+def fitted_rotational_spring(
+    record: MeasuredRecord, structure: Structure, channel: str = "theta", count: int | None = None
+) -> RotationalSpring:
+    """The rotational spring with which the total energy is most constant between impacts; 3-4.
+
+    record and structure as in `record_energies`. Of each half-cycle the stiffness is that of the
+    straight line through the energy against theta**2/2; samples near the impacts, and those of the
+    release, are left out. count : how many half-cycles count, from the first; all if not given.
+    The mean weighs them by the spread of theta**2, and its deviation is that of their scatter.
+    Raises ValueError for fewer than two half-cycles.
+    """
+    free = record.free_vibration(channel)
+    crossings = free.time[~free.at_peak]
+    total = record_energies(record, structure).total
+    spring = np.square(record[channel]) / 2
+    stiffness, weight = [], []
+    for start, end in list(pairwise(crossings))[:count]:
+        margin = 0.1 * (end - start)
+        inside = (record.time > start + margin) & (record.time < end - margin)
+        s = spring[inside] - spring[inside].mean()
+        stiffness.append(-(s @ total[inside]) / (s @ s))
+        weight.append(s @ s)
+    k, w = np.array(stiffness), np.array(weight)
+    if len(k) < 2:
+        raise ValueError(
+            f"fitted_rotational_spring: {len(k)} half-cycles between crossings of {channel}: give "
+            "a record with at least two"
+        )
+    mean = float(np.average(k, weights=w))
+    part = w / w.sum()
+    deviation = float(np.sqrt(np.sum(part**2 * (k - mean) ** 2) * len(k) / (len(k) - 1)))
+    return RotationalSpring(mean, deviation, k)
+
+
+def rotational_stiffness_from_excess(excess_energy: ArrayLike, rotation: ArrayLike):
+    """Stiffness of the spring that holds an excess of energy at a rotation [N m/rad]; from 3-4.
+
+    excess_energy [J]; rotation at which it occurs [rad]; any shapes, broadcast: 2 E/theta**2, as
+    thesis section 3.2.2 finds it.
+    """
+    where = "rotational_stiffness_from_excess"
+    energy, theta = numbers(where, excess_energy=excess_energy, rotation=rotation)
+    require(theta != 0, where, "rotation", theta, "upright a spring holds no energy")
+    return 2 * energy / theta**2

@@ -1,0 +1,200 @@
+"""Forces of the ground on a block, from a record of its rotation; thesis section 3.2.3.
+
+Between impacts they are those of 3-8 and 3-9. What they show of an impact depends on how the record
+was sampled and differentiated more than on the impact: see `impact_forces_of_record`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rockeom.analysis.arguments import not_negative, positive
+from rockeom.analysis.noise import COVERED
+from rockeom.analysis.records import MeasuredRecord
+from rockeom.analysis.support_forces import block_reactions, block_reactions_at_impact
+from rockeom.motion.units import STANDARD_GRAVITY
+
+
+class SupportForces(NamedTuple):
+    """Forces of the ground on a block, (n,) each: times [s], forces [N], half-widths at 95 % [N].
+
+    smooth : whether no impact lies within the window of the derivatives, so that they are those of
+    one foot. Elsewhere they are what the jump of the rate leaves of itself in the window.
+    """
+
+    time: np.ndarray
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    horizontal_half_width: np.ndarray
+    vertical_half_width: np.ndarray
+    smooth: np.ndarray
+
+
+def support_forces_of_record(
+    record: MeasuredRecord,
+    *,
+    mass: float,
+    alpha: float,
+    radius: float,
+    window: float,
+    channel: str = "theta",
+    degree: int = 4,
+    gravity: float = STANDARD_GRAVITY,
+    ground_acceleration: str | None = None,
+) -> SupportForces:
+    """Forces on a block from its recorded rotation, by differentiation; thesis 3-8 and 3-9.
+
+    record : as measured, the channel a rotation [rad]; window [s] and degree of the derivatives, as
+    in `MeasuredRecord.with_derivatives`. mass [kg], alpha [rad], radius [m] of the block; gravity
+    [m/s2]. ground_acceleration : channel that has it [m/s2]; still ground if not given.
+    The half-widths are those of the record's noise, carried through the derivatives. What the
+    polynomial cannot follow of the motion comes on top: a window of a third of the shortest
+    half-cycle of interest or less keeps it small.
+    """
+    where = "support_forces_of_record"
+    positive(where, mass=mass, window=window)
+    known = record.with_derivatives(channel, window, degree)
+    theta, rate, second = (known[channel + end] for end in ("", "_dot", "_ddot"))
+    sigma = [known.noise[channel + end].level for end in ("", "_dot", "_ddot")]
+    side = np.where(theta >= 0, 1.0, -1.0)
+    ground = np.zeros_like(theta) if ground_acceleration is None else record[ground_acceleration]
+
+    def forces(x: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
+        # a rotation that noise takes past upright still belongs to its foot
+        return np.array(
+            block_reactions(
+                side * np.maximum(side * x, 0.0), v, a, mass=mass, alpha=alpha, radius=radius,
+                ground_acceleration=ground, gravity=gravity, side=side,
+            )
+        )  # fmt: skip
+
+    found = forces(theta, rate, second)
+    # a straight window is symmetric: errors of the rate and of the second derivative are
+    # uncorrelated; that of the rotation counts for next to nothing
+    steps = np.diag(np.where(np.array(sigma) > 0, sigma, 1e-9))
+    changes = [forces(theta + h[0], rate + h[1], second + h[2]) - found for h in steps]
+    half_widths = COVERED * np.sqrt(sum(np.square(c) for c in changes))
+    crossings = np.flatnonzero(side[1:] != side[:-1])
+    reach = round(window / record.step / 2) + 1
+    smooth = np.ones(len(theta), dtype=bool)
+    for k in crossings:
+        smooth[max(k - reach, 0) : k + reach + 2] = False
+    edge = reach - 1  # there the polynomial is one-sided, and noisier than stated
+    smooth[:edge] = smooth[len(smooth) - edge :] = False
+    (h, v), (h_width, v_width) = found, half_widths
+    return SupportForces(record.time, h, v, h_width, v_width, smooth)
+
+
+class ImpactForces(NamedTuple):
+    """What a record shows of the force of each impact, (n,) each; see `impact_forces_of_record`.
+
+    time [s]; speed : rate of rotation before it [rad/s], positive where the right foot lands;
+    horizontal, vertical : the largest about the impact, by size [N]; of both, magnitude [N], and
+    angle from the vertical [rad]. baseline_horizontal, baseline_vertical : of the block just before
+    (3-11, 3-12) [N]. expected_horizontal, expected_vertical : what a jump of the rate without
+    duration would leave in the window, over the baseline [N].
+    """
+
+    time: np.ndarray
+    speed: np.ndarray
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    magnitude: np.ndarray
+    angle: np.ndarray
+    baseline_horizontal: np.ndarray
+    baseline_vertical: np.ndarray
+    expected_horizontal: np.ndarray
+    expected_vertical: np.ndarray
+
+
+def impact_forces_of_record(
+    record: MeasuredRecord,
+    *,
+    mass: float,
+    alpha: float,
+    radius: float,
+    window: float,
+    channel: str = "theta",
+    degree: int = 4,
+    gravity: float = STANDARD_GRAVITY,
+    radius_ratio: float = 0.75,
+) -> ImpactForces:
+    """The largest forces about each impact of a free block; thesis Figures 3-15 and 3-16.
+
+    Arguments as in `support_forces_of_record`; radius_ratio : m R**2/I_o, for the baseline.
+
+    They are no impact forces but lower bounds of them. An impact changes the rate by dv within less
+    than a sample, and the derivative spreads that over its window: an acceleration of dv times
+    `kink_gain`, whatever the force was. Half the window, and it doubles. Of the vertical impulse,
+    m R sin(alpha) (1 + e) v, a record of the rotation alone shows the part 1 - e: the other, by
+    which the centroid is thrown from falling into rising, is in no derivative of the rotation.
+    The expected values are those of such a jump; what a record has beyond them may be the impact's.
+    """
+    found = support_forces_of_record(
+        record, mass=mass, alpha=alpha, radius=radius, window=window, channel=channel,
+        degree=degree, gravity=gravity,
+    )  # fmt: skip
+    crossings, before, after = _rates_at_crossings(record, channel).T
+    side = -np.sign(before)  # of the foot it stands on before
+    shape: dict[str, Any] = {"mass": mass, "alpha": alpha, "radius": radius, "gravity": gravity}
+    horizontal, vertical = np.empty(len(before)), np.empty(len(before))
+    for n, instant in enumerate(crossings):
+        near = np.abs(record.time - instant) <= window / 2
+        h, v = found.horizontal[near], found.vertical[near]
+        horizontal[n], vertical[n] = h[np.argmax(np.abs(h))], v[np.argmax(np.abs(v))]
+    base_h, base_v = block_reactions_at_impact(before, side, radius_ratio=radius_ratio, **shape)
+    spike = np.abs(after - before) * kink_gain(record.step, window, degree) * mass * radius
+    return ImpactForces(
+        time=crossings,
+        speed=before,
+        horizontal=horizontal,
+        vertical=vertical,
+        magnitude=np.hypot(horizontal, vertical),
+        angle=np.arctan2(np.abs(horizontal), vertical),
+        baseline_horizontal=base_h,
+        baseline_vertical=base_v,
+        expected_horizontal=spike * np.cos(alpha),
+        expected_vertical=spike * np.sin(alpha),
+    )
+
+
+def kink_gain(step: float, window: float, degree: int = 4) -> float:
+    """Largest second derivative that a jump of the rate by 1 leaves at the bend [1/s].
+
+    step between samples [s]; window [s] and degree as in `MeasuredRecord.with_derivatives`.
+    It is that of a bend that lies at a sample or between two, whichever shows more.
+    """
+    where = "kink_gain"
+    positive(where, step=step, window=window)
+    not_negative(where, degree=degree)
+    n = 4 * (round(window / step) + 2)
+    found = 0.0
+    for place in np.linspace(0.0, 1.0, 9):
+        t = step * (np.arange(2 * n + 1) - n - place)
+        bend = MeasuredRecord(t, {"x": np.maximum(t, 0.0)}, {"x": 0.0})
+        found = max(found, float(np.max(bend.with_derivatives("x", window, degree)["x_ddot"])))
+    return found
+
+
+def _rates_at_crossings(record: MeasuredRecord, channel: str) -> np.ndarray:
+    """(n, 3) of each crossing: its time, and the rate just before and just after it.
+
+    Each rate is that of the cubic through the half of the way to the next peak of its side.
+    """
+    t, x = record.time, record[channel]
+    at = record.free_vibration(channel).time
+    found = []
+    for peak, instant, next_peak in zip(at[:-2:2], at[1:-1:2], at[2::2], strict=True):
+        rates = []
+        for start, end in (
+            (instant - (instant - peak) / 2, instant),
+            (instant, instant + (next_peak - instant) / 2),
+        ):
+            near = (t > start) & (t < end)
+            enough = near.sum() >= 6
+            rates.append(np.polyfit(t[near] - instant, x[near], 3)[2] if enough else np.nan)
+        found.append((instant, *rates))
+    rows = np.array(found).reshape(-1, 3)
+    return rows[np.isfinite(rows).all(axis=1)]

@@ -1,0 +1,92 @@
+"""Peaks of a noisy trace by the thesis's window score, and by SciPy's peak finder; section 3.2."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import numbers, positive
+from rockeom.analysis.records import MeasuredRecord
+
+
+class PointsOfInterest(NamedTuple):
+    """Samples that a finder takes for peaks, and the times of the crossings between them [s]."""
+
+    peaks: np.ndarray
+    crossings: np.ndarray
+
+
+def importance_scores(values: ArrayLike, window: int) -> np.ndarray:
+    """How often each sample is the largest or the smallest of a window that slides over a trace.
+
+    values (n,); window : samples in it. Returns (n,) whole numbers. On a slope the samples take
+    turns and have about one each; a peak is that of all windows that pass over it. Each window
+    gives one point to its largest sample and one to its smallest, to the first of equal ones.
+    Source: thesis section 3.2, Figure 3-4; there 500 samples, half a second.
+    """
+    where = "importance_scores"
+    (x,) = numbers(where, values=values)
+    if x.ndim != 1 or not 3 <= window <= len(x):
+        raise ValueError(
+            f"{where}: window is {window}, values has the shape {x.shape}: give from 3 to n samples"
+        )
+    windows = np.lib.stride_tricks.sliding_window_view(x, int(window))
+    starts = np.arange(len(windows))
+    points = np.concatenate([starts + windows.argmax(axis=1), starts + windows.argmin(axis=1)])
+    return np.bincount(points, minlength=len(x))
+
+
+def points_by_score(
+    record: MeasuredRecord, channel: str, window: float = 0.5, threshold: float = 0.5
+) -> PointsOfInterest:
+    """Peaks by `importance_scores`, as thesis section 3.2 finds them.
+
+    window [s]; threshold : the score from which a sample is a peak, as a part of the window: the
+    user's choice in the thesis. A half-cycle that is shorter than threshold times the window is
+    hidden by its higher neighbours: small rocking is fast, and ends unseen.
+    """
+    (width,) = positive("points_by_score", window=window)
+    (part,) = positive("points_by_score", threshold=threshold)
+    samples = round(float(width) / record.step)
+    scores = importance_scores(record[channel], samples)
+    peaks = np.flatnonzero(scores > part * samples)
+    return PointsOfInterest(peaks, _crossings(record, channel, peaks))
+
+
+def points_by_prominence(
+    record: MeasuredRecord, channel: str, prominence: float | None = None
+) -> PointsOfInterest:
+    """Peaks of both sides by scipy.signal.find_peaks.
+
+    record and channel : the trace; prominence : how far it falls on both sides of a peak before it
+    rises above it, in the unit of the channel; ten standard deviations of its noise if not given.
+    No window hides short half-cycles; a flat, noisy start, held by hand, is no peak to it.
+    """
+    from scipy.signal import find_peaks
+
+    x = record[channel]
+    if prominence is None:
+        prominence = 10 * record.noise[channel].level
+    (least,) = positive("points_by_prominence", prominence=prominence)
+    both = [find_peaks(s * x, height=0.0, prominence=float(least))[0] for s in (1, -1)]
+    peaks = np.sort(np.concatenate(both))
+    return PointsOfInterest(peaks, _crossings(record, channel, peaks))
+
+
+def _crossings(record: MeasuredRecord, channel: str, peaks: np.ndarray) -> np.ndarray:
+    """Times at which a channel is zero, straight between samples, between peaks of both sides.
+
+    Of several, which noise makes, the middle one.
+    """
+    t, x = record.time, record[channel]
+    found = []
+    for i, j in pairwise(peaks.tolist()):
+        if x[i] * x[j] >= 0:
+            continue
+        changes = i + np.flatnonzero(x[i:j] * x[i + 1 : j + 1] <= 0)
+        k = changes[len(changes) // 2]
+        found.append(t[k] - x[k] * (t[k + 1] - t[k]) / (x[k + 1] - x[k]))
+    return np.array(found)
