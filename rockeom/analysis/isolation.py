@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(5)
-"""Of the quadrature within a step: exact for the steps, polynomials of degree 7, under a straight law of the ground."""
+"""Of the quadrature within a step, a polynomial of degree 7, under a straight law of the ground."""
 
 
 class Demands(NamedTuple):

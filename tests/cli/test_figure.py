@@ -115,7 +115,7 @@ def test_free_vibrations_follow_the_measured_one(number):
 )
 @pytest.mark.filterwarnings("error")
 def test_peaks_under_sylmar_are_those_of_single_simulations(monkeypatch):
-    """4-71: 36 % of 201 energy ratios reach the peak of 0.852; here three of them."""
+    """4-71: a third of the energy ratios reach the peak of 0.852; here three of them."""
     monkeypatch.setattr(chapter_4_wall, "RATIOS", 3)
     drawn = FIGURES["4-71"].drawn()
     (peaks, *_), *_ = (ax.lines for ax in drawn.figure.axes)

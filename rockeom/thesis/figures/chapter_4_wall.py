@@ -27,7 +27,7 @@ GAUGE = 0.030
 
 CORNER = analysis.RotationCentre(C1=WALL.half_width, C2=0.0, epsilon=WALL.rotation_centre.epsilon)
 """The path of 4-37, which ends at the edge."""
-RATIOS = 201
+RATIOS = 101
 """How many r Figure 4-71 has."""
 
 
@@ -662,7 +662,7 @@ def time_scale_of_run_4() -> Statement:
         for scale, record in as_of.items()
     }
     speeds = {
-        scale: float(np.abs(np.cumsum(record.samples)).max() * (record.dt or 0.0))
+        scale: float(np.abs(np.cumsum(record.sampled(1e-3)[1])).max() * 1e-3)
         for scale, record in as_of.items()
     }
     return Statement(
