@@ -39,7 +39,7 @@ class FixedBase(Structure):
         if not self.rocking.rocks_on_rigid_ground:
             raise ValueError(
                 f"{self.rocking.model} has no full contact on rigid ground, in which its feet "
-                "could be held: take a FlexibleStructure, or one of your own with full contact"
+                "could be held: take a FlexibleStructure, a FlexibleControlledWall or one of your own"
             )
         if not self._free.any():
             raise ValueError(
