@@ -39,7 +39,8 @@ class FixedBase(Structure):
         if not self.rocking.rocks_on_rigid_ground:
             raise ValueError(
                 f"{self.rocking.model} has no full contact on rigid ground, in which its feet "
-                "could be held: take a FlexibleStructure, a FlexibleControlledWall or one of your own"
+                "could be held: take a FlexibleStructure, a FlexibleControlledWall or a structure "
+                "of your own"
             )
         if not self._free.any():
             raise ValueError(

@@ -314,12 +314,14 @@ def figure_5_28() -> Figure:
             fb.spring(ax, (x, 0.0), top, 0.06)
             if force:
                 name = "$f_L$" if x < 0 else "$f_R$"
-                fb.arrow(ax, (foot[0], foot[1] - 0.42 * force - 0.05), (foot[0], foot[1]), name,
+                fb.arrow(ax, (foot[0], foot[1] - 0.36 * force - 0.14), (foot[0], foot[1]), name,
                          label_at="tail", offset=(0, -8))  # fmt: skip
         fb.mass(ax, axis[1])
         fb.arrow(ax, (axis[1][0] - 0.3, axis[1][1]), (axis[1][0] - 0.03, axis[1][1]), "$P$",
                  label_at="tail", offset=(-8, 0))  # fmt: skip
-        fb.arrow(ax, (axis[1][0], axis[1][1] - 0.04), (axis[1][0], axis[1][1] - 0.34), "$W$",
+        centre = 0.25 * axis[0] + 0.75 * axis[1]  # of both masses
+        fb.centroid(ax, centre)
+        fb.arrow(ax, (centre[0], centre[1] - 0.04), (centre[0], centre[1] - 0.34), "$W$",
                  offset=(9, 0))  # fmt: skip
         fb.line(ax, (axis[0][0], 0.2), (axis[0][0], 0.2 + height))
         fb.pivot(ax, pivot)
