@@ -35,7 +35,7 @@ RUN_3, RUN_4 = (TABLES["5-1"].rows[i][2] for i in (2, 3))  # largest displacemen
 
 
 @cache
-def released(structure: rk.Structure, r: float, duration: float = 2.2) -> Response:
+def released(structure: rk.Structure, r: float, duration: float = 4.0) -> Response:
     """Run 1 by a structure on rigid ground: let go at rest from the first peak of Figure 5-6."""
     start = float(TABLES["Figure 5-6"].rows[0][1] or 0.0) / MM
     theta = float(analysis.rotation_from_displacement(start, *GAUGE))
