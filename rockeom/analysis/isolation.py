@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from rockeom.numeric.response import Response
     from rockeom.numeric.structures import Structure
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
-"""Of the quadrature within a step: exact for polynomials of degree 11."""
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(5)
+"""Of the quadrature within a step, a polynomial of degree 7, under a straight law of the ground."""
 
 
 class Demands(NamedTuple):

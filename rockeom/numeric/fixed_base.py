@@ -39,7 +39,8 @@ class FixedBase(Structure):
         if not self.rocking.rocks_on_rigid_ground:
             raise ValueError(
                 f"{self.rocking.model} has no full contact on rigid ground, in which its feet "
-                "could be held: take a FlexibleStructure, or one of your own with full contact"
+                "could be held: take a FlexibleStructure, a FlexibleControlledWall or a structure "
+                "of your own"
             )
         if not self._free.any():
             raise ValueError(
@@ -98,13 +99,12 @@ class FixedBase(Structure):
     @functools.cached_property
     def _free(self) -> np.ndarray:
         """(N,) whether a state may differ from zero in full contact."""
-        m = self.rocking.module
+        p = self.rocking.vector
+        m = self.rocking.module_for(p)
         n = m.N_STATES // 2
-        rates = np.zeros(m.N_STATES)
-        m.rates(
-            m.CONTACTS.index(FULL_CONTACT), np.repeat([0.0, 1.0], n), self.rocking.vector,
-            0.0, 0.0, rates,
-        )  # fmt: skip
+        rates = np.zeros(m.N_STATES, p.dtype)
+        moving = np.repeat([0.0, 1.0], n)
+        m.rates(m.CONTACTS.index(FULL_CONTACT), moving, p, 0.0, 0.0, rates)
         return np.tile(rates[:n] != 0.0, 2)
 
     @functools.cached_property

@@ -75,3 +75,10 @@ def test_figure_of_a_record_that_is_not_installed_says_what_to_install(monkeypat
     shaken.column_run.cache_clear()
     with pytest.raises(rk.MotionError, match=r"rockeom\[records\]"):
         FIGURES["5-24"]()
+
+
+@needs_records
+def test_component_164_of_pacoima_dam_comes_nearest_to_the_measured_displacement():
+    """37.7 mm in run 4; N76W as named gives 14 mm, the nearest recorded component 17 mm."""
+    said = rigid.direction_of_pacoima().found
+    assert "164 degrees 33.4 mm, 254 degrees 17.3 mm, 284 degrees 14.1 mm" in said
