@@ -238,7 +238,9 @@ class FemaComparison:
 
     def summary(self) -> str:
         """How often each outcome, and how far off the ratios are."""
-        text = [f"{len(self.motions)} motions; integrated: {self.overturned.sum()} overturned"]
+        number = len(self.motions)
+        plural = "" if number == 1 else "s"
+        text = [f"{number} motion{plural}; integrated: {self.overturned.sum()} overturned"]
         for name, estimates, ratio in (
             ("2-15", self.fema, self.ratio),
             ("2-16", self.priestley, self.ratio_2_16),

@@ -296,7 +296,6 @@ def figure_4_70() -> Drawn:
     places = np.arange(len(peaks))[::-1]
     right.barh(places, list(peaks.values()), color=style.LINES[5], height=0.6)
     right.axvline(-MEASURED_PEAK * MM, color=style.INK, lw=0.8, ls=":")
-    right.plot([], [])
     right.set_yticks(places, list(peaks))
     right.set_xlabel(r"largest $|\Delta|$ [mm]")
     return Drawn(
