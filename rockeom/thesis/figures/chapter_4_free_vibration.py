@@ -326,8 +326,8 @@ def figure_4_15() -> Drawn:
         (
             Statement(
                 "4.5.1", "the force rises slowly, and steeply from some 2 mm on",
-                f"{small} kN/mm below 2 mm ({bounds[0]}), {large} from 2 to 8 mm ({bounds[1]}); but "
-                "the wall slid, so that the zero of the gauge is not upright",
+                f"{small} kN/mm below 2 mm ({bounds[0]}), {large} from 2 to 8 mm ({bounds[1]}); "
+                "but the wall slid, so that the zero of the gauge is not upright",
                 bool(slopes[1].interval("k")[0] > slopes[0].values["k"]),
             ),
         ),
