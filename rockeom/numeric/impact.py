@@ -76,7 +76,7 @@ class EnergyRatio(TabledLaw):
 
     r : of all impacts; or left and right : of those on each foot, the one that *lands*. The left
         foot lands where the structure, leaning to the right, comes back upright: the rotation was
-        positive, its rate is negative. Thesis section 3.2.3 calls that an impact on the left edge.
+        positive, its rate is negative. Thesis section 3.2.4 calls that an impact on the left edge.
 
         rk.EnergyRatio(0.88)
         rk.EnergyRatio(left=0.83, right=0.93)

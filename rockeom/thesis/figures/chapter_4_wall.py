@@ -316,7 +316,7 @@ def figure_4_24() -> Drawn:
         figure,
         (
             Statement(
-                "4.6", "R2 = 0.911 of 4-17",
+                "4.7", "R2 = 0.911 of 4-17",
                 f"R2 = {found[0]:.3f} with 13 215 kg m2, {found[1]:.3f} with 12 101 kg m2, of all "
                 f"22 quarters; {clear[0]:.3f} and {clear[1]:.3f} of the {len(starts)} legible",
                 bool(abs(found[0] - 0.911) < 2e-3),
