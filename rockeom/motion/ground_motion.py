@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike
 
 from rockeom.arguments import number, numbers, told
 from rockeom.many import Many, isfinite
-from rockeom.motion import library
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
@@ -327,7 +326,7 @@ class GroundMotion:
         >>> GroundMotion.from_library("El Centro 1940 180").duration
         53.71
         """
-        return _from_record(*library.find(words).read())
+        return _from_record(*_library().find(words).read())
 
     @classmethod
     def library(cls, words: str = "") -> tuple[str, ...]:
@@ -341,7 +340,7 @@ class GroundMotion:
         >>> len([GroundMotion.from_library(name) for name in GroundMotion.library("far field")])
         44
         """
-        return library.names(words)
+        return _library().names(words)
 
     # -- what it is
 
@@ -559,6 +558,13 @@ def _readers() -> ModuleType:
     from rockeom.motion import readers
 
     return readers
+
+
+def _library() -> ModuleType:
+    """As `_readers`, for records that packages carry."""
+    from rockeom.motion import library
+
+    return library
 
 
 def _from_record(a: np.ndarray, dt: float, name: str, source: str) -> GroundMotion:

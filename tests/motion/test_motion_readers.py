@@ -500,10 +500,10 @@ def test_time_to_read_is_in_proportion_to_the_length_of_a_line(tmp_path, line):
 
     def seconds(n):
         path = write(tmp_path, "r.csv", f"{line(n)}\n{line(n)}\n")
-        start = time.perf_counter()
+        start = time.process_time()
         for reader in (GroundMotion.read, GroundMotion.from_at2, GroundMotion.from_columns):
             assert len(refusal(reader, path) or "") < 1000
-        return time.perf_counter() - start
+        return time.process_time() - start
 
     short, long = (min(seconds(n) for _ in range(3)) for n in (10_000, 40_000))
     assert long < 9 * short + 0.02
@@ -513,9 +513,9 @@ def test_time_to_read_is_in_proportion_to_the_number_of_lines(tmp_path):
     def seconds(n):
         content = columns(0.01 * np.arange(n), np.zeros(n))
         path = write(tmp_path, "r.txt", content)
-        start = time.perf_counter()
+        start = time.process_time()
         GroundMotion.read(path, units="g")
-        return time.perf_counter() - start
+        return time.process_time() - start
 
     short, long = (min(seconds(n) for _ in range(3)) for n in (5_000, 20_000))
     assert long < 9 * short
@@ -525,11 +525,11 @@ def test_table_of_many_columns_is_refused_at_once(tmp_path):
     """Fifty lines of 2000 numbers with commas took 50 s."""
     rows = (",".join(f"{row + 0.1 * n:.2f}" for n in range(2000)) for row in range(50))
     path = write(tmp_path, "wide.csv", "\n".join(rows))
-    start = time.perf_counter()
+    start = time.process_time()
     with pytest.raises(MotionError, match=r"wide\.csv, line 1: 2000 columns .*from_csv"):
         GroundMotion.read(path, units="g")
     motion = GroundMotion.from_csv(path, time_column=0, acceleration_column=1999, units="gal")
-    assert time.perf_counter() - start < 5.0
+    assert time.process_time() - start < 5.0
     assert motion.samples == pytest.approx((np.arange(50) + 199.9) / 100)
 
 
