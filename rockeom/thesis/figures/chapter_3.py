@@ -73,24 +73,14 @@ def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
 # --- records in kind
 
 
-def rocking(
-    structure: rk.Structure, release: float, ratios: tuple[tuple[str, float], ...], duration: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(t, theta, rate) of a free decay whose r is that of the foot that lands, RATE a second."""
-    of = dict(ratios)
-    t = np.arange(round(duration * RATE)) / RATE
-    theta, rate = np.zeros_like(t), np.zeros_like(t)
-    start, state = 0.0, {"theta": release}
-    while start < duration and abs(state.get("theta_dot", 1.0)) > 1e-3:  # then it is at rest
-        run = rk.simulate(structure, rk.GroundMotion.none(3.0), initial=state)
-        hit = run.impacts[0]
-        inside = (t >= start) & (t < start + hit.time)
-        found = run.at(t[inside] - start, side="left")
-        theta[inside], rate[inside] = found["theta"], found["theta_dot"]
-        speed = hit.before["theta_dot"]
-        state = {"theta_dot": speed * np.sqrt(of["right" if speed > 0 else "left"])}
-        start += hit.time
-    return t, theta, rate
+def rocking(structure: rk.Structure, release: float, duration: float) -> rk.Response:
+    """A free decay from a release [rad] whose r is that of the foot that lands."""
+    return rk.simulate(
+        structure,
+        rk.GroundMotion.none(duration),
+        impact=rk.EnergyRatio(**feet()),
+        initial={"theta": release},
+    )
 
 
 @cache
@@ -126,7 +116,8 @@ def on_spring() -> rk.Structure:
 def record(release: float = 7.876, seed: int = 0, spring: bool = False) -> analysis.MeasuredRecord:
     """A simulated record in kind: five seconds from a release [deg], with its noise."""
     structure = on_spring() if spring else BLOCK
-    t, theta, _ = rocking(structure, np.radians(release), tuple(feet().items()), 5.0)
+    t = np.arange(5 * RATE) / RATE
+    theta = rocking(structure, float(np.radians(release)), 5.0).at(t)["theta"]
     noise = np.random.default_rng(seed).normal(0.0, NOISE, len(t))
     return analysis.MeasuredRecord(t, {"theta": theta + noise}, {"theta": NOISE})
 
@@ -153,7 +144,7 @@ def figure_3_3() -> Drawn:
     of the test was let go some 0.07 s after time 0, which is put in here.
     """
     time, rotation = points()
-    t, theta, _ = rocking(BLOCK, rotation[0], tuple(feet().items()), 3.2)
+    run = rocking(BLOCK, float(rotation[0]), 3.2)
     late = time[1] - analysis.exact_quarter_period(
         rotation[0], BLOCK.alpha, BLOCK.frequency_parameter
     )
@@ -161,7 +152,8 @@ def figure_3_3() -> Drawn:
     ax = figure.add_subplot()
     left, right = (feet()[f] for f in ("left", "right"))
     label = f"simulated, r = {left:.2f} and {right:.2f} (left, right foot lands)"
-    ax.plot(np.append(0.0, t + late), np.degrees(np.append(rotation[0], theta)), label=label)
+    held = np.append(rotation[0], run["theta"])
+    ax.plot(np.append(0.0, run.t + late), np.degrees(held), label=label)
     mark_points(ax)
     ax.set_xlim(0, 3.2)
     ax.set_xlabel("time [s]")
