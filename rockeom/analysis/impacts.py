@@ -350,7 +350,7 @@ class Impacts:
             mean = float(weights @ r)
             if n == 1 or np.sum(((r - mean) / sigma) ** 2) <= chi2.ppf(0.99, n - 1):
                 return Mean(mean, float(COVERED * np.sqrt(weights**2 @ sigma**2)), scatter, n)
-        half_width = float(t.ppf(0.975, n - 1)) * scatter / np.sqrt(n) if n > 1 else np.inf
+        half_width = float(t.ppf(0.975, n - 1) * scatter / np.sqrt(n)) if n > 1 else np.inf
         return Mean(float(np.mean(r)), half_width, scatter, n)
 
     def cumulative(self) -> tuple[np.ndarray, np.ndarray]:

@@ -20,26 +20,21 @@ BY_FOOT = {"left": 0.76, "right": 0.93}  # about those of Figure 3-19
 
 
 @functools.cache
-def rocking(left, right):
+def rocking():
     """(t, theta, rate) at 500 samples a second, 5 s, with a ratio for each foot that lands."""
-    ratio = {"left": left, "right": right}
+    run = rk.simulate(
+        BLOCK,
+        rk.GroundMotion.none(5.0),
+        initial={"theta": RELEASE},
+        impact=rk.EnergyRatio(**BY_FOOT),
+    )
     t = np.arange(2500) * 0.002
-    theta, rate = np.zeros_like(t), np.zeros_like(t)
-    start, state = 0.0, {"theta": RELEASE}
-    while start < t[-1]:
-        run = rk.simulate(BLOCK, rk.GroundMotion.none(2.0), initial=state)
-        hit = run.impacts[0]
-        inside = (t >= start) & (t < start + hit.time)
-        found = run.at(t[inside] - start, side="left")
-        theta[inside], rate[inside] = found["theta"], found["theta_dot"]
-        speed = hit.before["theta_dot"]
-        state = {"theta_dot": speed * np.sqrt(ratio["right" if speed > 0 else "left"])}
-        start += hit.time
-    return t, theta, rate
+    found = run.at(t, side="left")
+    return t, found["theta"], found["theta_dot"]
 
 
-def noisy(sigma, seed=0, left=0.76, right=0.93):
-    t, theta, _ = rocking(left, right)
+def noisy(sigma, seed=0):
+    t, theta, _ = rocking()
     noise = np.random.default_rng(seed).normal(0.0, sigma, len(t)) if sigma else 0.0
     return analysis.MeasuredRecord(t, {"theta": theta + noise})
 
@@ -241,7 +236,7 @@ def test_fit_of_the_energy_loss_recovers_3_17():
 def test_energy_of_a_record_is_constant_between_impacts():
     record = noisy(np.radians(0.01)).with_derivatives("theta", 0.06)
     energies = analysis.record_energies(record, BLOCK)
-    _, theta, rate = rocking(0.76, 0.93)
+    _, theta, rate = rocking()
     exact = (
         analysis.gravitational_energy(theta, **SHAPE)
         + 0.5 * BLOCK.mass * (4 / 3 * BLOCK.radius**2) * rate**2
@@ -298,7 +293,7 @@ def test_hypothetical_spring_is_fitted():
 def test_support_forces_meet_the_derived_reactions_within_the_stated_noise(window):
     record = noisy(np.radians(0.01), seed=1)
     found = analysis.support_forces_of_record(record, window=window, **SHAPE)
-    _, theta, rate = rocking(0.76, 0.93)
+    _, theta, rate = rocking()
     rows = np.flatnonzero(found.smooth & (record.time < 4))[::3]
     derived = [BLOCK.reactions({"theta": theta[i], "theta_dot": rate[i]}) for i in rows]
     horizontal = np.array([one["horizontal_reaction"] for one in derived])

@@ -52,8 +52,6 @@ NOT_DRAWN: dict[str, str] = {
     "3-2": "a drawing of the steel mechanism",
     "3-11": "a diagram of forces: the notebook on Housner's block has one",
     "3-12": f"{_TRACES}; 3-13 has the simulated block",
-    "3-15": f"{_TRACES}; `impact_forces_of_record` finds such forces in a record",
-    "3-16": f"{_TRACES}; `impact_forces_of_record` finds such forces in a record",
     "3-18": f"{_TRACES}; `Impacts` finds r in a record",
     "3-19": f"{_TRACES}; `Impacts.histogram` counts",
     "3-20": f"{_TRACES}; `Impacts.cumulative` sums",
