@@ -373,6 +373,7 @@ def figure_3_7() -> Drawn:
         if not ax.get_subplotspec().colspan.start:
             ax.set_ylabel(r"rate $\dot\theta$ [rad/s]")
     printed = np.abs(measured_impacts().speed[:2])
+    again = record().velocities_by_resampling("theta", 0.05)
     return Drawn(
         figure,
         (
@@ -385,6 +386,13 @@ def figure_3_7() -> Drawn:
                 f"{speeds[0.88 * PRINTED_HOUSNER][1]:.3f} with 0.88 of it; measured speeds are "
                 "not printed",
                 None,
+            ),
+            Statement(
+                "section 3.2.2",
+                "filtering, up- and down-sampling all resulted in more or less the same velocity",
+                f"in kind: the rate at half and twice the sampling is off by {again.spread:.4f} "
+                f"rad/s (standard deviation), its noise being {again.noise:.4f} rad/s",
+                bool(again.spread < 1.5 * again.noise),
             ),
         ),
     )
