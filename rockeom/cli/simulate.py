@@ -48,6 +48,7 @@ impact laws:
   angular-momentum     conserved about the new pivot, the structure taken as rigid; if not given
   impulsive            the exact law, also for a flexible structure
   energy-ratio=R       kinetic energies after and before, between 0 and 1
+  energy-ratio=R,R     of impacts of the left foot and of the right one
   velocity-ratio=E     rates of rotation after and before, between 0 and 1; E squared is R
 
 examples:
@@ -226,7 +227,11 @@ def impact_law(text: str | None) -> ImpactLaw | None:
     }
     if text in plain:
         return plain[text]
-    name, sign, _ = text.partition("=")
+    name, sign, value = text.partition("=")
+    if name == "energy-ratio" and "," in value:
+        left, right = value.split(",", 1)
+        feet = numbers([f"left={left}", f"right={right}"], "--impact", "energy-ratio=0.77,0.93")
+        return EnergyRatio(**feet)
     if name in ratios and sign:
         return ratios[name](numbers([text], "--impact", f"{name}=0.8")[name])
     raise UsageError(

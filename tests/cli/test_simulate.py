@@ -184,6 +184,7 @@ def test_every_pulse_is_explained(capsys):
         ("angular-momentum", rk.AngularMomentum()),
         ("impulsive", rk.Impulsive()),
         ("energy-ratio=0.74", rk.EnergyRatio(0.74)),
+        ("energy-ratio=0.77,0.93", rk.EnergyRatio(left=0.77, right=0.93)),
         ("velocity-ratio=0.86", rk.VelocityRatio(0.86)),
         (None, None),
     ],
