@@ -141,6 +141,11 @@ class Record:
             return SMOOTH
         return NARROW if self.program.NARROW else SLACK
 
+    @property
+    def closed_gap(self) -> float:
+        """By how much feet may miss the ground, as the loop has it (CLOSED_GAP)."""
+        return 1e-12 * self.motion.structure.overturning_rotation
+
     def error(self, y: np.ndarray) -> np.ndarray:
         """(n, N) what each of the states y (n, N) may be wrong by."""
         o = self.motion.options
@@ -267,7 +272,8 @@ def passages(r: Record) -> Found:
         return f"at {r.times[i]:.9g} s from {names[r.sources[i]]} to {names[r.targets[i]]}"
 
     impact, rest = r.kinds == IMPACT, r.kinds == REST
-    for i in np.flatnonzero(impact & (np.abs(r.before[:, rotation]) > error[:, rotation]))[:1]:
+    room = np.maximum(error[:, rotation], r.closed_gap)
+    for i in np.flatnonzero(impact & (np.abs(r.before[:, rotation]) > room))[:1]:
         yield f"impact {told(i)}: the gap is {r.before[i, rotation]:.6g}, not closed"
     closing = sides[r.sources] * r.before[:, rate]
     # where a gap closes at its turning point, what it may be wrong by makes a speed
@@ -325,7 +331,10 @@ def guarded(r: Record) -> Found:
             continue
         y, gx, gy, g = y[doubtful], gx[doubtful], gy[doubtful], g[:, doubtful]
         room = 1e-12 * np.abs(g)
-        for i, step in enumerate(r.error(y).T):
+        wrong = r.error(y)
+        rotation = r.program.ROTATION
+        wrong[:, rotation] = np.maximum(wrong[:, rotation], r.closed_gap)
+        for i, step in enumerate(wrong.T):
             moved = y.copy()
             moved[:, i] += step
             room += np.abs(r.physics.guards(c, moved.T, r.p, gx, gy) - g)
