@@ -19,7 +19,7 @@ from rockeom.codegen import module_text
 from rockeom.numeric import program as programs
 from rockeom.numeric.program import load_text, program
 from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
-from rockeom.symbolic.rigid_block import GRAVITY, ROTATION, rigid_block
+from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION, rigid_block
 
 ROOT = Path(__file__).resolve().parents[2]
 
