@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from rockeom.codegen.module import module_text
@@ -28,8 +28,8 @@ SHIPPED = {{
 '''
 
 
-def expected_files() -> Iterator[tuple[str, str]]:
-    """(file name, text) of all that stands in `generated/`.
+def expected_files(names: Collection[str] = ()) -> Iterator[tuple[str, str]]:
+    """(file name, text) of all that stands in `generated/`, or what these structures change there.
 
     That is a module and a page a structure, and the list of all. Raises ValueError where a
     structure is not called as the function that declares it.
@@ -37,6 +37,8 @@ def expected_files() -> Iterator[tuple[str, str]]:
     rows = "\n".join(f"    {string(name)}: {string(class_name(name))}," for name in SHIPPED)
     yield INDEX, _INDEX.format(rows=rows)
     for name, build in SHIPPED.items():
+        if names and name not in names:
+            continue
         model = build()
         if model.name != name:
             raise ValueError(
@@ -47,11 +49,11 @@ def expected_files() -> Iterator[tuple[str, str]]:
         yield f"{name}.md", model.markdown()
 
 
-def write_generated(folder: Path = GENERATED) -> list[Path]:
-    """Write every generated file and return the paths of those that changed."""
+def write_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> list[Path]:
+    """Write every generated file, or those of some structures; the paths of those that changed."""
     folder.mkdir(exist_ok=True)
     changed = []
-    for name, text in expected_files():
+    for name, text in expected_files(names):
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8")
@@ -59,15 +61,13 @@ def write_generated(folder: Path = GENERATED) -> list[Path]:
     return changed
 
 
-def check_generated(folder: Path = GENERATED) -> str:
+def check_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> str:
     """The differences between `generated/` and what the derivation gives, as one diff.
 
     Empty if there are none. Files that nothing generates are differences too.
     """
     diffs: list[str] = []
-    names = set()
-    for name, text in expected_files():
-        names.add(name)
+    for name, text in expected_files(names):
         path = folder / name
         found = path.read_text(encoding="utf-8") if path.exists() else ""
         if found != text:
@@ -78,6 +78,6 @@ def check_generated(folder: Path = GENERATED) -> str:
                 f"derived/{name}",
             )
     for path in sorted(folder.glob("*.*")):
-        if path.suffix in {".py", ".md"} and path.name not in names:
+        if path.suffix in {".py", ".md"} and path.name != INDEX and path.stem not in SHIPPED:
             diffs.append(f"generated/{path.name}: nothing generates this file\n")
     return "".join(diffs)
