@@ -38,7 +38,7 @@ STRUCTURES = {
     "substitute_gravity_wall": "rk.SubstituteGravityWall.thesis()",
     "simplified_substitute_gravity_wall": "rk.SimplifiedSubstituteGravityWall.thesis()",
 }
-"""One of each kind that is shipped; of any other, parameters of one."""
+"""One of each kind that is shipped; of any other, by parameters about 1."""
 for model in SHIPPED:
     STRUCTURES.setdefault(model, f"rk.structure({model!r}, **{plain(model)})")
 

@@ -65,11 +65,12 @@ for wrong in ({"radius": 0.5}, {"mass": -3.0}, {"half_width": 0.05}):
         print(error)
 assert main(["models", "hollow_ring"]) == 0
 assert main([
-    "simulate", "hollow_ring", "--free", "--duration", "2", "--initial", "theta=0.1", "--out",
-    "response", *(w for k, v in ring.parameters().items() for w in ("--set", f"{k}={v}")),
+    "simulate", "hollow_ring", "--free", "--duration", "2", "--initial", "theta=0.1",
+    *(w for k, v in ring.parameters().items() for w in ("--set", f"{k}={v}")),
 ]) == 0
 run = rk.simulate(ring, rk.GroundMotion.none(2.0), initial={"theta": 0.1})
 np.save("theta.npy", run.at(np.linspace(0.0, 2.0, 101))["theta"])
+print(run.summary())
 assert not {"sympy", "rockeom.symbolic", "rockeom.codegen"} & set(sys.modules)
 """
 
@@ -112,6 +113,7 @@ def test_hollow_ring_of_one_new_file_is_derived_generated_and_simulated(tmp_path
     block = rk.RigidBlock(half_width=0.1, half_height=0.5, mass=3.0, inertia=3.0 * 0.5**2)
     run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": 0.1})
     assert len(run.impacts) > 2
+    assert said.count(f" {len(run.impacts)} impacts,") == 2  # on the command line and in Python
     np.testing.assert_allclose(
         np.load(tmp_path / "theta.npy"), run.at(np.linspace(0, 2, 101))["theta"], rtol=0, atol=1e-9
     )

@@ -110,7 +110,9 @@ STRUCTURES = {
 KNOWN = {make(1.0).model for make in STRUCTURES.values()}
 for model in SHIPPED:
     if model not in KNOWN:
-        STRUCTURES[model] = lambda x, name=model: rk.structure(name, **plain(name, lambda: x))
+        STRUCTURES[model] = lambda x, name=model: rk.structure(
+            name, **{parameter: value * x for parameter, value in plain(name).items()}
+        )
 
 
 @pytest.mark.parametrize("name", STRUCTURES)
