@@ -89,7 +89,7 @@ def python(folder: Path, *arguments: str) -> str:
 
 def test_hollow_ring_of_one_new_file_is_derived_generated_and_simulated(tmp_path):
     for name in ("rockeom", "generated"):
-        shutil.copytree(ROOT / name, tmp_path / name)
+        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("*.pyc.*"))
     shutil.copy(ROOT / "pyproject.toml", tmp_path)
     added = tmp_path / "rockeom" / "symbolic" / "structures" / "hollow_ring.py"
     added.write_text(RING, encoding="utf-8")

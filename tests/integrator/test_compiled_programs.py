@@ -74,6 +74,7 @@ def copy_of_the_package(folder):
     """Laid out as in a wheel, with what the models give today for generated module."""
     halfway = shutil.ignore_patterns("*.pyc.*")  # what another process is just writing
     shutil.copytree(ROOT / "rockeom", folder / "rockeom", ignore=halfway)
+    shutil.copy(ROOT / "generated" / "shipped_structures.py", folder / "rockeom" / "generated")
     generate(folder, rigid_block())
     return folder
 
