@@ -310,6 +310,11 @@ class Structure:
 
         return uplift_acceleration(self)
 
+    @property
+    def slenderness(self) -> float | None:
+        """Angle of the line from an edge to the centroid [rad]; None where the class has none."""
+        return getattr(self, "alpha", None)
+
     def hints(self) -> tuple[str, ...]:
         """What about the parameters is allowed and hardly meant, a sentence each."""
         return ()
@@ -1094,6 +1099,7 @@ class DeclaredStructure(Structure):
     """
 
     module: ModuleType  # of the class
+    slenderness = None  # a parameter `alpha` may be anything
 
     def __init__(self, /, *unnamed: Any, **given: Any) -> None:
         known = set(self.module.PARAMETERS)

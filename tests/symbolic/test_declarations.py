@@ -1,6 +1,7 @@
 """What a user declares either works or is an error that names the declaration, item and remedy."""
 
 import ast
+import copy
 import functools
 import types
 from collections.abc import Callable
@@ -534,6 +535,22 @@ def test_what_is_declared_rightly_is_accepted():
 
 
 # --- what a user writes is data
+
+
+def test_parameters_are_attributes_and_take_no_other_s_place():
+    """One called `alpha` is no slenderness of a block, one called `states` no list of states."""
+    called = {"half_width": "alpha", "stiffness": "states", "height": "vector"}
+    names = [replace(p, name=called.get(p.name, p.name)) for p in TOWER.parameters]
+    values = {called.get(name, name): value for name, value in VALUES.items()}
+    made = class_of(module_of(replace(TOWER, parameters=tuple(names))))
+    one = made(**values)
+    assert (one.alpha, one.mass, one.gravity, one.slenderness) == (0.5, 3.0, 9.81, None)
+    assert one.states == TOWER.states
+    assert one.vector[:5].tolist() == [*one.parameters().values()]
+    assert (one == made(**values), one == made(**values | {"mass": 4.0})) == (True, False)
+    assert copy.copy(one) == one
+    with pytest.raises(AttributeError, match="no attribute 'beta'"):
+        _ = one.beta
 
 
 def module_of(model: RockingModel, **globals_) -> types.ModuleType:
