@@ -9,7 +9,9 @@ import tempfile
 from collections.abc import Callable, Iterator
 
 from rockeom.numeric.options import METHODS
+from rockeom.numeric.structures import SHIPPED
 from tests.readme.blocks import declaration
+from tests.shipped import plain
 
 _TWO_MASSES = (
     "mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37, "
@@ -36,7 +38,9 @@ STRUCTURES = {
     "substitute_gravity_wall": "rk.SubstituteGravityWall.thesis()",
     "simplified_substitute_gravity_wall": "rk.SimplifiedSubstituteGravityWall.thesis()",
 }
-"""One of each kind that is shipped."""
+"""One of each kind that is shipped; of any other, by parameters about 1."""
+for model in SHIPPED:
+    STRUCTURES.setdefault(model, f"rk.structure({model!r}, **{plain(model)})")
 
 FRAME = "two-storey frame of the README"
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 
+import docstrings
 import sympy as sp
 
 from rockeom import thesis
@@ -30,6 +31,7 @@ def fill(app, docname: str, source: list[str]) -> None:
     """Replace the places in the text of a page (Sphinx's event ``source-read``)."""
     writers: dict[str, Callable[..., str]] = {
         "overview": overview,
+        "structures": docstrings.structures,
         "equations": equations,
         "symbols": symbols,
         "tables": tables,

@@ -16,6 +16,13 @@ FOREIGN |= {"types", "typing", "enum", "pathlib", "os", "ArrayLike"}
 FOREIGN |= {"Axes", "Figure", "SubFigure", "ModuleType"}  # as annotations name them
 
 
+def structures() -> str:
+    """The lines that show the classes of all shipped structures."""
+    from rockeom.numeric.structures import SHIPPED
+
+    return "\n".join(f".. autoclass:: rockeom.{cls.__name__}" for cls in SHIPPED.values())
+
+
 def process(app, what, name, obj, options, lines) -> None:
     docstring = "\n".join(lines).strip()
     if what == "data" and docstring == (inspect.getdoc(type(obj)) or "").strip():

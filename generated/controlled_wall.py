@@ -30,6 +30,7 @@ Operations before and after common subexpressions were shared:
     statics                 1240   216
     overturning                1     1
     velocity_ratio             0     0
+    sizes                      1     1
     prepare                   99    32
 """
 
@@ -38,9 +39,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d5e89b4743097a48"
+SOURCE_HASH = "474ddff2532673eb"
 
 NAME = "controlled_wall"
+CLASS = "ControlledWall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
 STATE_UNITS = ("rad", "m", "rad/s", "m/s",)
 PARAMETERS = (
@@ -90,6 +92,10 @@ PARAMETER_MEANINGS = (
     "yield force of tendon",
     "place of tendon along the base, from the centreline, positive to the right",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+", "+", "+", "+", "+-", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
 TRANSITIONS = (
@@ -1157,6 +1163,12 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[4]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

@@ -40,6 +40,7 @@ Operations before and after common subexpressions were shared:
     statics                  878   174
     overturning                2     2
     velocity_ratio             0     0
+    sizes                      0     0
     prepare                   32    29
 """
 
@@ -48,9 +49,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "858bd0a96a1b6d8f"
+SOURCE_HASH = "bbd2bef11b5d551a"
 
 NAME = "controlled_wall_oscillator"
+CLASS = "ControlledWallOscillator"
 STATES = (
     "u",
     "permanent_extension",
@@ -138,6 +140,33 @@ PARAMETER_MEANINGS = (
     "slope of the energy ratio in piece 4",
     "acceleration of gravity",
 )
+PARAMETER_SIGNS = (
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+-",
+    "+",
+    "+",
+    "+",
+    "+-",
+    "+",
+    "+",
+    "+-",
+    "+",
+    "+",
+    "+-",
+    "+",
+    "+",
+    "+-",
+    "+",
+)
+SIZES = ()
 CONTACTS = (
     "left",
     "left_inward",
@@ -1586,6 +1615,11 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    pass
 
 
 def prepare(parameters):

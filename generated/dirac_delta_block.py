@@ -18,6 +18,7 @@ Operations before and after common subexpressions were shared:
     statics                   16    14
     overturning                2     2
     velocity_ratio             0     0
+    sizes                      0     0
     prepare                   12    12
 """
 
@@ -26,9 +27,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "543f36879d642fef"
+SOURCE_HASH = "278f8adaf63ac4da"
 
 NAME = "dirac_delta_block"
+CLASS = "DiracDeltaBlock"
 STATES = ("x", "x_dot",)
 STATE_UNITS = ("-", "1/s",)
 PARAMETERS = ("alpha", "energy_ratio", "regularisation",)
@@ -38,6 +40,8 @@ PARAMETER_MEANINGS = (
     "ratio of kinetic energies after and before an impact",
     "width of an impact in x",
 )
+PARAMETER_SIGNS = ("+", "+", "+",)
+SIZES = ()
 CONTACTS = ("left", "left_core", "left_tail", "right", "right_core", "right_tail",)
 TRANSITIONS = (
     ("left", "left_tail", "switch"),
@@ -343,6 +347,11 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    pass
 
 
 def prepare(parameters):

@@ -32,6 +32,7 @@ Operations before and after common subexpressions were shared:
     statics                 1282   282
     overturning                1     1
     velocity_ratio             0     0
+    sizes                      1     1
     prepare                  105    37
 """
 
@@ -40,9 +41,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "b88397996f90de7b"
+SOURCE_HASH = "bca984202c87602c"
 
 NAME = "flexible_controlled_wall"
+CLASS = "FlexibleControlledWall"
 STATES = ("theta", "u", "permanent_extension", "theta_dot", "u_dot", "permanent_extension_dot",)
 STATE_UNITS = ("rad", "m", "m", "rad/s", "m/s", "m/s",)
 PARAMETERS = (
@@ -98,6 +100,27 @@ PARAMETER_MEANINGS = (
     "stiffness of the wall against its deflection",
     "viscous damping coefficient of the deflection",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = (
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+",
+    "+-",
+    "+",
+    "+",
+    "+",
+)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
 TRANSITIONS = (
@@ -1351,6 +1374,12 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[4]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

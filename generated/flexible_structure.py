@@ -27,6 +27,7 @@ Operations before and after common subexpressions were shared:
     statics                   45    35
     overturning                1     1
     velocity_ratio            28    18
+    sizes                      1     1
     prepare                   29    21
 """
 
@@ -35,9 +36,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "56b81bc1971808ba"
+SOURCE_HASH = "43d1db900d8640e3"
 
 NAME = "flexible_structure"
+CLASS = "FlexibleStructure"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
 STATE_UNITS = ("rad", "m", "rad/s", "m/s",)
 PARAMETERS = (
@@ -64,6 +66,10 @@ PARAMETER_MEANINGS = (
     "acceleration of gravity",
     "flexural stiffness of the column",
     "viscous damping coefficient of the column",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (
@@ -547,6 +553,12 @@ def velocity_ratio(p):
     x1 = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[6]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

@@ -25,6 +25,7 @@ Operations before and after common subexpressions were shared:
     statics                   29    24
     overturning                1     1
     velocity_ratio            28    18
+    sizes                      1     1
     prepare                  125    26
 """
 
@@ -33,9 +34,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d5b1980893d241b6"
+SOURCE_HASH = "16c0c15b595c3b1d"
 
 NAME = "lumped_mass_structure"
+CLASS = "LumpedMassStructure"
 STATES = ("theta", "theta_dot",)
 STATE_UNITS = ("rad", "rad/s",)
 PARAMETERS = (
@@ -58,6 +60,10 @@ PARAMETER_MEANINGS = (
     "its moment of inertia about its centroid",
     "half of the distance between the feet",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (
@@ -442,6 +448,12 @@ def velocity_ratio(p):
     x1 = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[6]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

@@ -19,6 +19,7 @@ Operations before and after common subexpressions were shared:
     statics                   30    20
     overturning                2     2
     velocity_ratio             5     5
+    sizes                      5     5
     prepare                    8     8
 """
 
@@ -27,9 +28,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "7e4e45cfc6f9c9c2"
+SOURCE_HASH = "3e54c69570fbe341"
 
 NAME = "nondimensional_block"
+CLASS = "NondimensionalBlock"
 STATES = ("x", "x_dot",)
 STATE_UNITS = ("-", "1/s",)
 PARAMETERS = ("alpha", "radius_ratio",)
@@ -37,6 +39,11 @@ PARAMETER_UNITS = ("rad", "-",)
 PARAMETER_MEANINGS = (
     "angle of the line from edge to centroid",
     "$m R^2/I_o$, 3/4 for a rectangular block",
+)
+PARAMETER_SIGNS = ("+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the moment of inertia of body 'block'", True, ("radius_ratio",), "it must not be negative"),
+    ("the distance of the feet", False, ("alpha", "radius_ratio",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (
@@ -374,6 +381,14 @@ def velocity_ratio(p):
     radius_ratio = p[1]
     value = -2*radius_ratio*math.sin(alpha)**2 + 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    alpha = p[0]
+    radius_ratio = p[1]
+    out[0] = -radius_ratio**2 + radius_ratio
+    out[1] = 2*radius_ratio*math.sin(alpha)
 
 
 def prepare(parameters):

@@ -22,6 +22,7 @@ Operations before and after common subexpressions were shared:
     statics                   18    16
     overturning                1     1
     velocity_ratio            14    10
+    sizes                      1     1
     prepare                   41    13
 """
 
@@ -30,9 +31,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "adeaa79fde637864"
+SOURCE_HASH = "c91373594f6a3bce"
 
 NAME = "rigid_block"
+CLASS = "RigidBlock"
 STATES = ("theta", "theta_dot",)
 STATE_UNITS = ("rad", "rad/s",)
 PARAMETERS = ("mass", "half_width", "height", "inertia", "gravity",)
@@ -43,6 +45,10 @@ PARAMETER_MEANINGS = (
     "height of the centroid above the base",
     "moment of inertia about the centroid",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (
@@ -388,6 +394,12 @@ def velocity_ratio(p):
     x1 = height**2*mass + inertia
     value = -(mass*x0 - x1)/(mass*x0 + x1)
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[1]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

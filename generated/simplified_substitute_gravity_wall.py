@@ -29,6 +29,7 @@ Operations before and after common subexpressions were shared:
     statics                   94    79
     overturning                1     1
     velocity_ratio             6     6
+    sizes                      6     6
     prepare                   21    15
 """
 
@@ -37,9 +38,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "338a5b604c456364"
+SOURCE_HASH = "502040b31f301b23"
 
 NAME = "simplified_substitute_gravity_wall"
+CLASS = "SimplifiedSubstituteGravityWall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
 STATE_UNITS = ("rad", "m", "rad/s", "m/s",)
 PARAMETERS = (
@@ -70,6 +72,11 @@ PARAMETER_MEANINGS = (
     "yield force of tendon",
     "place of tendon along the base, from the centreline, positive to the right",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+", "+", "+-", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the moment of inertia of body 'wall'", True, ("mass", "pivot_inertia", "centroid_height", "half_width",), "it must not be negative"),
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = (
     "left",
@@ -902,6 +909,16 @@ def velocity_ratio(p):
     half_width = p[4]
     value = -(2*half_width**2*mass - pivot_inertia)/pivot_inertia
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    mass = p[0]
+    pivot_inertia = p[1]
+    centroid_height = p[2]
+    half_width = p[4]
+    out[0] = -mass*(centroid_height**2 + half_width**2) + pivot_inertia
+    out[1] = 2*half_width
 
 
 def prepare(parameters):

@@ -22,6 +22,7 @@ Operations before and after common subexpressions were shared:
     statics                   10    10
     overturning                1     1
     velocity_ratio            14    10
+    sizes                      3     3
     prepare                   25    12
 """
 
@@ -30,9 +31,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "03cd4e24268d725e"
+SOURCE_HASH = "36fe18b997034503"
 
 NAME = "slender_block"
+CLASS = "SlenderBlock"
 STATES = ("theta", "theta_dot",)
 STATE_UNITS = ("rad", "rad/s",)
 PARAMETERS = ("mass", "radius", "alpha", "inertia", "gravity",)
@@ -43,6 +45,10 @@ PARAMETER_MEANINGS = (
     "angle of that line from the vertical",
     "moment of inertia about the centroid",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("radius", "alpha",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (
@@ -375,6 +381,13 @@ def velocity_ratio(p):
     x0 = mass*radius**2
     value = (inertia + 2*x0*math.cos(alpha)**2 - x0)/(inertia + x0)
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    radius = p[1]
+    alpha = p[2]
+    out[0] = 2*radius*math.sin(alpha)
 
 
 def prepare(parameters):

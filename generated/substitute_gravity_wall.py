@@ -28,6 +28,7 @@ Operations before and after common subexpressions were shared:
     statics                  174   103
     overturning                1     1
     velocity_ratio             0     0
+    sizes                      1     1
     prepare                   21    15
 """
 
@@ -36,9 +37,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "844324d8f1bba3eb"
+SOURCE_HASH = "c1103cfa21919020"
 
 NAME = "substitute_gravity_wall"
+CLASS = "SubstituteGravityWall"
 STATES = ("theta", "permanent_extension", "theta_dot", "permanent_extension_dot",)
 STATE_UNITS = ("rad", "m", "rad/s", "m/s",)
 PARAMETERS = (
@@ -69,6 +71,10 @@ PARAMETER_MEANINGS = (
     "yield force of tendon",
     "place of tendon along the base, from the centreline, positive to the right",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+", "+", "+-", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
 TRANSITIONS = (
@@ -754,6 +760,12 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[4]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

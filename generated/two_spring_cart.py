@@ -24,6 +24,7 @@ Operations before and after common subexpressions were shared:
     statics                  270    70
     overturning                1     1
     velocity_ratio            28    18
+    sizes                      0     0
     prepare                  264    62
 """
 
@@ -32,9 +33,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "07ea08ad28af8055"
+SOURCE_HASH = "1d38843deacb18f8"
 
 NAME = "two_spring_cart"
+CLASS = "TwoSpringCart"
 STATES = ("u", "u_dot",)
 STATE_UNITS = ("m", "m/s",)
 PARAMETERS = (
@@ -60,6 +62,8 @@ PARAMETER_MEANINGS = (
     "acceleration of gravity",
     "stiffness of each spring",
 )
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+",)
+SIZES = ()
 CONTACTS = ("both_left", "left", "both_right", "right",)
 TRANSITIONS = (
     ("both_left", "both_right", "impact"),
@@ -401,6 +405,11 @@ def velocity_ratio(p):
     x1 = base_height**2*base_mass + base_inertia + height**2*mass + inertia
     value = -(base_mass*x0 + mass*x0 - x1)/(base_mass*x0 + mass*x0 + x1)
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    pass
 
 
 def prepare(parameters):

@@ -25,6 +25,7 @@ Operations before and after common subexpressions were shared:
     statics                   92    74
     overturning                1     1
     velocity_ratio             0     0
+    sizes                      1     1
     prepare                   40    30
 """
 
@@ -33,9 +34,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "b7749bf43336de3d"
+SOURCE_HASH = "6f23aafb73d91241"
 
 NAME = "two_spring_structure"
+CLASS = "TwoSpringStructure"
 STATES = ("theta", "heave", "theta_dot", "heave_dot",)
 STATE_UNITS = ("rad", "m", "rad/s", "m/s",)
 PARAMETERS = (
@@ -62,6 +64,10 @@ PARAMETER_MEANINGS = (
     "acceleration of gravity",
     "stiffness of each spring",
     "damping of each spring",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "flight", "right",)
 TRANSITIONS = (
@@ -701,6 +707,12 @@ def velocity_ratio(p):
     """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
     value = 1
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[6]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

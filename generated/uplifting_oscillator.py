@@ -23,6 +23,7 @@ Operations before and after common subexpressions were shared:
     statics                    9     9
     overturning                1     1
     velocity_ratio             8     8
+    sizes                      1     1
     prepare                  209    54
 """
 
@@ -31,9 +32,10 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "76b9d049e58d8317"
+SOURCE_HASH = "c67b079406dfb16b"
 
 NAME = "uplifting_oscillator"
+CLASS = "UpliftingOscillator"
 STATES = ("theta", "u", "theta_dot", "u_dot",)
 STATE_UNITS = ("rad", "m", "rad/s", "m/s",)
 PARAMETERS = ("mass", "height", "half_width", "stiffness", "damping", "gravity",)
@@ -45,6 +47,10 @@ PARAMETER_MEANINGS = (
     "flexural stiffness of the column",
     "viscous damping coefficient of the column",
     "acceleration of gravity",
+)
+PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+",)
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
 TRANSITIONS = (
@@ -411,6 +417,12 @@ def velocity_ratio(p):
     half_width = p[2]
     value = -(half_width - height)*(half_width + height)/(half_width**2 + height**2)
     return value
+
+
+def sizes(p, out):
+    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    half_width = p[2]
+    out[0] = 2*half_width
 
 
 def prepare(parameters):

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 _NAMES_OF = {
+    "rockeom.declared": ("structure",),
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.numeric.case": ("Case",),
     "rockeom.numeric.ensemble": ("Sweep", "simulate_many"),
@@ -33,32 +34,21 @@ _NAMES_OF = {
     "rockeom.numeric.options": ("SolverOptions",),
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
     "rockeom.numeric.simulate": ("simulate",),
-    "rockeom.numeric.structures": (
-        "ControlledWall",
-        "ControlledWallOscillator",
-        "DiracDeltaBlock",
-        "FlexibleControlledWall",
-        "FlexibleStructure",
-        "LumpedMassStructure",
-        "NondimensionalBlock",
-        "RigidBlock",
-        "SimplifiedSubstituteGravityWall",
-        "SlenderBlock",
-        "Structure",
-        "SubstituteGravityWall",
-        "TwoSpringCart",
-        "TwoSpringStructure",
-        "UpliftingOscillator",
-        "structure",
-    ),
+    "rockeom.numeric.structures": ("Structure",),
     "rockeom.symbolic": ("Body", "Parameter", "Phase", "RockingModel", "derive", "models"),
 }
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
 
-__all__ = sorted(_HOME_OF)
+
+def _classes() -> dict[str, str]:
+    """The home of the class of each shipped structure, as `rockeom generate` has listed them."""
+    found = import_module("rockeom.generated.shipped_structures").SHIPPED
+    return dict.fromkeys(found.values(), "rockeom.numeric.structures")
+
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
+    from rockeom.declared import structure as structure
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.numeric.case import Case as Case
     from rockeom.numeric.ensemble import Sweep as Sweep, simulate_many as simulate_many
@@ -79,24 +69,7 @@ if TYPE_CHECKING:
         Response as Response,
     )
     from rockeom.numeric.simulate import simulate as simulate
-    from rockeom.numeric.structures import (
-        ControlledWall as ControlledWall,
-        ControlledWallOscillator as ControlledWallOscillator,
-        DiracDeltaBlock as DiracDeltaBlock,
-        FlexibleControlledWall as FlexibleControlledWall,
-        FlexibleStructure as FlexibleStructure,
-        LumpedMassStructure as LumpedMassStructure,
-        NondimensionalBlock as NondimensionalBlock,
-        RigidBlock as RigidBlock,
-        SimplifiedSubstituteGravityWall as SimplifiedSubstituteGravityWall,
-        SlenderBlock as SlenderBlock,
-        Structure as Structure,
-        SubstituteGravityWall as SubstituteGravityWall,
-        TwoSpringCart as TwoSpringCart,
-        TwoSpringStructure as TwoSpringStructure,
-        UpliftingOscillator as UpliftingOscillator,
-        structure as structure,
-    )
+    from rockeom.numeric.structures import *  # noqa: F403
     from rockeom.symbolic import (
         Body as Body,
         Parameter as Parameter,
@@ -110,7 +83,11 @@ if TYPE_CHECKING:
 def __getattr__(name: str) -> Any:
     if name == "analysis":  # a namespace of its own: its many formulas are no top-level names
         return import_module("rockeom.analysis")
+    if name == "__all__":
+        return sorted({*_HOME_OF, *_classes()})
     home = _HOME_OF.get(name)
+    if home is None and name[:1].isupper():
+        home = _classes().get(name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value = getattr(import_module(home), name)
@@ -119,4 +96,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__getattr__("__all__")})

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import rockeom
+from rockeom.numeric.structures import SHIPPED
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -29,12 +30,11 @@ def names_for_type_checkers() -> dict[str, str]:
     """Name -> home, as the TYPE_CHECKING block of the package imports them."""
     tree = ast.parse(Path(rockeom.__file__).read_text(encoding="utf-8"))
     (block,) = (node for node in tree.body if isinstance(node, ast.If))
-    return {
-        alias.asname: node.module
-        for node in block.body
-        if isinstance(node, ast.ImportFrom)
-        for alias in node.names
-    }
+    imports = [node for node in block.body if isinstance(node, ast.ImportFrom)]
+    (whole,) = (node.module for node in imports if node.names[0].name == "*")
+    classes = {c.__name__: whole for c in SHIPPED.values() if c.__module__ == whole}
+    named = {a.asname: node.module for node in imports for a in node.names if a.name != "*"}
+    return {"Structure": whole, **classes, **named}
 
 
 # --- what an import costs
@@ -111,7 +111,7 @@ def test_public_name_resolves_and_has_a_docstring(name):
 
 
 def test_type_checkers_see_the_same_names_as_users():
-    assert names_for_type_checkers() == rockeom._HOME_OF
+    assert names_for_type_checkers() == rockeom._HOME_OF | rockeom._classes()
 
 
 def test_unknown_name_is_an_attribute_error_that_names_it():

@@ -80,12 +80,12 @@ def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[st
     words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
     known = dict(zip(module.PARAMETERS, words, strict=True))
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
-    for field in dataclasses.fields(structure):  # type: ignore[arg-type]
-        unit, meaning = known[_NAME_IN_MODEL.get(field.name, field.name)]
-        default = "required" if field.default is dataclasses.MISSING else str(field.default)
-        if field.default is None:
+    for name, given in structure.defaults().items():
+        unit, meaning = known[_NAME_IN_MODEL.get(name, name)]
+        default = "required" if given is dataclasses.MISSING else str(given)
+        if given is None:
             default = "as a homogeneous block"
-        rows.append((field.name, unit, default, meaning))
+        rows.append((name, unit, default, meaning))
     return rows
 
 

@@ -1,4 +1,4 @@
-"""What follows from the parameters alone: overturning, ratio of rates, and the constants."""
+"""What follows from the parameters alone: overturning, ratio of rates, sizes, the constants."""
 
 from __future__ import annotations
 
@@ -6,13 +6,21 @@ import sympy as sp
 
 from rockeom.codegen.printer import statements
 from rockeom.codegen.text import Text
+from rockeom.symbolic.check import Size, sizes
+from rockeom.symbolic.model import RockingModel
 
 
 def functions_of_parameters(text: Text) -> None:
     """Comes last: `prepare` computes the constants that all others have named."""
     _overturning(text)
     _velocity_ratio(text)
+    _sizes(text)
     _prepare(text)
+
+
+def sizes_to_check(model: RockingModel) -> list[Size]:
+    """Those that the signs of the parameters do not settle."""
+    return [size for size in sizes(model) if not (size.may_vanish and size.value.is_nonnegative)]
 
 
 def _overturning(text: Text) -> None:
@@ -28,6 +36,15 @@ def _velocity_ratio(text: Text) -> None:
         "velocity_ratio",
         "Ratio of the rates of rotation at an impact of the structure taken as rigid.",
         sp.Integer(1) if ratio is None else ratio,
+    )
+
+
+def _sizes(text: Text) -> None:
+    targets = {f"out[{i}]": size.value for i, size in enumerate(sizes_to_check(text.model))}
+    text.function(
+        "sizes(p, out)",
+        "What the parameters must not make negative, or zero, into out, as SIZES.",
+        text.evaluate("sizes", targets, "    ") or ["    pass"],
     )
 
 

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Mapping
 from rockeom.codegen.guards import longest, outgoing, parts
 from rockeom.codegen.jump import impulsive
 from rockeom.codegen.names import string
+from rockeom.codegen.parameters import sizes_to_check
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.text import Text
 from rockeom.contract import IMPULSIVE, KIND_OF, RATIO, SWITCH
-from rockeom.symbolic.model import RockingModel
+from rockeom.symbolic.model import Parameter, RockingModel
 
 
 def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
@@ -33,11 +34,14 @@ def _words(model: RockingModel, columns: Mapping[str, Iterable[str]]) -> list[st
     units = [c.unit for c in model.coordinates]
     return [
         f"NAME = {string(model.name)}",
+        f"CLASS = {string(class_name(model.name))}",
         *_table("STATES", model.states),
         *_table("STATE_UNITS", units + [_rate_unit(unit) for unit in units]),
         *_table("PARAMETERS", [p.name for p in model.parameters]),
         *_table("PARAMETER_UNITS", [p.unit for p in model.parameters]),
         *_table("PARAMETER_MEANINGS", [p.meaning for p in model.parameters]),
+        *_table("PARAMETER_SIGNS", [_sign(p) for p in model.parameters]),
+        *_of_sizes(model),
         *_table("CONTACTS", model.contacts),
         "TRANSITIONS = (",
         *(
@@ -104,6 +108,32 @@ def _closed(model: RockingModel, contact: str) -> list[int]:
         ]
         back.append(returning[0] if returning else -1)
     return back
+
+
+def class_name(model: str) -> str:
+    """What a user calls the class of a model of this name."""
+    return "".join(part[:1].upper() + part[1:] for part in model.split("_")) or model
+
+
+def _sign(parameter: Parameter) -> str:
+    """Which numbers a parameter may be: not negative, or any."""
+    return "+" if parameter.symbol.is_nonnegative else "+-"
+
+
+def _of_sizes(model: RockingModel) -> list[str]:
+    """What is told where `sizes` gives a number that no structure has."""
+    rows = sizes_to_check(model)
+    if not rows:
+        return ["SIZES = ()"]
+    return [
+        "SIZES = (  # what, whether it may be zero, parameters, remedy",
+        *(
+            f"    ({string(s.what)}, {s.may_vanish}, "
+            f"({''.join(f'{string(p)}, ' for p in s.parameters).strip()}), {string(s.remedy)}),"
+            for s in rows
+        ),
+        ")",
+    ]
 
 
 def _rate_unit(unit: str) -> str:

@@ -447,7 +447,7 @@ class Response:
             return found
         name, unit = self.states[p.ROTATION], p.STATE_UNITS[p.ROTATION]
         text = f"The initial {name}, {start[p.ROTATION]:.4g} {unit}, lies beyond the balance"
-        alpha = getattr(self.structure, "alpha", None) if unit == "rad" else None
+        alpha = self.structure.slenderness if unit == "rad" else None
         text += "" if alpha is None else f", alpha = {alpha:.4g} rad"
         return (*found, f"{text}: released at rest it falls over.")
 

@@ -6,7 +6,7 @@ import dataclasses
 import functools
 import importlib
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transform
@@ -49,6 +49,11 @@ class Structure:
     def parameters(self) -> dict[str, float]:
         """The parameters of the model, by name, in SI units."""
         return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}  # type: ignore[arg-type]
+
+    @classmethod
+    def defaults(cls) -> dict[str, Any]:
+        """The names that the class takes, each with its default; `dataclasses.MISSING` for none."""
+        return {f.name: f.default for f in dataclasses.fields(cls)}  # type: ignore[arg-type]
 
     @functools.cached_property
     def module(self) -> ModuleType:
@@ -336,6 +341,11 @@ class Structure:
 
         return uplift_acceleration(self)
 
+    @property
+    def slenderness(self) -> float | None:
+        """Angle of the line from an edge to the centroid [rad]; None where the class has none."""
+        return getattr(self, "alpha", None)
+
     def hints(self) -> tuple[str, ...]:
         """What about the parameters is allowed and hardly meant, a sentence each."""
         return ()
@@ -445,29 +455,39 @@ def check_values(
             raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
 
 
+_WRITTEN: dict[str, type[Structure]] = {}
+"""The classes of shipped structures that are written here, by the name of the model."""
+
+
 @dataclass_transform(kw_only_default=True, frozen_default=True)
 def _structure_class(cls: type[S]) -> type[S]:
     """A frozen dataclass by keyword whose constructor explains what is wrong."""
     dataclass(frozen=True, kw_only=True)(cls)
-    fields = dataclasses.fields(cls)  # type: ignore[arg-type]
-    known = {f.name for f in fields}
-    required = {f.name for f in fields if f.default is dataclasses.MISSING}
+    defaults = cls.defaults()
+    known = set(defaults)
+    required = {name for name, default in defaults.items() if default is dataclasses.MISSING}
     plain: Any = cls.__init__
 
     @functools.wraps(plain)
     def init(self: Structure, *unnamed: Any, **values: Any) -> None:
         if unnamed:
-            raise ParameterError(
-                f"{cls.__name__} takes its parameters by name, and {told(unnamed[0])} has none. "
-                f"Its parameters are {', '.join(sorted(known))}"
-            )
+            raise ParameterError(_unnamed(cls.__name__, unnamed[0], known))
         check_names(cls.__name__, required, known, set(values))
         numbers = {name: v for name, v in values.items() if name not in cls.not_numbers}
         check_values(cls.__name__, numbers, cls.may_vanish, cls.may_be_negative)
         plain(self, **values)
 
     setattr(cls, "__init__", init)  # noqa: B010
+    if "model" in vars(cls):
+        _WRITTEN[cls.model] = cls
     return cls
+
+
+def _unnamed(what: str, value: Any, known: Iterable[str]) -> str:
+    return (
+        f"{what} takes its parameters by name, and {told(value)} has none. "
+        f"Its parameters are {', '.join(sorted(known))}"
+    )
 
 
 def _inertia_hints(mass: float, radius: float, inertia: float | None) -> tuple[str, ...]:
@@ -1145,87 +1165,117 @@ class ControlledWallOscillator(_ControlledWall):
         return y
 
 
-SHIPPED: dict[str, type[Structure]] = {
-    cls.model: cls
-    for cls in (
-        RigidBlock,
-        SlenderBlock,
-        NondimensionalBlock,
-        DiracDeltaBlock,
-        LumpedMassStructure,
-        TwoSpringStructure,
-        TwoSpringCart,
-        UpliftingOscillator,
-        FlexibleStructure,
-        ControlledWall,
-        FlexibleControlledWall,
-        ControlledWallOscillator,
-        SubstituteGravityWall,
-        SimplifiedSubstituteGravityWall,
-    )
-}
-
-
 class DeclaredStructure(Structure):
-    """A structure of a model that the user declared; made by `structure(model, ...)`."""
+    """A structure whose class is made of what its generated module says; see `class_of`.
 
-    def __init__(self, module: ModuleType, values: Mapping[str, float]) -> None:
-        self.module = module
-        self.model = module.NAME  # type: ignore[misc]
-        self.values = dict(values)
+    Its parameters, whatever they are called, are those of the model; none has a default but
+    gravity. Those whose name is no other's are attributes.
+    """
+
+    module: ModuleType  # of the class
+    slenderness = None  # a parameter `alpha` may be anything
+
+    def __init__(self, /, *unnamed: Any, **given: Any) -> None:
+        known = set(self.module.PARAMETERS)
+        if unnamed:
+            raise ParameterError(_unnamed(self.model, unnamed[0], known))
+        defaults = {n: v for n, v in self.defaults().items() if v is not dataclasses.MISSING}
+        check_names(self.model, known, known, set(defaults | given))
+        values = {
+            name: number(f"{self.model}: {name}", value, "give a number in SI units")
+            for name, value in (defaults | given).items()
+        }
+        signs = zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True)
+        signed = frozenset(name for name, sign in signs if sign == "+-")
+        check_values(self.model, values, frozenset(known), signed)
+        self.values = {name: values[name] for name in self.module.PARAMETERS}
+        self._check_sizes()
+
+    def _check_sizes(self) -> None:
+        """Raise ValueError where the parameters give a body or a base no size."""
+        rows, parameters = self.module.SIZES, np.array(list(self.values.values()))
+        found = np.empty(len(rows), parameters.dtype)
+        self.module_for(parameters).sizes(parameters, found)
+        for size, (what, may_vanish, names, remedy) in zip(found, rows, strict=True):
+            if not (size > 0 or (size == 0 and may_vanish)):
+                given = ", ".join(f"{name} = {self.values[name]}" for name in names)
+                raise ValueError(f"{self.model}: {what} is {float(size):g} with {given}: {remedy}")
+
+    @classmethod
+    def defaults(cls) -> dict[str, Any]:
+        return {
+            name: STANDARD_GRAVITY if name == "gravity" else dataclasses.MISSING
+            for name in vars(cls)["module"].PARAMETERS
+        }
 
     def parameters(self) -> dict[str, float]:
         return dict(self.values)
 
+    def __getattr__(self, name: str) -> Any:
+        if name in (values := vars(self).get("values", {})):
+            return values[name]
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
-_MODULES: dict[int, tuple[Any, ModuleType]] = {}
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self.values.items())})"
 
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and vars(other)["values"] == self.values
 
-def _module_of(model: Any) -> ModuleType:
-    """The generated module of a declared model, derived once on a machine."""
-    if id(model) not in _MODULES:
-        from rockeom.numeric.program import load_text
-        from rockeom.numeric.store import kept
-
-        codegen = importlib.import_module("rockeom.codegen")
-        text = kept(
-            f"{model.name}_module",
-            codegen.declaration_digest(model),
-            lambda: codegen.module_text(model).encode(),
-        ).decode()
-        _MODULES[id(model)] = model, load_text(model.name, text)  # the model kept: its id is used
-    return _MODULES[id(model)][1]
+    def __hash__(self) -> int:
+        return hash((type(self), *self.values.values()))
 
 
-def structure(model: Any, /, **parameters: float) -> Structure:
-    """A structure of a model: the name of a shipped one, or a RockingModel that you declared.
+@functools.cache
+def class_of(module: ModuleType) -> type[DeclaredStructure]:
+    """The class of the structures of a generated module."""
+    rows = zip(module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
+    title = (module.__doc__ or "").partition("\n")[0]
+    told = "\n".join(f"{name} : {meaning} [{unit}]" for name, unit, meaning in rows)
+    return type(
+        module.CLASS,
+        (DeclaredStructure,),
+        {
+            "__doc__": f"{title}\n\n{told}\n",
+            "__module__": __name__,
+            "model": module.NAME,
+            "module": module,
+        },
+    )
 
-    A declared model is derived and compiled at its first use (some seconds, once on a machine: the
-    user's cache keeps both). Raises ParameterError for missing or unknown parameters and
-    ValueError for values that are not finite or negative, for a model that cannot be simulated,
-    and where the values give a body a negative mass or a base a negative width.
+
+class _Shipped(Mapping[str, type[Structure]]):
+    """Classes of the shipped structures by the name of the model, in the order of lists.
+
+    One that is written here is that; of all others the class is made of the generated module.
     """
-    if isinstance(model, str):
-        if model not in SHIPPED:
-            raise ValueError(
-                f"no structure named {model!r}{near(model, SHIPPED)}; shipped are "
-                f"{', '.join(SHIPPED)}"
-            )
-        return SHIPPED[model](**parameters)
-    if not hasattr(model, "check_values"):
-        raise TypeError(
-            f"structure() takes the name of a shipped structure or a RockingModel, not {model!r}"
-        )
-    module = _module_of(model)
-    names = set(module.PARAMETERS)
-    if "gravity" in names:
-        parameters.setdefault("gravity", STANDARD_GRAVITY)
-    check_names(model.name, names, names, set(parameters))
-    parameters = {
-        name: number(f"{model.name}: {name}", value, "give a number in SI units")
-        for name, value in parameters.items()
-    }
-    signed = frozenset(p.name for p in model.parameters if not p.symbol.is_nonnegative)
-    check_values(model.name, parameters, frozenset(names), signed)
-    model.check_values(parameters)
-    return DeclaredStructure(module, parameters)
+
+    def __getitem__(self, model: str) -> type[Structure]:
+        if model not in _classes():
+            raise KeyError(model)
+        if model in _WRITTEN:
+            return _WRITTEN[model]
+        return class_of(importlib.import_module(f"rockeom.generated.{model}"))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_classes())
+
+    def __len__(self) -> int:
+        return len(_classes())
+
+
+def _classes() -> dict[str, str]:
+    """Names of the classes of the shipped structures, by the name of the model."""
+    return importlib.import_module("rockeom.generated.shipped_structures").SHIPPED
+
+
+SHIPPED: Mapping[str, type[Structure]] = _Shipped()
+
+
+def __getattr__(name: str) -> Any:
+    """The class of a shipped structure that is not written here."""
+    if name[:1].isupper():
+        for model, of_model in _classes().items():
+            if name == of_model:
+                return SHIPPED[model]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

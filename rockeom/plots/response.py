@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -87,7 +87,7 @@ def _rotation(ax: Axes, run: Response) -> None:
     ax.plot(run.t, run[name] * factor, color=style.OTHERS[0], label=f"{shown}, {size}")
     ax.set_ylabel(f"{what} {shown}\n[{unit}]")
     style.legend_above(ax)
-    alpha = getattr(run.structure, "alpha", None)
+    alpha: Any = run.structure.slenderness
     if alpha is not None and unit == "rad":
         right = ax.secondary_yaxis("right", functions=(lambda y: y / alpha, lambda y: y * alpha))
         right.set_ylabel(r"$\theta/\alpha$ [-]")

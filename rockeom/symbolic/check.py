@@ -8,7 +8,7 @@ before it is generated; `check_values` at the values of its parameters.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import numpy as np
 import sympy as sp
@@ -627,31 +627,46 @@ def _energies_are_even(model: RockingModel, sample: _Sample) -> None:
 def check_values(model: RockingModel, values: Mapping[str, float]) -> None:
     """Masses must not be negative, and the left foot stands to the left of the right one."""
     put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
-    for item, size, said in _sizes(model):
-        found = size.xreplace(model.constants).xreplace(put)
-        if not found.is_number or found > 0 or (found == 0 and said == _MASS):
+    for size in sizes(model):
+        found = size.value.xreplace(put)
+        if found > 0 or (found == 0 and size.may_vanish):
             continue
-        given = ", ".join(
-            f"{p.name} = {values[p.name]}"
-            for p in model.parameters
-            if p.symbol in size.xreplace(model.constants).free_symbols
-        )
-        _fail(model, f"{item} is {float(found):g} with {given}: {said}")
+        given = ", ".join(f"{name} = {values[name]}" for name in size.parameters)
+        _fail(model, f"{size.what} is {float(found):g} with {given}: {size.remedy}")
 
 
-_MASS, _WIDTH = "it must not be negative", "the left foot must stand to the left of the right one"
+class Size(NamedTuple):
+    """What the parameters must make positive, or no less than zero where it may vanish."""
+
+    what: str
+    value: sp.Expr
+    may_vanish: bool
+    parameters: tuple[str, ...]
+    remedy: str
 
 
-def _sizes(model: RockingModel) -> Iterator[tuple[str, sp.Expr, str]]:
-    upright = {c.position: 0 for c in model.coordinates}
-    for phase in model.phases:
+def sizes(model: RockingModel) -> tuple[Size, ...]:
+    """Masses and moments of inertia of bodies, and widths of bases, that parameters alone give."""
+    symbols = {p.symbol: p.name for p in model.parameters}
+
+    def size(what: str, value: sp.Expr, may_vanish: bool, remedy: str) -> Size:
+        value = sp.sympify(value).xreplace(model.constants)
+        names = tuple(n for symbol, n in symbols.items() if symbol in value.free_symbols)
+        return Size(what, value, may_vanish, names, remedy)
+
+    def of(phase: Phase) -> Iterator[Size]:
         for b in phase.bodies:
-            yield f"the mass of body {b.name!r}", sp.sympify(b.mass), _MASS
-            yield f"the moment of inertia of body {b.name!r}", sp.sympify(b.inertia), _MASS
+            for what, value in (("mass", b.mass), ("moment of inertia", b.inertia)):
+                yield size(f"the {what} of body {b.name!r}", value, True, "it must not be negative")
         if phase.feet:
             left, right = (sp.sympify(phase.feet[f].position[0]) for f in ("left", "right"))
             width = model.in_contact((right - left).subs(upright), _contact_of(phase))
-            yield "the distance of the feet", width, _WIDTH
+            remedy = "the left foot must stand to the left of the right one"
+            yield size("the distance of the feet", width, False, remedy)
+
+    upright = {c.position: 0 for c in model.coordinates}
+    every = dict.fromkeys(found for phase in model.phases for found in of(phase))
+    return tuple(found for found in every if found.value.free_symbols <= symbols.keys())
 
 
 # --- a structure that rocks about the edges of its base
@@ -678,4 +693,4 @@ def check_turning(
     )
 
 
-__all__ = ["check", "check_derived", "check_turning", "check_values"]
+__all__ = ["Size", "check", "check_derived", "check_turning", "check_values", "sizes"]

@@ -133,12 +133,12 @@ def test_model_explains_every_parameter_that_set_takes(name, capsys):
     assert main(["models", name]) == 0
     text = capsys.readouterr().out
     declared = {p.name: p for p in rk.derive(name).parameters}
-    for field in dataclasses.fields(SHIPPED[name]):
-        (line,) = (line for line in text.splitlines() if line.startswith(f"{field.name} "))
-        parameter = declared.get(field.name) or declared["height"]
+    for taken, default in SHIPPED[name].defaults().items():
+        (line,) = (line for line in text.splitlines() if line.startswith(f"{taken} "))
+        parameter = declared.get(taken) or declared["height"]
         assert parameter.meaning in line
         assert f" {parameter.unit} " in line
-        assert ("required" in line) == (field.default is dataclasses.MISSING)
+        assert ("required" in line) == (default is dataclasses.MISSING)
 
 
 def test_unknown_model(capsys):

@@ -12,7 +12,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.codegen import declaration_digest
 from rockeom.codegen.declaration import sources
-from rockeom.symbolic.flexible import flexible_structure
+from rockeom.symbolic.structures.flexible import flexible_structure
 
 
 def test_same_declaration_has_the_same_hash():

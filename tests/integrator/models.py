@@ -6,7 +6,7 @@ import itertools
 import sympy as sp
 
 import rockeom as rk
-from rockeom.numeric.structures import DeclaredStructure
+from rockeom.numeric.structures import class_of
 from rockeom.symbolic.model import (
     Body,
     Phase,
@@ -113,7 +113,7 @@ def _module():
 def point(**parameters):
     """A structure of the clock's kind; mass 1, and all else zero if not given."""
     defaults = {"mass": 1.0, "gravity": 0.0} | dict.fromkeys(MARKS, 0.0)
-    return DeclaredStructure(_module(), defaults | parameters)
+    return class_of(_module())(**defaults | parameters)
 
 
 def thrown(phase, *, speed=1.0, start=0.0, duration=1000.0, options=None, **parameters):

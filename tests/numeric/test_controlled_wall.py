@@ -9,7 +9,7 @@ from scipy.integrate import quad
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.symbolic.controlled_wall import controlled_wall_oscillator
+from rockeom.symbolic.structures.controlled_wall import controlled_wall_oscillator
 
 WALL = analysis.Wall.thesis()
 MEASURED = analysis.FreeVibration.table_a1()

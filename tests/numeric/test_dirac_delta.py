@@ -11,8 +11,8 @@ from scipy.special import erf
 
 import rockeom as rk
 from rockeom.motion import STANDARD_GRAVITY
-from rockeom.symbolic.dirac_delta import delta, impact_force, loss
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.structures.dirac_delta import delta, impact_force, loss
 
 START, RATIO = 0.4, 0.7225
 """x_0 and r of thesis Figure 2-16."""

@@ -18,7 +18,7 @@ import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.codegen.names import Names, is_own
 from rockeom.numeric.lanes_text import lanes_text
-from rockeom.numeric.structures import DeclaredStructure
+from rockeom.numeric.structures import class_of
 from rockeom.numeric.tableau import step_text, tableau
 from rockeom.symbolic import Coordinate, Phase, RockingModel, Transition
 from rockeom.symbolic.evaluate import NumpyPhase
@@ -119,7 +119,7 @@ def uncompiled(model: RockingModel) -> types.ModuleType:
 def numbers(model: RockingModel, names: dict[str, str]) -> dict[str, np.ndarray]:
     """All that a structure tells without a simulation, at some states of each contact state."""
     values = {names.get(k, k): v for k, v in VALUES.items()}
-    frame = DeclaredStructure(uncompiled(model), values)
+    frame = class_of(uncompiled(model))(**values)
     theta, u1, u2 = (names.get(c, c) for c in COORDINATES)
     found = {
         "velocity ratio": np.array(frame.velocity_ratio),

@@ -16,6 +16,7 @@ import numpy as np
 import rockeom as rk
 from rockeom.motion.segments import COLUMNS
 from rockeom.numeric.structures import SHIPPED, Structure
+from tests.shipped import plain
 
 MODELS = tuple(SHIPPED)
 METHODS = ("DOP853", "DOP853", "RK45", "DOP853", "Radau", "DOP853", "RK45", "DOP853")
@@ -136,7 +137,7 @@ def draw(seed: int, sibling: int = 0, linear: bool = False) -> Motion:
     model = model_of(seed)
     options = _options(Dice(seed, 0, 1), method_of(seed))
     dice = Dice(seed, sibling)
-    structure, scales = _STRUCTURES[model](dice)
+    structure, scales = _STRUCTURES[model](dice) if model in _STRUCTURES else _any(model, dice)
     length = dice.over(1.0, 25.0) / scales.p
     if scales.fast:  # a stiff one is not followed for hours
         length = min(length, dice.over(20.0, 2000.0) / scales.fast)
@@ -521,6 +522,15 @@ def _controlled_wall_oscillator(dice: Dice) -> tuple[Structure, Scales]:
         effective_mass=dice.one_of(None, wall["mass"] / 1.06),
     )
     return structure, replace(scales, alpha=scales.alpha * wall["height"])
+
+
+def _any(model: str, dice: Dice) -> tuple[Structure, Scales]:
+    """One of which nothing is known: parameters about one, in units of its own."""
+    structure = rk.structure(model, **plain(model, lambda: dice.over(0.3, 3.0)))
+    gravity = getattr(structure, "gravity", 1.0)
+    lift = structure.uplift_acceleration or gravity
+    alpha = min(math.atan(lift / gravity), structure.overturning_rotation)
+    return structure, Scales(math.sqrt(gravity), alpha, lift, gravity)
 
 
 _STRUCTURES: dict[str, Callable[[Dice], tuple[Structure, Scales]]] = {

@@ -61,7 +61,7 @@ def physics(name: str) -> Physics:
     """The functions of a shipped model."""
     made_of = inspect.getsource(inspect.getmodule(physics)) + "".join(
         path.read_text(encoding="utf-8")
-        for path in sorted((Path(rk.__file__).parent / "symbolic").glob("*.py"))
+        for path in sorted((Path(rk.__file__).parent / "symbolic").rglob("*.py"))
     )
     digest = hashlib.sha256(made_of.encode()).hexdigest()[:20]
     path = cache_folder() / f"soak_{name}_{digest}.py"

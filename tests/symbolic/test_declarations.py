@@ -1,6 +1,7 @@
 """What a user declares either works or is an error that names the declaration, item and remedy."""
 
 import ast
+import copy
 import functools
 import types
 from collections.abc import Callable
@@ -12,7 +13,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.numeric.structures import DeclaredStructure
+from rockeom.numeric.structures import class_of
 from rockeom.symbolic import (
     Body,
     Definition,
@@ -528,12 +529,28 @@ def test_wrong_declaration_is_an_error_that_names_it(what):
 
 def test_what_is_declared_rightly_is_accepted():
     assert "tower" in module_text(TOWER)
-    assert DeclaredStructure(module_of(TOWER), VALUES | {"gravity": 9.81}).velocity_ratio > 0
+    assert class_of(module_of(TOWER))(**VALUES).velocity_ratio > 0
     with pytest.raises(TypeError, match="RockingModel"):
         rk.structure(42)
 
 
 # --- what a user writes is data
+
+
+def test_parameters_are_attributes_and_take_no_other_s_place():
+    """One called `alpha` is no slenderness of a block, one called `states` no list of states."""
+    called = {"half_width": "alpha", "stiffness": "states", "height": "vector"}
+    names = [replace(p, name=called.get(p.name, p.name)) for p in TOWER.parameters]
+    values = {called.get(name, name): value for name, value in VALUES.items()}
+    made = class_of(module_of(replace(TOWER, parameters=tuple(names))))
+    one = made(**values)
+    assert (one.alpha, one.mass, one.gravity, one.slenderness) == (0.5, 3.0, 9.81, None)
+    assert one.states == TOWER.states
+    assert one.vector[:5].tolist() == [*one.parameters().values()]
+    assert (one == made(**values), one == made(**values | {"mass": 4.0})) == (True, False)
+    assert copy.copy(one) == one
+    with pytest.raises(AttributeError, match="no attribute 'beta'"):
+        _ = one.beta
 
 
 def module_of(model: RockingModel, **globals_) -> types.ModuleType:
@@ -634,8 +651,8 @@ def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
 
     apart = replace(TOWER, phases=(phase(-1, "left"), phase(1, "right"), FULL))
     values = VALUES | {"gravity": 9.81}
-    one = DeclaredStructure(module_of(TOWER), values)
-    other = DeclaredStructure(module_of(apart), values)
+    one = class_of(module_of(TOWER))(**values)
+    other = class_of(module_of(apart))(**values)
     for side, contact in ((-1, "left"), (1, "right")):
         landing = {"u": 0.02, "theta_dot": -0.3 * side, "u_dot": 0.1}
         for law in (rk.Impulsive(), rk.AngularMomentum()):
@@ -654,8 +671,8 @@ def test_one_phase_alone_rocks_from_foot_to_foot():
         transitions=tuple(replace(t, fallback=None) for t in (LEFT, RIGHT)),
     )
     values = VALUES | {"gravity": 9.81}
-    one = DeclaredStructure(module_of(TOWER), values)
-    other = DeclaredStructure(module_of(alone), values)
+    one = class_of(module_of(TOWER))(**values)
+    other = class_of(module_of(alone))(**values)
     state = {"theta": -0.02, "u": 0.01}
     assert other.accelerations(state, phase="left") == one.accelerations(state, phase="left")
 
@@ -680,8 +697,8 @@ def test_rotation_need_not_be_first_where_it_is_named():
         phases=(replace(ROCKING, coordinates=(U, THETA)), FULL),
     )
     values = VALUES | {"gravity": 9.81}
-    one = DeclaredStructure(module_of(TOWER), values)
-    other = DeclaredStructure(module_of(swapped), values)
+    one = class_of(module_of(TOWER))(**values)
+    other = class_of(module_of(swapped))(**values)
     state = {"theta": 0.02, "u": 0.01, "theta_dot": -0.1}
     for found, expected in (
         (other.accelerations(state), one.accelerations(state)),

@@ -20,7 +20,7 @@ from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.lagrange import body_velocity, kinetic_energy, rate
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, equilibrium, pushover
-from rockeom.symbolic.two_spring import bilinear_pushover
+from rockeom.symbolic.structures.two_spring import bilinear_pushover
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.check import Check, Finding, Means, vanishes

@@ -12,7 +12,8 @@ from rockeom.symbolic.model import (
     rocking_structure,
     turned,
 )
-from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
+from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION
 
 MASS = parameter("m_e", "mass", "kg", "mass of the superstructure")
 HEIGHT = parameter("H_e", "height", "m", "height of the superstructure's centroid")
@@ -70,6 +71,7 @@ def superstructure(pivot, angle, deformation=sp.S.Zero) -> Body:
     )
 
 
+@shipped(place=5)
 def lumped_mass_structure() -> RockingModel:
     """A rigid superstructure and a base, both lumped, rocking about two fixed pivots."""
     theta = ROTATION.position

@@ -12,11 +12,13 @@ from rockeom.symbolic.model import (
     rocking_structure,
     turned,
 )
+from rockeom.symbolic.registry import shipped
 
 ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise about the right edge")
 GRAVITY = parameter("g", "gravity", "m/s2", "acceleration of gravity")
 
 
+@shipped(place=1)
 def rigid_block() -> RockingModel:
     """A rigid body on rigid ground, rocking about its two edges; any size of rotation."""
     mass = parameter("m", "mass", "kg", "mass")
@@ -43,6 +45,7 @@ def rigid_block() -> RockingModel:
     )
 
 
+@shipped(place=2)
 def slender_block() -> RockingModel:
     """The block linearised for small rotation and small alpha (thesis 2-3, 2-14).
 
@@ -74,6 +77,7 @@ def slender_block() -> RockingModel:
     )
 
 
+@shipped(place=3)
 def nondimensional_block() -> RockingModel:
     """The block in x = theta/alpha and time p t (thesis 2-10 to 2-13).
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from rockeom.symbolic.lumped_mass import HALF_WIDTH, PARAMETERS, base, superstructure
 from rockeom.symbolic.model import RockingModel, coordinate, parameter, rocking_structure
-from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
+from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.structures.lumped_mass import HALF_WIDTH, PARAMETERS, base, superstructure
+from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION
 
 DEFORMATION = coordinate("u", "u", "m", "deformation of the column, at right angles to its axis")
 STIFFNESS = parameter("k", "stiffness", "N/m", "flexural stiffness of the column")
 DAMPING = parameter("c", "damping", "N s/m", "viscous damping coefficient of the column")
 
 
+@shipped(place=9)
 def flexible_structure() -> RockingModel:
     """A superstructure on an elastic, damped column that stands on a rocking rigid base."""
     theta, u = ROTATION.position, DEFORMATION.position

@@ -19,7 +19,6 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact import total_reaction
-from rockeom.symbolic.dirac_delta import delta, loss
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     Body,
@@ -34,7 +33,9 @@ from rockeom.symbolic.model import (
     parameter,
     turned,
 )
-from rockeom.symbolic.rigid_block import GRAVITY
+from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.structures.dirac_delta import delta, loss
+from rockeom.symbolic.structures.rigid_block import GRAVITY
 
 ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise")
 DISPLACEMENT = coordinate("Delta", "u", "m", "displacement of the wall at the height H")
@@ -327,6 +328,7 @@ def _energy_ratio() -> tuple[tuple[Parameter, ...], Callable[[sp.Expr], sp.Expr]
     return tuple(found), ratio
 
 
+@shipped(place=12)
 def controlled_wall_oscillator(
     tendons: int = 1, centre: RotationCentre = MIGRATING
 ) -> RockingModel:
@@ -465,6 +467,7 @@ def _pressed(phase: Phase, edges: dict[str, tuple[sp.Expr, sp.Expr]], pull: sp.E
     )
 
 
+@shipped(place=13)
 def substitute_gravity_wall(
     tendons: int = 1,
     centre: RotationCentre = MIGRATING,
@@ -600,6 +603,7 @@ def _one_law(model: RockingModel) -> RockingModel:
     return replace(model, rigid_velocity_ratio=model.velocity_ratio)
 
 
+@shipped(place=14)
 def simplified_substitute_gravity_wall() -> RockingModel:
     """The same about the edges of the base (thesis 4-32)."""
     return substitute_gravity_wall(lever=AT_THE_EDGE)
@@ -613,6 +617,7 @@ ANCHOR_DEPTH = parameter(
 )
 
 
+@shipped(place=10)
 def controlled_wall(
     tendons: int = 1, centre: RotationCentre = MIGRATING, flexible: bool = False
 ) -> RockingModel:
@@ -696,6 +701,7 @@ def controlled_wall(
     return _one_law(model)
 
 
+@shipped(place=11)
 def flexible_controlled_wall() -> RockingModel:
     """The wall with one tendon that bends on its base while it rocks."""
     return controlled_wall(flexible=True)

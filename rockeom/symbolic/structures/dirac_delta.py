@@ -14,6 +14,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import Body, Phase, RockingModel, Transition, coordinate, parameter
+from rockeom.symbolic.registry import shipped
 
 ROTATION = coordinate("x", "x", "-", "rotation over alpha")
 ALPHA = parameter("alpha", "alpha", "rad", "angle of the line from edge to centroid")
@@ -56,6 +57,7 @@ def impact_force(x: sp.Expr, v: sp.Expr, r: sp.Expr, n: sp.Expr) -> sp.Expr:
     return loss(r) * delta(x, n) * sp.tanh(v / n) * v**2
 
 
+@shipped(place=4)
 def dirac_delta_block() -> RockingModel:
     """The slender block in x = theta/alpha and time p t, its impacts spread over a width n.
 

@@ -9,16 +9,6 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.lumped_mass import (
-    BASE_MASS,
-    HALF_WIDTH,
-    HEIGHT,
-    MASS,
-    PARAMETERS,
-    base,
-    lumped_mass_structure,
-    superstructure,
-)
 from rockeom.symbolic.model import (
     Body,
     Definition,
@@ -29,14 +19,26 @@ from rockeom.symbolic.model import (
     coordinate,
     parameter,
 )
-from rockeom.symbolic.rigid_block import GRAVITY, ROTATION
+from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.statics import holding_force
+from rockeom.symbolic.structures.lumped_mass import (
+    BASE_MASS,
+    HALF_WIDTH,
+    HEIGHT,
+    MASS,
+    PARAMETERS,
+    base,
+    lumped_mass_structure,
+    superstructure,
+)
+from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION
 
 FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
 FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
 HEAVE = coordinate("v", "heave", "m", "rise of the base's centre above its settled position")
 
 
+@shipped(place=6)
 def two_spring_structure() -> RockingModel:
     """The exact dynamics: rotation and heave, the centre of the base guided vertically.
 
@@ -150,6 +152,7 @@ def bilinear_pushover() -> BilinearPushover:
     )
 
 
+@shipped(place=7)
 def two_spring_cart() -> RockingModel:
     """The thesis's equivalent cart 5-15: one displacement u and the closed form k(u).
 

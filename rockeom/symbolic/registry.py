@@ -1,0 +1,63 @@
+"""Which structures are shipped: what the files of `rockeom/symbolic/structures` declare."""
+
+from __future__ import annotations
+
+import importlib
+import math
+import pkgutil
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
+
+from rockeom.symbolic import structures
+from rockeom.symbolic.model import RockingModel
+
+_PLACES: dict[str, float] = {}
+_DECLARED: dict[str, Callable[[], RockingModel]] = {}
+
+
+def shipped(declare: Any = None, /, *, place: float = math.inf) -> Any:
+    """Mark the function that declares a structure, which is called by the function's name.
+
+    place : in lists of all structures. Those that name none come last, by their names.
+
+    Raises ValueError where two functions declare a structure of one name.
+    """
+    if declare is None:
+        return partial(shipped, place=place)
+    name = declare.__name__
+    if name in _DECLARED and _DECLARED[name].__module__ != declare.__module__:
+        there = ", ".join(f.__module__ for f in (_DECLARED[name], declare))
+        raise ValueError(f"two structures are called {name}, in {there}: rename one")
+    _PLACES[name], _DECLARED[name] = place, declare
+    return declare
+
+
+def found() -> dict[str, Callable[[], RockingModel]]:
+    """The functions that declare the shipped structures, by name and in order."""
+    for module in pkgutil.iter_modules(structures.__path__, f"{structures.__name__}."):
+        importlib.import_module(module.name)
+    return {name: _DECLARED[name] for name in sorted(_DECLARED, key=lambda n: (_PLACES[n], n))}
+
+
+SHIPPED = found()
+
+
+def models() -> tuple[str, ...]:
+    """Names of the shipped structures."""
+    return tuple(SHIPPED)
+
+
+def derive(name: str) -> RockingModel:
+    """A shipped structure by its name, derived once in a session.
+
+    Raises KeyError, naming the shipped ones, if there is none of that name.
+    """
+    if name not in SHIPPED:
+        raise KeyError(f"no structure named {name!r}; shipped are {', '.join(SHIPPED)}")
+    return _derived(SHIPPED[name])
+
+
+@cache
+def _derived(structure: Callable[[], RockingModel]) -> RockingModel:
+    return structure()
