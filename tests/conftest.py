@@ -1,6 +1,7 @@
 """What all tests run under."""
 
 import gc
+import os
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,10 @@ LONGEST = (
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""
 
+
+# SymPy, imported later, remembers 1,000 results of each of its functions where nothing is said, and
+# forgets others that the next model asks for again.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
 
 # How long an example takes by the clock is what else the machine does.
 settings.register_profile("any machine", deadline=None)

@@ -13,10 +13,14 @@ class Constants:
     def __init__(self, parameters: Iterable[sp.Symbol]) -> None:
         self.parameters = frozenset(parameters)
         self.names: dict[sp.Expr, sp.Symbol] = {}
+        self._fixed: dict[sp.Basic, bool] = {}
 
-    def fixed(self, expr: sp.Expr) -> bool:
+    def fixed(self, expr: sp.Basic) -> bool:
         """Whether an expression contains parameters alone."""
-        return expr.free_symbols <= self.parameters
+        if expr not in self._fixed:
+            parts = all(self.fixed(a) for a in expr.args)
+            self._fixed[expr] = parts if expr.args else expr.free_symbols <= self.parameters
+        return self._fixed[expr]
 
     def name(self, expr: sp.Expr) -> sp.Expr:
         """A name for an expression in parameters alone; numbers and symbols need none."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
+from functools import lru_cache
 
 import sympy as sp
 from sympy.printing.pycode import PythonCodePrinter
@@ -37,7 +38,16 @@ def assign(name: str, code: str, indent: str) -> list[str]:
 
 def statements(targets: Mapping[str, sp.Expr], indent: str) -> tuple[list[str], int, int]:
     """Assignments to the targets, shared parts first: (lines, operations before, after)."""
-    names, exprs = list(targets), [sp.sympify(e) for e in targets.values()]
+    given = tuple((name, sp.sympify(e)) for name, e in targets.items())
+    lines, before, after = _statements(given, indent)
+    return list(lines), before, after
+
+
+@lru_cache(maxsize=512)  # many transitions set states alike
+def _statements(
+    targets: tuple[tuple[str, sp.Expr], ...], indent: str
+) -> tuple[tuple[str, ...], int, int]:
+    names, exprs = [name for name, _ in targets], [e for _, e in targets]
     before = sum(int(sp.count_ops(e)) for e in exprs)
     shared, reduced = sp.cse(exprs, order="canonical")
     lines: list[str] = []
@@ -46,4 +56,4 @@ def statements(targets: Mapping[str, sp.Expr], indent: str) -> tuple[list[str], 
     for name, value in zip(names, reduced, strict=True):
         lines += assign(name, python(value), indent)
     after = sum(int(sp.count_ops(e)) for e in [v for _, v in shared] + list(reduced))
-    return lines, before, after
+    return tuple(lines), before, after

@@ -537,20 +537,23 @@ def _one_ratio(model: RockingModel, sample: _Sample) -> None:
 def _guards_open(model: RockingModel, sample: _Sample) -> None:
     """A contact state of one side has states on that side inside it."""
     theta = model.rotation.position
-    for contact in model.contacts:
-        side = _side(model, contact)
-        out = [t for t in model.transitions if t.source == contact and t.kind == "switch"]
-        if side == 0 or not out:
+    for side in sorted({_side(model, contact) for contact in model.contacts} - {0}):
+        here = [contact for contact in model.contacts if _side(model, contact) == side]
+        out = [t for t in model.transitions if t.source in here and t.kind == "switch"]
+        if not out:
             continue
+        # many contact states of a side have the same guards
+        guards = list(dict.fromkeys(t.guard for t in out))
         put = {theta: side * np.abs(sample.values[theta])}
-        found = sample(contact, [t.guard for t in out], put)
-        for t, values in zip(out, found, strict=True):
+        found = dict(zip(guards, sample(here[0], guards, put), strict=True))
+        for t in out:
+            values = found[t.guard]
             known = values[np.isfinite(values)]
             if known.size and not (known > 0).any():
                 _fail(
                     model,
                     f"the guard of {_called(t)} is nowhere positive where {model.rotation.name!r} "
-                    f"has the sign of {contact!r}: it must be positive inside its source; turn "
+                    f"has the sign of {t.source!r}: it must be positive inside its source; turn "
                     "its sign",
                 )
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -262,18 +262,7 @@ class RockingModel:
 
     def written_out(self, expr: sp.Expr) -> sp.Expr:
         """The expression with all laws and their derivatives in place of their names."""
-        expr = sp.sympify(expr)
-        for law in reversed(self.laws):
-            if law.symbol.is_Symbol:
-                expr = expr.xreplace({law.symbol: law.value})
-                continue
-            (of,) = law.symbol.args
-            rates = [d for d in expr.atoms(sp.Derivative) if d.expr == law.symbol]
-            put = {d: sp.diff(law.value, *d.variables) for d in rates}
-            for at in expr.atoms(law.symbol.func):
-                put[at] = law.value.subs(of, at.args[0])
-            expr = expr.xreplace(put)
-        return expr.doit() if expr.has(sp.Subs) else expr
+        return _written_out(self.laws, sp.sympify(expr))
 
     def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
         """The expression written out for a contact state, its side put in as a number."""
@@ -358,6 +347,24 @@ class RockingModel:
         from rockeom.symbolic.evaluate import numpy_functions
 
         return numpy_functions(self)
+
+
+@lru_cache(maxsize=4096)  # the same guards and energies are asked for in many contact states
+def _written_out(laws: tuple[Law, ...], expr: sp.Expr) -> sp.Expr:
+    for law in reversed(laws):
+        if law.symbol.is_Symbol:
+            expr = expr.xreplace({law.symbol: law.value})
+            continue
+        (of,) = law.symbol.args
+        calls = expr.atoms(law.symbol.func)
+        if not calls:
+            continue
+        rates = [d for d in expr.atoms(sp.Derivative) if d.expr == law.symbol]
+        put = {d: sp.diff(law.value, *d.variables) for d in rates}
+        for at in calls:
+            put[at] = law.value.subs(of, at.args[0])
+        expr = expr.xreplace(put)
+    return expr.doit() if expr.has(sp.Subs) else expr
 
 
 def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:

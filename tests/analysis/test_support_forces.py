@@ -14,7 +14,7 @@ SHAPE = {"alpha": BLOCK.alpha, "radius": BLOCK.radius}
 SIDES = [(1, "right"), (-1, "left")]
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     theta=st.floats(0.001, 1.0),
     side=st.sampled_from([-1, 1]),

@@ -67,7 +67,7 @@ def test_same_as_simulate():
             assert 0 <= run["theta"].min() - rotation.minimum.item() < 1e-6
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(threads=st.integers(1, 5), chunk=st.integers(1, 100), lanes=st.booleans())
 def test_threads_and_chunks_change_no_bit(threads, chunk, lanes):
     one = many(threads=1, chunk=63, lanes=lanes)

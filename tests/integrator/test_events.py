@@ -43,7 +43,7 @@ def test_two_events_in_a_step_leave_its_ends_alike():
     assert times(run) == pytest.approx([400.0, 400.1], abs=1e-9)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     marks=st.lists(st.floats(1, 999), min_size=3, max_size=3, unique=True).filter(
         lambda m: min(abs(a - b) for a, b in itertools.combinations(m, 2)) > 10

@@ -438,7 +438,7 @@ def test_contact_states_that_chase_one_another_are_chatter():
 
 
 @pytest.mark.parametrize("e", [0.0, 0.5])
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     amplitude=st.floats(0.1, 100.0),
     period=st.floats(1e-4, 10.0),

@@ -49,7 +49,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 @ALL
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(seed=seeds, tilt=st.floats(-0.05, 0.05), e=st.floats(0.0, 1.0))
 def test_mirror_image_to_the_last_bit(structure, seed, tilt, e):
     """theta to -theta, a_g to -a_g, under vertical shaking that stays as it is."""
@@ -77,7 +77,7 @@ def test_mirror_image_to_the_last_bit(structure, seed, tilt, e):
 # -- scale
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(
     power=st.integers(-20, 20),
     seed=seeds,
@@ -111,7 +111,7 @@ def test_scaling_by_p_is_exact_for_powers_of_two(power, seed, e):
 # Fails now and then for the two-spring structure: when a damped foot is found to land depends on
 # the steps, see test_guard_with_a_kink_in_the_step.
 @ALL
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     seed=seeds,
     e=st.floats(0.0, 0.9),
@@ -155,7 +155,7 @@ def test_smaller_steps_change_no_event(structure, seed, e, tilt, times, shaken_u
     )  # fmt: skip
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(seed=seeds, e=st.floats(0.3, 0.9), times=st.floats(0.3, 2.0))
 def test_both_methods_find_the_same_events(seed, e, times):
     block = STRUCTURES["rigid_block"]
@@ -182,7 +182,7 @@ def test_both_methods_find_the_same_events(seed, e, times):
 # -- energy at impacts
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     name=st.sampled_from([n for n in STRUCTURES if n != "two_spring_structure"]),
     seed=seeds,
@@ -234,7 +234,7 @@ def test_rest_of_a_motion_is_the_motion_later():
 # Fails now and then for the two-spring structure: when a damped foot is found to land depends on
 # the steps, see test_guard_with_a_kink_in_the_step.
 @ALL
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(seed=seeds, cut=st.floats(0.1, 0.9), smooth=st.booleans())
 @example(seed=542610, cut=0.5, smooth=False)  # leans back on its springs when the ground stops
 def test_response_cut_in_two_and_continued_is_the_whole(structure, seed, cut, smooth):

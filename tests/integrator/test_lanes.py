@@ -339,7 +339,7 @@ def test_too_many_impacts_and_steps():
 # -- bits ----------------------------------------------------------------------------------------
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(threads=st.integers(1, 4), chunk=st.integers(1, 40))
 def test_threads_and_chunks_change_no_bit(blocks, threads, chunk):
     again = many(

@@ -64,8 +64,9 @@ def first_fall(b, touching=False, noise=0.0):
 
 def value(b, x):
     """The polynomial at x, without rounding."""
-    x = Fraction(x)
-    return sum(comb(7, i) * Fraction(c) * x**i * (1 - x) ** (7 - i) for i, c in enumerate(b))
+    n, d = Fraction(x).as_integer_ratio()
+    terms = (comb(7, i) * Fraction(c) * (n**i * (d - n) ** (7 - i)) for i, c in enumerate(b))
+    return sum(terms) / d**7
 
 
 def bernstein(powers):
@@ -88,6 +89,11 @@ def product(factors):
     return powers
 
 
+X = np.polynomial.Polynomial([0, 1])
+DEGREE_6 = np.array([(comb(6, i) * X**i * (1 - X) ** (6 - i)).coef for i in range(7)])
+"""Coefficients of 1, x, x^2 ... of the Bernstein polynomials of degree 6, one a row."""
+
+
 def witnesses(b):
     """(x, value) of the ends and of all extremes in [0, 1], by numpy.roots of the derivative.
 
@@ -95,9 +101,7 @@ def witnesses(b):
     may hide are refused.
     """
     b = np.array(b, dtype=float)
-    degree_6 = [comb(6, i) * np.polynomial.Polynomial([0, 1]) ** i
-                * np.polynomial.Polynomial([1, -1]) ** (6 - i) for i in range(7)]  # fmt: skip
-    roots = sum(d * p for d, p in zip(np.diff(b), degree_6, strict=True)).roots()
+    roots = np.polynomial.Polynomial(np.diff(b) @ DEGREE_6).roots()
     inside = roots.real[(abs(roots.imag) < 1e-3) & (roots.real > 0) & (roots.real < 1)]
     size = np.abs(b).max()
     found = [(x, float(value(b, x))) for x in [0.0, *sorted(inside.tolist()), 1.0]]
@@ -130,7 +134,7 @@ coefficients = st.one_of(
 )
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=500)
 @given(start=st.floats(1e-3, 1), rest=st.lists(coefficients, min_size=7, max_size=7))
 @example(start=1, rest=[0] * 6 + [-1])
 @example(start=1, rest=[-1, 1, -1, 1, -1, 1, -1])
@@ -138,7 +142,7 @@ def test_any_polynomial_that_begins_positive(start, rest):
     check_first_fall([start, *rest])
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     first=st.fractions(Fraction(1, 50), Fraction(24, 25), max_denominator=10**6),
     log_width=st.floats(-4, -1.5),
@@ -157,7 +161,7 @@ def test_close_pair_is_not_stepped_over(first, log_width, third, height):
     check_first_fall(bernstein([sign * c for c in powers]))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     st.lists(
         st.fractions(Fraction(1, 20), Fraction(19, 20), max_denominator=200),
@@ -170,7 +174,7 @@ def test_seven_roots_in_a_step(roots):
     check_first_fall(bernstein(product([[r, -1] for r in roots])))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     residual=st.floats(-1e-16, 1e-16),
     rest=st.lists(coefficients, min_size=6, max_size=6),
@@ -188,7 +192,7 @@ def test_guard_that_is_closed_and_does_not_open_falls_at_once():
     assert first_fall([0, 0, 0, 0, 0, 0, 0, -1], touching=True) == 0.0
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(start=st.floats(-1, -1e-3), rest=st.lists(coefficients, min_size=7, max_size=7))
 @example(start=-0.6, rest=[0.88, -0.81, -0.99, -0.35, 0.98, -0.47, 0.66])
 def test_guard_that_begins_below_zero_has_fallen_or_rises_first(start, rest):
@@ -241,7 +245,7 @@ def test_single_fall_is_found_to_the_last_bits():
         assert value(b, x + step) <= 0 <= value(b, max(x - step, 0.0))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(b=st.lists(st.floats(-1, 1), min_size=8, max_size=8), x=st.floats(0, 1))
 def test_value_by_de_casteljau(b, x):
     found, slope = at(np.array(b), x)
@@ -253,7 +257,7 @@ def test_value_by_de_casteljau(b, x):
     assert slope == pytest.approx(float(expected), abs=20 * rounding)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(st.lists(st.integers(-9, 9), min_size=8, max_size=8))
 def test_samples_and_powers_give_the_same_bernstein_form(powers):
     expected = bernstein(powers)
@@ -280,7 +284,7 @@ def roots_of_quintic(b):
     return near[(near > -1e-9) & (near < 1 + 1e-9)]
 
 
-@settings(max_examples=1000, deadline=None)
+@settings(max_examples=1000)
 @given(
     start=st.one_of(st.just(0.0), st.floats(1e-3, 1)),
     rest=st.lists(coefficients, min_size=5, max_size=5),

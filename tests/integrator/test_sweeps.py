@@ -332,7 +332,7 @@ def shaken(frequency, amplitude):
 OVER = {"frequency": spaced(0.4, 2.5, 11), "amplitude": [*spaced(0.8, 6.0, 6), 1, 2]}
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(threads=st.integers(1, 3), chunk=st.one_of(st.none(), st.integers(1, 100)))
 def test_dataset_is_that_of_one_by_one(threads, chunk):
     at_once = rk.simulate_many(
@@ -456,7 +456,7 @@ def each(function, n, *columns):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(
     data=st.data(),
     numbers=st.lists(NUMBERS, min_size=1, max_size=6),

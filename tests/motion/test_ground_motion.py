@@ -26,7 +26,7 @@ def samples(size: int = 40):
 
 
 factors = st.floats(0.05, 20.0)
-few = settings(max_examples=40, deadline=None)
+few = settings(max_examples=40)
 
 
 @st.composite

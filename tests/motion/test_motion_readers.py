@@ -71,7 +71,7 @@ def test_at2_step_line_of_every_age_is_read(tmp_path, step_line):
     assert motion.source == f"r.AT2, line 2: {TITLE}"
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     st.lists(st.floats(-2.0, 2.0).map(lambda x: float(f"{x:.6e}")), min_size=2, max_size=23),
     st.sampled_from("ED"),
@@ -328,7 +328,7 @@ def test_times_of_single_precision_are_accepted(tmp_path):
     assert motion.dt == pytest.approx(0.01, rel=1e-6)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     st.integers(8, 200),
     st.data(),
@@ -649,7 +649,7 @@ PIECES = [
 ]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.data())
 def test_spoilt_file_is_read_or_refused_with_the_error_of_the_motion(tmp_path_factory, data):
     """Words changed, bytes spoilt, the end cut off, other encodings: no other error comes up."""
@@ -670,7 +670,7 @@ def test_spoilt_file_is_read_or_refused_with_the_error_of_the_motion(tmp_path_fa
         assert told is None or (told.startswith(str(path)) and len(told) < 1000)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.lists(st.floats(-9.0, 9.0).map(lambda x: round(x, 5)), min_size=2, max_size=60),
     st.sampled_from([" ", "\t", ",", ";", " , "]),

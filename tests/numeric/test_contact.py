@@ -147,7 +147,7 @@ def test_uplift_of_a_flexible_structure_is_where_a_foot_ceases_to_press(stiffnes
     assert run["right_reaction"][standing].min() > -1e-9 * TOTAL_MASS * GRAVITY
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     amplitude=st.floats(0.5, 12.0),
     period=st.floats(0.1, 2.0),

@@ -94,7 +94,7 @@ def a_state(structure, values):
     return dict(zip(structure.states, values, strict=False))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(
     structure=st.sampled_from([s for s in WITH_IMPACTS if s.model != "flexible_structure"]),
     law=st.one_of(
@@ -116,7 +116,7 @@ def test_impact_of_a_rigid_structure_takes_the_prescribed_share(structure, law, 
     assert after == pytest.approx(ratio * before, rel=1e-12, abs=1e-200)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     inertia=st.floats(0, 50),
     half_width=st.floats(0.05, 3.0),
@@ -130,7 +130,7 @@ def test_impulsive_law_never_makes_energy(inertia, half_width, side, values):
     assert after <= before * (1 + 1e-12)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     side=st.sampled_from([-1, 1]),
     law=st.sampled_from([rk.AngularMomentum(), rk.EnergyRatio(0.5), rk.VelocityRatio(0.9)]),
@@ -159,7 +159,7 @@ def test_prescribed_ratio_may_make_energy_in_a_vibrating_column():
 # -- in whole runs
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     structure=st.sampled_from(WITH_IMPACTS),
     e=st.floats(0, 1),
@@ -184,7 +184,7 @@ def test_free_motion_never_gains_energy(structure, e, amplitude):
     assert energy.min() >= -1e-8 * scale
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     damping=st.floats(0, 2e4),
     theta=st.floats(-0.1, 0.1),

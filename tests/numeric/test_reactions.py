@@ -13,7 +13,7 @@ from .structures import S1, TOTAL_MASS, column, on_springs
 GRAVITY = 9.81
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     theta=st.floats(0.001, 1.0),
     side=st.sampled_from([-1, 1]),

@@ -54,7 +54,7 @@ def test_mirrored_shaking_gives_the_mirrored_response_to_the_last_bit(structure)
         ]
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(factor=st.floats(0.2, 5.0), alpha=st.floats(0.1, 0.5), amplitude=st.floats(1.05, 3.0))
 def test_similar_blocks_respond_alike_in_scaled_time(factor, alpha, amplitude):
     """The same shape and shaking, all times in units of 1/p (Housner's scale effect)."""

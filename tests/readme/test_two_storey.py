@@ -142,7 +142,7 @@ def test_energy_is_constant_between_impacts_without_damping(law):
         assert np.ptp(piece) < 1e-8 * (energy[0] - at_rest)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(
     side=st.sampled_from([-1, 1]),
     u=st.lists(st.floats(-0.3, 0.3), min_size=2, max_size=2),
