@@ -52,7 +52,12 @@ _TRACES = "the measured traces of chapter 3 are lost"
 _TESTS = "the traces of the tests on the wall are lost"
 _COLUMN = "the traces of the tests on the column are lost"
 _NO_RECORD = "neither the motion of the table nor the record that was meant is at hand"
+_FRAME = "a drawing of a frame of reference"
 NOT_DRAWN: dict[str, str] = {
+    "1-1": "drawings of a block that rocks",
+    "1-2": "photographs of a viaduct",
+    "1-3": "a force against a displacement without numbers; 2-19 and 4-35 have numbers",
+    **dict.fromkeys(("1-4", "1-5", "1-6", "1-7"), _FRAME),
     "2-1": "a drawing of the block and its forces: the notebook on Housner's block has one",
     "2-3": "a drawing of an impacting body",
     "2-4": "a drawing of a block on springs",
@@ -109,5 +114,15 @@ NOT_DRAWN: dict[str, str] = {
     "5-30": "a picture of another program",
     "5-37": "a drawing of the model; `rockeom derive flexible_structure` derives it",
     "5-40": f"{_COLUMN}; 5-39 and 5-41 have the run simulated",
+    **{f"A-{n}": f"{_TESTS}, and the motions of the table" for n in (1, 3, 5, 7, 9)},
+    **{f"A-{n}": "the motions of the table are lost; 4-7 has what was meant" for n in (2, 4, 8)},
+    **{f"A-{n}": _NO_RECORD for n in (6, 10)},
+    "B-1": "a drawing of a wall that turns: Appendix B of the catalogue derives what it shows",
+    **{
+        f"C-{n}": f"{_TESTS}; Tables 4-3 and 4-5 have the peaks in kind"
+        for n in (1, 2, 4, 6, 7, 9, 11, 13, 14, 16)
+    },
+    **{f"C-{n}": _NO_RECORD for n in (3, 5, 8, 10, 12, 15)},
+    **{f"D-{n}": "a diagram: Appendix D of the catalogue derives what it shows" for n in (1, 2, 3)},
 }
 """Number of a figure that cannot be drawn from the text -> why."""

@@ -585,8 +585,8 @@ def figure_4_77() -> Drawn:
     rows = [row for row in TABLE_4_2.rows if row[0] in GROUPS[1][1]]
     above = np.array(
         [
-            float(analysis.Wall.thesis(1e3 * float(row[2])).tendon_force(1e-3 * float(row[1])))
-            / (1e3 * float(row[3])) - 1
+            float(analysis.Wall.thesis(1e3 * float(row[2] or 0)).tendon_force(1e-3 * float(row[1] or 0)))
+            / (1e3 * float(row[3] or 0)) - 1
             for row in rows
         ]
     )  # fmt: skip
@@ -639,7 +639,7 @@ def figure_4_78() -> Drawn:
     axes[0].legend(loc="upper left", fontsize=7.5)
     yields = [wall.yield_displacement() * MM for wall in (WALL, MORE)]
     small = 2e-3
-    force = [float(wall.restoring_force(small)) / 1e3 for wall in (WALL, MORE)]
+    threshold = [float(wall.restoring_force(small)) / 1e3 for wall in (WALL, MORE)]
     d, read = (np.concatenate(x) for x in zip(*points, strict=True))
     fit = float(analysis.coefficient_of_determination(read, MORE.restoring_force(d)))
     return Drawn(
@@ -648,8 +648,8 @@ def figure_4_78() -> Drawn:
             Statement(
                 "section 4.9.2",
                 "more prestress raises the force threshold",
-                f"at {small * MM:g} mm {force[1]:.1f} kN against {force[0]:.1f} kN",
-                bool(force[1] > force[0]),
+                f"at {small * MM:g} mm {threshold[1]:.1f} kN against {threshold[0]:.1f} kN",
+                bool(threshold[1] > threshold[0]),
             ),
             Statement(
                 "section 4.9.2",
@@ -671,8 +671,9 @@ def figure_4_78() -> Drawn:
 def figure_4_79() -> Drawn:
     """Test run 9, Sylmar 360 in 0.6 of its time with 111 kN, by 4-27 with a constant r = 0.852.
 
-    The thesis shows one of its tests with 110 kN; which one is not stated, and its text has 0.835 in
-    place of the caption's 0.852. The measured trace is lost; its largest displacement is the dotted line.
+    The thesis shows one of its tests with 110 kN; which one is not stated, and its text has 0.835
+    in place of the caption's 0.852. The measured trace is lost; its largest displacement is the
+    dotted line.
     """
     figure = style.new_figure(7.2, 3.2)
     ax = figure.add_subplot()
