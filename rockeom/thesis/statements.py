@@ -52,7 +52,12 @@ class _Sentence(NamedTuple):
     find: Callable[[], Finding]
 
     def decided(self) -> Statement:
-        return Statement(self.where, self.printed, *self.find())
+        """Open where a record is missing that it takes."""
+        try:
+            found = self.find()
+        except rk.MotionError as error:
+            found = (str(error), None)
+        return Statement(self.where, self.printed, *found)
 
 
 _OTHERS: list[_Sentence] = []

@@ -56,6 +56,17 @@ def test_sentences_that_belong_to_no_figure():
     assert [one.printed[:6] for one in found if one.holds is False] == ["test 1"]
 
 
+def test_sentence_without_its_record_is_open(monkeypatch):
+    def missing(run):
+        raise rk.MotionError(f"run {run}: the extra 'records' is not installed")
+
+    tests.shaken.oscillator_run.cache_clear()
+    monkeypatch.setattr(tests.shaken, "wall_motion", missing)
+    (one,) = (x for x in statements.others() if x.printed.startswith("test 1"))
+    assert one.verdict == "open"
+    assert "'records' is not installed" in one.found
+
+
 # --- what stands behind the figures
 
 
