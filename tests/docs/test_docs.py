@@ -192,13 +192,21 @@ def by_section() -> list[list[str]]:
     return rows[2:]
 
 
+def place(number: str) -> tuple[str, float]:
+    """Where a figure or a table stands among the others of its chapter."""
+    chapter, _, rest = number.rpartition("-")
+    return chapter, float(rest.rstrip("ab"))
+
+
 def spread(cell: str, every: list[str]) -> set[str]:
     """Numbers of a cell such as `4-1, 4-3 to 4-5`, a range being all of `every` within it."""
     found = set()
     for part in filter(None, cell.split(", ")):
         first, _, last = part.partition(" to ")
-        assert first in every, first
-        found |= set(every[every.index(first) : every.index(last or first) + 1])
+        ends = (place(first), place(last or first))
+        inside = {n for n in every if ends[0] <= place(n) <= ends[1]}
+        assert inside, part
+        found |= inside
     return found
 
 
