@@ -15,6 +15,7 @@ import docstrings
 import sympy as sp
 
 from rockeom import thesis
+from rockeom.thesis import statements as sentences
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, Statement
 from rockeom.thesis.side_by_side import TextTable, side_by_side
 from rockeom.thesis.tables import TABLES
@@ -36,6 +37,7 @@ def fill(app, docname: str, source: list[str]) -> None:
         "symbols": symbols,
         "tables": tables,
         "figures": figures,
+        "statements": statements,
         "help": help_text,
     }
 
@@ -216,9 +218,44 @@ def figures() -> str:
     return "\n\n".join(parts)
 
 
+def statements() -> str:
+    """The sentences with a number: of figures, of none, and what is wrong as printed."""
+    head = ["figure", "where", "printed", "computed", "verdict"]
+    of_figures = [
+        [f"[{number}](figures.md#figure-{number})", *cells]
+        for number in FIGURES
+        for cells in _rows_of(drawn(number).statements)
+    ]
+    others, slips = sentences.others(), sentences.slips()
+    said = [s for number in FIGURES for s in drawn(number).statements]
+    counted = _counts({"figures": said, "others": others, "slips": slips})
+    return "\n\n".join(
+        [
+            counted,
+            "## Of figures",
+            table(head, of_figures),
+            "## Of no figure",
+            _said(others),
+            "## Wrong as printed, outside the equations",
+            _said(slips),
+        ]
+    )
+
+
+def _counts(kinds: dict[str, Iterable[Statement]]) -> str:
+    verdicts = ["holds", "differs", "open"]
+    found = {kind: [s.verdict for s in said] for kind, said in kinds.items()}
+    rows = [[kind, *(str(v.count(x)) for x in verdicts)] for kind, v in found.items()]
+    return table(["", *verdicts], rows)
+
+
+def _rows_of(said: Iterable[Statement]) -> list[list[str]]:
+    return _cells((s.where, s.printed, s.found, s.verdict) for s in said)
+
+
 def _said(said: Iterable[Statement]) -> str:
     head = ["where", "printed", "computed", "verdict"]
-    return table(head, _cells((s.where, s.printed, s.found, s.verdict) for s in said))
+    return table(head, _rows_of(said))
 
 
 def _cells(rows: Iterable[tuple[str, ...]]) -> list[list[str]]:

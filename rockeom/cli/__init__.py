@@ -1,6 +1,7 @@
 """The command line.
 
-``rockeom models | derive | simulate | report | equations | verify | figure | tables | generate``
+``rockeom models | derive | simulate | report | equations | verify | figure | tables | statements
+| generate``
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from rockeom.cli import (
     models,
     report,
     simulate,
+    statements,
     tables,
     verify,
 )
@@ -37,6 +39,7 @@ through every impact.
   rockeom verify                    every equation of the thesis, derived and compared
   rockeom figure 2-16               a figure of the thesis, drawn anew
   rockeom tables 2-1                a table of the thesis, printed beside computed
+  rockeom statements                its sentences with a number, judged
   rockeom generate                  rewrite generated/ from the symbolic models (developers)
 
 Each command explains itself: rockeom simulate --help
@@ -88,7 +91,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (models, derive, simulate, report, equations, verify, figure, tables, generate):
+    for module in (
+        models, derive, simulate, report, equations, verify, figure, tables, statements, generate,
+    ):  # fmt: skip
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(
             name,

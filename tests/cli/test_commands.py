@@ -24,6 +24,7 @@ COMMANDS = (
     "verify",
     "figure",
     "tables",
+    "statements",
     "generate",
 )
 

@@ -173,3 +173,70 @@ def test_docstring_of_the_house_becomes_a_list_and_only_backticks_are_markup(doc
         "* ``x (n,) [m], stiffness k [N/m]``: where.\n\n"
         "Raises ValueError for NaN.\n"
     )
+
+
+# --- by section
+
+SECTIONS = """
+2.1 2.2 2.3 2.4 2.4.1 2.4.2 2.4.3 2.5 2.5.1 2.6 2.7 2.8
+3.1 3.2 3.2.1 3.2.2 3.2.3 3.2.4 3.3
+4.1 4.2 4.3 4.4 4.5 4.5.1 4.6 4.7 4.7.1 4.8 4.8.1 4.8.2 4.8.3
+4.9 4.9.1 4.9.1.1 4.9.1.2 4.9.1.3 4.9.1.4 4.9.1.5 4.9.2 4.9.2.1 4.10
+5.1 5.2 5.2.1 5.2.2 5.2.3 5.3 5.3.1 5.3.1.1 5.3.2 5.3.2.1 5.3.3 5.3.3.1 5.4 6.1 6.2 6.3 6.4
+"""
+"""The sections of the thesis from chapter 2 on."""
+
+
+def by_section() -> list[list[str]]:
+    lines = (DOCS / "sections.md").read_text("utf-8").splitlines()
+    rows = [[cell.strip() for cell in x.strip("|").split("|")] for x in lines if x[:1] == "|"]
+    return rows[2:]
+
+
+def place(number: str) -> tuple[str, float]:
+    """Where a figure or a table stands among the others of its chapter."""
+    chapter, _, rest = number.rpartition("-")
+    return chapter, float(rest.rstrip("ab"))
+
+
+def spread(cell: str, every: list[str]) -> set[str]:
+    """Numbers of a cell such as `4-1, 4-3 to 4-5`, a range being all of `every` within it."""
+    found = set()
+    for part in filter(None, cell.split(", ")):
+        first, _, last = part.partition(" to ")
+        ends = (place(first), place(last or first))
+        inside = {n for n in every if ends[0] <= place(n) <= ends[1]}
+        assert inside, part
+        found |= inside
+    return found
+
+
+def test_every_section_of_the_thesis_stands_in_the_table():
+    assert [row[0] for row in by_section()] == SECTIONS.split()
+
+
+def test_names_of_the_table_of_sections_exist():
+    from rockeom import analysis
+
+    commands = importlib.import_module("rockeom.cli")
+    for section, works, names, *_ in by_section():
+        for name in re.findall(r"`([^`]+)`", f"{works} {names}"):
+            if name.startswith("rockeom "):
+                assert hasattr(commands, name.split()[1]), name
+            else:
+                assert hasattr(rockeom, name) or hasattr(analysis, name), (section, name)
+
+
+def test_every_figure_and_table_stands_in_some_section():
+    figures = importlib.import_module("rockeom.thesis.figures").FIGURES
+    tables = importlib.import_module("rockeom.thesis.tables").TABLES
+    rows = by_section()
+    assert set().union(*(spread(row[3], list(figures)) for row in rows)) == set(figures)
+    assert set().union(*(spread(row[4], list(tables)) for row in rows)) == set(tables)
+
+
+def test_statements_are_counted_and_told(catalogue):
+    thesis = importlib.import_module("rockeom.thesis.figures")
+    one = thesis.Statement("1.1", "a", "b", True)
+    assert "| x | 1 | 0 | 1 |" in catalogue._counts({"x": [one, one._replace(holds=None)]})
+    assert "<!-- statements -->" in (DOCS / "statements.md").read_text("utf-8")

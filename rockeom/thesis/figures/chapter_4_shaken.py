@@ -25,6 +25,7 @@ from rockeom.thesis.figures.chapter_4_wall import (
 )
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import WALL
+from rockeom.thesis.shaken import wall_motion
 from rockeom.thesis.tables import TABLE_4_2
 
 SPREAD = 2.5e-3
@@ -159,13 +160,6 @@ def figure_4_58() -> Drawn:
 # --- test run 4
 
 
-@cache
-def run_4() -> rk.GroundMotion:
-    """Its motion: Sylmar 360 in 0.6 of its time, peak 8.273 m/s2."""
-    one, other = (rk.GroundMotion.from_library(f"Sylmar SYL {n}") for n in ("032", "122"))
-    return one.rotated(other, angle=np.radians(-32)).scaled(time=0.6)
-
-
 def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
     """Displacement [m] and -M_e (a_g + a) [N] of 4-42, where the displacement turns back."""
     d = run["displacement"]
@@ -194,7 +188,7 @@ def figure_4_69() -> Drawn:
     the first does not go beyond 5 mm; from 1.5 times it on the tendon yields, and the points fall
     below the curve with its prestress. M_e is the whole mass, as in the thesis.
     """
-    motion = run_4()
+    motion = wall_motion("4")
     figure, left, right = overview_and_origin()
     parts = []
     for scale, mark, color in ((1.0, "o", style.LINES[1]), (1.4, "^", style.LINES[2])):
@@ -260,7 +254,7 @@ def trials() -> dict[str, analysis.OscillatorResponse]:
     }
     return {
         name: analysis.EquivalentOscillator(mass, *choice).response(
-            run_4(), duration=SHAKEN, step=2.5e-3
+            wall_motion("4"), duration=SHAKEN, step=2.5e-3
         )
         for name, choice in choices.items()
     }
