@@ -15,7 +15,15 @@ LONGEST = (
     "thesis/test_equations.py",
     "codegen/test_generated_functions.py",
     "integrator/test_compiled_programs.py",
+    "codegen/test_generated_text.py",
     "readme/test_names.py",
+    "integrator/test_lanes.py",
+    "integrator/test_ensembles.py",
+    "numeric/test_printer.py",
+    "oracle/test_oracle.py",
+    "symbolic/test_declarations.py",
+    "cli/test_simulate.py",
+    "thesis/test_mutations.py",
 )
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""

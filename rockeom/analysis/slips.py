@@ -120,7 +120,7 @@ def rotation_centre_between_gauges(
     spacing: float,
     noise: float = 0.0,
 ):
-    """Distance of the rotation centre from the left gauge [m]; thesis 4-1, Figure 5-11, Figure 5-12.
+    """Distance of the rotation centre from the left gauge [m]; thesis 4-1, Figure 5-12.
 
     left, right : readings of two uplift gauges, positive upward [m]; shapes broadcast. spacing of
     the gauges [m]. noise : standard deviation of each reading [m].

@@ -45,6 +45,7 @@ def of_samples(b: Floats) -> bool:
     return clearly_open(b, 0)
 """
 NEVER = 2.0
+TO_BERNSTEIN = samples_to_bernstein()
 
 
 def fall(b):
@@ -262,7 +263,7 @@ def test_value_by_de_casteljau(b, x):
 def test_samples_and_powers_give_the_same_bernstein_form(powers):
     expected = bernstein(powers)
     np.testing.assert_allclose(powers_to_bernstein() @ powers, expected, atol=1e-13)
-    sampled = samples_to_bernstein() @ np.polynomial.Polynomial(powers)(NODES)
+    sampled = TO_BERNSTEIN @ np.polynomial.Polynomial(powers)(NODES)
     np.testing.assert_allclose(sampled, expected, atol=1e-11)
 
 
@@ -317,7 +318,7 @@ def test_samples_stay_open_where_all_coefficients_of_their_polynomial_do():
     random = np.random.default_rng(5)
     known = set()
     for samples in 1.0 + random.uniform(0.0, 1.0, (2000, 1)) * random.uniform(-1, 1, (2000, 8)):
-        coefficients = samples_to_bernstein() @ samples
+        coefficients = TO_BERNSTEIN @ samples
         wanted = coefficients.min() > 1e-3 * np.abs(coefficients).max()
         assert loop()["of_samples"](samples) == wanted
         known.add(bool(wanted))
