@@ -10,41 +10,15 @@ What a caption or the text leaves open is said with each figure, and so is what 
 A module here holds the figures of one subject; `FIGURES` finds them by themselves.
 """
 
-from rockeom.thesis.figures import (
-    chapter_2,
-    chapter_2_blocks,
-    chapter_2_design,
-    chapter_3,
-    chapter_4_free_vibration,
-    chapter_4_shaken,
-    chapter_4_simulated,
-    chapter_4_spectra,
-    chapter_4_tests,
-    chapter_4_wall,
-    chapter_5_flexible,
-    chapter_5_rigid,
-    chapter_5_tests,
-)
+import pkgutil
+from importlib import import_module
+
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, ThesisFigure, figures_of
 
 __all__ = ["FIGURES", "NOT_DRAWN", "Drawn", "Source", "Statement", "ThesisFigure"]
 
 FIGURES: dict[str, ThesisFigure] = figures_of(
-    (
-        chapter_2,
-        chapter_2_blocks,
-        chapter_2_design,
-        chapter_3,
-        chapter_4_free_vibration,
-        chapter_4_shaken,
-        chapter_4_simulated,
-        chapter_4_spectra,
-        chapter_4_tests,
-        chapter_4_wall,
-        chapter_5_flexible,
-        chapter_5_rigid,
-        chapter_5_tests,
-    )
+    tuple(import_module(f"{__name__}.{one.name}") for one in pkgutil.iter_modules(__path__))
 )
 """Number of a figure -> the figure."""
 
