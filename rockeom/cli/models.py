@@ -39,6 +39,19 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
+def add_structure(parser: argparse.ArgumentParser) -> None:
+    """Arguments of a command that makes one: its name, and --set for its parameters."""
+    parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
+    parser.add_argument(
+        "--set",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="NAME=VALUE",
+        help="parameters of the structure",
+    )
+
+
 def shipped(name: str) -> type[Structure]:
     """The class of a shipped structure; raises UsageError naming all of them if it is unknown."""
     if name not in SHIPPED:

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError, numbers
-from rockeom.cli.models import shipped
+from rockeom.cli.models import add_structure, shipped
 from rockeom.cli.simulate import add_scale, impact_law, scaled
 from rockeom.motion import GroundMotion
 
@@ -39,15 +39,7 @@ examples:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
-    parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
-    parser.add_argument(
-        "--set",
-        nargs="+",
-        action="extend",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameters of the structure",
-    )
+    add_structure(parser)
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
     parser.add_argument("--duration", type=float, metavar="S", help="of each simulation [s]")
     parser.add_argument(

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
-from rockeom.cli.models import shipped
+from rockeom.cli.models import add_structure, shipped
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import (
     AngularMomentum,
@@ -83,15 +83,7 @@ PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
-    parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
-    parser.add_argument(
-        "--set",
-        nargs="+",
-        action="extend",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameters of the structure",
-    )
+    add_structure(parser)
     parser.add_argument(
         "--initial",
         nargs="+",
