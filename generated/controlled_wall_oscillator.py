@@ -49,7 +49,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "bbd2bef11b5d551a"
+SOURCE_HASH = "fe695803701e7685"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -363,7 +363,7 @@ ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a
 @inlined
 @fused
 def sine_cosine(x):
-    """Sine and cosine, within 1.2e-16: fdlibm's polynomials about multiples of pi/2."""
+    """Sine and cosine, within 1.4e-16: fdlibm's polynomials about multiples of pi/2."""
     n = 0.0
     r = x
     turned = abs(x) > 0.7853981633974483
