@@ -14,6 +14,8 @@ SymPy.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from rockeom import hooks
+
 __version__ = "0.1.0"
 
 _NAMES_OF = {
@@ -78,6 +80,22 @@ if TYPE_CHECKING:
         derive as derive,
         models as models,
     )
+
+
+def _plot_response(*args: Any, **kwargs: Any) -> Any:
+    from rockeom.plots import plot_response
+
+    return plot_response(*args, **kwargs)
+
+
+def _thesis_wall(initial_force: float) -> Any:
+    from rockeom.analysis import Wall
+
+    return Wall.thesis(initial_force)
+
+
+hooks.plot_response.answer = _plot_response
+hooks.thesis_wall.answer = _thesis_wall
 
 
 def __getattr__(name: str) -> Any:

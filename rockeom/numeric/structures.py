@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transf
 
 import numpy as np
 
+from rockeom import hooks
 from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
@@ -365,7 +366,9 @@ class Structure:
         >>> column.fixed_base().periods  # s
         array([0.09200...])
         """
-        return importlib.import_module("rockeom.numeric.fixed_base").FixedBase(self)
+        from rockeom.numeric.fixed_base import FixedBase
+
+        return FixedBase(self)
 
     def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
         """(force, state) at rest under the force at the load point that holds a rotation [N].
@@ -879,10 +882,6 @@ class _ControlledWall(Structure):
         return out
 
 
-def _thesis_wall(initial_force: float) -> Wall:
-    return importlib.import_module("rockeom.analysis").Wall.thesis(initial_force)
-
-
 @_structure_class
 class ControlledWall(_ControlledWall):
     """A rigid wall held by an unbonded tendon, by Lagrange's equations with no term dropped.
@@ -934,7 +933,7 @@ class ControlledWall(_ControlledWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> ControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force))
+        return cls.from_wall(hooks.thesis_wall(initial_force))
 
 
 @_structure_class
@@ -991,7 +990,7 @@ class FlexibleControlledWall(_ControlledWall):
         cls, initial_force: float = 75.6e3, damping_ratio: float = 0.0
     ) -> FlexibleControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force), damping_ratio=damping_ratio)
+        return cls.from_wall(hooks.thesis_wall(initial_force), damping_ratio=damping_ratio)
 
     def fixed_base(self) -> FixedBase:
         """The wall on a base that cannot turn: its mass at centroid_height on the elastic column.
@@ -1053,7 +1052,7 @@ class SubstituteGravityWall(_ControlledWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force))
+        return cls.from_wall(hooks.thesis_wall(initial_force))
 
 
 @_structure_class
@@ -1134,7 +1133,7 @@ class ControlledWallOscillator(_ControlledWall):
         held: bool = True,
     ) -> ControlledWallOscillator:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force), energy_ratio, held)
+        return cls.from_wall(hooks.thesis_wall(initial_force), energy_ratio, held)
 
     def parameters(self) -> dict[str, float]:
         values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
