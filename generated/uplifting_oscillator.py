@@ -14,7 +14,7 @@ Source: Chopra and Yim (1985); thesis 2-7, 2-8.
 
 Operations before and after common subexpressions were shared:
     accelerations             20    19
-    guards                     1     1
+    guards                     9     6
     impulse                   16    16
     energies                  37    32
     reactions                 55    40
@@ -24,7 +24,7 @@ Operations before and after common subexpressions were shared:
     overturning                1     1
     velocity_ratio             8     8
     sizes                      1     1
-    prepare                  209    54
+    prepare                  216    58
 """
 
 import math
@@ -32,7 +32,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d476b5ca89c6a1cf"
+SOURCE_HASH = "24c6734fbd7c4f4c"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -91,6 +91,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = 1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -405,6 +406,22 @@ def statics(contact, y, p, load, out):
         out[1] = -load + stiffness*u
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    u = y[1]
+    u_dot = y[3]
+    c14 = p[20]  # damping*height*mass
+    c15 = p[21]  # height*mass*stiffness
+    c16 = p[22]  # gravity*half_width*mass**2
+    x0 = c14*u_dot + c15*u
+    g[0] = c16 + x0
+    g[1] = c16 - x0
+
+
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
@@ -426,12 +443,15 @@ def sizes(p, out):
 
 
 def prepare(parameters):
-    """Parameters (6,) with the constants that follow from them: p (20,)."""
-    p = np.empty(20)
+    """Parameters (6,) with the constants that follow from them: p (23,)."""
+    p = np.empty(23)
     p[:6] = parameters
     mass = parameters[0]
     height = parameters[1]
     half_width = parameters[2]
+    stiffness = parameters[3]
+    damping = parameters[4]
+    gravity = parameters[5]
     x0 = height**2
     x1 = half_width**2
     x2 = 1/(x0 + x1)
@@ -443,23 +463,27 @@ def prepare(parameters):
     x8 = mass*x1
     x9 = mass*x0
     x10 = 1/(x8 + x9)
-    x11 = mass**2
-    x12 = x0*x11
-    x13 = mass/(mass - x10*x12)
-    x14 = mass**3*x10
-    x15 = 1/(-x0*x1*x14 + x0*x11 + x1*x11 - x14*x5)
+    x11 = height*mass
+    x12 = mass**2
+    x13 = x0*x12
+    x14 = mass/(mass - x10*x13)
+    x15 = mass**3*x10
+    x16 = 1/(-x0*x1*x15 + x0*x12 + x1*x12 - x15*x5)
     p[6] = x0*x6 - x4
     p[7] = x4*x7
     p[8] = half_width*height*x6
-    p[9] = height*mass*x10
+    p[9] = x10*x11
     p[10] = height*x2
     p[11] = half_width*x2
     p[12] = x7
-    p[13] = x13
-    p[14] = height*x13
-    p[15] = height**3*x11*x15
-    p[16] = x12*x15
-    p[17] = height*x1*x11*x15
+    p[13] = x14
+    p[14] = height*x14
+    p[15] = height**3*x12*x16
+    p[16] = x13*x16
+    p[17] = height*x1*x12*x16
     p[18] = x10*x9
     p[19] = x10*x8
+    p[20] = damping*x11
+    p[21] = stiffness*x11
+    p[22] = gravity*half_width*x12
     return p

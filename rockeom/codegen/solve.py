@@ -36,7 +36,7 @@ def solve(
         return expr if gravity is None else _collected(expr, gravity)
 
     M, F = matrix.copy(), right.copy()
-    left, last = _eliminate(text, M, F)
+    left, last = eliminate(text, M, F)
     left.sort(key=lambda j: not text.fixed(M[j, j]))
     entries = {f"m{a}{b}": M[i, j] for a, i in enumerate(left) for b, j in enumerate(left[: a + 1])}
     entries |= {f"f{a}": collected(F[i]) for a, i in enumerate(left)}
@@ -57,7 +57,7 @@ def solve(
     return lines + solved
 
 
-def _eliminate(
+def eliminate(
     text: Text, M: sp.Matrix, F: sp.Matrix
 ) -> tuple[list[int], list[tuple[int, sp.Expr, dict[int, sp.Expr]]]]:
     """Eliminate from M x = F, in place, the unknowns whose coefficients are constants.

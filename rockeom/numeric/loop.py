@@ -53,6 +53,7 @@ if TYPE_CHECKING:  # joined before this text
         COARSE,
         ERROR_EXPONENT,
         GUARDS,
+        HELD,
         KINDS,
         N_ALL_STAGES,
         N_GUARDS,
@@ -75,6 +76,7 @@ if TYPE_CHECKING:  # joined before this text
         dense_output,
         energies,
         guards,
+        held_guards,
         jump,
         kinematics,
         opening_acceleration,
@@ -500,6 +502,10 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
 
     They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
     """
+    if HELD >= 0:
+        quiet = gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
+        if contact == HELD and gx[2] == 0.0 and quiet:
+            return stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics)
     n = N_STATES // 2
     for i in range(n):
         v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
@@ -529,6 +535,35 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
         if not held:
             return False
     return True
+
+
+def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
+    """The same for guards that are sums of the state and of ground that moves in a straight line.
+
+    The coefficients of such a sum are the sums of those of the quintics, and of their slopes.
+    """
+    n = N_STATES // 2
+    for i in range(n):
+        v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
+        a0, a1 = h * h * k[n + i] / 20.0, h * h * k[N_STAGES * N_STATES + n + i] / 20.0
+        at = 8 * i  # between the first and the last once more, so that slopes know no end
+        quintics[at] = quintics[at + 1] = y[i]
+        quintics[at + 2], quintics[at + 3] = y[i] + v0, y[i] + 2.0 * v0 + a0
+        quintics[at + 4], quintics[at + 5] = y_new[i] - 2.0 * v1 + a1, y_new[i] - v1
+        quintics[at + 6] = quintics[at + 7] = y_new[i]
+    rate, ground, change = 1.0 / h, shaking(gx, t), 0.2 * h * gx[4]
+    least, most = np.inf, 0.0
+    for j in range(6):
+        for i in range(n):
+            at = 8 * i + j
+            before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
+            w[i], w[n + i] = here, rate * (j * (here - before) + (5 - j) * (behind - here))
+        held_guards(w, p, ground + j * change, g)
+        for n_g in range(N_GUARDS):
+            if not g[n_g] > 0.0:
+                return False
+            least, most = min(least, g[n_g]), max(most, g[n_g])
+    return 1e-3 * most < least
 
 
 @inlined
