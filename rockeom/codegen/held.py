@@ -13,7 +13,7 @@ from rockeom.codegen.guards import outgoing
 from rockeom.codegen.solve import eliminate
 from rockeom.codegen.text import Text
 from rockeom.symbolic.algebra import at_side
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 
 def held(text: Text) -> int:
