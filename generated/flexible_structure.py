@@ -17,7 +17,7 @@ Source: thesis 5-34, 5-35, D-1 to D-29.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    accelerations             60    55
+    accelerations             59    54
     guards                    13    10
     impulse                   23    21
     energies                  91    62
@@ -28,7 +28,7 @@ Operations before and after common subexpressions were shared:
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
-    prepare                   37    27
+    prepare                   36    27
 """
 
 import math
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "1b54835ea1638558"
+SOURCE_HASH = "f3cda154e8ed0d16"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -196,10 +196,9 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
 @inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
-    stiffness = p[8]
-    damping = p[9]
-    c11 = p[21]  # 1/mass
-    u_ddot = -ax - c11*(damping*u_dot + stiffness*u)
+    c9 = p[19]  # damping/mass
+    c10 = p[20]  # stiffness/mass
+    u_ddot = -ax - c10*u - c9*u_dot
     return (0.0, u_ddot,)
 
 
@@ -262,13 +261,13 @@ def impulse_to_opposite(s, y, p, out):
     base_inertia = p[5]
     c0 = p[10]  # 2*half_width*mass
     c1 = p[11]
-    c12 = p[22]  # base_height**2*base_mass
-    c13 = p[23]  # base_mass*half_width**2
-    c14 = p[24]  # half_width**2*mass
+    c11 = p[21]  # base_height**2*base_mass
+    c12 = p[22]  # base_mass*half_width**2
+    c13 = p[23]  # half_width**2*mass
     x0 = mass*u**2
     m00 = c0*s*u + c1 + x0
     f0 = (
-        base_inertia*theta_dot + c12*theta_dot - c13*theta_dot - c14*theta_dot +
+        base_inertia*theta_dot + c11*theta_dot - c12*theta_dot - c13*theta_dot +
         inertia*theta_dot + theta_dot*x0
     )
     share_10 = height
@@ -545,13 +544,13 @@ def held_guards(y, p, ax, g):
     u_dot = y[3]
     c3 = p[13]  # base_height*base_mass
     c4 = p[14]  # damping*height
-    c15 = p[25]  # gravity*mass + height*stiffness
-    c16 = p[26]  # base_mass*gravity*half_width + gravity*half_width*mass
-    x0 = c15*u
+    c14 = p[24]  # gravity*mass + height*stiffness
+    c15 = p[25]  # base_mass*gravity*half_width + gravity*half_width*mass
+    x0 = c14*u
     x1 = c4*u_dot
     x2 = ax*c3
-    g[0] = c16 + x0 + x1 - x2
-    g[1] = c16 - x0 - x1 + x2
+    g[0] = c15 + x0 + x1 - x2
+    g[1] = c15 - x0 - x1 + x2
 
 
 def overturning(p):
@@ -582,8 +581,8 @@ def sizes(p, out):
 
 
 def prepare(parameters):
-    """Parameters (10,) with the constants that follow from them: p (27,)."""
-    p = np.empty(27)
+    """Parameters (10,) with the constants that follow from them: p (26,)."""
+    p = np.empty(26)
     p[:10] = parameters
     mass = parameters[0]
     height = parameters[1]
@@ -614,10 +613,9 @@ def prepare(parameters):
     p[18] = x6
     p[19] = damping*x7
     p[20] = stiffness*x7
-    p[21] = x7
-    p[22] = x1
-    p[23] = x3
-    p[24] = x4
-    p[25] = gravity*mass + x5
-    p[26] = base_mass*gravity*half_width + gravity*x6
+    p[21] = x1
+    p[22] = x3
+    p[23] = x4
+    p[24] = gravity*mass + x5
+    p[25] = base_mass*gravity*half_width + gravity*x6
     return p

@@ -10,10 +10,10 @@ from __future__ import annotations
 import sympy as sp
 
 from rockeom.codegen.guards import outgoing
-from rockeom.codegen.solve import eliminate
+from rockeom.codegen.solve import by_states, eliminate
 from rockeom.codegen.text import Text
 from rockeom.symbolic.algebra import at_side
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.model import GROUND_Y
 
 
 def held(text: Text) -> int:
@@ -60,15 +60,4 @@ def _sum(text: Text, rocking: str) -> sp.Expr | None:
     closed = {model.rotation.position: 0, model.rotation.velocity: 0, GROUND_Y: 0}
     side = phase.side_of(rocking)
     opens = sp.expand(at_side(model.written_out(F[rotation]), side).subs(closed))
-    return _collected(text, -side * opens)
-
-
-def _collected(text: Text, expr: sp.Expr) -> sp.Expr | None:
-    """An expression as constants by the states and by ax, or None where it is no such sum."""
-    states = [x for c in text.model.coordinates for x in (c.position, c.velocity)]
-    variables = [*states, GROUND_X]
-    factors = [sp.factor_terms(sp.expand(sp.diff(expr, x))) for x in variables]
-    rest = expr.subs(dict.fromkeys(variables, 0))
-    if not all(map(text.fixed, [*factors, rest])):
-        return None
-    return sp.Add(rest, *(f * x for f, x in zip(factors, variables, strict=True)))
+    return by_states(text, -side * opens)
