@@ -11,6 +11,7 @@ from __future__ import annotations
 import hashlib
 
 from rockeom.codegen.guards import guards
+from rockeom.codegen.held import held
 from rockeom.codegen.jump import jump
 from rockeom.codegen.names import check_names, docstring
 from rockeom.codegen.outputs import outputs
@@ -57,8 +58,9 @@ def module_text(model: RockingModel) -> str:
     guards(text)
     jump(text)
     columns = outputs(text)
+    on_both_feet = held(text)
     functions_of_parameters(text)
-    head = tables(text, columns)
+    head = tables(text, columns, on_both_feet)
     check_names("\n".join(head + text.lines), text.given)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
     body = "\n".join(lines) + "\n"

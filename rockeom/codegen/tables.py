@@ -14,8 +14,8 @@ from rockeom.contract import IMPULSIVE, KIND_OF, RATIO, SWITCH
 from rockeom.symbolic.model import Parameter, RockingModel
 
 
-def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
-    """All tables; `columns` : those that name what functions give."""
+def tables(text: Text, columns: Mapping[str, Iterable[str]], held: int) -> list[str]:
+    """All tables; `columns` : those that name what functions give. held : see `held.py`."""
     return [
         "",
         *_words(text.model, columns),
@@ -23,6 +23,7 @@ def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
         *_numbers(text),
         *_of_guards(text.model),
         f"NARROW = {bool(text.model.laws)}  # whether forces may act in a small part of a step",
+        f"HELD = {held}  # contact state whose guards are sums of the state and the ground, or -1",
         f"HAS_IMPULSIVE = {impulsive(text.model)}",
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
         *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),

@@ -53,6 +53,7 @@ if TYPE_CHECKING:  # joined before this text
         COARSE,
         ERROR_EXPONENT,
         GUARDS,
+        HELD,
         KINDS,
         N_ALL_STAGES,
         N_GUARDS,
@@ -75,6 +76,7 @@ if TYPE_CHECKING:  # joined before this text
         dense_output,
         energies,
         guards,
+        held_guards,
         jump,
         kinematics,
         opening_acceleration,
@@ -495,22 +497,38 @@ def extrapolate(h, move, y, y_new, k):
         y_new[n + i] += part * (a1 + 0.5 * part * jerk) / h
 
 
-def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
-    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+@inlined
+def quintics_through_ends(h, y, y_new, k, quintics):
+    """Bernstein coefficients of the coordinates by value, rate and acceleration at both ends.
 
-    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    Those of coordinate i stand from 8 * i + 1 on; the first and the last stand there twice, so that
+    their differences know no end.
     """
     n = N_STATES // 2
     for i in range(n):
         v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
         a0, a1 = h * h * k[n + i] / 20.0, h * h * k[N_STAGES * N_STATES + n + i] / 20.0
-        at = 6 * i
-        quintics[at], quintics[at + 1], quintics[at + 2] = y[i], y[i] + v0, y[i] + 2.0 * v0 + a0
-        quintics[at + 5], quintics[at + 4] = y_new[i], y_new[i] - v1
-        quintics[at + 3] = y_new[i] - 2.0 * v1 + a1
+        at = 8 * i
+        quintics[at] = quintics[at + 1] = y[i]
+        quintics[at + 2], quintics[at + 3] = y[i] + v0, y[i] + 2.0 * v0 + a0
+        quintics[at + 4], quintics[at + 5] = y_new[i] - 2.0 * v1 + a1, y_new[i] - v1
+        quintics[at + 6] = quintics[at + 7] = y_new[i]
+
+
+def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
+    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+
+    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    """
+    if HELD >= 0:
+        quiet = gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
+        if contact == HELD and gx[2] == 0.0 and quiet:
+            return stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics)
+    n = N_STATES // 2
+    quintics_through_ends(h, y, y_new, k, quintics)
     for m in range(8):
         for i in range(n):
-            at = 6 * i
+            at = 8 * i + 1
             place = QUINTIC[m, 0] * quintics[at]
             slope = 0.0
             for j in range(5):
@@ -529,6 +547,30 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
         if not held:
             return False
     return True
+
+
+def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
+    """The same for guards that are sums of the state and of ground that moves in a straight line.
+
+    The coefficients of such a sum are the sums of those of the quintics, and of their slopes.
+    """
+    n = N_STATES // 2
+    quintics_through_ends(h, y, y_new, k, quintics)
+    rate, ground, change = 1.0 / h, shaking(gx, t), 0.2 * h * gx[4]
+    least, most = np.inf, 0.0
+    past, left = 0.0, 5.0
+    for j in range(6):
+        for i in range(n):
+            at = 8 * i + j
+            before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
+            w[i], w[n + i] = here, rate * (past * (here - before) + left * (behind - here))
+        held_guards(w, p, ground + past * change, g)
+        past, left = past + 1.0, left - 1.0
+        for n_g in range(N_GUARDS):
+            if not g[n_g] > 0.0:
+                return False
+            least, most = min(least, g[n_g]), max(most, g[n_g])
+    return 1e-3 * most < least
 
 
 @inlined
@@ -783,6 +825,13 @@ def tabled_ratio(law, impact, y, p):
 # -- infinitely many impacts ---------------------------------------------------------------------
 
 
+@inlined
+def may_fade(side, y, rate, tolerance):
+    """Whether the flight after an impact is short enough for `time_to_rest` to be finite."""
+    a, v = -side * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+    return a > 0.0 and 4.0 * v * v <= 1.001 * tolerance * tolerance * a
+
+
 def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, kick):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
@@ -828,7 +877,9 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, 
             if i >= N_STATES // 2:
                 kick[i] += flight * (out[i] - smooth[i])
         w[ROTATION] = 0.0
-        alike = abs(a - a_before) <= 1e-13 * a and abs(loss - last_loss) <= 1e-13
+        # what is left of them counts by the speed that is left
+        small = 1e-13 * start
+        alike = abs(a - a_before) * v <= small * a and abs(loss - last_loss) * v <= small
         if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
             # what a constant loss leaves of the two series of flights
             left = (1.0 - loss) * (1.0 - (last_loss if law > AT_SPEED else loss))
@@ -1284,6 +1335,11 @@ def integrate(
 
         # -- the rest of infinitely many impacts at once
         ax, ay = shaking(gx, t), shaking(gy, t)
+        rates(contact, y, p, ax, ay, k)
+        if not may_fade(side, y, k, rest_tolerance):
+            if rocks and t < last and h_next != 0.0:
+                fresh = news = 0  # the next step begins with these rates
+            continue
         rests, follows = time_to_rest(
             contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
         )
