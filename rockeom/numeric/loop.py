@@ -574,19 +574,25 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
 
 
 @inlined
-def stands_until(contact, t, end, y, rate, p, gx, gy, g):
-    """Whether a structure that cannot move on both its feet stays there while straight laws last.
-
-    The accelerations with which its feet would lift are linear in those of the ground, so that
-    both ends decide.
-    """
-    if N_STATES > 2 or N_PARTS > 0 or SIDES[contact] != 0.0 or gx[2] != 0.0 or gy[2] != 0.0:
-        return False
-    if rate[0] != 0.0 or rate[1] != 0.0:
+def cannot_move(contact, rate):
+    """Whether a structure stands on both its feet, and has no state that could move there."""
+    if N_STATES > 2 or N_PARTS > 0 or SIDES[contact] != 0.0:
         return False
     for n in range(GUARDS[contact]):
         if KINDS[contact][n] != UPLIFT:
             return False
+    return rate[0] == 0.0 and rate[1] == 0.0
+
+
+@inlined
+def stands_until(contact, t, end, y, p, gx, gy, g):
+    """Whether a structure that cannot move stays on both its feet while straight laws last.
+
+    The accelerations with which its feet would lift are linear in those of the ground, so that
+    both ends decide.
+    """
+    if gx[2] != 0.0 or gy[2] != 0.0:
+        return False
     for turn in range(2):
         tau = end if turn == 1 else t
         guards(contact, y, p, shaking(gx, tau), shaking(gy, tau), g)
@@ -925,16 +931,47 @@ def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
 # -- the loop ------------------------------------------------------------------------------------
 
 
-def first_step(y, rate, rtol, atol):
-    """A cautious first step, from the sizes of the state and of its rate."""
-    size = speed = 0.0
+def first_step(contact, t, y, rate, p, gx, gy, rtol, atol, w, later):
+    """A first step, from the sizes of the state, of its rate, and of the change of that.
+
+    A rocking structure tells how long it may be, by Hairer's estimate or a tenth of its own time;
+    elsewhere it is a cautious one. w, later (N,) : scratch.
+    """
+    size = speed = change = 0.0
     for i in range(N_STATES):
         scale = atol[i] + rtol * abs(y[i])
         size = max(size, abs(y[i]) / scale)
         speed = max(speed, abs(rate[i]) / scale)
-    if size < 1e-5 or speed < 1e-5:
-        return 1e-6
-    return 0.01 * size / speed
+    cautious = 1e-6 if size < 1e-5 or speed < 1e-5 else 0.01 * size / speed
+    longest = 0.1 * own_time(contact, y, p)
+    if NARROW or not rocking(contact) or not cautious < longest:
+        return cautious
+    for i in range(N_STATES):
+        w[i] = y[i] + cautious * rate[i]
+    rates(contact, w, p, shaking(gx, t + cautious), shaking(gy, t + cautious), later)
+    for i in range(N_STATES):
+        scale = cautious * (atol[i] + rtol * abs(y[i]))
+        change = max(change, abs(later[i] - rate[i]) / scale)
+    most = max(speed, change)
+    if not 0.0 < most < np.inf:
+        return cautious
+    return max(cautious, min(longest, (0.01 / most) ** -ERROR_EXPONENT))
+
+
+@inlined
+def power(x, exponent):
+    """x**exponent within 4 per cent, for x of at most 1 and an exponent of at most 0.2.
+
+    The control of steps asks for no more, and waits for it: Pade's approximation about 0.1.
+    """
+    factor = 0.1**exponent
+    while x < 0.01:
+        x *= 100.0
+        factor *= 0.01**exponent
+    z = 10.0 * x - 1.0
+    above = 12.0 + z * (6.0 * (2.0 + exponent) + z * ((1.0 + exponent) * (2.0 + exponent)))
+    below = 12.0 + z * (6.0 * (2.0 - exponent) + z * ((1.0 - exponent) * (2.0 - exponent)))
+    return factor * above / below
 
 
 @inlined
@@ -1045,7 +1082,8 @@ def integrate(
     for i in range(N_STATES):
         k[i] = rate[i]
     t, h_next = clock[TIME], clock[NEXT_STEP]
-    last_error, refined_to = clock[LAST_ERROR], clock[REFINED_TO]
+    last_error = clock[LAST_ERROR] if clock[LAST_ERROR] > 0.0 else 1.0
+    refined_to = clock[REFINED_TO]
     coarse = most_error(rtol)
     nx, gx = row_at(horizontal, 0, t)
     ny, gy = row_at(vertical, 0, t)
@@ -1089,7 +1127,7 @@ def integrate(
                 rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
                 fresh = news = 0
                 if h_next == 0.0:
-                    h_next = first_step(y, k, rtol, atol)
+                    h_next = first_step(contact, t, y, k, p, gx, gy, rtol, atol, w, after)
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
@@ -1098,10 +1136,12 @@ def integrate(
             if equal:
                 h_next = span / fixed
             bound = coarse if equal else 1.0
-            h = min(h_next, h_max)
+            still = cannot_move(contact, k)
+            proposed = np.inf if still else h_next
+            h = min(proposed, h_max)
             if not rocks:
                 h = min(h, sampling_step(gx), sampling_step(gy))
-            longest = min(h_next, last - t)
+            longest = min(proposed, last - t)
             cut = t + 1.1 * h >= last
             if cut:
                 h = last - t
@@ -1109,12 +1149,14 @@ def integrate(
             slope = more = 0.0
             corrections = overlooked = 0
             beyond = turned = hops = False
-            stands = last - t <= h_max and stands_until(contact, t, last, y, k, p, gx, gy, g)
+            stands = still and last - t <= h_max
+            stands = stands and stands_until(contact, t, last, y, p, gx, gy, g)
             if stands:
-                # nothing moves: no step is needed to know the state at its end
                 taken += 1
                 h = last - t
                 cut = True
+            if still:
+                # nothing moves: the state is known without a step
                 for i in range(N_STATES):
                     y_new[i] = y[i]
                     k[N_STAGES * N_STATES + i] = 0.0
@@ -1130,7 +1172,9 @@ def integrate(
                     hops = True
             while not stands:
                 taken += 1
-                error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+                error = 0.0
+                if not still:
+                    error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
                 finite = math.isfinite(error) and finite_end(k)
                 if not finite or error > bound:
                     # refused: too inaccurate, or not finite
@@ -1187,10 +1231,11 @@ def integrate(
                         corrections = 0
                         continue
                     landed = target
-                elif not cut:
+                elif not (cut or still):
                     # proportional-integral control: the last error damps the answer to this one
-                    error = math.log(max(error, 1e-10))
-                    factor = math.exp(ERROR_EXPONENT * (0.7 * error - 0.4 * last_error))
+                    error = max(error, 1e-10)
+                    factor = power(error, 0.7 * ERROR_EXPONENT)
+                    factor *= power(last_error, -0.4 * ERROR_EXPONENT)
                     last_error = error
                     h_next = h * min(5.0, max(0.2, 0.9 * factor))
                 open_ = False
@@ -1202,13 +1247,14 @@ def integrate(
                         h *= place
                         cut = False
                         continue
-                elif landed < 0 and touching < 0:
+                elif landed < 0 and touching < 0 and not still:
                     open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
                 closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
-                if keep or turned or beyond or leaves or closes or not (open_ or landed >= 0):
+                asked = keep or turned or beyond or leaves or closes
+                if not still and (asked or not (open_ or landed >= 0)):
                     dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
                     if more != 0.0:
                         shorten(coefficients, 1.0 + more / h)
@@ -1441,6 +1487,7 @@ def widen(peaks, y):
         peaks[1, i] = max(peaks[1, i], y[i])
 
 
+@inlined
 def widens(peaks, h, y, y_new, k):
     """Whether a state may turn back within a step, outside of the extremes known so far.
 
@@ -1473,22 +1520,30 @@ def widens(peaks, h, y, y_new, k):
 def widen_within(peaks, coefficients):
     """Take in the turning points of the states inside a step, from its dense output."""
     for i in range(N_STATES):
-        for end in range(2):
-            sign = 2.0 * end - 1.0
-            best, x = -np.inf, 0.0
-            for m in range(8):
-                value = sign * power_sum(coefficients, NODES[m], i)
-                if value > best:
-                    best, x = value, NODES[m]
-            low, high = max(x - 0.25, 0.0), min(x + 0.25, 1.0)
-            for _ in range(6):
-                slope, bend = slope_at(coefficients, x, i)
-                if sign * bend >= 0.0:
-                    break
-                x = min(max(x - slope / bend, low), high)
-            best = max(best, sign * power_sum(coefficients, x, i))
-            if best > sign * peaks[end, i]:
-                peaks[end, i] = sign * best
+        least, most = np.inf, -np.inf
+        low = high = 0.0
+        for m in range(8):
+            value = power_sum(coefficients, NODES[m], i)
+            if value < least:
+                least, low = value, NODES[m]
+            if value > most:
+                most, high = value, NODES[m]
+        peaks[0, i] = min(peaks[0, i], min(least, turning_point(coefficients, low, i, -1.0)))
+        peaks[1, i] = max(peaks[1, i], max(most, turning_point(coefficients, high, i, 1.0)))
+
+
+def turning_point(coefficients, x, i, sign):
+    """Value of state i at its maximum (sign 1) or minimum (-1) beside the node x of a step."""
+    low, high = max(x - 0.25, 0.0), min(x + 0.25, 1.0)
+    for _ in range(6):
+        slope, bend = slope_at(coefficients, x, i)
+        if sign * bend >= 0.0:
+            break
+        before = x
+        x = min(max(x - slope / bend, low), high)
+        if abs(x - before) < 1e-9:
+            break  # an extreme's error is of the order of the square of that
+    return power_sum(coefficients, x, i)
 
 
 def slope_at(coefficients, x, i):
@@ -1515,24 +1570,14 @@ def may_reach(bound, h, y, y_new, k):
 
 
 def bound_passed(coefficients, bound, b, stack):
-    """Place in a step at which the rotation's size reaches `bound`, or NEVER."""
-    if abs(power_sum(coefficients, 1.0, ROTATION)) < bound:
-        # there and back within the step
-        place = NEVER
-        for turn in range(2):
-            rotation_polynomial(1.0 - 2.0 * turn, coefficients, b, 0)
-            for i in range(8):
-                b[i] += bound
-            place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
-        return place
-    low, high = 0.0, 1.0
-    for _ in range(60):
-        x = 0.5 * (low + high)
-        if abs(power_sum(coefficients, x, ROTATION)) < bound:
-            low = x
-        else:
-            high = x
-    return high
+    """Place in a step at which the rotation's size first reaches `bound`, or NEVER."""
+    place = 1.0 if abs(power_sum(coefficients, 1.0, ROTATION)) >= bound else NEVER
+    for turn in range(2):
+        rotation_polynomial(1.0 - 2.0 * turn, coefficients, b, 0)
+        for i in range(8):
+            b[i] += bound
+        place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
+    return place
 
 
 def shorten(coefficients, x):
