@@ -17,6 +17,7 @@ from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numeric.contact_states import contact_of, has_points, named, standing
 from rockeom.numeric.impact import (
     AngularMomentum,
     EnergyRatioAtSpeed,
@@ -84,6 +85,11 @@ class Structure:
         return "both" in m.CONTACTS and UPLIFT in m.KINDS[m.CONTACTS.index("both")]
 
     @functools.cached_property
+    def stands_on_points(self) -> bool:
+        """Whether its contacts may open, slide and bounce; its contact states are found then."""
+        return has_points(self.module)
+
+    @functools.cached_property
     def has_impacts(self) -> bool:
         """Whether an impact ends any contact state."""
         m = self.module
@@ -115,7 +121,8 @@ class Structure:
         for name, value in zip(self.states, y, strict=True):
             if not isfinite(value):
                 raise ValueError(f"state {name} is {value}: give a finite number")
-        return np.array(y)
+        found = np.array(y)
+        return standing(self.module, found, self.vector, values) if has_points(self.module) else found
 
     def contact(self, y: np.ndarray, phase: str | None = None, towards: float = 0.0) -> int:
         """Number of the contact state of a state vector, or of the phase named.
@@ -125,6 +132,8 @@ class Structure:
         Raises ValueError for a state that fits no contact state, or not the phase named.
         """
         m = self.module
+        if has_points(m):
+            return contact_of(m, self.model, y, self.vector) if phase is None else named(m, phase)
         values = y.tolist()
         rotation, rate = values[m.ROTATION], values[m.ROTATION_RATE]
         if phase is not None:
