@@ -155,11 +155,11 @@ def named(module: ModuleType, phase: Any) -> int:
 
 
 def subject(
-    module: ModuleType, kind: int, contact: int, guard: int, y: np.ndarray, p: np.ndarray
+    module: ModuleType, kind: int, contact: int, guard: int, states: np.ndarray, p: np.ndarray
 ) -> str:
     """The points, or the element, of an event, joined by "+" where several have it at once.
 
-    y : the state before it.
+    states (2, N) : before and after it.
     """
     if guard < 0 or not has_points(module):
         return ""
@@ -168,10 +168,13 @@ def subject(
         return module.ELEMENTS[number - len(module.POINTS)]
     several = [number]
     if kind == LANDING:
-        points = Points(module, y, p)
-        near = np.abs(points.gap) <= _CLOSED * points.size
-        fall = points.gap_rate < -_CLOSED * points.speed
-        several = sorted({number, *np.flatnonzero(near & fall).tolist()})
+        before, after = (Points(module, y, p) for y in states)
+        met = (before.gap_rate < -_CLOSED * before.speed) & (
+            after.gap_rate >= -_CLOSED * before.speed
+        )
+        opened = np.array(module.POINT_STATES[contact]) == OPEN
+        near = after.gap <= 1e-6 * np.abs(before.gap_rate)  # it did not only turn back in flight
+        several = sorted({number, *np.flatnonzero(met & opened & near).tolist()})
     elif kind in (SLIPPING, STICKING):
         shared = module.SHARED[contact]
         several = [i for i, first in enumerate(shared) if first == shared[number]]

@@ -52,6 +52,8 @@ N_COORDINATES = N_STATES // 2
 POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
+NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
+ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
 SLIP_SIGNS = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
 HALVES = (
     1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125,
@@ -64,7 +66,7 @@ HALVES = (
 )  # fmt: skip
 
 
-def touches(touching, i):
+def is_closed(touching, i):
     """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
     n = int(touching * HALVES[i])
     return touching > 0 and n - 2 * int(n * 0.5) == 1
@@ -250,7 +252,7 @@ def impulses_of(candidate, arriving, laws, coupling, fractions, impulse):
         a[normal * width + ROWS] = -(1.0 + laws[normal]) * min(arriving[normal], 0.0)
         if arriving[normal] > 0.0:
             a[normal * width + ROWS] = -arriving[normal]
-        if state == STICK and SHARED[candidate][i] == i and not fractions[i] == fractions[i]:
+        if state == STICK and SHARED[candidate][i] == i and fractions[i] != fractions[i]:
             for j in range(ROWS):
                 a[(normal + 1) * width + j] = coupling[(normal + 1) * ROWS + j]
             a[(normal + 1) * width + ROWS] = -arriving[normal + 1]
@@ -323,18 +325,15 @@ def collide(contact, near, y, laws, told, spread, coupling, out):
                 leaving[r] += coupling[r * ROWS + s] * impulse[s]
         if not impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
             continue
-        same = True
         for i in range(n):
             value, size = y[n + i], abs(y[n + i])
             for r in range(ROWS):
                 value += spread[i * ROWS + r] * impulse[r]
                 size += abs(spread[i * ROWS + r] * impulse[r])
             if found >= 0 and abs(value - after[i]) > 1e-9 * size:
-                same = False
-            elif found < 0:
+                return AMBIGUOUS
+            if found < 0:
                 after[i] = value
-        if not same:
-            return AMBIGUOUS
         if found < 0:
             found = candidate
             for i in range(n):
@@ -376,45 +375,38 @@ def share(candidate, told, force, fractions):
     return True
 
 
-def forces_fit(candidate, contact, near, sliding, y, p, ax, ay, told, dy, g):
+def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
     """By how much a contact state's forces and accelerations fit, from its least margin; or -inf.
 
-    A margin is relative to what it is the difference of. dy (N,), g : its rates and guards.
+    A margin is relative to the forces, or to scales (ROWS,), the accelerations of points that the
+    forces would make without contacts. dy (N,), g : rates and guards of the contact state.
     """
     n = N_COORDINATES
     rates(candidate, y, p, ax, ay, dy)
     guards(candidate, y, p, ax, ay, g)
-    scale = 0.0
+    scale = 1e-300
     for i in range(GUARDS[candidate]):
         if KINDS[candidate][i] == LIFTING or KINDS[candidate][i] == SLIPPING:
             scale += abs(g[i])
     least = np.inf
     for i in range(GUARDS[candidate]):
         if KINDS[candidate][i] == LIFTING or KINDS[candidate][i] == SLIPPING:
-            if not g[i] >= -FITS * scale:
-                return -np.inf
-            least = min(least, g[i] / scale) if scale > 0.0 else 0.0
+            least = min(least, g[i] / scale)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state = POINT_STATES[candidate][i]
         if state == OPEN:
-            pushed, size = rate_of(told, 2 * i, dy, n)
-            bias = told[i * POINT + 3]
+            pushed, _ = rate_of(told, 2 * i, dy, n)
+            least = min(least, (pushed + told[i * POINT + 3]) / scales[2 * i])
         elif state != STICK and sliding[i] == 0.0:
-            pushed, size = rate_of(told, 2 * i + 1, dy, n)
-            bias = told[i * POINT + 4]
-            pushed, bias = SLIP_SIGNS[state] * pushed, SLIP_SIGNS[state] * bias
-        else:
-            continue
-        size += abs(bias)
-        if not pushed + bias >= -FITS * size:
-            return -np.inf
-        least = min(least, (pushed + bias) / size) if size > 0.0 else 0.0
-    return least
+            pushed, _ = rate_of(told, 2 * i + 1, dy, n)
+            pushed = SLIP_SIGNS[state] * (pushed + told[i * POINT + 4])
+            least = min(least, pushed / scales[2 * i + 1])
+    return least if least >= -NEARLY else -np.inf
 
 
-def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told):
+def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told, coupling):
     """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `contact` has come to its end, so that it follows only where nothing else does.
@@ -424,21 +416,24 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
     n = N_COORDINATES
     dy, g, first = np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS), np.empty(N_COORDINATES)
     w = np.empty(N_STATES)
-    later = np.empty(POINT * N_POINTS)
+    later, apart = np.empty(POINT * N_POINTS), np.empty(N_COORDINATES)
+    matrix = np.empty(N_COORDINATES * N_COORDINATES)
+    free = free_acceleration(y, p, ax, ay, contact, matrix)
+    scales = np.empty(ROWS)
+    for r in range(ROWS):
+        scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
     found, best = IMPOSSIBLE, -np.inf
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
-        margin = forces_fit(candidate, contact, near, sliding, y, p, ax, ay, told, dy, g)
+        margin = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
         if margin == -np.inf:
             continue
         if found >= 0:
             for i in range(n):
-                difference = abs(dy[n + i] - first[i])
-                if difference > 1e-8 * (abs(dy[n + i]) + abs(first[i])) and (
-                    difference > 1e-8 * largest_of(first)
-                ):
-                    return AMBIGUOUS
+                apart[i] = dy[n + i] - first[i]
+            if squared(matrix, apart) > ALIKE * ALIKE * free:
+                return AMBIGUOUS
         else:
             for i in range(n):
                 first[i] = dy[n + i]
@@ -447,7 +442,7 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
             w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
             w[n + i] = y[n + i] + tau * dy[n + i]
         points(w, p, later)
-        margin = forces_fit(candidate, contact, near, sliding, w, p, later_x, later_y, later, dy, g)
+        margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
         if candidate == contact and ends:
             margin = -1e300
         if found < 0 or margin > best:
@@ -455,11 +450,29 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
     return found
 
 
-def largest_of(x):
-    largest = 0.0
+def free_acceleration(y, p, ax, ay, contact, matrix):
+    """The accelerations without contacts, squared in the measure of the mass, see `squared`."""
+    n, width = N_COORDINATES, N_COORDINATES + 1
+    forces = np.empty(N_COORDINATES)
+    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
+    free_motion(y, p, ax, ay, contact, matrix, forces)
+    for i in range(n):
+        for j in range(n):
+            a[i * width + j] = matrix[i * n + j]
+        a[i * width + n] = forces[i]
+    eliminate(a, n, width)
+    total = 0.0
+    for i in range(n):
+        total += forces[i] * a[i * width + n]
+    return total
+
+
+def squared(matrix, x):
+    total = 0.0
     for i in range(N_COORDINATES):
-        largest = max(largest, abs(x[i]))
-    return largest
+        for j in range(N_COORDINATES):
+            total += x[i] * matrix[i * N_COORDINATES + j] * x[j]
+    return total
 
 
 # -- passages ------------------------------------------------------------------------------------
@@ -469,7 +482,7 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
     """The end of a contact state by a guard: state after into out (N,).
 
     Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
-    closed, see `touches`.
+    closed, see `is_closed`.
     """
     n = N_COORDINATES
     for i in range(N_STATES):
@@ -515,7 +528,7 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             continue
         state = POINT_STATES[as_said][i]
         rate, size = rate_of(told, 2 * i, out, n)
-        before, size_before = rate_of(told, 2 * i, y, n)
+        _before, size_before = rate_of(told, 2 * i, y, n)
         leaves = rate > FITS * max(size, size_before)
         if leaves and (state == OPEN or laws[2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
@@ -532,15 +545,17 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, told, spread, coupling, out)
     points(out, p, told)
-    ends = kind == LIFTING or kind == SLIPPING
-    follows = go_on_as(contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, told)
+    ends = kind in (LIFTING, SLIPPING)
+    follows = go_on_as(
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, told, coupling
+    )
     if follows < 0:
         return follows, -1
     return follows, closed_guards(follows, contact, guard, near, leaving, sliding, out, p, ax, ay)
 
 
 def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay):
-    """Which guards of a contact state are zero as it begins, see `touches`; -1 for none."""
+    """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
     g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, y, p, ax, ay, g)
     scale = 0.0
@@ -555,8 +570,8 @@ def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay)
             closed = near[subject] == 1 or leaving[subject] == 1
         elif kind == STICKING:
             closed = sliding[subject] == 0.0
-        elif kind == LIFTING or kind == SLIPPING:
-            closed = closed or abs(g[i]) <= FITS * scale
+        elif kind in (LIFTING, SLIPPING):
+            closed = closed or abs(g[i]) <= NEARLY * scale
         if closed:
             touching += int(1.0 / HALVES[i])
     return touching if touching > 0 else -1
@@ -618,7 +633,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         return np.inf, contact
     total = flight = before = last = 0.0
     here = contact
-    for turn in range(4000):
+    for _turn in range(4000):
         # the next landing of those that bounce
         points(w, p, told)
         rates(here, w, p, ax, ay, dy)
@@ -686,7 +701,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
     put_on(rows, wanted, n, told, spread, coupling, out)
     points(out, p, told)
-    follows = go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, told)
+    follows = go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, told, coupling)
     if follows < 0:
         return np.inf, contact
     for i in range(N_POINTS):

@@ -83,6 +83,7 @@ if TYPE_CHECKING:  # joined before this text
         energies,
         guards,
         held_upright,
+        is_closed,
         jump,
         kinematics,
         opening_acceleration,
@@ -91,7 +92,6 @@ if TYPE_CHECKING:  # joined before this text
         reactions,
         take_step,
         time_of_bounces,
-        touches,
     )
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -577,10 +577,10 @@ def stands_until(contact, t, end, y, rate, p, gx, gy, w, g):
 def held_until(contact, end, y, p, gx, gy, w):
     """Whether nothing is accelerated at the end of straight laws: then nothing is before it."""
     rates(contact, y, p, shaking(gx, end), shaking(gy, end), w)
+    moves = False
     for i in range(N_STATES):
-        if w[i] != 0.0:
-            return False
-    return True
+        moves = moves or w[i] != 0.0
+    return not moves
 
 
 def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
@@ -728,7 +728,7 @@ def first_event(
     from_closed = unclear = False
     rocks = rocking(contact)
     for i in range(GUARDS[contact]):
-        known = touching == i if N_POINTS == 0 else touches(touching, i)
+        known = touching == i if N_POINTS == 0 else is_closed(touching, i)
         if i == landed or (landed >= 0 and known):
             continue
         closed = known
@@ -934,9 +934,9 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
     moved = False
     guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
     for i in range(GUARDS[contact]):
-        known = touching == i if N_POINTS == 0 else touches(touching, i)
+        known = touching == i if N_POINTS == 0 else is_closed(touching, i)
         kind = KINDS[contact][i]
-        if known or kind == IMPACT or kind == LANDING or not g[i] < 0.0:
+        if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
         if not moved:
             # look ahead, by some of the errors that the time of an event may have
@@ -1316,7 +1316,7 @@ def integrate(
         fresh = news = 1
         if N_POINTS == 0 and (kind != IMPACT or SIDES[contact] != 0.0):
             touching = CLOSED[before][landed]
-        if kind == UPLIFT or kind == LIFTING:
+        if kind in (UPLIFT, LIFTING):
             h_next = 0.0  # the gap opens slowly: its first moments want a short step
         if kind != IMPACT and kind != LANDING:
             continue

@@ -175,7 +175,7 @@ class Response:
                 names[after],
                 dict(zip(self.states, pair[0].tolist(), strict=True)),
                 dict(zip(self.states, pair[1].tolist(), strict=True)),
-                subject(module, kind, before, guard, pair[0], self.structure.vector),
+                subject(module, kind, before, guard, pair, self.structure.vector),
             )
             for time, (kind, before, after, guard), pair in zip(*self.passages, strict=True)
         )

@@ -122,7 +122,9 @@ class Structure:
             if not isfinite(value):
                 raise ValueError(f"state {name} is {value}: give a finite number")
         found = np.array(y)
-        return standing(self.module, found, self.vector, values) if has_points(self.module) else found
+        if has_points(self.module):
+            return standing(self.module, found, self.vector, values)
+        return found
 
     def contact(self, y: np.ndarray, phase: str | None = None, towards: float = 0.0) -> int:
         """Number of the contact state of a state vector, or of the phase named.
