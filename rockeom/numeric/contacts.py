@@ -54,7 +54,7 @@ ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is norma
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
 ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
-SLIP_SIGNS = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
+SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
 HALVES = (
     1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125,
     0.0009765625, 0.00048828125, 0.000244140625, 0.0001220703125, 6.103515625e-05,
@@ -222,7 +222,7 @@ def may_follow(candidate, contact, near, sliding):
             continue
         if near[i] == 0:
             return False
-        if sliding[i] != 0.0 and SLIP_SIGNS[state] != sliding[i]:
+        if sliding[i] != 0.0 and SIGN_OF[state] != sliding[i]:
             return False
     return True
 
@@ -259,7 +259,7 @@ def impulses_of(candidate, arriving, laws, coupling, fractions, impulse):
         elif state == STICK and fractions[i] == fractions[i]:
             a[(normal + 1) * width + normal] = -unit * fractions[i]
         elif state != STICK:
-            a[(normal + 1) * width + normal] = unit * laws[normal + 1] * SLIP_SIGNS[state]
+            a[(normal + 1) * width + normal] = unit * laws[normal + 1] * SIGN_OF[state]
     eliminate(a, ROWS, width)
     for r in range(ROWS):
         impulse[r] = a[r * width + ROWS]
@@ -291,7 +291,7 @@ def impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
                     bound += laws[2 * j + 1] * max(impulse[2 * j], 0.0)
             if abs(along_) > bound + FITS * scale:
                 return False
-        elif SLIP_SIGNS[state] * leaving[normal + 1] < -FITS * sizes[normal + 1]:
+        elif SIGN_OF[state] * leaving[normal + 1] < -FITS * sizes[normal + 1]:
             return False
     return True
 
@@ -401,7 +401,7 @@ def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
             least = min(least, (pushed + told[i * POINT + 3]) / scales[2 * i])
         elif state != STICK and sliding[i] == 0.0:
             pushed, _ = rate_of(told, 2 * i + 1, dy, n)
-            pushed = SLIP_SIGNS[state] * (pushed + told[i * POINT + 4])
+            pushed = SIGN_OF[state] * (pushed + told[i * POINT + 4])
             least = min(least, pushed / scales[2 * i + 1])
     return least if least >= -NEARLY else -np.inf
 
