@@ -28,6 +28,7 @@ from rockeom.contract import (
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
+        ANGLES,
         ELEMENT_STATES,
         GUARDS,
         KINDS,
@@ -70,6 +71,67 @@ def is_closed(touching, i):
     """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
     n = int(touching * HALVES[i])
     return touching > 0 and n - 2 * int(n * 0.5) == 1
+
+
+# -- steps ---------------------------------------------------------------------------------------
+
+
+def longest_turn(y):
+    """The longest step in which angles change so little that eight samples follow a gap."""
+    fastest = 1e-300
+    for i in range(N_COORDINATES):
+        fastest = max(fastest, ANGLES[i] * abs(y[N_COORDINATES + i]))
+    return 1.0 / fastest
+
+
+def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples):
+    """Whether all guards of a contact state stay far from zero in a step.
+
+    They are parabolas, all but a tenth, through four samples on the quintics through both ends, and
+    above a quarter of their size. k : the rates at the start, and from `end` on those at the end.
+    ground (8,) : its accelerations at the samples: the start, the middle, three quarters, the end.
+    """
+    for m in range(4):
+        if m == 0:
+            guards(contact, y, p, ground[0], ground[1], g)
+        elif m == 3:
+            guards(contact, y_new, p, ground[6], ground[7], g)
+        else:
+            between(h, 0.5 if m == 1 else 0.75, y, y_new, k, end, w)
+            guards(contact, w, p, ground[2 * m], ground[2 * m + 1], g)
+        for i in range(GUARDS[contact]):
+            samples[4 * i + m] = g[i]
+    for i in range(GUARDS[contact]):
+        first, middle, later, last = (
+            samples[4 * i],
+            samples[4 * i + 1],
+            samples[4 * i + 2],
+            samples[4 * i + 3],
+        )
+        bend = 2.0 * middle - 0.5 * (first + last)
+        least = min(first, min(bend, last))
+        if not least > 0.25 * max(first, max(abs(bend), last)):
+            return False
+        if abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) > 0.1 * least:
+            return False
+    return True
+
+
+def between(h, x, y, y_new, k, end, w):
+    """The state at x in [0, 1] of a step, on the quintics through both ends, into w (N,)."""
+    n = N_COORDINATES
+    u = 1.0 - x
+    for i in range(n):
+        q0, q1, v0, v1 = y[i], y_new[i], h * y[n + i], h * y_new[n + i]
+        a0, a1 = h * h * k[n + i], h * h * k[end + n + i]
+        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+        c0, c1, c2, c3 = u * q0 + x * b1, u * b1 + x * b2, u * b2 + x * b3, u * b3 + x * b4
+        c4 = u * b4 + x * q1
+        c0, c1, c2, c3 = u * c0 + x * c1, u * c1 + x * c2, u * c2 + x * c3, u * c3 + x * c4
+        c0, c1, c2 = u * c0 + x * c1, u * c1 + x * c2, u * c2 + x * c3
+        c0, c1 = u * c0 + x * c1, u * c1 + x * c2
+        w[i], w[n + i] = u * c0 + x * c1, 5.0 * (c1 - c0) / h
 
 
 # -- linear equations ----------------------------------------------------------------------------

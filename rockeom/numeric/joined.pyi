@@ -57,6 +57,13 @@ def point_laws(p: Floats, out: Floats) -> None: ...
 # -- contacts.py
 
 def is_closed(touching: Int, i: Int) -> bool: ...
+ANGLES: tuple[float, ...]
+
+def longest_turn(y: Floats) -> float: ...
+def stays_within(
+    contact: Int, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
+    ground: Floats, w: Floats, g: Floats, samples: Floats,
+) -> bool: ...  # fmt: skip
 def pass_on(
     contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
     later_x: Float, later_y: Float, tau: Float, out: Floats,

@@ -86,10 +86,12 @@ if TYPE_CHECKING:  # joined before this text
         is_closed,
         jump,
         kinematics,
+        longest_turn,
         opening_acceleration,
         pass_on,
         rates,
         reactions,
+        stays_within,
         take_step,
         time_of_bounces,
     )
@@ -1085,6 +1087,8 @@ def integrate(
             h = min(h_next, h_max)
             if not rocks:
                 h = min(h, sampling_step(gx), sampling_step(gy))
+            if N_POINTS > 0:
+                h = min(h, longest_turn(y))
             longest = min(h_next, last - t)
             cut = t + 1.1 * h >= last
             if cut:
@@ -1187,7 +1191,15 @@ def integrate(
                         cut = False
                         continue
                 elif landed < 0 and touching < 0:
-                    open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
+                    if N_POINTS > 0:
+                        for m in range(4):
+                            tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
+                            stack[2 * m], stack[2 * m + 1] = shaking(gx, tau), shaking(gy, tau)
+                        open_ = stays_within(
+                            contact, h, y, y_new, k, N_STAGES * N_STATES, p, stack, w, g, b
+                        )
+                    if not open_:
+                        open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)

@@ -187,7 +187,11 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
 
 def _contacts(generated: ModuleType) -> str:
     """What finds the contact state that follows, where a structure does not declare it."""
-    return _own("contacts.py") if getattr(generated, "N_POINTS", 0) else "N_POINTS = 0\n"
+    if not getattr(generated, "N_POINTS", 0):
+        return "N_POINTS = 0\n"
+    units = generated.STATE_UNITS[: generated.N_STATES // 2]
+    angles = ", ".join("1.0" if unit == "rad" else "0.0" for unit in units)
+    return f"{_own('contacts.py')}\n\nANGLES = ({angles},)  # which coordinates are\n"
 
 
 def _digest(*sources: str) -> str:
