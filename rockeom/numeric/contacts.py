@@ -54,6 +54,7 @@ POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
+SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
 ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
 HALVES = (
@@ -438,7 +439,7 @@ def share(candidate, told, force, fractions):
 
 
 def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
-    """By how much a contact state's forces and accelerations fit, from its least margin; or -inf.
+    """The least margin by which forces and accelerations fit; negative where they do not.
 
     A margin is relative to the forces, or to scales (ROWS,), the accelerations of points that the
     forces would make without contacts. dy (N,), g : rates and guards of the contact state.
@@ -465,7 +466,7 @@ def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
             pushed, _ = rate_of(told, 2 * i + 1, dy, n)
             pushed = SIGN_OF[state] * (pushed + told[i * POINT + 4])
             least = min(least, pushed / scales[2 * i + 1])
-    return least if least >= -NEARLY else -np.inf
+    return least
 
 
 def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told, coupling):
@@ -484,30 +485,39 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
     scales = np.empty(ROWS)
     for r in range(ROWS):
         scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
-    found, best = IMPOSSIBLE, -np.inf
+    found, several = IMPOSSIBLE, 0
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
-        margin = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
-        if margin == -np.inf:
+        fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
+        if not fit >= -NEARLY:
             continue
-        if found >= 0:
-            for i in range(n):
-                apart[i] = dy[n + i] - first[i]
-            if squared(matrix, apart) > ALIKE * ALIKE * free:
-                return AMBIGUOUS
-        else:
+        several += 1
+        if found < 0:
+            found = candidate
             for i in range(n):
                 first[i] = dy[n + i]
-        # of those that move alike now, what fits best a little later
+            continue
         for i in range(n):
-            w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
-            w[n + i] = y[n + i] + tau * dy[n + i]
-        points(w, p, later)
+            apart[i] = dy[n + i] - first[i]
+        if squared(matrix, apart) > ALIKE * ALIKE * free:
+            return AMBIGUOUS
+    if several < 2:
+        return found
+    # of those that move alike now, what fits best a little later
+    for i in range(n):
+        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * first[i])
+        w[n + i] = y[n + i] + tau * first[i]
+    points(w, p, later)
+    best = -np.inf
+    for candidate in range(len(POINT_STATES)):
+        if not may_follow(candidate, contact, near, sliding) or (ends and candidate == contact):
+            continue
+        fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
+        if not fit >= -NEARLY:
+            continue
         margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
-        if candidate == contact and ends:
-            margin = -1e300
-        if found < 0 or margin > best:
+        if margin > best:
             found, best = candidate, margin
     return found
 
@@ -576,7 +586,6 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
     put_on(rows, wanted, 0, told, spread, coupling, out)
     points(out, p, told)
-    response_to_impulses(out, p, ax, ay, contact, told, spread, coupling)
     # -- which of them move along, or leave
     as_said = contact  # by the velocities of this contact state
     if kind == LANDING:
@@ -673,10 +682,9 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     for i in range(N_STATES):
         w[i] = y[i]
     rates(contact, w, p, ax, ay, dy)
-    inertia = response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
     point_laws(p, laws)
     limit = np.inf
-    longest = start = 0.0
+    inertia = longest = start = 0.0
     for i in range(N_POINTS):
         gap, rate = told[i * POINT], told[i * POINT + 1]
         _, size = rate_of(told, 2 * i, y, 0)
@@ -687,6 +695,10 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         if not a > 0.0:
             return np.inf, contact
         bouncing[i] = 1
+        if 2.0 * rate / a > tolerance * SLOWEST:
+            return np.inf, contact
+        if start == 0.0:
+            inertia = response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
         start = max(start, rate)
         longest = max(longest, 2.0 * rate / a)
         radius = math.sqrt(inertia * coupling[2 * i * ROWS + 2 * i])
