@@ -135,6 +135,21 @@ def between(h, x, y, y_new, k, end, w):
         w[i], w[n + i] = u * c0 + x * c1, 5.0 * (c1 - c0) / h
 
 
+def force_noise(contact, index, b, stride):
+    """Size of the rounding errors of a guard that is a force; 0 of others.
+
+    b : of each guard `stride` numbers, which tell how large it is in a step or at an instant.
+    """
+    if KINDS[contact][index] != LIFTING and KINDS[contact][index] != SLIPPING:
+        return 0.0
+    largest = 0.0
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] == LIFTING or KINDS[contact][i] == SLIPPING:
+            for j in range(stride * i, stride * i + stride):
+                largest = max(largest, abs(b[j]))
+    return 1e-13 * largest
+
+
 # -- linear equations ----------------------------------------------------------------------------
 
 
@@ -399,8 +414,9 @@ def collide(contact, near, y, laws, told, spread, coupling, out):
                 after[i] = value
         if found < 0:
             found = candidate
-            for i in range(n):
-                out[n + i] = after[i]
+    if found >= 0:
+        for i in range(n):
+            out[n + i] = after[i]
     return found
 
 
@@ -511,13 +527,17 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
     points(w, p, later)
     best = -np.inf
     for candidate in range(len(POINT_STATES)):
-        if not may_follow(candidate, contact, near, sliding) or (ends and candidate == contact):
+        if not may_follow(candidate, contact, near, sliding):
             continue
         fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
         if not fit >= -NEARLY:
             continue
         margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
-        if margin > best:
+        if candidate == contact and ends:
+            # what has come to its end goes on only where nothing but rounding errors ended it
+            margin = np.inf if margin >= -FITS else -1e300
+        # of those that fit as well, the one that keeps more points closed, which stands first
+        if margin > best + FITS:
             found, best = candidate, margin
     return found
 
