@@ -457,20 +457,15 @@ def share(candidate, told, force, fractions):
 def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
     """The least margin by which forces and accelerations fit; negative where they do not.
 
-    A margin is relative to the forces, or to scales (ROWS,), the accelerations of points that the
-    forces would make without contacts. dy (N,), g : rates and guards of the contact state.
+    A margin is relative to scales, see `sizes_of`. dy (N,), g : rates and guards found.
     """
     n = N_COORDINATES
     rates(candidate, y, p, ax, ay, dy)
     guards(candidate, y, p, ax, ay, g)
-    scale = 1e-300
-    for i in range(GUARDS[candidate]):
-        if KINDS[candidate][i] == LIFTING or KINDS[candidate][i] == SLIPPING:
-            scale += abs(g[i])
     least = np.inf
     for i in range(GUARDS[candidate]):
         if KINDS[candidate][i] == LIFTING or KINDS[candidate][i] == SLIPPING:
-            least = min(least, g[i] / scale)
+            least = min(least, g[i] / scales[ROWS + SUBJECTS[candidate][i]])
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
@@ -497,10 +492,8 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
     w = np.empty(N_STATES)
     later, apart = np.empty(POINT * N_POINTS), np.empty(N_COORDINATES)
     matrix = np.empty(N_COORDINATES * N_COORDINATES)
-    free = free_acceleration(y, p, ax, ay, contact, matrix)
-    scales = np.empty(ROWS)
-    for r in range(ROWS):
-        scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
+    scales = np.empty(ROWS + N_POINTS)
+    free = sizes_of(y, p, ax, ay, contact, coupling, matrix, scales)
     found, several = IMPOSSIBLE, 0
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
@@ -542,8 +535,23 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
     return found
 
 
-def free_acceleration(y, p, ax, ay, contact, matrix):
-    """The accelerations without contacts, squared in the measure of the mass, see `squared`."""
+def sizes_of(y, p, ax, ay, contact, coupling, matrix, scales):
+    """How large accelerations and forces are: those of the motion without contacts, squared.
+
+    In the measure of the mass, see `squared`; with the ground at rest, too, so that they do not
+    vanish with the weight. scales (ROWS + N_POINTS,) : of the accelerations of points, and of the
+    normal forces.
+    """
+    free = max(free_motion_squared(y, p, ax, ay, contact, matrix),
+               free_motion_squared(y, p, 0.0, 0.0, contact, matrix))  # fmt: skip
+    for r in range(ROWS):
+        scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
+    for i in range(N_POINTS):
+        scales[ROWS + i] = math.sqrt(free / coupling[2 * i * ROWS + 2 * i]) + 1e-300
+    return free
+
+
+def free_motion_squared(y, p, ax, ay, contact, matrix):
     n, width = N_COORDINATES, N_COORDINATES + 1
     forces = np.empty(N_COORDINATES)
     a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
@@ -642,17 +650,17 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
     )
     if follows < 0:
         return follows, -1
-    return follows, closed_guards(follows, contact, guard, near, leaving, sliding, out, p, ax, ay)
+    return follows, closed_guards(
+        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, coupling
+    )
 
 
-def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay):
+def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, coupling):
     """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
-    g = np.empty(N_GUARDS + N_PARTS)
+    g, scales = np.empty(N_GUARDS + N_PARTS), np.empty(ROWS + N_POINTS)
+    matrix = np.empty(N_COORDINATES * N_COORDINATES)
     guards(follows, y, p, ax, ay, g)
-    scale = 0.0
-    for i in range(GUARDS[follows]):
-        if KINDS[follows][i] == LIFTING or KINDS[follows][i] == SLIPPING:
-            scale += abs(g[i])
+    sizes_of(y, p, ax, ay, follows, coupling, matrix, scales)
     touching = 0
     for i in range(GUARDS[follows]):
         kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
@@ -662,7 +670,7 @@ def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay)
         elif kind == STICKING:
             closed = sliding[subject] == 0.0
         elif kind in (LIFTING, SLIPPING):
-            closed = closed or abs(g[i]) <= NEARLY * scale
+            closed = closed or abs(g[i]) <= NEARLY * scales[ROWS + subject]
         if closed:
             touching += int(1.0 / HALVES[i])
     return touching if touching > 0 else -1
