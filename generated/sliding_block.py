@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "13c3a13034750169"
+SOURCE_HASH = "59d8718876f08431"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -183,7 +183,7 @@ IMAGES = (  # the side s with which its mechanism is written
     1.0,  # right_slides_left
     1.0,  # flight
 )
-SLIP_SIGNS = (  # sigma of each group of points that slips
+SIGMAS = (  # sigma of each group of points that slips
     (0.0,),  # both
     (1.0,),  # both_slides_right
     (-1.0,),  # both_slides_left
@@ -454,14 +454,14 @@ def rates_of_states(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     if mechanism == 0:
         return rates_left_sticks_right_sticks(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     elif mechanism == 1:
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         return rates_left_slips_right_slips(sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     elif mechanism == 2:
         s = IMAGES[contact]
         return rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     elif mechanism == 3:
         s = IMAGES[contact]
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         return rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     else:
         return rates_flight(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
@@ -588,7 +588,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = friction_0 + x0
         g[3] = normal_1
     elif arrangement == 1:
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -618,7 +618,7 @@ def guards(contact, y, p, ax, ay, g):
         g[3] = c23*s*sin_theta
     elif arrangement == 3:
         s = IMAGES[contact]
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -652,7 +652,7 @@ def guards(contact, y, p, ax, ay, g):
         g[3] = friction_1 + x0
     elif arrangement == 5:
         s = IMAGES[contact]
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -824,7 +824,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = normal_0*x0
         out[4] = normal_1*x0
     elif arrangement == 1:
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -853,7 +853,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[4] = 0
     elif arrangement == 3:
         s = IMAGES[contact]
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -881,7 +881,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[4] = friction_1
     elif arrangement == 5:
         s = IMAGES[contact]
-        sigma_0 = SLIP_SIGNS[contact][0]
+        sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]

@@ -64,7 +64,7 @@ class Written:
         """Lines that read the signs of a contact state from the tables."""
         lines = [f"{indent}s = IMAGES[contact]"] if mechanism.sided else []
         lines += [
-            f"{indent}sigma_{i} = SLIP_SIGNS[contact][{i}]" for i in range(len(mechanism.slipping))
+            f"{indent}sigma_{i} = SIGMAS[contact][{i}]" for i in range(len(mechanism.slipping))
         ]
         return lines + self.read_switches(indent)
 

@@ -84,7 +84,7 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
             {state.name: f"{a.side}.0" for state, a in written.items()},
         ),
         *_rows(
-            "SLIP_SIGNS = (  # sigma of each group of points that slips",
+            "SIGMAS = (  # sigma of each group of points that slips",
             {
                 state.name: [f"{sign}.0" for sign in modes.signs_of(state)]
                 + ["0.0"] * (slips - len(modes.signs_of(state)))

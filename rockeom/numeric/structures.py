@@ -530,21 +530,27 @@ class RigidBlock(Structure):
 
     @classmethod
     def from_frequency(
-        cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY
-    ) -> RigidBlock:
+        cls,
+        p: float,
+        alpha: float,
+        mass: float = 1.0,
+        gravity: float = STANDARD_GRAVITY,
+        **others: float,
+    ) -> Self:
         """The homogeneous rectangular block of frequency parameter p [rad/s] and angle alpha [rad].
 
-        p**2 = m g R/I_o = 3 g/(4 R).
+        p**2 = m g R/I_o = 3 g/(4 R). others : the parameters that are left.
         """
-        check_values("RigidBlock", {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
+        check_values(cls.__name__, {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
         if not alpha < math.pi / 2:
-            raise ValueError(f"RigidBlock: alpha is {alpha}: it must be below pi/2")
+            raise ValueError(f"{cls.__name__}: alpha is {alpha}: it must be below pi/2")
         radius = 0.75 * gravity / p**2
         return cls(
             half_width=radius * mathematics.sin(alpha),
             half_height=radius * mathematics.cos(alpha),
             mass=mass,
             gravity=gravity,
+            **others,
         )
 
     @property
@@ -576,6 +582,31 @@ class RigidBlock(Structure):
             "inertia": inertia,
             "gravity": self.gravity,
         }
+
+
+@_structure_class
+class SlidingBlock(RigidBlock):
+    """The rigid block on feet that open, stick, slip and bounce, any size of rotation.
+
+    friction : its coefficient at each foot; restitution : the ratio of the rates of a foot's gap
+    after and before it lands, 0 to 1. All else is that of `RigidBlock`. States are the place x and
+    the height y of the base's centre [m], theta [rad], and their rates.
+    """
+
+    model: ClassVar[str] = "sliding_block"
+    may_vanish = frozenset({"inertia", "friction", "restitution"})
+    friction: float
+    restitution: float
+
+    def __post_init__(self) -> None:
+        if self.restitution > 1:
+            raise ValueError(
+                f"SlidingBlock: restitution is {self.restitution}: give the ratio of rates after "
+                "and before a landing, 0 to 1"
+            )
+
+    def parameters(self) -> dict[str, float]:
+        return super().parameters() | {"friction": self.friction, "restitution": self.restitution}
 
 
 @_structure_class

@@ -163,6 +163,18 @@ class Model:
     def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
         return sp.sympify(expr)
 
+    def latex(self, form: str = "width") -> str:
+        """A LaTeX document of the whole model."""
+        from rockeom.symbolic.typeset import latex_document
+
+        return latex_document(self, form)
+
+    def markdown(self) -> str:
+        """The same equations as a Markdown page."""
+        from rockeom.symbolic.typeset import markdown_page
+
+        return markdown_page(self)
+
     def check_derived(self) -> None:
         """Raise ValueError where what follows from the declaration cannot be simulated."""
 

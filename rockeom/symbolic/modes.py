@@ -343,6 +343,13 @@ class Modes:
         ways = [state.points[arrangement.points[group[0]]] for group in groups]
         return [1 if way == SLIP_RIGHT else -1 for way in ways]
 
+    def signs(self, state: ContactState) -> dict[sp.Symbol, int]:
+        """What the side and the signs of slips of the state's mechanism are."""
+        arrangement = self.arrangements[state.arrangement]
+        found = {SIDE: arrangement.side} if self.mechanism_of(state).sided else {}
+        slips = {sign_of_slip(i): sign for i, sign in enumerate(self.signs_of(state))}
+        return found | slips
+
     def mechanism_of(self, state: ContactState) -> Mechanism:
         return self.mechanisms[self.arrangements[state.arrangement].mechanism]
 
