@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations, product
 
 import numpy as np
@@ -108,8 +108,8 @@ class Mechanism:
             if fixed is None:
                 break
             found = {x: brief(e.subs(fixed)) for x, e in found.items()} | fixed
-            gaps = [e for gap in gaps if (e := brief(gap.subs(fixed))) != 0]
-        return found, gaps
+            gaps = [e for gap in gaps if not _vanishes(e := brief(gap.subs(fixed)))]
+        return {x: _shortened(e) for x, e in found.items()}, gaps
 
     def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
         """The coordinate that a closed gap fixes, where it enters so that it can be told.
@@ -176,7 +176,7 @@ class Mechanism:
         for i in self.closed:
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
-                if all(brief(e) == 0 for e in difference):
+                if all(_vanishes(brief(e)) for e in difference):
                     group.append(i)
                     break
             else:
@@ -252,7 +252,7 @@ class Mechanism:
         best: tuple[tuple[int, int, int], list[int]] | None = None
         for columns in combinations(used, matrix.rows):
             divisor = brief(matrix[:, list(columns)].det())
-            if divisor == 0:
+            if _vanishes(divisor):
                 continue
             known = sum(self.q[j] in self.place for j in columns)
             moving = len(divisor.free_symbols & set(self.q))
@@ -373,7 +373,7 @@ class Mechanism:
         """
         first = self.slip_rows[group[0]]
         apart = {i: (self.slip_rows[i] - first).applyfunc(brief) for i in group}
-        if all(row.is_zero_matrix for row in apart.values()):
+        if all(_vanishes(e) for row in apart.values() for e in row):
             return normal
         rows = sp.Matrix.vstack(*self.normal_rows.values())
         columns = self._dependent(rows)
@@ -383,7 +383,9 @@ class Mechanism:
             for i, row in apart.items()
         }
         alike = len({self.model.contacts[i].law.friction for i in group}) == 1
-        if not alike or any(brief(sum(c[j] for j in group)) != 0 for c in shares.values()):
+        if not alike or not all(
+            _vanishes(brief(sum(c[j] for j in group))) for c in shares.values()
+        ):
             names = ", ".join(self.model.contacts[i].name for i in group)
             raise ValueError(
                 f"{self.model.name}: how {names} share their friction follows neither from statics "
@@ -647,6 +649,25 @@ def _inverse(matrix: sp.Matrix) -> sp.Matrix:
     determinant = brief(matrix.det())
     adjugate = matrix.adjugate().applyfunc(brief)
     return adjugate.applyfunc(lambda e: sp.cancel(e / determinant) if e != 0 else e)
+
+
+def _vanishes(expr: sp.Expr) -> bool:
+    """Whether an expression is zero whatever its symbols are: square roots may hide it."""
+    if expr == 0 or not expr.atoms(sp.Pow, sp.atan):
+        return expr == 0
+    rng = np.random.default_rng(3)
+    symbols = sorted(expr.free_symbols, key=str)
+    for _ in range(3):
+        put = {x: sp.Float(rng.uniform(0.5, 1.5), 30) for x in symbols}
+        if abs(sp.N(expr.subs(put), 30)) > 1e-20:
+            return False
+    return True
+
+
+@lru_cache(maxsize=256)
+def _shortened(expr: sp.Expr) -> sp.Expr:
+    """A place where points stand at different heights: square roots of sums of squares."""
+    return sp.simplify(expr) if any(not x.exp.is_Integer for x in expr.atoms(sp.Pow)) else expr
 
 
 def _rank(matrix: sp.Matrix) -> int:
