@@ -91,25 +91,40 @@ class Mechanism:
 
     @property
     def place(self) -> dict[sp.Symbol, sp.Expr]:
-        """Positions that the closed gaps fix in closed form."""
+        """Positions that the closed gaps fix, as they are put into equations."""
         return self._closing[0]
 
     @property
-    def left_open(self) -> list[sp.Expr]:
-        """What is left of the closed gaps then: zero where they can be closed together."""
+    def leaning(self) -> dict[sp.Symbol, sp.Expr]:
+        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
         return self._closing[1]
 
+    @property
+    def left_open(self) -> list[sp.Expr]:
+        """What is left of the closed gaps then: nothing where they can be closed together."""
+        return self._closing[2]
+
     @cached_property
-    def _closing(self) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-        found: dict[sp.Symbol, sp.Expr] = {}
+    def _closing(
+        self,
+    ) -> tuple[dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+        place: dict[sp.Symbol, sp.Expr] = {}
+        leaning: dict[sp.Symbol, sp.Expr] = {}
         gaps = [self._gaps[i] for i in self.closed]
         while gaps:
             fixed = next(filter(None, map(self._fixed, gaps)), None)
             if fixed is None:
                 break
-            found = {x: brief(e.subs(fixed)) for x, e in found.items()} | fixed
+            if any(e.has(sp.atan) for e in fixed.values()):
+                leaning |= fixed
+            else:
+                place = {x: brief(e.subs(fixed)) for x, e in place.items()} | fixed
             gaps = [e for gap in gaps if not _vanishes(e := brief(gap.subs(fixed)))]
-        return {x: _shortened(e) for x, e in found.items()}, gaps
+        return place, leaning, gaps
+
+    def _same(self, expr: sp.Expr) -> bool:
+        """Whether an expression vanishes in the closed configuration."""
+        return _vanishes(brief(expr.subs(self.leaning)))
 
     def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
         """The coordinate that a closed gap fixes, where it enters so that it can be told.
@@ -176,7 +191,7 @@ class Mechanism:
         for i in self.closed:
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
-                if all(_vanishes(brief(e)) for e in difference):
+                if all(self._same(e) for e in difference):
                     group.append(i)
                     break
             else:
@@ -251,10 +266,10 @@ class Mechanism:
         used = [j for j in self._order if any(e != 0 for e in matrix[:, j])]
         best: tuple[tuple[int, int, int], list[int]] | None = None
         for columns in combinations(used, matrix.rows):
-            divisor = brief(matrix[:, list(columns)].det())
-            if _vanishes(divisor):
+            divisor = _determinant(matrix[:, list(columns)].as_immutable())
+            if self._same(divisor):
                 continue
-            known = sum(self.q[j] in self.place for j in columns)
+            known = sum(self.q[j] in self.place or self.q[j] in self.leaning for j in columns)
             moving = len(divisor.free_symbols & set(self.q))
             cost = -known, moving, int(sp.count_ops(divisor))
             if best is None or cost < best[0]:
@@ -373,7 +388,7 @@ class Mechanism:
         """
         first = self.slip_rows[group[0]]
         apart = {i: (self.slip_rows[i] - first).applyfunc(brief) for i in group}
-        if all(_vanishes(e) for row in apart.values() for e in row):
+        if all(self._same(e) for row in apart.values() for e in row):
             return normal
         rows = sp.Matrix.vstack(*self.normal_rows.values())
         columns = self._dependent(rows)
@@ -384,7 +399,7 @@ class Mechanism:
         }
         alike = len({self.model.contacts[i].law.friction for i in group}) == 1
         if not alike or not all(
-            _vanishes(brief(sum(c[j] for j in group))) for c in shares.values()
+            self._same(sum((c[j] for j in group), sp.S.Zero)) for c in shares.values()
         ):
             names = ", ".join(self.model.contacts[i].name for i in group)
             raise ValueError(
@@ -541,7 +556,7 @@ def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
     if any(not gap.free_symbols & set(mechanism.q) for gap in mechanism.left_open):
         return False  # but for parameters that happen to make them meet
     matrix = sp.Matrix.vstack(*mechanism.normal_rows.values())
-    if _rank(matrix) == len(closed):
+    if _rank(matrix.subs(mechanism.leaning)) == len(closed):
         return True
     if mechanism.left_open and not _meet(mechanism):
         return False
@@ -646,9 +661,37 @@ def _inverse(matrix: sp.Matrix) -> sp.Matrix:
     """By determinants: entries are short."""
     if matrix.rows == 0:
         return matrix
-    determinant = brief(matrix.det())
-    adjugate = matrix.adjugate().applyfunc(brief)
-    return adjugate.applyfunc(lambda e: sp.cancel(e / determinant) if e != 0 else e)
+    n, divisor = matrix.rows, _determinant(matrix.as_immutable())
+
+    def entry(i: int, j: int) -> sp.Expr:
+        minor = _determinant(matrix.minor_submatrix(j, i).as_immutable())
+        return _quotient((-1) ** (i + j) * minor, divisor)
+
+    return sp.Matrix(n, n, entry)
+
+
+def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """One over the other, short: what divides it is a product as a rule."""
+    above = sp.expand(above)
+    for sign in (1, -1):
+        if above == sign * below:
+            return sp.Integer(sign)
+    return above / below if below.is_Add else sp.expand(above / below)
+
+
+@lru_cache(maxsize=4096)
+def _determinant(matrix: sp.ImmutableMatrix) -> sp.Expr:
+    """By the row with the fewest entries: constraints have few."""
+    n = matrix.rows
+    if n == 0:
+        return sp.S.One
+    row = min(range(n), key=lambda i: sum(e != 0 for e in matrix[i, :]))
+    total = sp.S.Zero
+    for j in range(n):
+        if matrix[row, j] != 0:
+            minor = _determinant(matrix.minor_submatrix(row, j))
+            total += (-1) ** (row + j) * matrix[row, j] * minor
+    return brief(total)
 
 
 def _vanishes(expr: sp.Expr) -> bool:
@@ -662,12 +705,6 @@ def _vanishes(expr: sp.Expr) -> bool:
         if abs(sp.N(expr.subs(put), 30)) > 1e-20:
             return False
     return True
-
-
-@lru_cache(maxsize=256)
-def _shortened(expr: sp.Expr) -> sp.Expr:
-    """A place where points stand at different heights: square roots of sums of squares."""
-    return sp.simplify(expr) if any(not x.exp.is_Integer for x in expr.atoms(sp.Pow)) else expr
 
 
 def _rank(matrix: sp.Matrix) -> int:
