@@ -17,10 +17,11 @@ s; so are the two signs of a slip, sigma, and the states of an element, chi = 0 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations, product
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -67,6 +68,14 @@ class Arrangement:
     points: tuple[int, ...]
     """The point that plays the part of each of the mechanism's."""
     shared: tuple[int, ...]
+
+
+class Start(NamedTuple):
+    """Accelerations by their symbols, normal forces by point, friction by a group's first point."""
+
+    accelerations: dict[sp.Symbol, sp.Expr]
+    normal: dict[int, sp.Expr]
+    friction: dict[int, sp.Expr]
 
 
 class Mechanism:
@@ -428,6 +437,46 @@ class Mechanism:
             return sp.S.Zero
         return self.qdd[coordinate]
 
+    def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
+        """What this mechanism begins with from rest at given positions, in closed form.
+
+        Accelerations of all coordinates, normal forces and friction are quotients; where the
+        friction is less than friction can be, and no normal force negative, it is what begins.
+        """
+        still = dict(place) | dict.fromkeys(self.qd, sp.S.Zero)
+        matrix, forcing, drift = (
+            m.applyfunc(lambda e: brief(e.subs(still)))
+            for m in (self.mass_matrix, self.forcing, self.drift)
+        )
+        motions = self.motions.applyfunc(lambda e: brief(e.subs(still)))
+        m = matrix.rows
+        divisor = _determinant(matrix.as_immutable())
+        above = sp.Matrix(
+            m, 1,
+            lambda i, _: brief(
+                sum(
+                    (-1) ** (i + j)
+                    * _determinant(matrix.minor_submatrix(j, i).as_immutable())
+                    * forcing[j]
+                    for j in range(m)
+                )
+            ),
+        )  # fmt: skip
+        every = (motions * above if m else sp.zeros(self.n, 1)) + drift * divisor
+
+        def quotient(expr: sp.Expr) -> sp.Expr:
+            expr = sp.expand(brief(expr.subs(still)))
+            alone = expr.subs(dict.fromkeys(self.qdd, 0))
+            moved = sum(sp.diff(expr, a) * e for a, e in zip(self.qdd, every, strict=True))
+            return _positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
+
+        normal, friction = self.forces
+        return Start(
+            dict(zip(self.qdd, map(quotient, self.qdd), strict=True)),
+            {i: quotient(e) for i, e in normal.items()},
+            {i: quotient(e) for i, e in friction.items()},
+        )
+
     def slip_rate(self, group: tuple[int, ...]) -> sp.Expr:
         """Rate of slip of the points of a group."""
         return self.here((self.slip_rows[group[0]] * sp.Matrix(self.qd))[0])
@@ -444,6 +493,12 @@ class Modes:
     states: tuple[ContactState, ...]
     arrangements: tuple[Arrangement, ...]
     mechanisms: tuple[Mechanism, ...]
+
+    @property
+    def standing(self) -> dict[sp.Symbol, sp.Expr]:
+        """Positions at rest with as many points closed as may be."""
+        first = self.mechanisms[0]
+        return {x: e.subs(first.leaning) for x, e in first.place.items()} | first.leaning
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -677,6 +732,14 @@ def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
         if above == sign * below:
             return sp.Integer(sign)
     return above / below if below.is_Add else sp.expand(above / below)
+
+
+def _positive_below(expr: sp.Expr) -> sp.Expr:
+    """A quotient, factored, whose denominator is positive where nothing slips."""
+    above, below = sp.fraction(expr)
+    slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
+    sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
+    return sp.factor(sign * above) / sp.expand(sign * below)
 
 
 @lru_cache(maxsize=4096)
