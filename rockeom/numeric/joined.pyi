@@ -57,6 +57,7 @@ def point_laws(p: Floats, out: Floats) -> None: ...
 # -- contacts.py
 
 def is_closed(touching: Int, i: Int) -> bool: ...
+
 ANGLES: tuple[float, ...]
 
 def guard_noise(
