@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom import hooks
-from rockeom.contract import IMPACT, KIND_OF, REST
+from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
+from rockeom.numeric.contact_states import HAPPENED, subject
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
 
 if TYPE_CHECKING:
@@ -34,6 +35,14 @@ class Outcome(Enum):
     )
     CHATTER = ("chatter", "Contact states followed one another without time going on.")
     NOT_FINITE = ("not finite", "The state became infinite or not a number: check the parameters.")
+    NO_SOLUTION = (
+        "no solution",
+        "No contact state fits the forces: rigid bodies with so much friction jam (Painleve).",
+    )
+    SEVERAL_SOLUTIONS = (
+        "several solutions",
+        "Several contact states fit the forces, with different motions (Painleve).",
+    )
 
     def __init__(self, label: str, sentence: str) -> None:
         self.label = label
@@ -48,8 +57,11 @@ class Impact:
     """One passage from a contact state to another.
 
     kind : "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
-        infinitely many impacts).
+        infinitely many impacts). Of contacts that may open and slide: "landing", "lifting",
+        "slip begins", "slip ends".
     before, after : the states on both sides, by name.
+    contact : the name of the point that landed, lifted or slipped, or of the element that switched;
+        of several at once joined by "+", such as "left+right". Empty where the phases tell all.
     """
 
     time: float
@@ -58,9 +70,10 @@ class Impact:
     phase_after: str
     before: dict[str, float]
     after: dict[str, float]
+    contact: str = ""
 
 
-_KINDS = (*KIND_OF, "rest")
+_KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 
 MEASURABLE = 1e-3
 """Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -153,7 +166,7 @@ class Response:
     @cached_property
     def events(self) -> tuple[Impact, ...]:
         """All passages between contact states, in time order."""
-        names = self.program.CONTACTS
+        names, module = self.program.CONTACTS, self.structure.module
         return tuple(
             Impact(
                 float(time),
@@ -162,8 +175,9 @@ class Response:
                 names[after],
                 dict(zip(self.states, pair[0].tolist(), strict=True)),
                 dict(zip(self.states, pair[1].tolist(), strict=True)),
+                subject(module, kind, before, guard, pair, self.structure.vector),
             )
-            for time, (kind, before, after), pair in zip(*self.passages, strict=True)
+            for time, (kind, before, after, guard), pair in zip(*self.passages, strict=True)
         )
 
     @property
@@ -186,8 +200,11 @@ class Response:
 
     @property
     def impacts(self) -> tuple[Impact, ...]:
-        """The impacts, in time order; `events` holds uplifts and other passages too."""
-        return tuple(e for e in self.events if e.kind == "impact")
+        """The impacts, in time order; `events` holds uplifts and other passages too.
+
+        Of contacts that may open and slide each landing is one.
+        """
+        return tuple(e for e in self.events if e.kind in ("impact", HAPPENED[LANDING]))
 
     @property
     def rest_time(self) -> float | None:
@@ -388,8 +405,8 @@ class Response:
         _, kinds, states = self.passages
         largest = 0.0
         before, after = np.zeros(2), np.zeros(2)
-        for (kind, old, new), (arriving, leaving) in zip(kinds, states, strict=True):
-            if kind != IMPACT:
+        for (kind, old, new, _), (arriving, leaving) in zip(kinds, states, strict=True):
+            if kind not in (IMPACT, LANDING):
                 continue
             momentum(old, arriving, p, before)
             momentum(new, leaving, p, after)
@@ -398,6 +415,43 @@ class Response:
             if math.hypot(across, up) > 1e-9 * math.hypot(*before, *after):
                 largest = max(largest, abs(across) / up if up > 0.0 else math.inf)
         return largest
+
+    @cached_property
+    def sliding(self) -> np.ndarray:
+        """(k, 2) starts and ends of the spans of time in which a point slides [s].
+
+        Empty where contacts cannot slide.
+        """
+        if not self.structure.stands_on_points:
+            return np.empty((0, 2))
+        times, kinds, _ = self.passages
+        states = self.structure.module.POINT_STATES
+        slides = np.array([not {SLIP_RIGHT, SLIP_LEFT}.isdisjoint(row) for row in states])
+        edges = np.concatenate([self.t[:1], times, self.t[-1:]])
+        of = slides[np.concatenate([self.contact[:1], kinds[:, 2]])]
+        spans = np.column_stack([edges[:-1], edges[1:]])
+        return spans[of & (spans[:, 1] > spans[:, 0])]
+
+    @cached_property
+    def impact_energy_gains(self) -> np.ndarray:
+        """(k,) kinetic energy that landings gave instead of taking it [J]; of most motions empty.
+
+        With friction and a restitution above zero the algebraic law of impact can do so: a motion
+        that depends on such a landing is not to be trusted.
+        """
+        _, kinds, states = self.passages
+        landed = kinds[:, 0] == LANDING
+        energies, p = self.program.energies, self.structure.vector
+        found = []
+        before, after = np.zeros(len(self.program.ENERGIES)), np.zeros(len(self.program.ENERGIES))
+        for (_, old, new, _), (arriving, leaving) in zip(
+            kinds[landed], states[landed], strict=True
+        ):
+            energies(old, arriving, p, before)
+            energies(new, leaving, p, after)
+            if after[0] > before[0] * (1.0 + 1e-9):
+                found.append(after[0] - before[0])
+        return np.array(found)
 
     @cached_property
     def lost_contact(self) -> bool:
@@ -412,10 +466,27 @@ class Response:
         """How far the assumptions of no sliding and no lost contact held, in words."""
         if self._support is None:
             return "The model has no feet: it says nothing of sliding or contact."
-        text = self._friction()
+        text = self._slides() if self.structure.stands_on_points else self._friction()
         if self.lost_contact:
             return f"{text} A foot's vertical reaction turned negative: {self.structure.pulled}."
         return text + " No foot's vertical reaction turned negative."
+
+    def _slides(self) -> str:
+        """Of contacts that may slide: for how long they did, and what their landings did wrong."""
+        spans, gains = self.sliding, self.impact_energy_gains
+        if len(spans):
+            text = (
+                f"It slid for {np.diff(spans).sum():.4g} s, the first time at {spans[0, 0]:.4g} s."
+            )
+        else:
+            needed = self.friction_demand
+            text = f"It did not slide: that needed a friction coefficient of {needed:.3g}."
+        if len(gains):
+            text += (
+                f" {len(gains)} of its landings gave energy, at most {gains.max():.3g} J: so can "
+                "the algebraic law of impact, with friction and a restitution above zero."
+            )
+        return text
 
     def _friction(self) -> str:
         forces, impulses = self.friction_demand, self.impact_friction_demand

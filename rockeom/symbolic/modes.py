@@ -1,0 +1,784 @@
+"""Modes out of contacts: which contact states there are, and the mechanism of each.
+
+A contact state is a state of each point (open, sticking, slipping to either side) and of each
+element (off, on). Where points are closed or stuck the accelerations follow from
+
+    M q'' = f + J_N^T lambda_N + J_T^T lambda_T,    gap'' = 0,    slip'' = 0 where it sticks,
+    lambda_T = -mu sigma lambda_N where it slips,   sigma = +1 or -1, the sign of the slip rate.
+
+Dependent coordinates, one for each constraint, are eliminated: q_D' = T q_I'. What is left of the
+forces of contact vanishes under L, L^T (J_N^T - mu sigma J_T^T) = 0:
+
+    L^T M T q_I'' = L^T (f - M tau),    q'' = T q_I'' + tau,
+
+which is not symmetric where a point slips. Mirror images are one mechanism, written with the side
+s; so are the two signs of a slip, sigma, and the states of an element, chi = 0 or 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import combinations, product
+from typing import NamedTuple
+
+import numpy as np
+import sympy as sp
+
+from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
+from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
+from rockeom.symbolic.contacts import Model
+from rockeom.symbolic.lagrange import rate
+
+SLIP = SLIP_RIGHT
+"""In an arrangement, which does not tell the signs of slips."""
+
+MOST = 4096
+"""Contact states of a structure."""
+
+
+def sign_of_slip(group: int) -> sp.Symbol:
+    """sigma: +1 where the points of a group slip to the right, -1 where they slip to the left."""
+    return sp.Symbol(rf"\sigma_{group}" if group else r"\sigma", real=True)
+
+
+def switch_of(element: int) -> sp.Symbol:
+    """chi: 1 where an element is on, 0 where it is off."""
+    return sp.Symbol(rf"\chi_{element}", real=True)
+
+
+@dataclass(frozen=True)
+class ContactState:
+    """A state of each point and of each element; `arrangement` is its number in `Modes`."""
+
+    name: str
+    points: tuple[int, ...]
+    elements: tuple[int, ...]
+    arrangement: int
+
+
+@dataclass(frozen=True)
+class Arrangement:
+    """Which points are open, stick or slip, and the mechanism that moves then, on a side s."""
+
+    states: tuple[int, ...]
+    mechanism: int
+    side: int
+    points: tuple[int, ...]
+    """The point that plays the part of each of the mechanism's."""
+    shared: tuple[int, ...]
+
+
+class Start(NamedTuple):
+    """Accelerations by their symbols, normal forces by point, friction by a group's first point."""
+
+    accelerations: dict[sp.Symbol, sp.Expr]
+    normal: dict[int, sp.Expr]
+    friction: dict[int, sp.Expr]
+
+
+class Mechanism:
+    """What moves while some points are closed, some of which slip.
+
+    states : of each point: OPEN, STICK or SLIP. sided : whether it is written with the side s.
+    """
+
+    def __init__(self, model: Model, states: tuple[int, ...], sided: bool) -> None:
+        self.model, self.states, self.sided = model, states, sided
+        self.n = len(model.coordinates)
+        self.q = [c.position for c in model.coordinates]
+        self.qd = [c.velocity for c in model.coordinates]
+        self.qdd = [c.acceleration for c in model.coordinates]
+        self.closed = tuple(i for i, state in enumerate(states) if state != OPEN)
+        sides = [c.side * SIDE if sided else c.side for c in model.contacts]
+        both = [c.at(side) for c, side in zip(model.contacts, sides, strict=True)]
+        self._gaps = [gap for gap, _ in both]
+        self._slips = [slip for _, slip in both]
+
+    # -- the closed configuration ------------------------------------------------------------
+
+    @property
+    def place(self) -> dict[sp.Symbol, sp.Expr]:
+        """Positions that the closed gaps fix, as they are put into equations."""
+        return self._closing[0]
+
+    @property
+    def leaning(self) -> dict[sp.Symbol, sp.Expr]:
+        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
+        return self._closing[1]
+
+    @property
+    def left_open(self) -> list[sp.Expr]:
+        """What is left of the closed gaps then: nothing where they can be closed together."""
+        return self._closing[2]
+
+    @cached_property
+    def _closing(
+        self,
+    ) -> tuple[dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+        place: dict[sp.Symbol, sp.Expr] = {}
+        leaning: dict[sp.Symbol, sp.Expr] = {}
+        gaps = [self._gaps[i] for i in self.closed]
+        while gaps:
+            fixed = next(filter(None, map(self._fixed, gaps)), None)
+            if fixed is None:
+                break
+            if any(e.has(sp.atan) for e in fixed.values()):
+                leaning |= fixed
+            else:
+                place = {x: brief(e.subs(fixed)) for x, e in place.items()} | fixed
+            gaps = [e for gap in gaps if not _vanishes(e := brief(gap.subs(fixed)))]
+        return place, leaning, gaps
+
+    def _same(self, expr: sp.Expr) -> bool:
+        """Whether an expression vanishes in the closed configuration."""
+        return _vanishes(brief(expr.subs(self.leaning)))
+
+    def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
+        """The coordinate that a closed gap fixes, where it enters so that it can be told.
+
+        That is linear, or as an angle whose sine and cosine alone make the gap; it is then the
+        one about which the structure stands upright.
+        """
+        x = self._linear(gap)
+        if x is not None:
+            return {x: brief(sp.expand(x - gap / sp.diff(gap, x)))}
+        angles = angles_in(gap)
+        if len(angles) != 1:
+            return None
+        (angle,) = angles
+        sine, cosine = sp.Dummy(), sp.Dummy()
+        linear = sp.expand(gap.subs({sp.sin(angle): sine, sp.cos(angle): cosine}))
+        a, b = linear.coeff(sine), linear.coeff(cosine)
+        x = self._linear(angle)
+        if x is None or a == 0 or sp.expand(linear - a * sine - b * cosine) != 0:
+            return None
+        lacking = angle + sp.atan(sp.cancel(b / a))
+        return {x: sp.expand(x - lacking / sp.diff(angle, x))}
+
+    def _linear(self, expr: sp.Expr) -> sp.Symbol | None:
+        """The first coordinate in which an expression is linear, its slope a constant."""
+        for j in self._order:
+            slope = sp.diff(expr, self.q[j])
+            if slope != 0 and not slope.free_symbols & set(self.q):
+                return self.q[j]
+        return None
+
+    def here(self, expr: sp.Expr) -> sp.Expr:
+        """An expression in the closed configuration, the rates those of this mechanism."""
+        return brief(sp.sympify(expr).xreplace(self.velocity).subs(self.place))
+
+    # -- constraints -------------------------------------------------------------------------
+
+    def _rows(self, functions: list[sp.Expr]) -> list[sp.Matrix]:
+        return [
+            sp.Matrix(1, self.n, [brief(sp.diff(f, x).subs(self.place)) for x in self.q])
+            for f in functions
+        ]
+
+    @cached_property
+    def normal_rows(self) -> dict[int, sp.Matrix]:
+        """J_N of each closed point, (1, n)."""
+        rows = self._rows([self._gaps[i] for i in self.closed])
+        return dict(zip(self.closed, rows, strict=True))
+
+    @cached_property
+    def slip_rows(self) -> dict[int, sp.Matrix]:
+        """J_T of each closed point, (1, n)."""
+        rows = self._rows([self._slips[i] for i in self.closed])
+        return dict(zip(self.closed, rows, strict=True))
+
+    @cached_property
+    def groups(self) -> tuple[tuple[int, ...], ...]:
+        """Closed points that share their friction: no motion that keeps them closed slips apart."""
+        if not self.closed:
+            return ()
+        normal = sp.Matrix.vstack(*self.normal_rows.values())
+        left = self._motions(normal)[2]
+        groups: list[list[int]] = []
+        for i in self.closed:
+            for group in groups:
+                difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
+                if all(self._same(e) for e in difference):
+                    group.append(i)
+                    break
+            else:
+                groups.append([i])
+        return tuple(map(tuple, groups))
+
+    @cached_property
+    def slipping(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(g for g in self.groups if self.states[g[0]] == SLIP)
+
+    @cached_property
+    def sticking(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(g for g in self.groups if self.states[g[0]] == STICK)
+
+    def sigma(self, point: int) -> sp.Expr:
+        """The sign with which a point slips, 0 where it does not."""
+        for i, group in enumerate(self.slipping):
+            if point in group:
+                return sign_of_slip(i)
+        return sp.S.Zero
+
+    def friction(self, point: int) -> sp.Expr:
+        """The coefficient of friction of a point that may slip."""
+        mu = self.model.contacts[point].law.friction
+        return sp.S.Zero if mu is None else sp.sympify(mu)
+
+    @property
+    def _order(self) -> list[int]:
+        """Coordinates as they are eliminated, the rotation last."""
+        rotation = self.model.coordinates.index(self.model.rotation)
+        return [j for j in range(self.n) if j != rotation] + [rotation]
+
+    @cached_property
+    def _constraints(self) -> tuple[list[int], list[int], sp.Matrix, sp.Matrix]:
+        """(dependent, independent, T (n, m), A of all constraints)."""
+        rows = [*self.normal_rows.values(), *(self.slip_rows[g[0]] for g in self.sticking)]
+        if not rows:
+            return [], list(range(self.n)), sp.eye(self.n), sp.zeros(0, self.n)
+        matrix = sp.Matrix.vstack(*rows)
+        return *self._motions(matrix), matrix
+
+    @property
+    def dependent(self) -> list[int]:
+        return self._constraints[0]
+
+    @property
+    def independent(self) -> list[int]:
+        return self._constraints[1]
+
+    @property
+    def motions(self) -> sp.Matrix:
+        """T of q' = T q_I', (n, m)."""
+        return self._constraints[2]
+
+    def _motions(self, matrix: sp.Matrix) -> tuple[list[int], list[int], sp.Matrix]:
+        """(dependent, independent, T): what A q' = 0 leaves free."""
+        dependent = self._dependent(matrix)
+        independent = [j for j in range(self.n) if j not in dependent]
+        share = -_inverse(matrix[:, dependent]) * matrix[:, independent]
+        motions = sp.zeros(self.n, len(independent))
+        for k, i in enumerate(independent):
+            motions[i, k] = 1
+            for row, d in enumerate(dependent):
+                motions[d, k] = brief(share[row, k])
+        return dependent, independent, motions
+
+    def _dependent(self, matrix: sp.Matrix) -> list[int]:
+        """Columns to eliminate: of coordinates whose place is known; then the simplest to divide by.
+
+        Raises ValueError where the rows depend on one another.
+        """
+        used = [j for j in self._order if any(e != 0 for e in matrix[:, j])]
+        best: tuple[tuple[int, int, int], list[int]] | None = None
+        for columns in combinations(used, matrix.rows):
+            divisor = _determinant(matrix[:, list(columns)].as_immutable())
+            if self._same(divisor):
+                continue
+            known = sum(self.q[j] in self.place or self.q[j] in self.leaning for j in columns)
+            moving = len(divisor.free_symbols & set(self.q))
+            cost = -known, moving, int(sp.count_ops(divisor))
+            if best is None or cost < best[0]:
+                best = cost, sorted(columns)
+        if best is None:
+            names = ", ".join(self.model.contacts[i].name for i in self.closed)
+            raise ValueError(
+                f"{self.model.name}: how {names} share their forces when they are closed, statics "
+                "does not tell: let fewer points of one rigid body touch at once, or give springs"
+            )
+        return best[1]
+
+    @cached_property
+    def velocity(self) -> dict[sp.Symbol, sp.Expr]:
+        """Rates of the dependent coordinates."""
+        free = sp.Matrix([self.qd[i] for i in self.independent])
+        rates = self.motions * free if self.independent else sp.zeros(self.n, 1)
+        return {self.qd[d]: brief(rates[d]) for d in self.dependent}
+
+    @cached_property
+    def drift(self) -> sp.Matrix:
+        """tau of q'' = T q_I'' + tau, (n, 1)."""
+        tau = sp.zeros(self.n, 1)
+        if not self.dependent:
+            return tau
+        functions = [self._gaps[i] for i in self.closed]
+        functions += [self._slips[g[0]] for g in self.sticking]
+        still = {x: 0 for x in self.qdd}
+        coordinates = self.model.coordinates
+        bias = [rate(rate(f, coordinates), coordinates).subs(still) for f in functions]
+        right = sp.Matrix([-self.here(b) for b in bias])
+        matrix = self._constraints[3][:, self.dependent]
+        found = _inverse(matrix) * right
+        for i, d in enumerate(self.dependent):
+            tau[d] = brief(found[i])
+        return tau
+
+    # -- motion ------------------------------------------------------------------------------
+
+    @cached_property
+    def _free(self) -> tuple[sp.Matrix, sp.Matrix]:
+        """(M, f) of the free structure with its elements, in this mechanism's configuration."""
+        matrix, forces = free_motion(self.model)
+        return matrix.applyfunc(self.here), forces.applyfunc(self.here)
+
+    @cached_property
+    def pushes(self) -> sp.Matrix:
+        """W: directions of the forces of contact, normals first, (n, constraints)."""
+        columns = [
+            (row - self.friction(i) * self.sigma(i) * self.slip_rows[i]).T
+            for i, row in self.normal_rows.items()
+        ]
+        columns += [self.slip_rows[g[0]].T for g in self.sticking]
+        return sp.Matrix.hstack(*columns) if columns else sp.zeros(self.n, 0)
+
+    @cached_property
+    def balances(self) -> sp.Matrix:
+        """L with L^T W = 0, (n, m); T where nothing slips."""
+        if not self.slipping:
+            return self.motions
+        found = sp.zeros(self.n, len(self.independent))
+        inverse = _inverse(self.pushes[self.dependent, :])
+        for j, i in enumerate(self.independent):
+            found[i, j] = 1
+            row = -self.pushes[i, :] * inverse
+            for k, d in enumerate(self.dependent):
+                found[d, j] = brief(row[k])
+        return found
+
+    @cached_property
+    def mass_matrix(self) -> sp.Matrix:
+        """L^T M T, (m, m)."""
+        return (self.balances.T * self._free[0] * self.motions).applyfunc(brief)
+
+    @cached_property
+    def forcing(self) -> sp.Matrix:
+        """L^T (f - M tau), (m, 1)."""
+        matrix, forces = self._free
+        return (self.balances.T * (forces - matrix * self.drift)).applyfunc(brief)
+
+    @property
+    def symmetric(self) -> bool:
+        return not self.slipping
+
+    # -- forces ------------------------------------------------------------------------------
+
+    @cached_property
+    def forces(self) -> tuple[dict[int, sp.Expr], dict[int, sp.Expr]]:
+        """(normal force of each closed point, friction of each group by its first point).
+
+        They contain the accelerations of all coordinates. The friction is that of all points of
+        the group together, positive to the right.
+        """
+        if not self.closed:
+            return {}, {}
+        matrix, forces = self._free
+        lacking = matrix * sp.Matrix([self._acceleration(i) for i in range(self.n)]) - forces
+        here = sp.Matrix([lacking[d] for d in self.dependent])
+        found = (_inverse(self.pushes[self.dependent, :]) * here).applyfunc(brief)
+        normal = dict(zip(self.closed, found, strict=False))
+        friction = {g[0]: found[len(self.closed) + k] for k, g in enumerate(self.sticking)}
+        for group in self.sticking:
+            normal = self._at_their_heights(group, normal, friction[group[0]])
+        for group in self.slipping:
+            total = sum(self.friction(i) * normal[i] for i in group)
+            friction[group[0]] = brief(-self.sigma(group[0]) * total)
+        return normal, friction
+
+    def _at_their_heights(
+        self, group: tuple[int, ...], normal: dict[int, sp.Expr], friction: sp.Expr
+    ) -> dict[int, sp.Expr]:
+        """Normal forces where friction acts at each point of a group, not at the first alone.
+
+        Statics determines only the sum of the friction. All points mobilise the same fraction of
+        their normal forces, as they do when they slip: F_i = kappa N_i.
+        """
+        first = self.slip_rows[group[0]]
+        apart = {i: (self.slip_rows[i] - first).applyfunc(brief) for i in group}
+        if all(self._same(e) for row in apart.values() for e in row):
+            return normal
+        rows = sp.Matrix.vstack(*self.normal_rows.values())
+        columns = self._dependent(rows)
+        inverse = _inverse(rows[:, columns])
+        shares = {
+            i: dict(zip(self.closed, (row[:, columns] * inverse).applyfunc(brief), strict=True))
+            for i, row in apart.items()
+        }
+        alike = len({self.model.contacts[i].law.friction for i in group}) == 1
+        if not alike or not all(
+            self._same(sum((c[j] for j in group), sp.S.Zero)) for c in shares.values()
+        ):
+            names = ", ".join(self.model.contacts[i].name for i in group)
+            raise ValueError(
+                f"{self.model.name}: how {names} share their friction follows neither from statics "
+                "nor from one coefficient of friction at level points: give them one coefficient, "
+                "or one height, or springs"
+            )
+        kappa = friction / sum(normal[i] for i in group)
+        matrix = sp.Matrix(
+            len(group), len(group),
+            lambda j, i: (1 if i == j else 0) + kappa * shares[group[i]][group[j]],
+        )  # fmt: skip
+        solved = _inverse(matrix) * sp.Matrix([normal[j] for j in group])
+        inside = dict(zip(group, solved, strict=True))
+        outside = {
+            j: normal[j] - kappa * sum(shares[i][j] * inside[i] for i in group)
+            for j in self.closed
+            if j not in group
+        }
+        return {j: inside[j] if j in group else outside[j] for j in self.closed}
+
+    def _acceleration(self, coordinate: int) -> sp.Expr:
+        """Its symbol, or zero where nothing can move it."""
+        held = coordinate in self.dependent and self.drift[coordinate] == 0
+        if held and all(e == 0 for e in self.motions[coordinate, :]):
+            return sp.S.Zero
+        return self.qdd[coordinate]
+
+    def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
+        """What this mechanism begins with from rest at given positions, in closed form.
+
+        Accelerations of all coordinates, normal forces and friction are quotients; where the
+        friction is less than friction can be, and no normal force negative, it is what begins.
+        """
+        still = dict(place) | dict.fromkeys(self.qd, sp.S.Zero)
+        matrix, forcing, drift = (
+            m.applyfunc(lambda e: brief(e.subs(still)))
+            for m in (self.mass_matrix, self.forcing, self.drift)
+        )
+        motions = self.motions.applyfunc(lambda e: brief(e.subs(still)))
+        m = matrix.rows
+        divisor = _determinant(matrix.as_immutable())
+        above = sp.Matrix(
+            m, 1,
+            lambda i, _: brief(
+                sum(
+                    (-1) ** (i + j)
+                    * _determinant(matrix.minor_submatrix(j, i).as_immutable())
+                    * forcing[j]
+                    for j in range(m)
+                )
+            ),
+        )  # fmt: skip
+        every = (motions * above if m else sp.zeros(self.n, 1)) + drift * divisor
+
+        def quotient(expr: sp.Expr) -> sp.Expr:
+            expr = sp.expand(brief(expr.subs(still)))
+            alone = expr.subs(dict.fromkeys(self.qdd, 0))
+            moved = sum(sp.diff(expr, a) * e for a, e in zip(self.qdd, every, strict=True))
+            return _positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
+
+        normal, friction = self.forces
+        return Start(
+            dict(zip(self.qdd, map(quotient, self.qdd), strict=True)),
+            {i: quotient(e) for i, e in normal.items()},
+            {i: quotient(e) for i, e in friction.items()},
+        )
+
+    def slip_rate(self, group: tuple[int, ...]) -> sp.Expr:
+        """Rate of slip of the points of a group."""
+        return self.here((self.slip_rows[group[0]] * sp.Matrix(self.qd))[0])
+
+    def gap(self, point: int) -> sp.Expr:
+        """The gap of a point in this mechanism's configuration."""
+        return brief(self._gaps[point].subs(self.place))
+
+
+@dataclass(frozen=True)
+class Modes:
+    """All contact states of a model, their arrangements and mechanisms."""
+
+    states: tuple[ContactState, ...]
+    arrangements: tuple[Arrangement, ...]
+    mechanisms: tuple[Mechanism, ...]
+
+    @property
+    def standing(self) -> dict[sp.Symbol, sp.Expr]:
+        """Positions at rest with as many points closed as may be."""
+        first = self.mechanisms[0]
+        return {x: e.subs(first.leaning) for x, e in first.place.items()} | first.leaning
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(state.name for state in self.states)
+
+    def signs_of(self, state: ContactState) -> list[int]:
+        """The sign of each slip of the state's mechanism."""
+        arrangement = self.arrangements[state.arrangement]
+        groups = self.mechanisms[arrangement.mechanism].slipping
+        ways = [state.points[arrangement.points[group[0]]] for group in groups]
+        return [1 if way == SLIP_RIGHT else -1 for way in ways]
+
+    def signs(self, state: ContactState) -> dict[sp.Symbol, int]:
+        """What the side and the signs of slips of the state's mechanism are."""
+        arrangement = self.arrangements[state.arrangement]
+        found = {SIDE: arrangement.side} if self.mechanism_of(state).sided else {}
+        slips = {sign_of_slip(i): sign for i, sign in enumerate(self.signs_of(state))}
+        return found | slips
+
+    def mechanism_of(self, state: ContactState) -> Mechanism:
+        return self.mechanisms[self.arrangements[state.arrangement].mechanism]
+
+
+def free_motion(model: Model) -> tuple[sp.Matrix, sp.Matrix]:
+    """(M, f) of M q'' = f without forces of contact; an element acts by its chi."""
+    equations = model.free.equations
+    forces = equations.forcing
+    for i, element in enumerate(model.elements):
+        press = switch_of(i) * press_of(model, i)
+        for j, c in enumerate(model.coordinates):
+            forces[j] -= press * sp.diff(element.compression, c.position)
+    return equations.mass_matrix, forces
+
+
+def press_of(model: Model, element: int) -> sp.Expr:
+    """k d + c d' of an element."""
+    e = model.elements[element]
+    return e.stiffness * e.compression + e.damping * rate(e.compression, model.coordinates)
+
+
+# --- which there are
+
+
+def derive_modes(model: Model) -> Modes:
+    """All contact states of a model.
+
+    Raises ValueError where statics does not tell how closed points share their forces, and where
+    there are more than MOST.
+    """
+    arrangements: list[Arrangement] = []
+    mechanisms: list[Mechanism] = []
+    states: list[ContactState] = []
+    known: dict[tuple[int, ...], int] = {}
+    mirror = _mirror(model)
+    for closed in _closed_sets(model):
+        groups = Mechanism(model, _stuck(model, closed), False).groups
+        for kinds in product((STICK, SLIP), repeat=len(groups)):
+            if any(
+                kind == SLIP and any(model.contacts[i].law.friction is None for i in group)
+                for kind, group in zip(kinds, groups, strict=True)
+            ):
+                continue
+            pattern = [OPEN] * len(model.contacts)
+            for kind, group in zip(kinds, groups, strict=True):
+                for i in group:
+                    pattern[i] = kind
+            arrangement = _arrangement(model, tuple(pattern), groups, mirror, known, mechanisms)
+            arrangements.append(arrangement)
+            mechanism = mechanisms[arrangement.mechanism]
+            states += _states(model, arrangement, mechanism, len(arrangements) - 1)
+            if len(states) > MOST:
+                raise ValueError(
+                    f"{model.name}: its {len(model.contacts)} contacts and {len(model.elements)} "
+                    f"elements have more than {MOST} contact states: declare fewer of them"
+                )
+    return Modes(tuple(states), tuple(arrangements), tuple(mechanisms))
+
+
+def _stuck(model: Model, closed: tuple[int, ...]) -> tuple[int, ...]:
+    return tuple(STICK if i in closed else OPEN for i in range(len(model.contacts)))
+
+
+def _mirror(model: Model) -> list[int]:
+    """The point on the other side of each, itself where it has none."""
+    found = []
+    for i, c in enumerate(model.contacts):
+        image = [
+            j
+            for j, o in enumerate(model.contacts)
+            if c.side and (o.gap, o.slip, o.law, o.side) == (c.gap, c.slip, c.law, -c.side)
+        ]
+        found.append(image[0] if image else i)
+    return found
+
+
+def _closed_sets(model: Model) -> Iterator[tuple[int, ...]]:
+    """Sets of points that may be closed together, the largest first."""
+    points = range(len(model.contacts))
+    for k in reversed(range(len(model.contacts) + 1)):
+        for closed in combinations(points, k):
+            if _may_close(model, closed):
+                yield closed
+
+
+def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
+    """Whether points may be closed together, whatever the parameters are."""
+    if len(closed) < 2:
+        return True
+    mechanism = Mechanism(model, _stuck(model, closed), False)
+    if any(not gap.free_symbols & set(mechanism.q) for gap in mechanism.left_open):
+        return False  # but for parameters that happen to make them meet
+    matrix = sp.Matrix.vstack(*mechanism.normal_rows.values())
+    if _rank(matrix.subs(mechanism.leaning)) == len(closed):
+        return True
+    if mechanism.left_open and not _meet(mechanism):
+        return False
+    names = ", ".join(model.contacts[i].name for i in closed)
+    raise ValueError(
+        f"{model.name}: {names} may touch at once, and how they share their forces statics does "
+        "not tell: leave out those between others, or declare them as springs (Unilateral)"
+    )
+
+
+def _meet(mechanism: Mechanism) -> bool:
+    """Whether all closed gaps can be zero at once, at random parameters."""
+    rng = np.random.default_rng(2)
+    gaps = sp.Matrix(mechanism.left_open)
+    places = [x for x in mechanism.q if gaps.has(x)]
+    given = sorted(gaps.free_symbols - set(places), key=str)
+    put = {x: sp.Float(rng.uniform(0.5, 1.5)) for x in given}
+    value = sp.lambdify(places, gaps.subs(put).doit(), modules="math")
+    slope = sp.lambdify(places, gaps.jacobian(places).subs(put), modules="math")
+    x = rng.uniform(-0.1, 0.1, len(places))
+    for _ in range(100):
+        x = (
+            x
+            - np.linalg.lstsq(
+                np.array(slope(*x), dtype=float),
+                np.array(value(*x), dtype=float).ravel(),
+                rcond=None,
+            )[0]
+        )
+    return bool(np.abs(np.array(value(*x), dtype=float)).max() < 1e-9)
+
+
+def _arrangement(
+    model: Model,
+    pattern: tuple[int, ...],
+    groups: tuple[tuple[int, ...], ...],
+    mirror: list[int],
+    known: dict[tuple[int, ...], int],
+    mechanisms: list[Mechanism],
+) -> Arrangement:
+    """The arrangement of a pattern, its mechanism one that is known or new."""
+    points = tuple(range(len(pattern)))
+    image = tuple(pattern[mirror[i]] for i in points)
+    shared = tuple(next((g[0] for g in groups if i in g), i) for i in points)
+    # written for the right side, where there is one
+    written = image if _leans(model, pattern, image) < 0 else pattern
+    if written not in known:
+        known[written] = len(mechanisms)
+        mechanisms.append(Mechanism(model, written, image != pattern))
+    if written == pattern:
+        return Arrangement(pattern, known[written], 1, points, shared)
+    return Arrangement(pattern, known[written], -1, tuple(mirror), shared)
+
+
+def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> int:
+    """The side of the first closed point that is not closed in the image alike."""
+    for i, (state, other) in enumerate(zip(pattern, image, strict=True)):
+        if state != other and state != OPEN:
+            return model.contacts[i].side
+    return 1
+
+
+def _states(
+    model: Model, arrangement: Arrangement, mechanism: Mechanism, number: int
+) -> Iterator[ContactState]:
+    groups = [tuple(arrangement.points[i] for i in g) for g in mechanism.slipping]
+    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(groups)):
+        points = list(arrangement.states)
+        for sign, group in zip(signs, groups, strict=True):
+            for i in group:
+                points[i] = sign
+        for elements in product((1, 0), repeat=len(model.elements)):
+            name = _name(model, points, elements, groups, signs)
+            yield ContactState(name, tuple(points), elements, number)
+
+
+def _name(model: Model, points, elements, groups, signs) -> str:
+    """What a contact state is called: by what touches, and what slips where."""
+    every = [c.name for c in model.contacts] + [e.name for e in model.elements]
+    down = [c.name for c, state in zip(model.contacts, points, strict=True) if state != OPEN]
+    down += [e.name for e, on in zip(model.elements, elements, strict=True) if on]
+    if sorted(every) == ["left", "right"] and len(down) == 2:
+        name = "both"
+    else:
+        name = "_".join(down) or "flight"
+    closed = sum(state != OPEN for state in points)
+    for group, sign in zip(groups, signs, strict=True):
+        way = "right" if sign == SLIP_RIGHT else "left"
+        which = "" if len(group) == closed else f"_{model.contacts[group[0]].name}"
+        name += f"{which}_slides_{way}"
+    return name
+
+
+# --- algebra
+
+
+def brief(expr: sp.Expr) -> sp.Expr:
+    """`tidy`, and the square of a sign of slip is 1."""
+    expr = tidy(expr)
+    for symbol in sorted(expr.free_symbols, key=str):
+        if str(symbol).startswith(r"\sigma"):
+            expr = square_is(expr, symbol, sp.S.One)
+    return expr
+
+
+def _inverse(matrix: sp.Matrix) -> sp.Matrix:
+    """By determinants: entries are short."""
+    if matrix.rows == 0:
+        return matrix
+    n, divisor = matrix.rows, _determinant(matrix.as_immutable())
+
+    def entry(i: int, j: int) -> sp.Expr:
+        minor = _determinant(matrix.minor_submatrix(j, i).as_immutable())
+        return _quotient((-1) ** (i + j) * minor, divisor)
+
+    return sp.Matrix(n, n, entry)
+
+
+def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """One over the other, short: what divides it is a product as a rule."""
+    above = sp.expand(above)
+    for sign in (1, -1):
+        if above == sign * below:
+            return sp.Integer(sign)
+    return above / below if below.is_Add else sp.expand(above / below)
+
+
+def _positive_below(expr: sp.Expr) -> sp.Expr:
+    """A quotient, factored, whose denominator is positive where nothing slips."""
+    above, below = sp.fraction(expr)
+    slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
+    sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
+    return sp.factor(sign * above) / sp.expand(sign * below)
+
+
+@lru_cache(maxsize=4096)
+def _determinant(matrix: sp.ImmutableMatrix) -> sp.Expr:
+    """By the row with the fewest entries: constraints have few."""
+    n = matrix.rows
+    if n == 0:
+        return sp.S.One
+    row = min(range(n), key=lambda i: sum(e != 0 for e in matrix[i, :]))
+    total = sp.S.Zero
+    for j in range(n):
+        if matrix[row, j] != 0:
+            minor = _determinant(matrix.minor_submatrix(row, j))
+            total += (-1) ** (row + j) * matrix[row, j] * minor
+    return brief(total)
+
+
+def _vanishes(expr: sp.Expr) -> bool:
+    """Whether an expression is zero whatever its symbols are: square roots may hide it."""
+    if expr == 0 or not expr.atoms(sp.Pow, sp.atan):
+        return expr == 0
+    rng = np.random.default_rng(3)
+    symbols = sorted(expr.free_symbols, key=str)
+    for _ in range(3):
+        put = {x: sp.Float(rng.uniform(0.5, 1.5), 30) for x in symbols}
+        if abs(sp.N(expr.subs(put), 30)) > 1e-20:
+            return False
+    return True
+
+
+def _rank(matrix: sp.Matrix) -> int:
+    """Rank at random values of all symbols."""
+    rng = np.random.default_rng(1)
+    symbols = sorted(matrix.free_symbols, key=str)
+    put = {x: sp.Float(rng.uniform(0.5, 1.5)) for x in symbols}
+    found = np.array(matrix.subs(put).tolist(), dtype=float)
+    return int(np.linalg.matrix_rank(found, tol=1e-9))
