@@ -1,8 +1,8 @@
 """What a structure declares, and what follows from it.
 
-A structure is a set of bodies whose positions are known in each contact phase. It declares
-those positions, its springs and its dampers; the rest of this package derives equations of
-motion, impact maps, reactions and statics from them.
+A structure is a set of bodies whose positions are known in each phase, the mechanism of a contact
+state or of two that are mirror images. It declares those positions, its springs and its dampers;
+the rest of this package derives equations of motion, impact maps, reactions and statics from them.
 """
 
 from __future__ import annotations
