@@ -450,6 +450,7 @@ class Wall:
         (m g + P0) B/(m H_c), each tendon with its own lever arm, towards the weaker side: the
         11.1 m/s2 of 4.8.2. A wall that rocks about its centreline at first resists no force.
         """
+        # of a wall on fixed corners, which the walls that are derived with such tendons are not
         weight, b = self.mass * self.gravity, self.half_width
         moments = (
             weight * b + sum(t.initial_force * (b - side * t.eccentricity) for t in self.tendons)

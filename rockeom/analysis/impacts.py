@@ -35,8 +35,7 @@ if TYPE_CHECKING:
 def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
     """Rate of rotation upright, before the impact, of a structure let go at a peak."""
     m = structure.module
-    moving = np.zeros((1, m.N_STATES))
-    moving[0, m.ROTATION_RATE] = 1.0
+    moving = structure.state({m.STATES[m.ROTATION_RATE]: 1.0})[None]
     contact = np.array([structure.contact(y)])
     kinetic = float(at_states(structure, "energies", contact, moving)["kinetic_energy"][0])
     return float(-np.sign(y[m.ROTATION]) * np.sqrt(energy / kinetic))

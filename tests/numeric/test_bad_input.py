@@ -353,7 +353,7 @@ def test_former_name_of_equal_steps_is_understood_and_says_the_new_one():
     assert options == rk.SolverOptions(steps_per_segment=2)
     with pytest.warns(DeprecationWarning, match="steps_per_segment"):
         assert options.steps_per_law == 2
-    with pytest.warns(DeprecationWarning), raises(ValueError, "steps_per_law is -1"):
+    with pytest.warns(DeprecationWarning, match="now"), raises(ValueError, "steps_per_law is -1"):
         rk.SolverOptions(steps_per_law=-1)
 
 
