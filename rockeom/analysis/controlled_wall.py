@@ -617,7 +617,8 @@ class _Held:
         if cut:
             self._contact = contact("_slack")
             return
-        elastic = self.tendon_force.ravel()
+        # the force of a tendon that neither yields nor is slack says whether it does
+        elastic = wall.initial_force + wall.tendon_stiffness * self.extension.ravel()
         self._beyond = np.maximum(elastic - wall.yield_force, 0.0)
         self._contact = np.where(elastic < 0, contact("_slack"), self._contact)
         self._contact = np.where(self._beyond > 0, contact("_yield"), self._contact)
