@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
+def _rotation_of(structure: Structure) -> str:
+    return structure.states[structure.module.ROTATION]
+
+
 def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
     """Rate of rotation upright, before the impact, of a structure let go at a peak."""
     m = structure.module
@@ -192,7 +196,7 @@ class Impacts:
         cls,
         record: MeasuredRecord,
         structure: Structure,
-        channel: str = "theta",
+        channel: str | None = None,
         *,
         quantity: str | None = None,
         threshold: float = 0.0,
@@ -202,10 +206,11 @@ class Impacts:
         """From the peaks of a channel of a record, as `of_peaks`.
 
         record : as measured; each peak is fitted, which needs no filter, and the noise of the
-        record gives the intervals. quantity : what the channel has measured, as in `of_peaks`.
+        record gives the intervals. channel : "theta", or as the structure calls its rotation, if
+        not given. quantity : what the channel has measured, as in `of_peaks`.
         smallest : as in `MeasuredRecord.free_vibration`.
         """
-        peaks = fitted_peaks(record, channel, smallest)
+        peaks = fitted_peaks(record, channel or _rotation_of(structure), smallest)
         return cls.of_peaks(
             peaks.time,
             peaks.value,
@@ -404,16 +409,20 @@ class RotationalSpring(NamedTuple):
 
 
 def fitted_rotational_spring(
-    record: MeasuredRecord, structure: Structure, channel: str = "theta", count: int | None = None
+    record: MeasuredRecord,
+    structure: Structure,
+    channel: str | None = None,
+    count: int | None = None,
 ) -> RotationalSpring:
     """The rotational spring with which the total energy is most constant between impacts; 3-4.
 
-    record and structure as in `record_energies`. Of each half-cycle the stiffness is that of the
-    straight line through the energy against theta**2/2; samples near the impacts, and those of the
+    record and structure as in `record_energies`; channel as in `Impacts.of_record`. Of each
+    half-cycle the stiffness is that of the straight line through the energy against theta**2/2; samples near the impacts, and those of the
     release, are left out. count : how many half-cycles count, from the first; all if not given.
     The mean weighs them by the spread of theta**2, and its deviation is that of their scatter.
     Raises ValueError for fewer than two half-cycles.
     """
+    channel = channel or _rotation_of(structure)
     free = record.free_vibration(channel)
     crossings = free.time[~free.at_peak]
     total = record_energies(record, structure).total

@@ -9,7 +9,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.numeric.states import at_states
 from rockeom.numeric.structures import SHIPPED, class_of
-from tests.numeric.structures import S1, column, every_structure
+from tests.numeric.structures import FOUNDATION_STIFFNESS, S1, column, every_structure
 from tests.shipped import plain
 
 WALL = analysis.Wall.thesis()
@@ -67,6 +67,17 @@ def test_restitution_of_any_structure_from_its_rotation_and_from_its_displacemen
     )
     for ratio in found:
         np.testing.assert_allclose(ratio, by_rotation.energy_ratio, rtol=1e-8)
+
+
+def test_record_of_a_structure_whose_rotation_has_another_name():
+    """Free vibrations by a cosine: no channel need be named where it is called as the state is."""
+    cart = rk.TwoSpringCart(**S1, foundation_stiffness=FOUNDATION_STIFFNESS)
+    t = np.arange(800) * 0.005
+    record = analysis.MeasuredRecord(t, {"u": 0.02 * np.exp(-0.1 * t) * np.cos(3 * t)})
+    found = analysis.Impacts.of_record(record, cart, smallest=1e-3)
+    energy = analysis.static_energy(cart, found.peak_before)
+    np.testing.assert_allclose(found.energy_before, energy, rtol=1e-12)
+    assert len(found) == 3
 
 
 def test_restitution_of_a_declared_structure():
