@@ -417,8 +417,9 @@ def fitted_rotational_spring(
     """The rotational spring with which the total energy is most constant between impacts; 3-4.
 
     record and structure as in `record_energies`; channel as in `Impacts.of_record`. Of each
-    half-cycle the stiffness is that of the straight line through the energy against theta**2/2; samples near the impacts, and those of the
-    release, are left out. count : how many half-cycles count, from the first; all if not given.
+    half-cycle the stiffness is that of the straight line through the energy against theta**2/2;
+    samples near the impacts, and those of the release, are left out. count : how many half-cycles
+    count, from the first; all if not given.
     The mean weighs them by the spread of theta**2, and its deviation is that of their scatter.
     Raises ValueError for fewer than two half-cycles.
     """
