@@ -78,7 +78,7 @@ def pieces(workload: str, thin: bool) -> int:
 def rockeom(workload: str, *, thin: bool, **options) -> Way:
     rtol, rest = options.get("rtol", 1e-10), options.get("rest_tolerance", 1e-6)
     method = options.get("method", "DOP853")
-    if n := options.get("steps_per_law"):
+    if n := options.get("steps_per_segment"):
         setting = f"{method}, {n} step{'s' if n > 1 else ''} a sample, rest {_exponent(rest)}"
     else:
         setting = f"{method}, rtol {_exponent(rtol)}, rest {_exponent(rest)}"
@@ -108,7 +108,7 @@ def c(workload: str, variant: str, *, thin: bool, **options) -> Way:
 def best_c(workload: str, *, thin: bool, **options) -> Way:
     """The other program in C; equal steps as long as a sample."""
     chosen = with_best_c.Options(**options)
-    if n := chosen.steps_per_law:
+    if n := chosen.steps_per_segment:
         setting = f"{chosen.method}, {n} step{'s' if n > 1 else ''} a sample"
     else:
         setting = f"{chosen.method}, rtol {_exponent(chosen.rtol)}"
@@ -159,7 +159,7 @@ def families(who: str, workload: str, rests: Sequence[float] | None = None) -> I
                             workload,
                             thin=True,
                             method=method,
-                            steps_per_law=n,
+                            steps_per_segment=n,
                             rtol=rtol,
                             rest_tolerance=rest,
                         )
@@ -174,7 +174,7 @@ def families(who: str, workload: str, rests: Sequence[float] | None = None) -> I
                         workload,
                         thin=True,
                         method=method,
-                        steps_per_law=n,
+                        steps_per_segment=n,
                         rtol=rtol,
                         rest_tolerance=rest,
                     )

@@ -15,7 +15,7 @@ from rockeom.numeric.structures import SHIPPED, Structure
 HELP = "list the structures, or explain one of them"
 DESCRIPTION = """\
 List the shipped structures, or explain one: its states, its parameters with units and
-meanings, and its contact phases.
+meanings, and its contact states.
 """
 EPILOG = """\
 examples:
@@ -80,7 +80,7 @@ def _explain(structure: type[Structure]) -> str:
         ("in Python", f"rockeom.{structure.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
-        ("contact phases", ", ".join(module.CONTACTS)),
+        ("contact states", ", ".join(module.CONTACTS)),
         ("impact laws", laws if _has_impacts(module) else "none: the contacts are springs"),
     ]
     return "\n".join(

@@ -122,7 +122,7 @@ def simulate_many(
         much longer.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
-    final_time [s], final_phase, impacts, refined (laws of the ground in which equal steps would
+    final_time [s], final_phase, impacts, refined (segments of the ground in which equal steps would
     have been too long), peak, maximum, minimum and final value of each state, and impact_time (nan
     where there was none). maximum and minimum have a sign, peak is the larger of their sizes; they
     are found within the steps. Memory is bounded by the dataset. A keyboard
@@ -440,7 +440,7 @@ class _Results:
         outcome = np.full(n, FULL)
         others = (
             q.horizontal, q.h_rows, q.vertical, q.v_rows, q.p, q.law, q.ratio, options.rtol,
-            np.full(width, options.atol), options.max_step, options.steps_per_law, q.fallen,
+            np.full(width, options.atol), options.max_step, options.steps_per_segment, q.fallen,
             options.rest_tolerance, options.max_impacts, options.max_steps, outcome, peaks, times,
         )  # fmt: skip
         in_lanes = ended = 0

@@ -914,8 +914,10 @@ class _ControlledWall(Structure):
 
     def _load(self, contact: int, y: np.ndarray) -> float:
         """The force with which the rotation of a state is in equilibrium [N]."""
-        zero, one = (self._lacking(contact, y, load)[self.module.ROTATION] for load in (0.0, 1.0))
-        return float(zero / (zero - one))
+        row = self.module.ROTATION
+        none = self._lacking(contact, y, 0.0)[row]
+        load = 1.0 + abs(none)  # the digits of one newton might be lost beside the other forces
+        return float(load * (none / (none - self._lacking(contact, y, load)[row])))
 
     def _lacking(self, contact: int, y: np.ndarray, load: float) -> np.ndarray:
         """What each coordinate lacks of equilibrium under a load [N]."""
@@ -1056,12 +1058,16 @@ class FlexibleControlledWall(_ControlledWall):
     def _load(self, contact: int, y: np.ndarray) -> float:
         """As for the rigid wall; u of the state is put to its own equilibrium."""
         u = self.states.index("u")
+        last = math.inf
         for _ in range(50):  # each time the error falls by about m g/(k H)
             load = super()._load(contact, y)
             change = self._lacking(contact, y, load)[u] / self.stiffness
             y[u] -= change
             if abs(change) <= 1e-14 * abs(y[u]):
                 return load
+            if abs(change) > last:  # where it does not fall, there is one kilometres away
+                break
+            last = abs(change)
         raise ValueError(
             f"no equilibrium of {self.model} at rotation {y[self.module.ROTATION]}: its stiffness, "
             f"{self.stiffness}, hardly holds its weight upright"

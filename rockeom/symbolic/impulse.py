@@ -1,7 +1,7 @@
 """Velocities after a sudden change of contact, by the impulsive form of Lagrange's equations.
 
 Over an impact positions stay and only impulses act. The impulse at a new support does no work
-in any motion of the phase that follows, so the momentum in the directions of that phase is
+in any motion of the mechanism that follows, so the momentum in the directions of that mechanism is
 conserved:
 
     M+ q'+ = sum_i (m_i J+_i^T v-_i + I_i w+_i^T w-_i)

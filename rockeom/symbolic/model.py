@@ -1,16 +1,16 @@
 """What a structure declares, and what follows from it.
 
-A structure is a set of bodies whose positions are known in each contact phase. It declares
-those positions, its springs and its dampers; the rest of this package derives equations of
-motion, impact maps, reactions and statics from them.
+A structure is a set of bodies whose positions are known in each phase, the mechanism of a contact
+state or of two that are mirror images. It declares those positions, its springs and its dampers;
+the rest of this package derives equations of motion, impact maps, reactions and statics from them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -18,6 +18,7 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
 if TYPE_CHECKING:
+    from rockeom.symbolic.evaluate import NumpyPhase
     from rockeom.symbolic.impulse import ImpulseMap
     from rockeom.symbolic.lagrange import Equations
 
@@ -327,26 +328,23 @@ class RockingModel:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
-        from rockeom.symbolic.typeset import latex_document
-
-        return latex_document(self, form)
+        return READERS["latex"](self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        from rockeom.symbolic.typeset import markdown_page
-
-        return markdown_page(self)
+        return READERS["markdown"](self)
 
     def _repr_latex_(self) -> str:
-        from rockeom.symbolic.typeset import equations_latex
+        return READERS["notebook"](self)
 
-        return "$$" + equations_latex(self.phases[0]) + "$$"
-
-    def lambdify(self):
+    def lambdify(self) -> dict[str, NumpyPhase]:
         """Vectorised NumPy functions of every contact state, see `numpy_functions`."""
-        from rockeom.symbolic.evaluate import numpy_functions
+        return READERS["lambdify"](self)
 
-        return numpy_functions(self)
+
+READERS: dict[str, Callable[..., Any]] = {}
+"""What reads a model that was derived, by the method that hands it on. A model is data and knows
+none of them: `rockeom.symbolic` puts them here."""
 
 
 @lru_cache(maxsize=4096)  # the same guards and energies are asked for in many contact states

@@ -68,6 +68,11 @@ def markdown_page(model: RockingModel | Model) -> str:
     return to_markdown(content(model, "width"))
 
 
+def notebook_display(model: RockingModel) -> str:
+    """The equations of motion of the model's first phase, as a notebook shows the model."""
+    return f"$${equations_latex(model.phases[0])}$$"
+
+
 def _check(form: str) -> None:
     if form not in ("width", "polar"):
         raise ValueError(f'form must be "width" (B, H) or "polar" (R, alpha), not {form!r}')

@@ -1,5 +1,6 @@
 """Derived equations as a person reads them: what the LaTeX says, and that it can be typeset."""
 
+import ast
 import dataclasses
 import math
 import os
@@ -420,6 +421,18 @@ def test_pages_of_a_model_are_what_is_said_of_it():
     assert markdown_page(model) == to_markdown(said("rigid_block", "width"))
     for form in ("width", "polar"):
         assert model.latex(form) == latex_document(model, form) == article("rigid_block", form)
+    assert model.markdown() == markdown_page(model)
+    assert model._repr_latex_() == f"$${equations_latex(model.phases[0])}$$"
+
+
+def test_a_model_is_data_and_knows_nothing_that_writes_it_out():
+    """Nor does what derives: not even in a function, where an import is easily overlooked."""
+    symbolic = ROOT / "rockeom" / "symbolic"
+    writers = {"notation", "page", "polar", "typeset"}
+    for name in ("model", "check", "lagrange", "impulse", "contact", "statics", "evaluate"):
+        tree = ast.parse((symbolic / f"{name}.py").read_text(encoding="utf-8"))
+        homes = {n.module or "" for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
+        assert not writers & {home.rpartition(".")[2] for home in homes}, name
 
 
 def test_same_structure_gives_the_same_bytes_in_another_process():
