@@ -738,32 +738,38 @@ def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> in
 def _states(
     model: Model, arrangement: Arrangement, mechanism: Mechanism, number: int
 ) -> Iterator[ContactState]:
-    groups = [tuple(arrangement.points[i] for i in g) for g in mechanism.slipping]
-    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(groups)):
+    groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
+    slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
+    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(slips)):
+        ways = dict(zip(slips, signs, strict=True))
         points = list(arrangement.states)
-        for sign, group in zip(signs, groups, strict=True):
+        for group, sign in ways.items():
             for i in group:
                 points[i] = sign
         for elements in product((1, 0), repeat=len(model.elements)):
-            name = _name(model, points, elements, groups, signs)
+            name = _name(model, {g: ways.get(g, STICK) for g in sorted(groups)}, elements)
             yield ContactState(name, tuple(points), elements, number)
 
 
-def _name(model: Model, points, elements, groups, signs) -> str:
+def _name(model: Model, groups: Mapping[tuple[int, ...], int], elements: tuple[int, ...]) -> str:
     """What a contact state is called: by what touches, and what slips where."""
-    every = [c.name for c in model.contacts] + [e.name for e in model.elements]
-    down = [c.name for c, state in zip(model.contacts, points, strict=True) if state != OPEN]
-    down += [e.name for e, on in zip(model.elements, elements, strict=True) if on]
-    if sorted(every) == ["left", "right"] and len(down) == 2:
-        name = "both"
-    else:
-        name = "_".join(down) or "flight"
-    closed = sum(state != OPEN for state in points)
-    for group, sign in zip(groups, signs, strict=True):
-        way = "right" if sign == SLIP_RIGHT else "left"
-        which = "" if len(group) == closed else f"_{model.contacts[group[0]].name}"
-        name += f"{which}_slides_{way}"
-    return name
+    slides = {STICK: "", SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
+    words = [
+        _both([model.contacts[i].name for i in group]) + slides[state]
+        for group, state in groups.items()
+    ]
+    pressed = [e.name for e, on in zip(model.elements, elements, strict=True) if on]
+    return "_".join([*words, *([_both(pressed)] if pressed else [])]) or "flight"
+
+
+def _both(names: list[str]) -> str:
+    """The names of points in one word, a left and a right one of one kind as both."""
+    if len(names) == 2:
+        left, right = names
+        kind = left.removesuffix("left")
+        if (left, right) == (f"{kind}left", f"{kind}right"):
+            return f"{kind}both"
+    return "_".join(names)
 
 
 # --- algebra
