@@ -202,6 +202,8 @@ class Mechanism:
         left = self._motions(normal)[2]
         groups: list[list[int]] = []
         for i in self.closed:
+            if all(self._same(e) for e in self.slip_rows[i] * left):
+                raise self._undetermined()
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
                 if all(self._same(e) for e in difference):
@@ -288,12 +290,15 @@ class Mechanism:
             if best is None or cost < best[0]:
                 best = cost, sorted(columns)
         if best is None:
-            names = ", ".join(self.model.contacts[i].name for i in self.closed)
-            raise ValueError(
-                f"{self.model.name}: how {names} share their forces when they are closed, statics "
-                "does not tell: let fewer points of one rigid body touch at once, or give springs"
-            )
+            raise self._undetermined()
         return best[1]
+
+    def _undetermined(self) -> ValueError:
+        names = ", ".join(self.model.contacts[i].name for i in self.closed)
+        return ValueError(
+            f"{self.model.name}: with {names} closed statics does not tell the friction: what "
+            "touches leaves no motion along it; give springs (Unilateral) where gaps hold a point"
+        )
 
     @cached_property
     def velocity(self) -> dict[sp.Symbol, sp.Expr]:
@@ -634,6 +639,7 @@ def derive_modes(model: Model) -> Modes:
             arrangement = _arrangement(model, tuple(pattern), groups, mirror, known, mechanisms)
             arrangements.append(arrangement)
             mechanism = mechanisms[arrangement.mechanism]
+            _ = mechanism.dependent  # raises where it cannot move or stand so
             states += _states(model, arrangement, mechanism, len(arrangements) - 1)
             if len(states) > MOST:
                 raise ValueError(
