@@ -415,32 +415,53 @@ def _mechanism_forces(model: Model, mechanism: Mechanism, notation: Notation) ->
     for i in opens:
         ends.append(f"the gap ${notation.write(mechanism.gap(i))}$ closes (landing)")
     blocks.append(f"It ends when {', or '.join(ends)}.")
+    blocks += _landing(mechanism, notation)
     return [*blocks, *_from_rest(mechanism, notation, called)]
 
 
-LONGEST_FROM_REST = 3
-"""Free coordinates of a mechanism whose beginning from rest has a closed form worth reading."""
+def _landing(mechanism: Mechanism, notation: Notation) -> list[Block]:
+    """Rates after an impact that ends in a mechanism."""
+    coordinates = mechanism.model.coordinates
+    old = sp.Matrix([at_impact(c, BEFORE) for c in coordinates])
+    new = [at_impact(c, AFTER) for c in coordinates]
+    lines = []
+    for k, momentum in enumerate(mechanism.kept_momentum * old):
+        row = [mechanism.mass_matrix[k, j] * new[i] for j, i in enumerate(mechanism.independent)]
+        left = notation.sum([notation.write(e) for e in row if e != 0])
+        lines.append(f"{left} = {notation.write(momentum)}")
+    for d in mechanism.dependent:
+        tied = [mechanism.motions[d, j] * new[i] for j, i in enumerate(mechanism.independent)]
+        total = sp.expand(sum(tied, (mechanism.rebound[d, :] * old)[0]))
+        lines.append(f"{notation.plain(new[d])} = {notation.write(total)}")
+    return [
+        Heading(3, "Impact"),
+        "Rates after an impact in which these points are pressed, and stick or slip as here; $-$ "
+        "is just before, $+$ just after. It is what happens where no impulse pulls, friction is "
+        "within its bound, slips after it have their sign, and no other gap closes:",
+        Display(tuple(lines)),
+    ]
 
 
 def _from_rest(
     mechanism: Mechanism, notation: Notation, called: Callable[[str, Iterable[int]], str]
 ) -> list[Block]:
     """How a mechanism begins from standing at rest, and the friction that it needs then."""
-    model = mechanism.model
-    if not 0 < len(mechanism.independent) <= LONGEST_FROM_REST:
+    model, free = mechanism.model, len(mechanism.independent)
+    if not 0 < free <= (3 if len(model.bodies) == 1 else 1):  # else it fills pages
         return []
     start = mechanism.from_rest(model.modes.standing)
-    lines = [
-        f"{notation.plain(a)} = {notation.quotient(e)}"
-        for a, e in start.accelerations.items()
-        if e != 0
-    ]
-    lines += [f"{called('N', [i])} = {notation.quotient(e)}" for i, e in start.normal.items()]
+
+    def line(name: str, value: sp.Expr) -> str:
+        return f"{name} = {notation.quotient(value) if value != 0 else 0}"
+
+    lines = [line(notation.plain(a), e) for a, e in start.motion.items() if e != 0]
+    lines += [line(called("N", [i]), e) for i, e in start.normal.items()]
     for group in mechanism.sticking:
-        needed = start.friction[group[0]] / sum(start.normal[i] for i in group)
+        pressed = sp.together(sum(start.normal[i] for i in group))
         sum_of = " + ".join(called("N", [i]) for i in group)
-        name = rf"\frac{{{called('F', group)}}}{{{sum_of}}}"
-        lines.append(f"{name} = {notation.quotient(sp.cancel(needed))}")
+        if pressed != 0:
+            needed = sp.cancel(start.friction[group[0]] / pressed)
+            lines.append(line(rf"\frac{{{called('F', group)}}}{{{sum_of}}}", needed))
     needs = ", and the friction that it needs" if mechanism.sticking else ""
     return [
         Heading(3, "From rest"),
