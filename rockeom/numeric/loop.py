@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rockeom.contract import (
+    AMBIGUOUS,
     AT_SPEED,
     AT_THE_START,
     BY_FOOT,
@@ -82,6 +83,7 @@ if TYPE_CHECKING:  # joined before this text
         TARGETS,
         dense_output,
         energies,
+        fits_by_forces,
         guard_noise,
         guards,
         held_guards,
@@ -1133,6 +1135,11 @@ def integrate(
     turn = taken + TURN
     for i in range(noises.shape[0]):
         noises[i] = -1.0
+
+    if N_POINTS > 0:
+        begins = taken == 0 and impacts == 0 and fresh == 1
+        if begins and fits_by_forces(contact, y, p, shaking(gx, t), shaking(gy, t)) == AMBIGUOUS:
+            return SEVERAL_SOLUTIONS
 
     while True:
         # a call that ends where a law does must tell the next one of the jump

@@ -18,7 +18,7 @@ from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.contact_states import contact_of, has_points, named, standing
+from rockeom.numeric.contact_states import by_forces, contact_of, has_points, named, standing
 from rockeom.numeric.impact import (
     AngularMomentum,
     EnergyRatioAtSpeed,
@@ -190,6 +190,13 @@ class Structure:
             "correct the state"
         )
 
+    def _under(self, ground: tuple[float, float], y: np.ndarray, phase: str | None) -> int:
+        """Number of the contact state; where contacts may slide and open, forces decide, too."""
+        contact = self.contact(y, phase)
+        if phase is not None or not self.stands_on_points:
+            return contact
+        return by_forces(self.module, contact, y, self.vector, ground)
+
     def _margin(self, contact: int, y: np.ndarray) -> float:
         """The lowest margin of a contact state, but for uplift, which is up to the ground.
 
@@ -232,13 +239,16 @@ class Structure:
         vertical_ground_acceleration: float = 0.0,
         phase: str | None = None,
     ) -> dict[str, float]:
-        """Accelerations of the coordinates, by name [unit of the coordinate per s2]."""
+        """Accelerations of the coordinates, by name [unit of the coordinate per s2].
+
+        Where contacts may slide and open, and no phase is named, the contact state is that which
+        the forces lead to: a block at rest slides under an acceleration that its friction cannot
+        hold. Raises ValueError where they fit none, or several (Painleve).
+        """
         y = self.state(state)
         dy = np.zeros_like(y)
-        self.module.rates(
-            self.contact(y, phase), y, self.vector,
-            *_ground(ground_acceleration, vertical_ground_acceleration), dy,
-        )  # fmt: skip
+        ground = _ground(ground_acceleration, vertical_ground_acceleration)
+        self.module.rates(self._under(ground, y, phase), y, self.vector, *ground, dy)
         n = len(y) // 2
         return dict(zip(self.states[:n], dy[n:].tolist(), strict=True))
 
@@ -255,6 +265,11 @@ class Structure:
         Raises ValueError where the model has no impact in that phase.
         """
         m = self.module
+        if self.stands_on_points:
+            raise ValueError(
+                f"{self.model} has a law of impact for each of its points: simulate it, its events "
+                "tell the states before and after each landing"
+            )
         y = self.state(state)
         contact = self.contact(y, phase)
         if m.KINDS[contact][0] != IMPACT or m.GUARDS[contact] == 0:
@@ -274,6 +289,11 @@ class Structure:
         """
         m = self.module
         if not self.has_impacts:
+            if impact is not None and self.stands_on_points:
+                raise ValueError(
+                    f"{self.model} has a law of impact for each of its points, as it is declared; "
+                    "leave `impact` out"
+                )
             if impact is not None:
                 raise ValueError(
                     f"{self.model} has no impacts, forces take their place; leave `impact` out"
@@ -333,10 +353,8 @@ class Structure:
         """
         y = self.state(state)
         out = np.empty(len(self.module.REACTIONS))
-        self.module.reactions(
-            self.contact(y, phase), y, self.vector,
-            *_ground(ground_acceleration, vertical_ground_acceleration), out,
-        )  # fmt: skip
+        ground = _ground(ground_acceleration, vertical_ground_acceleration)
+        self.module.reactions(self._under(ground, y, phase), y, self.vector, *ground, out)
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
 
     @functools.cached_property

@@ -16,7 +16,7 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.model import Body, Coordinate, Definition, Law, Parameter, Phase
+from rockeom.symbolic.model import READERS, Body, Coordinate, Definition, Law, Parameter, Phase
 
 if TYPE_CHECKING:
     from rockeom.symbolic.modes import Mechanism, Modes
@@ -191,15 +191,11 @@ class Model:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; it has one form."""
-        from rockeom.symbolic.typeset import latex_document
-
-        return latex_document(self, form)
+        return READERS["latex"](self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        from rockeom.symbolic.typeset import markdown_page
-
-        return markdown_page(self)
+        return READERS["markdown"](self)
 
     # what is asked of a model whichever way it was declared
 
