@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 _NAMES_OF = {
+    "rockeom.composed": ("Pinned", "ShearFrame"),
     "rockeom.declared": ("structure",),
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.numeric.case": ("Case",),
@@ -48,6 +49,7 @@ def _classes() -> dict[str, str]:
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
+    from rockeom.composed import Pinned as Pinned, ShearFrame as ShearFrame
     from rockeom.declared import structure as structure
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.numeric.case import Case as Case

@@ -671,12 +671,57 @@ class _TwoMasses(Structure):
     gravity: float = STANDARD_GRAVITY
 
 
+class Support:
+    """What the base of a structure stands on: how it may move, and what holds it.
+
+    Those that there are stand in `rockeom.composed`.
+    """
+
+    def parameters(self) -> dict[str, float]:
+        """Its parameters, by the names that they have in the generated module, in SI units."""
+        return {}
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        """The generated module of a superstructure that stands on it."""
+        raise NotImplementedError
+
+
+def check_support(what: str, support: Any) -> None:
+    """Raise TypeError for what is no support."""
+    if not (support is None or isinstance(support, Support)):
+        raise TypeError(
+            f"{what}: support is {told(support)}: give what the base stands on, such as rk.Pinned()"
+        )
+
+
 @_structure_class
-class LumpedMassStructure(_TwoMasses):
-    """Rigid structure of two lumped masses on rigid ground (thesis Model A).
+class _Supported(_TwoMasses):
+    """Two masses that stand on any support."""
+
+    not_numbers = frozenset({"support"})
+    support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
+
+    def __post_init__(self) -> None:
+        check_support(type(self).__name__, self.support)
+
+    @functools.cached_property
+    def module(self) -> ModuleType:
+        """The generated module, of this support."""
+        return self.support.module(self.model) if self.support else super().module
+
+    def parameters(self) -> dict[str, float]:
+        values = super().parameters()
+        del values["support"]
+        return values | (self.support.parameters() if self.support else {})
+
+
+@_structure_class
+class LumpedMassStructure(_Supported):
+    """Rigid structure of two lumped masses (thesis Model A).
 
     mass, base_mass [kg] at height, base_height [m]; inertia, base_inertia about their own
     centroids [kg m2]; half_width [m] half of the distance between the feet; gravity [m/s2].
+    support : what the base stands on, rk.Pinned() on rigid ground if not given.
     """
 
     model: ClassVar[str] = "lumped_mass_structure"
@@ -709,8 +754,8 @@ class TwoSpringCart(_TwoMasses):
 
 
 @_structure_class
-class FlexibleStructure(_TwoMasses):
-    """Flexible structure of two masses on rigid ground (thesis Model C).
+class FlexibleStructure(_Supported):
+    """Flexible structure of two masses (thesis Model C).
 
     As LumpedMassStructure, with the column's stiffness [N/m] and damping [N s/m].
     """

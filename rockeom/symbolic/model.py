@@ -301,7 +301,14 @@ class RockingModel:
         """Velocities after the sudden passage from one contact state to another."""
         from rockeom.symbolic.impulse import derive_impulse_map
 
-        return derive_impulse_map(self, source, target)
+        if (source, target) not in self._impulse_maps:
+            self._impulse_maps[source, target] = derive_impulse_map(self, source, target)
+        return self._impulse_maps[source, target]
+
+    @cached_property
+    def _impulse_maps(self) -> dict[tuple[str, str], ImpulseMap]:
+        """Those that have been asked for."""
+        return {}
 
     @cached_property
     def velocity_ratio(self) -> sp.Expr | None:
