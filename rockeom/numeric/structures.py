@@ -1230,9 +1230,14 @@ class DeclaredStructure(Structure):
             name: number(f"{self.model}: {name}", value, "give a number in SI units")
             for name, value in (defaults | given).items()
         }
-        signs = zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True)
-        signed = frozenset(name for name, sign in signs if sign == "+-")
+        signs = dict(zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True))
+        signed = frozenset(name for name, sign in signs.items() if sign == "+-")
         check_values(self.model, values, frozenset(known), signed)
+        for name in (name for name, sign in signs.items() if sign == "n"):
+            if not (values[name] >= 1 and values[name] % 1 == 0):
+                raise ValueError(
+                    f"{self.model}: {name} is {values[name]:g}: give a whole number of at least 1"
+                )
         self.values = {name: values[name] for name in self.module.PARAMETERS}
         self._check_sizes()
 

@@ -243,6 +243,8 @@ def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
                 yield f"{axis} of the {name} foot{of}", e, "qs"
             if foot.force is not None:
                 yield f"force on the {name} foot{of}", foot.force, "qvasg"
+        for axis, e in zip("xy", phase.beside_feet, strict=True):
+            yield f"{axis} of the force beside the feet{of}", e, "qvsg"
         for axis, e in zip("xy", phase.load_point or (), strict=False):
             yield f"{axis} of the load point{of}", e, "qs"
         for x in phase.small:
