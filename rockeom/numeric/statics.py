@@ -60,14 +60,25 @@ def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, 
         y[others] = unknown
         return y
 
-    def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
-        """What the other coordinates lack of equilibrium under the load that holds the rotation."""
+    def forces(unknown: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+        """What all lack of equilibrium without a load and with one, and that load."""
         none, with_load = np.empty(n), np.empty(n)
         m.statics(contact, state(unknown), p, 0.0, none)
         load = 1.0 + abs(none[m.ROTATION])  # one newton might be lost beside the other forces
         m.statics(contact, state(unknown), p, load, with_load)
-        share = none[m.ROTATION] / (none[m.ROTATION] - with_load[m.ROTATION])
-        return (none + share * (with_load - none))[others], share * load
+        return none, with_load, load
+
+    none, with_load, _ = forces(np.zeros(len(others)))
+    loaded = m.ROTATION  # the equation that gives the load: one in which it stands
+    if with_load[loaded] == none[loaded]:
+        loaded = int(np.abs(with_load - none).argmax())
+    rest = [i for i in range(n) if i != loaded]
+
+    def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
+        """What the other equations lack under the load that satisfies the one."""
+        none, with_load, load = forces(unknown)
+        share = none[loaded] / (none[loaded] - with_load[loaded])
+        return (none + share * (with_load - none))[rest], share * load
 
     at = np.zeros(len(others))
     if not others:

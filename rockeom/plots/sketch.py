@@ -78,9 +78,7 @@ def draw_structure(
     return style.parent_figure(ax)
 
 
-def _on_ground(
-    ax: Axes, left: float, right: float, depth: float, values: dict[str, float]
-) -> None:
+def _on_ground(ax: Axes, left: float, right: float, depth: float, values: dict[str, float]) -> None:
     free_body.ground(ax, left, right, -depth, 0.09 * values["height"])
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
@@ -140,7 +138,7 @@ def _storeys(
             ax.plot(*column.T, color=style.LINES[0], lw=1.3, solid_capstyle="butt")
     for x, y in zip(moved[1:], levels[1:], strict=True):
         corners = [[-b, -thick], [b, -thick], [b, thick], [-b, thick]]
-        free_body.body(ax, turn(np.array(corners) + (x, y)))
+        free_body.body(ax, turn(np.add(corners, (x, y))))
         _mass(ax, turn, (x, y), "", 9)
 
 
@@ -173,15 +171,16 @@ def _columns_and_beam(ax: Axes, values: dict[str, float], rotation: float) -> No
     corners = np.array([[-b, 0.0], [b, 0.0], [b, 2 * h], [-b, 2 * h]])
     for place in places:
         turn = Affine2D().rotate_around(side * b, 0.0, -rotation).transform
-        column = turn(corners) + (place, 0.0)
+        column = np.add(turn(corners), (place, 0.0))
         free_body.body(ax, column)
         for foot in column[:2]:
             ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
     # it stands on the corner opposite the pressed foot, which was at -side*b
-    x, y = turn(np.array([[-side * b, 2 * h]]))[0] + (side * b, 0.0)
+    ((x, y),) = turn(np.array([[-side * b, 2 * h]]))
+    x += side * b
     end, thick = places[-1] + 2 * b, 0.25 * h
-    beam = np.array([[-end, 0.0], [end, 0.0], [end, thick], [-end, thick]]) + (x, y)
-    free_body.body(ax, beam)
+    beam = [[-end, 0.0], [end, 0.0], [end, thick], [-end, thick]]
+    free_body.body(ax, np.add(beam, (x, y)))
     free_body.mass(ax, (x, y + thick / 2), "beam", (9, 6), 11)
     _on_ground(ax, -end - b, end + b, 0.0, values)
 

@@ -6,7 +6,7 @@ import importlib
 import math
 import pkgutil
 from collections.abc import Callable
-from functools import cache, partial
+from functools import lru_cache, partial
 from inspect import Signature, signature
 from typing import Any
 
@@ -81,6 +81,6 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     return _derived(every[name], **arguments)
 
 
-@cache
+@lru_cache(maxsize=None, typed=True)  # True is not 1, which a declaration would take
 def _derived(structure: Callable[..., RockingModel], **arguments: str | int) -> RockingModel:
     return structure(**arguments)

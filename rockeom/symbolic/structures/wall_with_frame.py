@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     GROUND_Y,
@@ -12,7 +13,6 @@ from rockeom.symbolic.model import (
     rocking_structure,
     turned,
 )
-from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
 
@@ -31,7 +31,7 @@ def wall_with_frame() -> RockingModel:
     frame_mass = parameter("m_f", "frame_mass", "kg", "mass of the frame")
     frame_stiffness = parameter("k_f", "frame_stiffness", "N/m", "lateral stiffness of the frame")
     frame_damping = parameter("c_f", "frame_damping", "N s/m", "damping of the frame")
-    link_height = parameter("h_l", "link_height", "m", "height of the link, and of the frame's mass")
+    link_height = parameter("h_l", "link_height", "m", "height of the frame and of the link")
     link_stiffness = parameter("k_l", "link_stiffness", "N/m", "stiffness of the link")
     link_damping = parameter("c_l", "link_damping", "N s/m", "damping of the link")
     moved = coordinate("u", "u", "m", "displacement of the frame")
