@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from rockeom.symbolic.model import RockingModel
+from typing import Any
+
 from rockeom.symbolic.parts.superstructures import elastic_column
-from rockeom.symbolic.parts.supports import pinned
+from rockeom.symbolic.parts.supports import pinned, standing
 from rockeom.symbolic.registry import shipped
 
 
 @shipped(place=9)
-def flexible_structure() -> RockingModel:
-    """A superstructure on an elastic, damped column that stands on a rocking rigid base."""
+def flexible_structure(support: str = "pinned", **details: Any) -> Any:
+    """A superstructure on an elastic, damped column that stands on a rocking rigid base.
+
+    support : or on another support, see `rockeom.symbolic.parts.supports`.
+    """
+    if support != "pinned":
+        return standing(elastic_column(), support, **details)
     title = "Flexible structure on rigid ground (Model C)"
-    return pinned(elastic_column(), title, reference="thesis 5-34, 5-35, D-1 to D-29")
+    return pinned(elastic_column(), title, reference="thesis 5-34, 5-35, D-1 to D-29", **details)

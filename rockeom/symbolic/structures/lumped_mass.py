@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from rockeom.symbolic.model import RockingModel
+from typing import Any
+
 from rockeom.symbolic.parts.superstructures import rigid
-from rockeom.symbolic.parts.supports import pinned
+from rockeom.symbolic.parts.supports import pinned, standing
 from rockeom.symbolic.registry import shipped
 
 
 @shipped(place=5)
-def lumped_mass_structure() -> RockingModel:
-    """A rigid superstructure and a base, both lumped, rocking about two fixed pivots."""
+def lumped_mass_structure(support: str = "pinned", **details: Any) -> Any:
+    """A rigid superstructure and a base, both lumped, rocking about two fixed pivots.
+
+    support : or on another support, see `rockeom.symbolic.parts.supports`.
+    """
+    if support != "pinned":
+        return standing(rigid(), support, **details)
     title = "Rigid lumped-mass structure on rigid ground (Model A)"
-    return pinned(rigid(), title, reference="thesis 5-8 to 5-14")
+    return pinned(rigid(), title, reference="thesis 5-8 to 5-14", **details)

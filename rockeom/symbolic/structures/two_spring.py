@@ -17,7 +17,6 @@ from rockeom.symbolic.model import (
     RockingModel,
     Transition,
     coordinate,
-    parameter,
     turned,
 )
 from rockeom.symbolic.parts.superstructures import (
@@ -30,13 +29,10 @@ from rockeom.symbolic.parts.superstructures import (
     Point,
     rigid,
 )
+from rockeom.symbolic.parts.supports import FOUNDATION_DAMPING, FOUNDATION_STIFFNESS, HEAVE
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.statics import holding_force
 from rockeom.symbolic.structures.lumped_mass import lumped_mass_structure
-
-FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
-FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
-HEAVE = coordinate("v", "heave", "m", "rise of the base's centre above its settled position")
 
 
 @shipped(place=6)
