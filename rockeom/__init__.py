@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 _NAMES_OF = {
-    "rockeom.composed": ("Pinned", "ShearFrame"),
+    "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.declared": ("structure",),
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.numeric.case": ("Case",),
@@ -49,7 +49,13 @@ def _classes() -> dict[str, str]:
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
-    from rockeom.composed import Pinned as Pinned, ShearFrame as ShearFrame
+    from rockeom.composed import (
+        Pinned as Pinned,
+        ShearFrame as ShearFrame,
+        Sliding as Sliding,
+        TwoSprings as TwoSprings,
+        Winkler as Winkler,
+    )
     from rockeom.declared import structure as structure
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.numeric.case import Case as Case

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Sequence
+from dataclasses import dataclass
 from types import ModuleType
 from typing import Any, ClassVar
 
-from rockeom.arguments import number, told
+from rockeom.arguments import number, told, whole_number
 from rockeom.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.structures import (
@@ -19,11 +20,98 @@ from rockeom.numeric.structures import (
 )
 
 
+@dataclass(frozen=True)
 class Pinned(Support):
     """Feet that may lift, and neither slide nor bounce: what a structure stands on by itself."""
 
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments)
+
+
+def _foundation(of: Support, stiffness: float, damping: float) -> None:
+    """Raise TypeError or ValueError for what springs and dampers cannot have."""
+    values = {"stiffness": stiffness, "damping": damping}
+    check_values(type(of).__name__, values, frozenset({"damping"}))
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoSprings(Support):
+    """A spring and a damper under each foot, which press and never pull.
+
+    stiffness [N/m] and damping [N s/m] of each. guided : what moves up and down alone, the base's
+    "centre", or the "foot" to whose side the base leans, which changes as it comes upright. As the
+    springs grow stiff a structure guided at its centre becomes none on pinned feet: its foot glides
+    sideways, by half_width (1 - cos(theta)). Guided at the foot it has the same equations as on
+    pinned feet, once one foot presses; how it lands depends on the dampers.
+
+    `heave` [m] counts from the settled position.
+    """
+
+    stiffness: float
+    damping: float
+    guided: str = "centre"
+
+    def __post_init__(self) -> None:
+        _foundation(self, self.stiffness, self.damping)
+        if self.guided not in ("centre", "foot"):
+            raise ValueError(f'TwoSprings: guided is {told(self.guided)}: give "centre" or "foot"')
+
+    def parameters(self) -> dict[str, float]:
+        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Winkler(Support):
+    """A bed of equal springs and dampers, equally far apart, which press and never pull.
+
+    springs : how many, two or more, the outer two at the feet; stiffness [N/m] and damping [N s/m]
+    of each. The base's centre is guided vertically; `heave` [m] counts from the settled position.
+    """
+
+    springs: int
+    stiffness: float
+    damping: float
+
+    def __post_init__(self) -> None:
+        _foundation(self, self.stiffness, self.damping)
+        object.__setattr__(self, "springs", whole_number("Winkler: springs", self.springs, 2))
+
+    def parameters(self) -> dict[str, float]:
+        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sliding(Support):
+    """Feet that open, stick, slip and bounce on rigid ground.
+
+    friction : its coefficient at each foot; restitution : the ratio of the rates of a foot's gap
+    after and before it lands, 0 to 1. The states `x` and `y` [m] are the place and the height of
+    the base's centre.
+    """
+
+    friction: float
+    restitution: float
+
+    def __post_init__(self) -> None:
+        values = self.parameters()
+        check_values("Sliding", values, frozenset(values))
+        if self.restitution > 1:
+            raise ValueError(
+                f"Sliding: restitution is {self.restitution}: give the ratio of rates after and "
+                "before a landing, 0 to 1"
+            )
+
+    def parameters(self) -> dict[str, float]:
+        return {"friction": self.friction, "restitution": self.restitution}
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments, support="sliding")
 
 
 @_structure_class

@@ -38,7 +38,6 @@ NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never slips."""
 
 
-
 class Written:
     """Names of signs and switches, and of the functions of each mechanism as they are written."""
 
@@ -328,7 +327,9 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             group = next(g for g in mechanism.slipping if first_of(arrangement, g) == i)
             targets[place] = mechanism.sigma(group[0]) * mechanism.slip_rate(group)
         elif guard.kind == SLIPPING:
-            points = [j for j, f in enumerate(arrangement.shared) if f == i and arrangement.states[j]]
+            points = [
+                j for j, f in enumerate(arrangement.shared) if f == i and arrangement.states[j]
+            ]
             cone = sum(mechanism.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
         else:

@@ -113,7 +113,9 @@ def _of_derived_guards(
         if guard.kind != SWITCH:
             return -1
         there = rows[modes.states[switched(number, guard)].name]
-        return next(i for i, g in enumerate(there) if g.subject == guard.subject and g.kind == SWITCH)
+        return next(
+            i for i, g in enumerate(there) if g.subject == guard.subject and g.kind == SWITCH
+        )
 
     def part(number: int, guard: Guard) -> int:
         if guard.kind != SWITCH or modes.states[number].elements[guard.subject - points]:

@@ -148,9 +148,7 @@ def named(module: ModuleType, phase: Any) -> int:
     if not isinstance(phase, str):
         raise TypeError(f"phase is {phase!r}: give one of {', '.join(module.CONTACTS)}")
     if phase not in module.CONTACTS:
-        raise ValueError(
-            f"no phase {phase!r}; {module.NAME} has {', '.join(module.CONTACTS)}"
-        )
+        raise ValueError(f"no phase {phase!r}; {module.NAME} has {', '.join(module.CONTACTS)}")
     return module.CONTACTS.index(phase)
 
 

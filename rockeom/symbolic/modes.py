@@ -563,9 +563,14 @@ def _meet(mechanism: Mechanism) -> bool:
     slope = sp.lambdify(places, gaps.jacobian(places).subs(put), modules="math")
     x = rng.uniform(-0.1, 0.1, len(places))
     for _ in range(100):
-        x = x - np.linalg.lstsq(
-            np.array(slope(*x), dtype=float), np.array(value(*x), dtype=float).ravel(), rcond=None
-        )[0]
+        x = (
+            x
+            - np.linalg.lstsq(
+                np.array(slope(*x), dtype=float),
+                np.array(value(*x), dtype=float).ravel(),
+                rcond=None,
+            )[0]
+        )
     return bool(np.abs(np.array(value(*x), dtype=float)).max() < 1e-9)
 
 

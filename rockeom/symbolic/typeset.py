@@ -284,14 +284,20 @@ def _declared(model: Model) -> list[Block]:
     for contact in model.contacts:
         gap, slip = contact.at(contact.side)
         friction = contact.law.friction
-        law = f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
-        law += ", it never slips" if friction is None else f", friction ${notation.plain(friction)}$"
+        law = (
+            f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
+        )
+        law += (
+            ", it never slips" if friction is None else f", friction ${notation.plain(friction)}$"
+        )
         lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
     for i, element in enumerate(model.elements):
         press = f"N_{{\\mathrm{{{element.name}}}}} = {notation.write(press_of(model, i))}"
-        blocks += [f"`{element.name}` presses with this force, while it and the compression are "
-                   "positive:", Display((press,))]
+        blocks += [
+            f"`{element.name}` presses with this force, while it and the compression are positive:",
+            Display((press,)),
+        ]
     energies = [
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",
@@ -324,8 +330,7 @@ def _mechanism(model: Model, mechanism: Mechanism) -> list[Block]:
     blocks += [f"One form for all: {'; '.join(told)}."] if told else []
     held = [f"{notation.plain(x)} = {notation.write(e)}" for x, e in mechanism.place.items()]
     held += [
-        f"{notation.plain(mechanism.qd[d])} = "
-        f"{notation.write(mechanism.velocity[mechanism.qd[d]])}"
+        f"{notation.plain(mechanism.qd[d])} = {notation.write(mechanism.velocity[mechanism.qd[d]])}"
         for d in mechanism.dependent
     ]
     if held:
@@ -357,8 +362,7 @@ def _mechanism_lines(mechanism: Mechanism, notation: Notation) -> list[str]:
     tied = []
     for d in mechanism.dependent:
         terms = [
-            mechanism.motions[d, j] * mechanism.qdd[i]
-            for j, i in enumerate(mechanism.independent)
+            mechanism.motions[d, j] * mechanism.qdd[i] for j, i in enumerate(mechanism.independent)
         ]
         total = sp.expand(sum(terms, mechanism.drift[d]))
         if total != 0:
@@ -366,9 +370,7 @@ def _mechanism_lines(mechanism: Mechanism, notation: Notation) -> list[str]:
     return [*lines, *tied]
 
 
-def _mechanism_forces(
-    model: Model, mechanism: Mechanism, notation: Notation
-) -> list[Block]:
+def _mechanism_forces(model: Model, mechanism: Mechanism, notation: Notation) -> list[Block]:
     """Normal forces, the friction with them, and how long it lasts."""
     if not mechanism.closed:
         return []
@@ -390,8 +392,9 @@ def _mechanism_forces(
         )
         if group in mechanism.slipping:
             sigma = notation.plain(mechanism.sigma(group[0]))
-            lines.append(f"{name} = -{sigma} ({bound})" if len(group) > 1 else
-                         f"{name} = -{sigma} {bound}")
+            lines.append(
+                f"{name} = -{sigma} ({bound})" if len(group) > 1 else f"{name} = -{sigma} {bound}"
+            )
             rate = notation.write(mechanism.sigma(group[0]) * mechanism.slip_rate(group))
             ends.append(f"${rate}$ falls to zero (the slip ends)")
         else:

@@ -201,8 +201,7 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
             bodies,
             GRAVITY.symbol,
             of.elastic_energy + sum((k * d**2 / 2 for d in pressed), sp.S.Zero),
-            of.dissipation
-            + sum((c * rate(d, coordinates) ** 2 / 2 for d in pressed), sp.S.Zero),
+            of.dissipation + sum((c * rate(d, coordinates) ** 2 / 2 for d in pressed), sp.S.Zero),
             {foot: Foot(sole[foot], of_feet[foot]) for foot in _FEET},
             bodies[0].position,
         )
