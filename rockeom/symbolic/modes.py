@@ -17,10 +17,11 @@ s; so are the two signs of a slip, sigma, and the states of an element, chi = 0 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations, product
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -69,6 +70,14 @@ class Arrangement:
     shared: tuple[int, ...]
 
 
+class Start(NamedTuple):
+    """Accelerations by their symbols, normal forces by point, friction by a group's first point."""
+
+    accelerations: dict[sp.Symbol, sp.Expr]
+    normal: dict[int, sp.Expr]
+    friction: dict[int, sp.Expr]
+
+
 class Mechanism:
     """What moves while some points are closed, some of which slip.
 
@@ -91,25 +100,40 @@ class Mechanism:
 
     @property
     def place(self) -> dict[sp.Symbol, sp.Expr]:
-        """Positions that the closed gaps fix in closed form."""
+        """Positions that the closed gaps fix, as they are put into equations."""
         return self._closing[0]
 
     @property
-    def left_open(self) -> list[sp.Expr]:
-        """What is left of the closed gaps then: zero where they can be closed together."""
+    def leaning(self) -> dict[sp.Symbol, sp.Expr]:
+        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
         return self._closing[1]
 
+    @property
+    def left_open(self) -> list[sp.Expr]:
+        """What is left of the closed gaps then: nothing where they can be closed together."""
+        return self._closing[2]
+
     @cached_property
-    def _closing(self) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-        found: dict[sp.Symbol, sp.Expr] = {}
+    def _closing(
+        self,
+    ) -> tuple[dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+        place: dict[sp.Symbol, sp.Expr] = {}
+        leaning: dict[sp.Symbol, sp.Expr] = {}
         gaps = [self._gaps[i] for i in self.closed]
         while gaps:
             fixed = next(filter(None, map(self._fixed, gaps)), None)
             if fixed is None:
                 break
-            found = {x: brief(e.subs(fixed)) for x, e in found.items()} | fixed
+            if any(e.has(sp.atan) for e in fixed.values()):
+                leaning |= fixed
+            else:
+                place = {x: brief(e.subs(fixed)) for x, e in place.items()} | fixed
             gaps = [e for gap in gaps if not _vanishes(e := brief(gap.subs(fixed)))]
-        return {x: _shortened(e) for x, e in found.items()}, gaps
+        return place, leaning, gaps
+
+    def _same(self, expr: sp.Expr) -> bool:
+        """Whether an expression vanishes in the closed configuration."""
+        return _vanishes(brief(expr.subs(self.leaning)))
 
     def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
         """The coordinate that a closed gap fixes, where it enters so that it can be told.
@@ -176,7 +200,7 @@ class Mechanism:
         for i in self.closed:
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
-                if all(_vanishes(brief(e)) for e in difference):
+                if all(self._same(e) for e in difference):
                     group.append(i)
                     break
             else:
@@ -251,10 +275,10 @@ class Mechanism:
         used = [j for j in self._order if any(e != 0 for e in matrix[:, j])]
         best: tuple[tuple[int, int, int], list[int]] | None = None
         for columns in combinations(used, matrix.rows):
-            divisor = brief(matrix[:, list(columns)].det())
-            if _vanishes(divisor):
+            divisor = _determinant(matrix[:, list(columns)].as_immutable())
+            if self._same(divisor):
                 continue
-            known = sum(self.q[j] in self.place for j in columns)
+            known = sum(self.q[j] in self.place or self.q[j] in self.leaning for j in columns)
             moving = len(divisor.free_symbols & set(self.q))
             cost = -known, moving, int(sp.count_ops(divisor))
             if best is None or cost < best[0]:
@@ -373,7 +397,7 @@ class Mechanism:
         """
         first = self.slip_rows[group[0]]
         apart = {i: (self.slip_rows[i] - first).applyfunc(brief) for i in group}
-        if all(_vanishes(e) for row in apart.values() for e in row):
+        if all(self._same(e) for row in apart.values() for e in row):
             return normal
         rows = sp.Matrix.vstack(*self.normal_rows.values())
         columns = self._dependent(rows)
@@ -384,7 +408,7 @@ class Mechanism:
         }
         alike = len({self.model.contacts[i].law.friction for i in group}) == 1
         if not alike or not all(
-            _vanishes(brief(sum(c[j] for j in group))) for c in shares.values()
+            self._same(sum((c[j] for j in group), sp.S.Zero)) for c in shares.values()
         ):
             names = ", ".join(self.model.contacts[i].name for i in group)
             raise ValueError(
@@ -413,6 +437,46 @@ class Mechanism:
             return sp.S.Zero
         return self.qdd[coordinate]
 
+    def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
+        """What this mechanism begins with from rest at given positions, in closed form.
+
+        Accelerations of all coordinates, normal forces and friction are quotients; where the
+        friction is less than friction can be, and no normal force negative, it is what begins.
+        """
+        still = dict(place) | dict.fromkeys(self.qd, sp.S.Zero)
+        matrix, forcing, drift = (
+            m.applyfunc(lambda e: brief(e.subs(still)))
+            for m in (self.mass_matrix, self.forcing, self.drift)
+        )
+        motions = self.motions.applyfunc(lambda e: brief(e.subs(still)))
+        m = matrix.rows
+        divisor = _determinant(matrix.as_immutable())
+        above = sp.Matrix(
+            m, 1,
+            lambda i, _: brief(
+                sum(
+                    (-1) ** (i + j)
+                    * _determinant(matrix.minor_submatrix(j, i).as_immutable())
+                    * forcing[j]
+                    for j in range(m)
+                )
+            ),
+        )  # fmt: skip
+        every = (motions * above if m else sp.zeros(self.n, 1)) + drift * divisor
+
+        def quotient(expr: sp.Expr) -> sp.Expr:
+            expr = sp.expand(brief(expr.subs(still)))
+            alone = expr.subs(dict.fromkeys(self.qdd, 0))
+            moved = sum(sp.diff(expr, a) * e for a, e in zip(self.qdd, every, strict=True))
+            return _positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
+
+        normal, friction = self.forces
+        return Start(
+            dict(zip(self.qdd, map(quotient, self.qdd), strict=True)),
+            {i: quotient(e) for i, e in normal.items()},
+            {i: quotient(e) for i, e in friction.items()},
+        )
+
     def slip_rate(self, group: tuple[int, ...]) -> sp.Expr:
         """Rate of slip of the points of a group."""
         return self.here((self.slip_rows[group[0]] * sp.Matrix(self.qd))[0])
@@ -429,6 +493,12 @@ class Modes:
     states: tuple[ContactState, ...]
     arrangements: tuple[Arrangement, ...]
     mechanisms: tuple[Mechanism, ...]
+
+    @property
+    def standing(self) -> dict[sp.Symbol, sp.Expr]:
+        """Positions at rest with as many points closed as may be."""
+        first = self.mechanisms[0]
+        return {x: e.subs(first.leaning) for x, e in first.place.items()} | first.leaning
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -541,7 +611,7 @@ def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
     if any(not gap.free_symbols & set(mechanism.q) for gap in mechanism.left_open):
         return False  # but for parameters that happen to make them meet
     matrix = sp.Matrix.vstack(*mechanism.normal_rows.values())
-    if _rank(matrix) == len(closed):
+    if _rank(matrix.subs(mechanism.leaning)) == len(closed):
         return True
     if mechanism.left_open and not _meet(mechanism):
         return False
@@ -651,9 +721,45 @@ def _inverse(matrix: sp.Matrix) -> sp.Matrix:
     """By determinants: entries are short."""
     if matrix.rows == 0:
         return matrix
-    determinant = brief(matrix.det())
-    adjugate = matrix.adjugate().applyfunc(brief)
-    return adjugate.applyfunc(lambda e: sp.cancel(e / determinant) if e != 0 else e)
+    n, divisor = matrix.rows, _determinant(matrix.as_immutable())
+
+    def entry(i: int, j: int) -> sp.Expr:
+        minor = _determinant(matrix.minor_submatrix(j, i).as_immutable())
+        return _quotient((-1) ** (i + j) * minor, divisor)
+
+    return sp.Matrix(n, n, entry)
+
+
+def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """One over the other, short: what divides it is a product as a rule."""
+    above = sp.expand(above)
+    for sign in (1, -1):
+        if above == sign * below:
+            return sp.Integer(sign)
+    return above / below if below.is_Add else sp.expand(above / below)
+
+
+def _positive_below(expr: sp.Expr) -> sp.Expr:
+    """A quotient, factored, whose denominator is positive where nothing slips."""
+    above, below = sp.fraction(expr)
+    slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
+    sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
+    return sp.factor(sign * above) / sp.expand(sign * below)
+
+
+@lru_cache(maxsize=4096)
+def _determinant(matrix: sp.ImmutableMatrix) -> sp.Expr:
+    """By the row with the fewest entries: constraints have few."""
+    n = matrix.rows
+    if n == 0:
+        return sp.S.One
+    row = min(range(n), key=lambda i: sum(e != 0 for e in matrix[i, :]))
+    total = sp.S.Zero
+    for j in range(n):
+        if matrix[row, j] != 0:
+            minor = _determinant(matrix.minor_submatrix(row, j))
+            total += (-1) ** (row + j) * matrix[row, j] * minor
+    return brief(total)
 
 
 def _vanishes(expr: sp.Expr) -> bool:
@@ -667,12 +773,6 @@ def _vanishes(expr: sp.Expr) -> bool:
         if abs(sp.N(expr.subs(put), 30)) > 1e-20:
             return False
     return True
-
-
-@lru_cache(maxsize=256)
-def _shortened(expr: sp.Expr) -> sp.Expr:
-    """A place where points stand at different heights: square roots of sums of squares."""
-    return sp.simplify(expr) if any(not x.exp.is_Integer for x in expr.atoms(sp.Pow)) else expr
 
 
 def _rank(matrix: sp.Matrix) -> int:
