@@ -71,9 +71,13 @@ class Arrangement:
 
 
 class Start(NamedTuple):
-    """Accelerations by their symbols, normal forces by point, friction by a group's first point."""
+    """What a mechanism begins with: accelerations and forces, or rates and impulses.
 
-    accelerations: dict[sp.Symbol, sp.Expr]
+    motion : by symbols of accelerations or rates. normal : by point; friction : of a group, by its
+    first point.
+    """
+
+    motion: dict[sp.Symbol, sp.Expr]
     normal: dict[int, sp.Expr]
     friction: dict[int, sp.Expr]
 
@@ -437,6 +441,68 @@ class Mechanism:
             return sp.S.Zero
         return self.qdd[coordinate]
 
+    @cached_property
+    def rebound(self) -> sp.Matrix:
+        """u of q'+ = T q_I'+ + u, (n, n), times q'-: each closed gap opens e times as it closed.
+
+        Only gaps that were closing rebound; of others the rate was zero.
+        """
+        found = sp.zeros(self.n, self.n)
+        if not self.dependent:
+            return found
+        rows = [
+            -sp.sympify(self.model.contacts[i].law.restitution) * row
+            for i, row in self.normal_rows.items()
+        ]
+        rows += [sp.zeros(1, self.n) for _ in self.sticking]
+        matrix = self._constraints[3][:, self.dependent]
+        solved = (_inverse(matrix) * sp.Matrix.vstack(*rows)).applyfunc(brief)
+        for k, d in enumerate(self.dependent):
+            found[d, :] = solved[k, :]
+        return found
+
+    @cached_property
+    def kept_momentum(self) -> sp.Matrix:
+        """K of L^T M T q_I'+ = K q'-, (m, n): what impulses at its points leave as it is.
+
+        They press as the points are closed and slip as they slip AFTER the impact, all at once.
+        """
+        matrix = self._free[0]
+        return (self.balances.T * matrix * (sp.eye(self.n) - self.rebound)).applyfunc(brief)
+
+    def landing(
+        self, before: Mapping[sp.Symbol, sp.Expr], place: Mapping[sp.Symbol, sp.Expr]
+    ) -> Start:
+        """Rates after an impact that ends in this mechanism, and the impulses of contact.
+
+        before : rates by their symbols, those not named zero. It is what follows where no normal
+        impulse pulls, friction stays within its cone, slips have their signs and gaps open.
+        """
+        put = {x: sp.sympify(before.get(x, 0)) for x in self.qd}
+        old = sp.Matrix([put[x] for x in self.qd])
+
+        def here(m: sp.Matrix) -> sp.Matrix:
+            return m.applyfunc(lambda e: brief(e.subs(place)))
+
+        free = here(self.kept_momentum) * old
+        matrix = here(self.mass_matrix)
+        new = here(self.rebound) * old
+        if matrix.rows:
+            new += here(self.motions) * _inverse(matrix) * free
+        pushes = here(self._free[0]) * (new - old)
+        impulses = sp.zeros(0, 1)
+        if self.dependent:
+            inverse = _inverse(here(self.pushes[self.dependent, :]))
+            impulses = inverse * pushes.extract(self.dependent, [0])
+        normal = dict(zip(self.closed, map(_together, impulses), strict=False))
+        stuck = [_together(e) for e in impulses[len(self.closed) :]]
+        friction = {g[0]: e for g, e in zip(self.sticking, stuck, strict=True)}
+        for group in self.slipping:
+            total = sum(self.friction(i) * normal[i] for i in group)
+            friction[group[0]] = -self.sigma(group[0]) * total
+        rates = dict(zip(self.qd, map(_together, new), strict=True))
+        return Start(rates, normal, friction)
+
     def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
         """What this mechanism begins with from rest at given positions, in closed form.
 
@@ -737,6 +803,11 @@ def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
         if above == sign * below:
             return sp.Integer(sign)
     return above / below if below.is_Add else sp.expand(above / below)
+
+
+def _together(expr: sp.Expr) -> sp.Expr:
+    above, below = sp.fraction(sp.together(expr))
+    return _positive_below(sp.cancel(brief(above) / brief(below)))
 
 
 def _positive_below(expr: sp.Expr) -> sp.Expr:

@@ -410,7 +410,31 @@ def _mechanism_forces(model: Model, mechanism: Mechanism, notation: Notation) ->
     for i in opens:
         ends.append(f"the gap ${notation.write(mechanism.gap(i))}$ closes (landing)")
     blocks.append(f"It ends when {', or '.join(ends)}.")
+    blocks += _landing(mechanism, notation)
     return [*blocks, *_from_rest(mechanism, notation, called)]
+
+
+def _landing(mechanism: Mechanism, notation: Notation) -> list[Block]:
+    """Rates after an impact that ends in a mechanism."""
+    coordinates = mechanism.model.coordinates
+    old = sp.Matrix([at_impact(c, BEFORE) for c in coordinates])
+    new = [at_impact(c, AFTER) for c in coordinates]
+    lines = []
+    for k, momentum in enumerate(mechanism.kept_momentum * old):
+        row = [mechanism.mass_matrix[k, j] * new[i] for j, i in enumerate(mechanism.independent)]
+        left = notation.sum([notation.write(e) for e in row if e != 0])
+        lines.append(f"{left} = {notation.write(momentum)}")
+    for d in mechanism.dependent:
+        tied = [mechanism.motions[d, j] * new[i] for j, i in enumerate(mechanism.independent)]
+        total = sp.expand(sum(tied, (mechanism.rebound[d, :] * old)[0]))
+        lines.append(f"{notation.plain(new[d])} = {notation.write(total)}")
+    return [
+        Heading(3, "Impact"),
+        "Rates after an impact in which these points are pressed, and stick or slip as here; $-$ "
+        "is just before, $+$ just after. It is what happens where no impulse pulls, friction is "
+        "within its bound, slips after it have their sign, and no other gap closes:",
+        Display(tuple(lines)),
+    ]
 
 
 LONGEST_FROM_REST = 3
@@ -427,7 +451,7 @@ def _from_rest(
     start = mechanism.from_rest(model.modes.standing)
     lines = [
         f"{notation.plain(a)} = {notation.quotient(e)}"
-        for a, e in start.accelerations.items()
+        for a, e in start.motion.items()
         if e != 0
     ]
     lines += [f"{called('N', [i])} = {notation.quotient(e)}" for i, e in start.normal.items()]
