@@ -699,8 +699,9 @@ def noise_of(contact, index, p, fallen, noise, w, g):
 @inlined
 def grain_of(contact, index, y, p, fallen, noise, w, g, b, stride):
     """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
-    if N_POINTS > 0 and KINDS[contact][index] != SWITCH:
-        return guard_noise(contact, index, y, p, b, stride)
+    if N_POINTS > 0:
+        if KINDS[contact][index] != SWITCH:
+            return guard_noise(contact, index, y, p, b, stride)
     return noise_of(contact, index, p, fallen, noise, w, g)
 
 
