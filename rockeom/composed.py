@@ -28,6 +28,15 @@ class Pinned(Support):
         return module_of(superstructure, **arguments)
 
 
+def _turns(what: str, inertia: float) -> None:
+    """Raise ValueError where nothing resists that the base turns about its middle."""
+    if not inertia > 0:
+        raise ValueError(
+            f"{what}: on this support the base must have an inertia of its own, and base_inertia, "
+            "the inertias above and base_mass base_height**2 are zero: give one of them"
+        )
+
+
 def _foundation(of: Support, stiffness: float, damping: float) -> None:
     """Raise TypeError or ValueError for what springs and dampers cannot have."""
     values = {"stiffness": stiffness, "damping": damping}
@@ -59,6 +68,9 @@ class TwoSprings(Support):
     def parameters(self) -> dict[str, float]:
         return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
 
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        _turns(what, inertia)
+
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
 
@@ -81,6 +93,9 @@ class Winkler(Support):
 
     def parameters(self) -> dict[str, float]:
         return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
@@ -109,6 +124,13 @@ class Sliding(Support):
 
     def parameters(self) -> dict[str, float]:
         return {"friction": self.friction, "restitution": self.restitution}
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        if not mass > 0:
+            raise ValueError(
+                f"{what}: base_mass is {mass}: a base that may slide must have a mass of its own"
+            )
+        _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments, support="sliding")
@@ -156,7 +178,6 @@ class ShearFrame(Structure):
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        check_support("ShearFrame", self.support)
         set_ = functools.partial(object.__setattr__, self)
         set_("masses", _each("masses", self.masses))
         if self.inertias is None:
@@ -176,6 +197,9 @@ class ShearFrame(Structure):
                     f"{self.heights[i - 1]}: give the height of each floor above the feet, from "
                     "the lowest up"
                 )
+
+        inertia = sum(self.inertias or ()) + self.base_inertia + self.base_mass * self.base_height**2
+        check_support("ShearFrame", self.support, self.base_mass, inertia)
 
     @functools.cached_property
     def module(self) -> ModuleType:

@@ -56,7 +56,8 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
     """(force, state) of a structure on points that may open: they stick, and give what they can."""
     m, p = structure.module, structure.vector
     n = m.N_STATES // 2
-    rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
+    if len(m.POINTS):
+        rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
     upright = structure.state({m.STATES[m.ROTATION]: rotation})
     held = _held(structure, upright)
     free = [i for i in range(n) if i != m.ROTATION and not np.any(held[:, i])]
@@ -75,7 +76,9 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
         along = -np.linalg.lstsq(rows[:, tied], rows[:, moving], rcond=None)[0]
         return lacking[moving] + along.T @ lacking[tied]
 
-    force, y = _balanced(state, statics, len(free))
+    forces = np.zeros(len(m.REACTIONS))
+    m.reactions(structure.contact(upright), upright, p, 0.0, 0.0, forces)
+    force, y = _balanced(state, statics, len(free), noise=1e-12 * np.abs(forces).sum())
     if not np.isfinite(force):
         raise ValueError(f"no equilibrium of {structure.model} at rotation {rotation}")
     return force, y
@@ -120,11 +123,13 @@ def _balanced(
     state: Callable[[np.ndarray], np.ndarray],
     statics: Callable[[np.ndarray, float], np.ndarray],
     unknowns: int,
+    noise: float = 0.0,
 ) -> tuple[float, np.ndarray]:
     """(force, state) in equilibrium; nan where none was found.
 
     state : of the unknowns; statics : what is lacking of equilibrium in a state under a load, first
     in the equation that gives the load, which is that of the rotation where the load acts on it.
+    noise : what is left by rounding where large forces balance [N].
     """
 
     def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
@@ -142,12 +147,13 @@ def _balanced(
     # a metre may be too much or next to nothing: each unknown is counted in the distance at which
     # its own stiffness would restore equilibrium, and each equation likewise
     missing = lacking(at)[0]
+    missing[np.abs(missing) <= noise] = 0.0
     small = 1e-6 * np.eye(unknowns)
     stiffness = [
         abs(lacking(e)[0][i] - lacking(-e)[0][i]) / 2e-6 or 1.0 for i, e in enumerate(small)
     ]
     length = np.abs(missing) / stiffness
-    length[length == 0.0] = length.max() or 1.0
+    length[length <= (1e-6 * length.max() if noise else 0.0)] = length.max() or 1.0
     found = optimize.root(
         lambda x: lacking(length * x)[0] / (stiffness * length),
         at,
@@ -155,7 +161,9 @@ def _balanced(
         options={"xtol": 1e-13},
     )
     at = length * found.x
-    return (lacking(at)[1] if np.abs(found.fun).max() <= 1e-8 else np.nan), state(at)
+    left = np.abs(found.fun)
+    done = (left <= 1e-8) | (left * stiffness * length <= noise)
+    return (lacking(at)[1] if done.all() else np.nan), state(at)
 
 
 def uplift_acceleration(structure: Structure) -> float:

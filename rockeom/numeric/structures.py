@@ -727,13 +727,23 @@ class Support:
         """The generated module of a superstructure that stands on it."""
         raise NotImplementedError
 
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        """Raise ValueError where a base that this support leaves free has no mass or inertia."""
 
-def check_support(what: str, support: Any) -> None:
-    """Raise TypeError for what is no support."""
-    if not (support is None or isinstance(support, Support)):
+
+def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
+    """Raise TypeError for what is no support, and ValueError for a base that it cannot carry.
+
+    mass [kg], inertia [kg m2] : of all that moves with the base as one body, about its sole's
+    middle.
+    """
+    if support is None:
+        return
+    if not isinstance(support, Support):
         raise TypeError(
             f"{what}: support is {told(support)}: give what the base stands on, such as rk.Pinned()"
         )
+    support.check_base(what, mass, inertia)
 
 
 @_structure_class
@@ -744,7 +754,13 @@ class _Supported(_TwoMasses):
     support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
 
     def __post_init__(self) -> None:
-        check_support(type(self).__name__, self.support)
+        mass, inertia = self._of_base()
+        check_support(type(self).__name__, self.support, mass, inertia)
+
+    def _of_base(self) -> tuple[float, float]:
+        """(mass, inertia) of all that moves with the base as one body."""
+        inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
+        return self.base_mass, inertia
 
     @functools.cached_property
     def module(self) -> ModuleType:
@@ -767,6 +783,10 @@ class LumpedMassStructure(_Supported):
     """
 
     model: ClassVar[str] = "lumped_mass_structure"
+
+    def _of_base(self) -> tuple[float, float]:
+        mass, inertia = super()._of_base()
+        return mass + self.mass, inertia + self.mass * self.height**2
 
 
 @_structure_class
