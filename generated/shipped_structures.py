@@ -20,4 +20,6 @@ SHIPPED = {
     "controlled_wall_oscillator": "ControlledWallOscillator",
     "substitute_gravity_wall": "SubstituteGravityWall",
     "simplified_substitute_gravity_wall": "SimplifiedSubstituteGravityWall",
+    "rocking_frame": "RockingFrame",
+    "wall_with_frame": "WallWithFrame",
 }

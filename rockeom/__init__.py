@@ -19,6 +19,7 @@ from rockeom import hooks
 __version__ = "0.1.0"
 
 _NAMES_OF = {
+    "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.declared": ("structure",),
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.numeric.case": ("Case",),
@@ -50,6 +51,13 @@ def _classes() -> dict[str, str]:
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
+    from rockeom.composed import (
+        Pinned as Pinned,
+        ShearFrame as ShearFrame,
+        Sliding as Sliding,
+        TwoSprings as TwoSprings,
+        Winkler as Winkler,
+    )
     from rockeom.declared import structure as structure
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.numeric.case import Case as Case

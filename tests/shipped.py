@@ -21,8 +21,9 @@ def plain(name: str, size: Callable[[], float] | None = None) -> dict[str, float
     rng = np.random.default_rng(zlib.crc32(name.encode()))
     size = size or (lambda: float(rng.uniform(0.5, 2.0)))
     for _ in range(100):
+        of_sign = {"+": size, "+-": lambda: 0.0, "n": lambda: float(rng.integers(1, 5))}
         values = {
-            parameter: size() if signs.get(parameter, "+") == "+" else 0.0
+            parameter: of_sign[signs.get(parameter, "+")]()
             for parameter, default in cls.defaults().items()
             if default is dataclasses.MISSING
         }

@@ -6,7 +6,7 @@ of each element as numbers. Which one moves in a contact state stands in tables.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -115,6 +115,8 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     }
     _momentum(text)
     _statics(written)
+    if not text.model.contacts:
+        _jump(text)
     return columns
 
 
@@ -123,11 +125,16 @@ def _every(text: Text, name: str, targets: Mapping[str, sp.Expr], **how: bool) -
     return text.evaluate(name, targets, "    ", **how) or ["    pass"]
 
 
-def _choice(name: str, number: int, of: int) -> str:
-    """The line before the branch of one of several numbers."""
-    if number == of - 1 and number:
-        return "    else:"
-    return f"    {'elif' if number else 'if'} {name} == {number}:"
+def _chosen(name: str, branches: Sequence[list[str]]) -> list[str]:
+    """Lines that go the way of a contact state's number in the table of that name."""
+    if len(branches) == 1:
+        return [line.removeprefix("    ") for line in branches[0]]
+    lines = [f"    {name} = {name.upper()}S[contact]"]
+    for number, branch in enumerate(branches):
+        last = number == len(branches) - 1
+        lines.append("    else:" if last else f"    {'elif' if number else 'if'} {name} == {number}:")
+        lines += branch
+    return lines
 
 
 # -- motion -----------------------------------------------------------------------------------
@@ -151,16 +158,17 @@ def _told(mechanism: Mechanism) -> str:
 def _motions(written: Written) -> None:
     """Rates of all states: of each mechanism, of the one that moves, and on arrays."""
     text, mechanisms = written.text, written.modes.mechanisms
-    chosen = ["    mechanism = MECHANISMS[contact]"]
+    branches = []
     for i, mechanism in enumerate(mechanisms):
         written.rates.append(_motion_of(written, i, mechanism))
-        chosen += [_choice("mechanism", i, len(mechanisms)), *written.read(mechanism, " " * 8)]
-        chosen.append(f"        return {written.rates[-1]}")
+        branches.append(
+            [*written.read(mechanism, " " * 8), f"        return {written.rates[-1]}"]
+        )
     n, states = text.n, ", ".join(text.states)
     text.function(
         f"rates_of_states(contact, {states}, p, ax, ay)",
         "Rates of all states, in their order.",
-        chosen,
+        _chosen("mechanism", branches),
         "@inlined",
     )
     found = ", ".join(f"found[{n + i}]" for i in range(n))
@@ -291,10 +299,7 @@ def guards_of(model: Model, arrangement: Arrangement) -> list[Guard]:
 def _guards(written: Written) -> None:
     text, arrangements = written.text, written.modes.arrangements
     model = text.model
-    body = ["    arrangement = ARRANGEMENTS[contact]"]
-    for number, arrangement in enumerate(arrangements):
-        body.append(_choice("arrangement", number, len(arrangements)))
-        body += _guards_of(written, arrangement)
+    body = _chosen("arrangement", [_guards_of(written, a) for a in arrangements])
     if not any(guards_of(model, a) for a in arrangements):
         body = ["    pass"]
     text.function(
@@ -443,11 +448,15 @@ def _reactions(written: Written) -> Columns:
     }
     body += written.read_switches("    ")
     body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
-    body.append("    arrangement = ARRANGEMENTS[contact]")
-    for number, arrangement in enumerate(arrangements):
-        body.append(_choice("arrangement", number, len(arrangements)))
-        body += written.found_forces(arrangement, " " * 8)
-        body += _shares(written, arrangement, 1 + len(points) + len(elements))
+    first = 1 + len(points) + len(elements)
+    if points:
+        body += _chosen(
+            "arrangement",
+            [
+                [*written.found_forces(a, " " * 8), *_shares(written, a, first)]
+                for a in arrangements
+            ],
+        )
     text.function(
         "reactions(contact, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
@@ -529,6 +538,19 @@ def _momentum(text: Text) -> None:
         "momentum(contact, y, p, out)",
         "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
         _every(text, "momentum", {f"out[{i}]": e for i, e in enumerate(total)}),
+    )
+
+
+def _jump(text: Text) -> None:
+    """Where nothing lands, elements switch, and the states go on unchanged."""
+    text.function(
+        "jump(contact, guard, law, ratio, y, p, out)",
+        "Pass through the switch whose guard fell: y into out (N,), the contact state returned.",
+        [
+            "    for i in range(N_STATES):",
+            "        out[i] = y[i]",
+            "    return TARGETS[contact][guard]",
+        ],
     )
 
 

@@ -138,6 +138,8 @@ def eliminate(
         left.remove(j)
         share = {i: sp.expand(M[i, j] / M[j, j]) for i in left}
         for i in left:
+            if share[i] == 0:
+                continue
             F[i] = tidy(F[i] - share[i] * F[j])
             for k in left:
                 M[i, k] = tidy(M[i, k] - share[i] * M[j, k])

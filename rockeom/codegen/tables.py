@@ -243,7 +243,9 @@ def class_name(model: str) -> str:
 
 
 def _sign(parameter: Parameter) -> str:
-    """Which numbers a parameter may be: not negative, or any."""
+    """Which numbers a parameter may be: whole and positive, not negative, or any."""
+    if parameter.symbol.is_integer:
+        return "n"
     return "+" if parameter.symbol.is_nonnegative else "+-"
 
 

@@ -784,15 +784,80 @@ class _TwoMasses(Structure):
     gravity: float = STANDARD_GRAVITY
 
 
+class Support:
+    """What the base of a structure stands on: how it may move, and what holds it.
+
+    Those that there are stand in `rockeom.composed`.
+    """
+
+    def parameters(self) -> dict[str, float]:
+        """Its parameters, by the names that they have in the generated module, in SI units."""
+        return {}
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        """The generated module of a superstructure that stands on it."""
+        raise NotImplementedError
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        """Raise ValueError where a base that this support leaves free has no mass or inertia."""
+
+
+def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
+    """Raise TypeError for what is no support, and ValueError for a base that it cannot carry.
+
+    mass [kg], inertia [kg m2] : of all that moves with the base as one body, about its sole's
+    middle.
+    """
+    if support is None:
+        return
+    if not isinstance(support, Support):
+        raise TypeError(
+            f"{what}: support is {told(support)}: give what the base stands on, such as rk.Pinned()"
+        )
+    support.check_base(what, mass, inertia)
+
+
 @_structure_class
-class LumpedMassStructure(_TwoMasses):
-    """Rigid structure of two lumped masses on rigid ground (thesis Model A).
+class _Supported(_TwoMasses):
+    """Two masses that stand on any support."""
+
+    not_numbers = frozenset({"support"})
+    support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
+
+    def __post_init__(self) -> None:
+        mass, inertia = self._of_base()
+        check_support(type(self).__name__, self.support, mass, inertia)
+
+    def _of_base(self) -> tuple[float, float]:
+        """(mass, inertia) of all that moves with the base as one body."""
+        inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
+        return self.base_mass, inertia
+
+    @functools.cached_property
+    def module(self) -> ModuleType:
+        """The generated module, of this support."""
+        return self.support.module(self.model) if self.support else super().module
+
+    def parameters(self) -> dict[str, float]:
+        values = super().parameters()
+        del values["support"]
+        return values | (self.support.parameters() if self.support else {})
+
+
+@_structure_class
+class LumpedMassStructure(_Supported):
+    """Rigid structure of two lumped masses (thesis Model A).
 
     mass, base_mass [kg] at height, base_height [m]; inertia, base_inertia about their own
     centroids [kg m2]; half_width [m] half of the distance between the feet; gravity [m/s2].
+    support : what the base stands on, rk.Pinned() on rigid ground if not given.
     """
 
     model: ClassVar[str] = "lumped_mass_structure"
+
+    def _of_base(self) -> tuple[float, float]:
+        mass, inertia = super()._of_base()
+        return mass + self.mass, inertia + self.mass * self.height**2
 
 
 @_structure_class
@@ -822,8 +887,8 @@ class TwoSpringCart(_TwoMasses):
 
 
 @_structure_class
-class FlexibleStructure(_TwoMasses):
-    """Flexible structure of two masses on rigid ground (thesis Model C).
+class FlexibleStructure(_Supported):
+    """Flexible structure of two masses (thesis Model C).
 
     As LumpedMassStructure, with the column's stiffness [N/m] and damping [N s/m].
     """
@@ -1300,9 +1365,14 @@ class DeclaredStructure(Structure):
             name: number(f"{self.model}: {name}", value, "give a number in SI units")
             for name, value in (defaults | given).items()
         }
-        signs = zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True)
-        signed = frozenset(name for name, sign in signs if sign == "+-")
+        signs = dict(zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True))
+        signed = frozenset(name for name, sign in signs.items() if sign == "+-")
         check_values(self.model, values, frozenset(known), signed)
+        for name in (name for name, sign in signs.items() if sign == "n"):
+            if not (values[name] >= 1 and values[name] % 1 == 0):
+                raise ValueError(
+                    f"{self.model}: {name} is {values[name]:g}: give a whole number of at least 1"
+                )
         self.values = {name: values[name] for name in self.module.PARAMETERS}
         self._check_sizes()
 

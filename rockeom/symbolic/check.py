@@ -244,6 +244,8 @@ def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
                 yield f"{axis} of the {name} foot{of}", e, "qs"
             if foot.force is not None:
                 yield f"force on the {name} foot{of}", foot.force, "qvasg"
+        for axis, e in zip("xy", phase.beside_feet, strict=True):
+            yield f"{axis} of the force beside the feet{of}", e, "qvsg"
         for axis, e in zip("xy", phase.load_point or (), strict=False):
             yield f"{axis} of the load point{of}", e, "qs"
         for x in phase.small:
@@ -457,6 +459,7 @@ class Sample:
         rng = np.random.default_rng(1)
         self.model = model
         self.values: dict[sp.Symbol, np.ndarray] = {}
+        self.functions: dict[tuple[str, tuple[sp.Expr, ...]], Any] = {}
         for p in model.parameters:
             size = 2.0 ** rng.uniform(-1, 1, _SAMPLES)
             sign = 1.0 if p.symbol.is_nonnegative else rng.choice([-1.0, 1.0], _SAMPLES)
@@ -479,11 +482,14 @@ class Sample:
 
         values = {**self.values, **(put or {})}
         given = [np.broadcast_to(v, _SAMPLES) for v in values.values()]
-        written = [
-            self.model.in_contact(e, contact).xreplace(self.model.constants) for e in expressions
-        ]
+        key = contact, tuple(expressions)
+        if key not in self.functions:  # some are asked for with other values of many symbols
+            written = [
+                self.model.in_contact(e, contact).xreplace(self.model.constants) for e in key[1]
+            ]
+            self.functions[key] = array_function(list(values), written)
         with np.errstate(all="ignore"):
-            return array_function(list(values), written)(given)
+            return self.functions[key](given)
 
 
 def _contact_of(phase: Phase) -> str:
