@@ -13,6 +13,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -73,7 +74,7 @@ class Event:
     pattern_after: tuple[str, ...]
 
 
-class Undecided(Exception):
+class UndecidedError(Exception):
     """No candidate, or several that differ."""
 
     def __init__(self, found: list[Candidate]) -> None:
@@ -154,68 +155,59 @@ class Assembly:
         is determined; each then bears the same fraction of its normal force.
         """
         n, m = len(right), len(tried)
-        closed = [i for i in range(m) if pattern[i] != OPEN]
-
-        def solved(fraction: float | None) -> np.ndarray | None:
-            size = n + 2 * m
-            a, b = np.zeros((size, size)), np.zeros(size)
-            a[:n, :n], b[:n] = self.mass, right
-            for i in range(m):
-                across, along = n + 2 * i, n + 2 * i + 1
-                a[:n, across], a[:n, along] = -rows[i, 1], -rows[i, 0]
-                mu = self.points[tried[i]].friction
-                if pattern[i] == OPEN:
-                    a[across, across] = a[along, along] = 1.0
-                    continue
-                a[across, :n], b[across] = rows[i, 1], known[i, 1]
-                if pattern[i] == STICK:
-                    a[along, :n], b[along] = rows[i, 0], known[i, 0]
-                else:
-                    a[along, along], a[along, across] = 1.0, SENSE[pattern[i]] * mu
-            if fraction is not None:  # all but the first take their share
-                for i in shared[1:]:
-                    a[n + 2 * i + 1] = 0.0
-                    b[n + 2 * i + 1] = 0.0
-                    a[n + 2 * i + 1, n + 2 * i + 1] = 1.0
-                    a[n + 2 * i + 1, n + 2 * i] = -fraction
-                first = n + 2 * shared[0] + 1
-                a[first] = 0.0
-                b[first] = 0.0
-                a[first, first], a[first, first - 1] = 1.0, -fraction
-            z, _, rank, _ = np.linalg.lstsq(a, b, rcond=1e-12)
-            scale = np.abs(a) @ np.abs(z) + np.abs(b)
-            if np.any(np.abs(a @ z - b) > 1e-8 * scale.max()):
-                return None
-            return z
-
-        z = solved(None)
+        a, b = np.zeros((n + 2 * m, n + 2 * m)), np.zeros(n + 2 * m)
+        a[:n, :n], b[:n] = self.mass, right
+        for i, state in enumerate(pattern):
+            along, across = n + 2 * i, n + 2 * i + 1
+            a[:n, along], a[:n, across] = -rows[i, 0], -rows[i, 1]
+            if state == OPEN:
+                a[along, along] = a[across, across] = 1.0
+                continue
+            a[across, :n], b[across] = rows[i, 1], known[i, 1]
+            if state == STICK:
+                a[along, :n], b[along] = rows[i, 0], known[i, 0]
+            else:
+                a[along, along] = 1.0
+                a[along, across] = SENSE[state] * self.points[tried[i]].friction
+        z = solved(a, b)
         if z is None:
             return None
-        groups: dict[tuple[int, int | None], list[int]] = {}
-        for i in closed:
-            if pattern[i] == STICK:
-                p = self.points[tried[i]]
-                groups.setdefault((p.of, p.on), []).append(i)
-        for shared in groups.values():
-            if len(shared) > 1:
-                total = sum(z[n + 2 * i] for i in shared)
-                friction = sum(z[n + 2 * i + 1] for i in shared)
-                if total != 0.0:
-                    again = solved(friction / total)
-                    z = z if again is None else again
+        for together in self.sticking_together(tried, pattern):
+            along = [n + 2 * i for i in together]
+            pressed = sum(z[k + 1] for k in along)
+            if pressed != 0.0:
+                fraction = sum(z[k] for k in along) / pressed
+                for k in along:
+                    a[k], b[k] = 0.0, 0.0
+                    a[k, k], a[k, k + 1] = 1.0, -fraction
+                again = solved(a, b)
+                z = z if again is None else again
         forces = z[n:].reshape(m, 2)
-        return Candidate(tuple(pattern), z[:n], forces[:, 0], forces[:, 1])
+        return Candidate(tuple(pattern), z[:n], forces[:, 1], forces[:, 0])
+
+    def sticking_together(self, tried: Sequence[int], pattern: Sequence[str]) -> list[list[int]]:
+        """Places in `tried` of points of one body that stick to one surface, where several do."""
+        groups: dict[tuple[int, int | None], list[int]] = {}
+        for i, state in enumerate(pattern):
+            if state == STICK:
+                groups.setdefault(self.pair(tried[i]), []).append(i)
+        return [group for group in groups.values() if len(group) > 1]
+
+    def pair(self, i: int) -> tuple[int, int | None]:
+        return self.points[i].of, self.points[i].on
 
     def patterns(self, tried: Sequence[int]) -> list[tuple[str, ...]]:
-        """All patterns in which points that share a surface and a body slip alike."""
+        """All patterns in which points of one body on one surface slip alike."""
+        states = [
+            (OPEN, STICK) + (RIGHT, LEFT) * math.isfinite(self.points[i].friction) for i in tried
+        ]
         found = []
-        for pattern in itertools.product((OPEN, STICK, RIGHT, LEFT), repeat=len(tried)):
+        for pattern in itertools.product(*states):
             held: dict[tuple[int, int | None], set[str]] = {}
             for i, state in zip(tried, pattern, strict=True):
                 if state != OPEN:
-                    p = self.points[i]
-                    held.setdefault((p.of, p.on), set()).add(state)
-            if all(len(states) == 1 for states in held.values()):
+                    held.setdefault(self.pair(i), set()).add(state)
+            if all(len(alike) == 1 for alike in held.values()):
                 found.append(pattern)
         return found
 
@@ -224,12 +216,14 @@ class Assembly:
         scale = np.abs(found.normal).max(initial=0.0) + 1e-300
         if np.any(found.normal < -ZERO * scale):
             return False
-        for i, state in enumerate(found.pattern):
-            if state == STICK:
-                need, mu = abs(found.friction[i]), self.points[tried[i]].friction
-                if need > mu * found.normal[i] + ZERO * scale * max(1.0, mu):
-                    return False
-        return True
+        return all(
+            state != STICK
+            or math.isinf(self.points[i].friction)
+            or abs(along) <= self.points[i].friction * (across + ZERO * scale) + ZERO * scale
+            for i, state, along, across in zip(
+                tried, found.pattern, found.friction, found.normal, strict=True
+            )
+        )
 
     # -- what follows: forces ---------------------------------------------------------------
 
@@ -248,31 +242,28 @@ class Assembly:
         self, q: np.ndarray, v: np.ndarray, ground: Sequence[float] = (0.0, 0.0)
     ) -> list[Candidate]:
         """All patterns that can follow at this state: the algebraic problem of accelerations."""
-        gap, rate, slip = self.gaps(q, v)
-        touching = [i for i in range(len(gap)) if abs(gap[i]) < ZERO and abs(rate[i]) < ZERO]
+        seen = [self.seen(p, q, v) for p in self.points]
+        touching = [i for i, s in enumerate(seen) if abs(s.gap) < ZERO and abs(s.rate[1]) < ZERO]
         found = []
         for part in self.patterns(touching):
-            pattern = [OPEN] * len(gap)
-            for i, state in zip(touching, part, strict=True):
-                pattern[i] = state
-            if any(
-                (state == STICK and abs(slip[i]) > ZERO)
-                or (state in SENSE and SENSE[state] * slip[i] < -ZERO)
-                for i, state in zip(touching, part, strict=True)
-            ):
+            states = dict(zip(touching, part, strict=True))
+            if not all(agrees(state, seen[i].rate[0]) for i, state in states.items()):
                 continue
+            pattern = [states.get(i, OPEN) for i in range(len(seen))]
             candidate = self.forces(q, v, pattern, ground)
-            if candidate is None or not self.bears(range(len(gap)), candidate):
+            if candidate is None or not self.bears(range(len(seen)), candidate):
                 continue
             small = ZERO * max(1.0, np.abs(candidate.motion).max())
-            fits = True
-            for i, state in zip(touching, part, strict=True):
-                s = self.seen(self.points[i], q, v)
-                along, across = s.rows @ candidate.motion + s.bias
-                fits &= state != OPEN or across >= -small
-                if state in SENSE and abs(slip[i]) < ZERO:
-                    fits &= SENSE[state] * along >= -small
-            if fits:
+            if all(
+                follows(
+                    state,
+                    seen[i].rows @ candidate.motion + seen[i].bias,
+                    0.0,
+                    small,
+                    sliding=abs(seen[i].rate[0]) > ZERO,
+                )
+                for i, state in states.items()
+            ):
                 found.append(candidate)
         return found
 
@@ -280,29 +271,25 @@ class Assembly:
 
     def impulses(self, q: np.ndarray, v: np.ndarray) -> list[Candidate]:
         """All patterns after an impact of the points that touch: the algebraic law."""
-        gap, rate, _ = self.gaps(q, v)
-        touching = [i for i in range(len(gap)) if abs(gap[i]) < ZERO and rate[i] < ZERO]
-        seen = [self.seen(self.points[i], q, v) for i in touching]
+        everything = [self.seen(p, q, v) for p in self.points]
+        touching = [i for i, s in enumerate(everything) if abs(s.gap) < ZERO]
+        seen = [everything[i] for i in touching]
         rows = np.array([s.rows for s in seen])
-        back = np.array(
+        least = np.array(
             [
                 -self.points[i].restitution * min(s.rate[1], 0.0)
                 for i, s in zip(touching, seen, strict=True)
             ]
         )
-        known = np.column_stack([np.zeros(len(seen)), back])
+        known = np.column_stack([np.zeros(len(seen)), least])
+        small = 1e-12 * max(1.0, np.abs(v).max())
         found = []
         for pattern in self.patterns(touching):
             candidate = self.solve(touching, pattern, self.mass @ v, rows, known)
             if candidate is None or not self.bears(touching, candidate):
                 continue
-            small = 1e-12 * max(1.0, np.abs(v).max())
-            fits = True
-            for row, state, least in zip(rows, pattern, back, strict=True):
-                along, across = row @ candidate.motion
-                fits &= state != OPEN or across >= least - small
-                fits &= state not in SENSE or SENSE[state] * along >= -small
-            if fits:
+            after = rows @ candidate.motion
+            if all(follows(*what, small) for what in zip(pattern, after, least, strict=True)):
                 found.append(candidate)
         return found
 
@@ -314,105 +301,118 @@ class Assembly:
         v: np.ndarray,
         end: float,
         ground: Callable[[float], Sequence[float]] = lambda t: (0.0, 0.0),
-        max_step: float = 0.02,
+        breaks: Sequence[float] = (),
+        max_step: float = 0.05,
         least_impact: float = 1e-5,
-        until: Callable[[float, np.ndarray], float] | None = None,
     ) -> "Motion":
-        """The motion from a state, by one integration after the other, each up to an event."""
+        """The motion from a state, by one integration after the other, each up to an event.
+
+        ground : both accelerations at a time; breaks : times at which they are not smooth.
+        Impacts slower than `least_impact` end the motion, where infinitely many follow.
+        """
         t, y, n = 0.0, np.concatenate([q, v]), len(q)
-        events: list[Event] = []
-        spans = []
-        pattern: tuple[str, ...] | None = None
+        motion = Motion()
+        pattern = ("",) * len(self.points)
         while t < end:
-            pattern_before, before = pattern, y.copy()
-            if pattern is None:
-                pattern_before = ("",) * len(self.points)
+            before = y.copy()
             gap, rate, _ = self.gaps(y[:n], y[n:])
-            landing = [
-                i
-                for i in range(len(gap))
-                if abs(gap[i]) < ZERO and rate[i] < -ZERO
-            ]
-            if landing:
+            landing = np.flatnonzero((np.abs(gap) < ZERO) & (rate < -ZERO))
+            if len(landing):
                 y = np.concatenate([y[:n], one(self.impulses(y[:n], y[n:])).motion])
-                if max(abs(rate[i]) for i in landing) < least_impact:
+                if np.abs(rate[landing]).max() < least_impact:
                     break
-            pattern = self.choose(y, pattern, ground(t))
-            events += self.noted(t, pattern_before, pattern, landing, before, y)
-
-            span = self.within(t, y, end, pattern, ground, max_step)
-            spans.append((pattern, span))
+            old, pattern = pattern, self.choose(y, pattern, ground(t))
+            motion.events += self.noted(t, old, pattern, landing, before, y)
+            stop = min([end, *(b for b in breaks if b > t + 1e-12)])
+            span = self.within(t, y, stop, pattern, ground, max_step)
+            motion.spans.append((pattern, span))
             t, y = span.t[-1], span.y[:, -1].copy()
-        return Motion(self, t, y, events, spans)
+        motion.time, motion.end = t, y
+        return motion
 
-    def choose(
-        self, y: np.ndarray, old: tuple[str, ...] | None, ground: Sequence[float]
-    ) -> tuple[str, ...]:
+    def choose(self, y: np.ndarray, old: Sequence[str], ground: Sequence[float]) -> tuple[str, ...]:
         """The pattern that follows; of those with equal accelerations not the one that ended."""
         n = len(y) // 2
         found = self.motions(y[:n], y[n:], ground)
         first = one(found)
-        others = [c for c in found if c.pattern != old]
+        others = [c for c in found if c.pattern != tuple(old)]
         return (others or [first])[0].pattern
 
-    def noted(self, t, old, new, landing, before, after) -> list[Event]:
+    def noted(
+        self,
+        t: float,
+        old: tuple[str, ...],
+        new: tuple[str, ...],
+        landing: Sequence[int],
+        before: np.ndarray,
+        after: np.ndarray,
+    ) -> list[Event]:
+        """What happened at which point; nothing at the start."""
         found = []
         for i, point in enumerate(self.points):
-            kinds = []
-            if i in landing:
-                kinds.append("landing")
-            elif old[i] not in (OPEN, "") and new[i] == OPEN:
-                kinds.append("lifting")
-            if old[i] in SENSE and new[i] == STICK:
-                kinds.append("slip ends")
-            if old[i] == STICK and new[i] in SENSE:
-                kinds.append("slip begins")
+            was, is_ = old[i], new[i]
+            happened = {
+                "landing": i in landing,
+                "lifting": was not in ("", OPEN) and is_ == OPEN and i not in landing,
+                "slip begins": was == STICK and is_ in SENSE,
+                "slip ends": was in SENSE and is_ == STICK,
+            }
             found += [
-                Event(kind, point.name, t, before, after, tuple(old), tuple(new))
-                for kind in kinds
+                Event(kind, point.name, t, before, after, old, new)
+                for kind, did in happened.items()
+                if did
             ]
         return found
 
-    def within(self, t, y, end, pattern, ground, max_step):
+    def within(
+        self,
+        t: float,
+        y: np.ndarray,
+        end: float,
+        pattern: tuple[str, ...],
+        ground: Callable[[float], Sequence[float]],
+        max_step: float,
+    ) -> Any:
         """Integrate a pattern until it ends."""
         n = len(y) // 2
 
-        def rates(time, state):
+        def forces(time: float, state: np.ndarray) -> Candidate:
             found = self.forces(state[:n], state[n:], pattern, ground(time))
-            return np.concatenate([state[n:], found.motion])
+            assert found is not None
+            return found
+
+        def watch(i: int, sign: float, what: str) -> Callable[[float, np.ndarray], float]:
+            point = self.points[i]
+
+            def margin(time: float, state: np.ndarray) -> float:
+                if what == "gap":
+                    return self.seen(point, state[:n], state[n:]).gap
+                if what == "slip":
+                    return sign * self.seen(point, state[:n], state[n:]).rate[0]
+                found = forces(time, state)
+                if what == "normal":
+                    return found.normal[i]
+                return point.friction * found.normal[i] - sign * found.friction[i]
+
+            margin.terminal, margin.direction = True, -1  # type: ignore[attr-defined]
+            return margin
 
         watched = []
         for i, state in enumerate(pattern):
-            if state == OPEN:
-                watched.append(lambda t, y, i=i: self.seen(self.points[i], y[:n], y[n:]).gap)
-                continue
-            watched.append(
-                lambda t, y, i=i: self.forces(y[:n], y[n:], pattern, ground(t)).normal[i]
-            )
-            if state == STICK:
-                for sign in (1.0, -1.0):
-
-                    def spare(t, y, i=i, sign=sign):
-                        f = self.forces(y[:n], y[n:], pattern, ground(t))
-                        return self.points[i].friction * f.normal[i] - sign * f.friction[i]
-
-                    watched.append(spare)
-            else:
-                watched.append(
-                    lambda t, y, i=i, sign=SENSE[state]: sign
-                    * self.seen(self.points[i], y[:n], y[n:]).rate[0]
-                )
-        for g in watched:
-            g.terminal, g.direction = True, -1
+            watched.append(watch(i, 1.0, "gap" if state == OPEN else "normal"))
+            if state == STICK and math.isfinite(self.points[i].friction):
+                watched += [watch(i, sign, "friction") for sign in (1.0, -1.0)]
+            if state in SENSE:
+                watched.append(watch(i, SENSE[state], "slip"))
         # a point that has just lifted must be seen above its surface before it comes back
         gap, rate, _ = self.gaps(y[:n], y[n:])
         leaving = rate[(np.abs(gap) < ZERO) & (rate > ZERO)]
-        first = min([0.1 * max_step, end - t, *(0.2 * leaving / self.gravity)])
-        span = solve_ivp(
-            rates, (t, end), y, method="DOP853", rtol=3e-14, atol=1e-15, max_step=max_step,
-            first_step=first, events=watched, dense_output=True,
+        return solve_ivp(
+            lambda time, state: np.concatenate([state[n:], forces(time, state).motion]),
+            (t, end), y, method="DOP853", rtol=3e-14, atol=1e-15, max_step=max_step,
+            first_step=min([0.1 * max_step, end - t, *(0.2 * leaving / self.gravity)]),
+            events=watched, dense_output=True,
         )  # fmt: skip
-        return span
 
 
 @dataclass(frozen=True)
@@ -426,29 +426,58 @@ class Seen:
     bias: np.ndarray
 
 
-@dataclass(frozen=True)
+@dataclass
 class Motion:
-    assembly: Assembly
-    time: float
-    end: np.ndarray
-    events: list[Event]
-    spans: list
+    """Events in time order, and each pattern with its integration."""
 
-    def at(self, t: float) -> np.ndarray:
-        for _, span in self.spans:
+    events: list[Event] = field(default_factory=list)
+    spans: list[tuple[tuple[str, ...], Any]] = field(default_factory=list)
+    time: float = 0.0
+    end: np.ndarray = field(default_factory=lambda: np.zeros(0))
+
+    def times(self, kind: str) -> list[float]:
+        return [e.time for e in self.events if e.kind == kind]
+
+    def at(self, t: float) -> tuple[tuple[str, ...], np.ndarray]:
+        """Pattern and state at a time."""
+        for pattern, span in self.spans:
             if span.t[0] <= t <= span.t[-1]:
-                return span.sol(t)
-        raise ValueError(f"{t} is not within the motion")
+                return pattern, span.sol(t)
+        raise ValueError(f"{t} s is not within the motion")
+
+
+def agrees(state: str, slip_rate: float) -> bool:
+    """Whether a point that slips at this rate can be in a state."""
+    if state == STICK:
+        return abs(slip_rate) < ZERO
+    return state == OPEN or SENSE[state] * slip_rate > -ZERO
+
+
+def follows(
+    state: str, moves: np.ndarray, least: float, small: float, sliding: bool = False
+) -> bool:
+    """Whether what follows, along and across, is what a state at zero needs."""
+    along, across = moves
+    if state == OPEN:
+        return across >= least - small
+    return state == STICK or sliding or SENSE[state] * along >= -small
+
+
+def solved(a: np.ndarray, b: np.ndarray) -> np.ndarray | None:
+    """The least z of a z = b, whose rows are not all independent; None if they contradict."""
+    z = np.linalg.lstsq(a, b, rcond=1e-12)[0]
+    scale = np.abs(a) @ np.abs(z) + np.abs(b)
+    return None if np.any(np.abs(a @ z - b) > 1e-8 * scale.max()) else z
 
 
 def one(found: list[Candidate]) -> Candidate:
-    """The one solution; those with equal motions count as one. Raises Undecided."""
+    """The one solution; those with equal motions count as one. Raises UndecidedError."""
     if not found:
-        raise Undecided(found)
+        raise UndecidedError(found)
     first = found[0].motion
     near = 1e-7 * max(1.0, np.abs(first).max())
     if any(np.abs(c.motion - first).max() > near for c in found):
-        raise Undecided(found)
+        raise UndecidedError(found)
     return found[0]
 
 
