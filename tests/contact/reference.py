@@ -183,6 +183,7 @@ class Assembly:
                 again = solved(a, b)
                 z = z if again is None else again
         forces = z[n:].reshape(m, 2)
+        forces[[state == OPEN for state in pattern]] = 0.0  # to the last bit
         return Candidate(tuple(pattern), z[:n], forces[:, 1], forces[:, 0])
 
     def sticking_together(self, tried: Sequence[int], pattern: Sequence[str]) -> list[list[int]]:
