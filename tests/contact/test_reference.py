@@ -9,6 +9,7 @@ from hypothesis import assume, given, settings, strategies as st
 from . import closed_forms as exact
 from .cases import leaning, leaning_motion
 from .reference import LEFT, OPEN, RIGHT, STICK, Block, UndecidedError, one
+from .two_blocks import LOWER_LEFT, UPPER_LEFT, Stack, lower_begins_to_rock
 
 sizes = st.floats(0.1, 3.0)
 
@@ -105,6 +106,8 @@ def test_no_landing_without_restitution_gains_energy(
 ):
     block = Block(b, h, mu, inertia=inertia)
     q, v = block.state(theta=theta, x_dot=along, y_dot=up, theta_dot=rate)
+    gap, rates, _ = block.assembly.gaps(q, v)
+    assume(rates[np.abs(gap) < 1e-9].min() < -1e-6)
     found = one(block.assembly.impulses(q, v))
     before, after = (0.5 * w @ block.assembly.mass @ w for w in (v, found.motion))
     assert after <= before * (1 + 1e-12)
@@ -152,3 +155,55 @@ def test_painleve_a_block_that_slides_flat_has_no_motion_and_one_that_turns_fast
         with pytest.raises(UndecidedError, match="several") as caught:
             one(block.assembly.motions(*turning))
         assert len(caught.value.found) == 2
+
+
+SIZES = st.floats(0.2, 2.0)
+
+
+@st.composite
+def stacks(draw):
+    b1, b2, h2 = draw(SIZES), draw(SIZES), draw(SIZES)
+    b2 = min(b1, b2)
+    return Stack(b1, draw(SIZES), b2, max(h2, 0.75 * b2), draw(SIZES), draw(SIZES))
+
+
+@settings(max_examples=40)
+@given(stack=stacks())
+def test_an_upper_block_that_lands_sets_the_lower_one_rocking_as_by_hand(stack):
+    assembly, rocks = stack.assembly, lower_begins_to_rock(stack)
+    q, v = stack.state((0.0, 0.0), (0.0, -1.0), (1, 1))
+    found = one(assembly.impulses(q, v))
+    after = found.motion
+    assert (abs(after[2]) > 1e-9) == rocks
+    s = stack.b2 / math.hypot(stack.b2, stack.h2)
+    if not rocks:
+        assert after[5] / -1.0 == pytest.approx(1 - 1.5 * s * s, rel=1e-10)
+        return
+    assert after[2] < 0 and found.pattern[:2] == (STICK, OPEN)
+    if found.pattern[3] == OPEN:  # else it stays whole on the lower block
+        foot = stack.foot(q, UPPER_LEFT)
+        assert stack.momentum(q, after, foot, [1]) == pytest.approx(
+            stack.momentum(q, v, foot, [1]), rel=1e-9, abs=1e-9
+        )
+    pivot = stack.foot(q, LOWER_LEFT)
+    assert stack.momentum(q, after, pivot) == pytest.approx(
+        stack.momentum(q, v, pivot), rel=1e-9, abs=1e-9
+    )
+    assert after @ assembly.mass @ after < v @ assembly.mass @ v
+
+
+def test_two_blocks_whose_interface_stays_closed_are_one():
+    stack = Stack(0.5, 0.4, 0.45, 0.3, 2.0, 1.5)
+    q, v = stack.state((0.1, 0.1), (0.3, 0.3), (1, 1))
+    found = one(stack.assembly.motions(q, v))
+    assert found.pattern == (OPEN, STICK, STICK, STICK)
+    centre = (2.0 * 0.4 + 1.5 * 1.1) / 3.5
+    inertia = sum(
+        m * (b * b + h * h) / 3 + m * (at - centre) ** 2
+        for m, b, h, at in ((2.0, 0.5, 0.4, 0.4), (1.5, 0.45, 0.3, 1.1))
+    )
+    block = Block(0.5, centre, 10.0, mass=3.5, inertia=inertia)
+    whole = one(block.assembly.motions(*block.state(theta=0.1, theta_dot=0.3)))
+    assert found.motion[2] == pytest.approx(whole.motion[2], rel=1e-12)
+    assert found.motion[5] == pytest.approx(whole.motion[2], rel=1e-12)
+    np.testing.assert_allclose(found.normal[:2], whole.normal, atol=1e-11)
