@@ -270,15 +270,18 @@ class Assembly:
 
     # -- what follows: impulses -------------------------------------------------------------
 
-    def impulses(self, q: np.ndarray, v: np.ndarray) -> list[Candidate]:
-        """All patterns after an impact of the points that touch: the algebraic law."""
+    def impulses(self, q: np.ndarray, v: np.ndarray, bounces: bool = True) -> list[Candidate]:
+        """All patterns after an impact of the points that touch: the algebraic law.
+
+        bounces : False takes the restitution for 0.
+        """
         everything = [self.seen(p, q, v) for p in self.points]
         touching = [i for i, s in enumerate(everything) if abs(s.gap) < ZERO]
         seen = [everything[i] for i in touching]
         rows = np.array([s.rows for s in seen])
         least = np.array(
             [
-                -self.points[i].restitution * min(s.rate[1], 0.0)
+                -self.points[i].restitution * min(s.rate[1], 0.0) * bounces
                 for i, s in zip(touching, seen, strict=True)
             ]
         )
@@ -309,7 +312,8 @@ class Assembly:
         """The motion from a state, by one integration after the other, each up to an event.
 
         ground : both accelerations at a time; breaks : times at which they are not smooth.
-        Impacts slower than `least_impact` end the motion, where infinitely many follow.
+        Where infinitely many impacts follow, those slower than `least_impact` do not bounce, and
+        end the motion if none would.
         """
         t, y, n = 0.0, np.concatenate([q, v]), len(q)
         motion = Motion()
@@ -319,9 +323,11 @@ class Assembly:
             gap, rate, _ = self.gaps(y[:n], y[n:])
             landing = np.flatnonzero((np.abs(gap) < ZERO) & (rate < -ZERO))
             if len(landing):
-                y = np.concatenate([y[:n], one(self.impulses(y[:n], y[n:])).motion])
-                if np.abs(rate[landing]).max() < least_impact:
+                slow = np.abs(rate[landing]).max() < least_impact
+                if slow and not any(self.points[i].restitution for i in landing):
                     break
+                after = one(self.impulses(y[:n], y[n:], bounces=not slow)).motion
+                y = np.concatenate([y[:n], after])
             old, pattern = pattern, self.choose(y, pattern, ground(t))
             motion.events += self.noted(t, old, pattern, landing, before, y)
             stop = min([end, *(b for b in breaks if b > t + 1e-12)])
