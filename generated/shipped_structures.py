@@ -7,6 +7,7 @@ SHIPPED = {
     "rigid_block": "RigidBlock",
     "slender_block": "SlenderBlock",
     "nondimensional_block": "NondimensionalBlock",
+    "sliding_block": "SlidingBlock",
     "dirac_delta_block": "DiracDeltaBlock",
     "lumped_mass_structure": "LumpedMassStructure",
     "two_spring_structure": "TwoSpringStructure",

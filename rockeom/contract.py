@@ -7,13 +7,24 @@ parts ask of one another by name is declared in `rockeom/numeric/joined.pyi`.
 import numpy as np
 
 # How a motion ended, numbered as in rockeom.numeric.response.Outcome
-COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE = range(7)
-FULL = 7  # it has not: the records must be emptied before the loop goes on, or a turn is over
+(
+    COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE,
+    NO_SOLUTION, SEVERAL_SOLUTIONS,
+) = range(9)  # fmt: skip
+FULL = 9  # it has not: the records must be emptied before the loop goes on, or a turn is over
 
 # Kinds of guards, by the passage that they end a contact state with; and the end of infinitely
 # many impacts, a kind of event without a guard
 IMPACT, UPLIFT, SWITCH, REST = range(4)
 KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
+
+# and of those of a point that may open, slide and bounce: its gap closes, its normal force falls to
+# zero, its friction reaches the bound, its slip comes to a stop
+LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
+
+# States of such a point, and what is said where no contact state follows, or several may
+OPEN, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
+IMPOSSIBLE, AMBIGUOUS = -1, -2
 
 # Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
 # momentum is conserved; the ratio of the energies, by the speed, or by the foot that lands and the

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 
+from rockeom.codegen.contacts import contact_functions
 from rockeom.codegen.guards import guards
 from rockeom.codegen.jump import jump
 from rockeom.codegen.names import check_names, docstring
@@ -17,8 +18,9 @@ from rockeom.codegen.outputs import outputs
 from rockeom.codegen.parameters import functions_of_parameters
 from rockeom.codegen.rates import equations_of_motion
 from rockeom.codegen.sine_cosine import SINE_COSINE
-from rockeom.codegen.tables import tables
-from rockeom.codegen.text import Text
+from rockeom.codegen.tables import contact_tables, tables
+from rockeom.codegen.text import Text, contact_names
+from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import RockingModel
 
 HEADER = """{title}.
@@ -46,19 +48,22 @@ ROUNDING = """
 # one number wherever they stand."""
 
 
-def module_text(model: RockingModel) -> str:
+def module_text(model: RockingModel | Model) -> str:
     """Source of the generated module; the same model gives the same text.
 
     Raises ValueError where what follows from the declaration cannot be simulated.
     """
     model.check_derived()
     text = Text(model)
-    equations_of_motion(text)
-    guards(text)
-    jump(text)
-    columns = outputs(text)
+    if isinstance(model, Model):
+        columns = contact_functions(text)
+    else:
+        equations_of_motion(text)
+        guards(text)
+        jump(text)
+        columns = outputs(text)
     functions_of_parameters(text)
-    head = tables(text, columns)
+    head = contact_tables(text, columns) if isinstance(model, Model) else tables(text, columns)
     check_names("\n".join(head + text.lines), text.given)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
     body = "\n".join(lines) + "\n"
@@ -75,7 +80,7 @@ def _header(text: Text, body: str) -> str:
         parameters="\n                ".join(
             f"{p.name} [{p.unit}]: {p.meaning}" for p in model.parameters
         ),
-        contacts=", ".join(model.contacts),
+        contacts=", ".join(contact_names(model)),
         operations="\n".join(
             f"    {name:<22}{b:>6}{a:>6}" for name, (b, a) in text.operations.items()
         ),

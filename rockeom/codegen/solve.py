@@ -32,6 +32,22 @@ def solve(
     alike, as g + a_y.
     """
 
+    entries, solved = eliminated(text, matrix, right, out, indent, gravity)
+    first = {} if gravity is None else {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+    lines = text.evaluate(function, entries, indent, first, hoist=True, states=states)
+    return lines + solved
+
+
+def eliminated(
+    text: Text,
+    matrix: sp.Matrix,
+    right: sp.Matrix,
+    out: Sequence[str],
+    indent: str,
+    gravity: sp.Expr | None = None,
+) -> tuple[dict[str, sp.Expr], list[str]]:
+    """(what is to be evaluated, by name; the lines behind it that solve), see `solve`."""
+
     def collected(expr: sp.Expr) -> sp.Expr:
         return expr if gravity is None else _collected(expr, gravity)
 
@@ -52,9 +68,54 @@ def solve(
         if pull:
             taken = "".join(f" - {name} * {x}" for name, x, _ in pull)
             solved.append(f"{indent}{out[j]} = {out[j]}_alone{taken}")
-    first = {} if gravity is None else {TOTAL_GRAVITY.name: gravity + GROUND_Y}
-    lines = text.evaluate(function, entries, indent, first, hoist=True, states=states)
-    return lines + solved
+    return entries, solved
+
+
+def unsymmetric(
+    text: Text,
+    matrix: sp.Matrix,
+    right: sp.Matrix,
+    out: Sequence[str],
+    indent: str,
+    gravity: sp.Expr,
+) -> tuple[dict[str, sp.Expr], list[str]]:
+    """The same of a matrix that friction makes unsymmetric.
+
+    Unknowns whose rows and columns friction leaves alike are eliminated first: theirs is the
+    matrix of a motion without friction, whose pivots are positive. Of the others, one or two are
+    found by determinants, which may change sign with friction while no pivot would tell.
+    """
+    n = matrix.rows
+    alike = [i for i in range(n) if all(tidy(matrix[i, j] - matrix[j, i]) == 0 for j in range(n))]
+    order = [*alike, *(i for i in range(n) if i not in alike)]
+    alone = max(n - 2, 0)
+    entries = {
+        f"m{a}{b}": matrix[i, j]
+        for a, i in enumerate(order)
+        for b, j in enumerate(order)
+    }  # fmt: skip
+    entries |= {f"f{a}": _collected(right[i], gravity) for a, i in enumerate(order)}
+    lines = []
+    for j in range(alone):
+        lines.append(f"r{j} = 1.0 / m{j}{j}")
+        for i in range(j + 1, n):
+            lines.append(f"l{i}{j} = m{i}{j} * r{j}")
+            lines += [f"m{i}{k} -= l{i}{j} * m{j}{k}" for k in range(j + 1, n)]
+            lines.append(f"f{i} -= l{i}{j} * f{j}")
+    x = [out[i] for i in order]
+    a, b = n - 2, n - 1
+    if n == 1:
+        lines.append(f"{x[0]} = f0 / m00")
+    else:
+        lines += [
+            f"det_0 = 1.0 / (m{a}{a} * m{b}{b} - m{a}{b} * m{b}{a})",
+            f"{x[a]} = (f{a} * m{b}{b} - m{a}{b} * f{b}) * det_0",
+            f"{x[b]} = (m{a}{a} * f{b} - f{a} * m{b}{a}) * det_0",
+        ]
+    for i in reversed(range(alone)):
+        back = "".join(f" - m{i}{k} * {x[k]}" for k in range(i + 1, n))
+        lines.append(f"{x[i]} = (f{i}{back}) * r{i}")
+    return entries, [indent + line for line in lines]
 
 
 def _eliminate(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
+from rockeom.codegen.contacts import Guard, guards_of
 from rockeom.codegen.guards import longest, outgoing, parts
 from rockeom.codegen.jump import impulsive
 from rockeom.codegen.names import string
@@ -11,14 +13,16 @@ from rockeom.codegen.parameters import sizes_to_check
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.text import Text
 from rockeom.contract import IMPULSIVE, KIND_OF, RATIO, SWITCH
+from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import Parameter, RockingModel
+from rockeom.symbolic.modes import Modes
 
 
 def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
     """All tables; `columns` : those that name what functions give."""
     return [
         "",
-        *_words(text.model, columns),
+        *_words(text.model, columns, text.model.contacts),
         "",
         *_numbers(text),
         *_of_guards(text.model),
@@ -29,7 +33,117 @@ def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
     ]
 
 
-def _words(model: RockingModel, columns: Mapping[str, Iterable[str]]) -> list[str]:
+def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
+    """All tables of a structure whose contacts are declared."""
+    model, modes = text.model, text.model.modes
+    written = {state.name: modes.arrangements[state.arrangement] for state in modes.states}
+    rows = {name: guards_of(model, arrangement) for name, arrangement in written.items()}
+    longest_row = max(1, *map(len, rows.values()))
+    slips = max(len(mechanism.slipping) for mechanism in modes.mechanisms)
+    return [
+        "",
+        *_words(model, columns, modes.names),
+        *_table("POINTS", [c.name for c in model.contacts]),
+        *_table("ELEMENTS", [e.name for e in model.elements]),
+        "",
+        f"N_STATES = {2 * text.n}",
+        f"N_GUARDS = {longest_row}",
+        f"N_PARTS = {2 * len(model.elements)}",
+        f"N_POINTS = {len(model.contacts)}",
+        f"N_ELEMENTS = {len(model.elements)}",
+        f"ROTATION = {text.index(model.rotation.position)}",
+        f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
+        *_column("SIDES = (", {name: "0.0" for name in written}),
+        *_column("GUARDS = (", {name: str(len(row)) for name, row in rows.items()}),
+        *_states_of_contact(modes, slips),
+        *_of_derived_guards(model, modes, rows, longest_row),
+        "NARROW = False  # whether forces may act in a small part of a step",
+        "HAS_IMPULSIVE = False",
+        f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
+        *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),
+    ]
+
+
+def _states_of_contact(modes: Modes, slips: int) -> list[str]:
+    """What each point and element does in each contact state, and which mechanism moves."""
+    written = {state: modes.arrangements[state.arrangement] for state in modes.states}
+    return [
+        *_rows(
+            "POINT_STATES = (  # of each point; 0 open, 1 sticks, 2 slips to the right, 3 to the left",
+            {state.name: state.points for state in written},
+        ),
+        *_rows("ELEMENT_STATES = (  # 0 off, 1 on", {s.name: s.elements for s in written}),
+        *_rows(
+            "SHARED = (  # the first point with which each shares its friction",
+            {state.name: arrangement.shared for state, arrangement in written.items()},
+        ),
+        *_column("ARRANGEMENTS = (", {s.name: str(s.arrangement) for s in written}),
+        *_column("MECHANISMS = (", {s.name: str(a.mechanism) for s, a in written.items()}),
+        *_column(
+            "IMAGES = (  # the side s with which its mechanism is written",
+            {state.name: f"{a.side}.0" for state, a in written.items()},
+        ),
+        *_rows(
+            "SIGMAS = (  # sigma of each group of points that slips",
+            {
+                state.name: [f"{sign}.0" for sign in modes.signs_of(state)]
+                + ["0.0"] * (slips - len(modes.signs_of(state)))
+                for state in written
+            },
+        ),
+    ]
+
+
+def _of_derived_guards(
+    model: Model, modes: Modes, rows: Mapping[str, list[Guard]], longest_row: int
+) -> list[str]:
+    numbers = {(state.points, state.elements): i for i, state in enumerate(modes.states)}
+    points = len(model.contacts)
+
+    def switched(number: int, guard: Guard) -> int:
+        """The contact state in which the element of a guard has switched, -1 of a point."""
+        if guard.kind != SWITCH:
+            return -1
+        state, elements = modes.states[number], list(modes.states[number].elements)
+        elements[guard.subject - points] = 1 - elements[guard.subject - points]
+        return numbers[state.points, tuple(elements)]
+
+    def back(number: int, guard: Guard) -> int:
+        """The guard of the same element there."""
+        if guard.kind != SWITCH:
+            return -1
+        there = rows[modes.states[switched(number, guard)].name]
+        return next(i for i, g in enumerate(there) if g.subject == guard.subject and g.kind == SWITCH)
+
+    def part(number: int, guard: Guard) -> int:
+        if guard.kind != SWITCH or modes.states[number].elements[guard.subject - points]:
+            return -1
+        return longest_row + 2 * (guard.subject - points)
+
+    def table(first: str, of: Callable[[int, Guard], int], filler: int = -1) -> list[str]:
+        found = {name: [of(i, g) for g in row] for i, (name, row) in enumerate(rows.items())}
+        return _rows(first, found, filler, longest_row)
+
+    legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
+    return [
+        *table(
+            f"KINDS = (  # of each guard of each contact state; {legend}",
+            lambda i, g: g.kind,
+            SWITCH,
+        ),
+        *table(
+            "SUBJECTS = (  # the point of each guard, or the element, numbered behind the points",
+            lambda i, g: g.subject,
+        ),
+        *table("TARGETS = (  # contact state to which a switch leads", switched),
+        *table("CLOSED = (  # guard of it that leads back", back),
+        *table("PARTS = (  # place in g of the two parts of a guard, or -1", part),
+    ]
+
+
+def _words(
+    model: RockingModel | Model, columns: Mapping[str, Iterable[str]], contacts: Iterable[str]
+) -> list[str]:
     """What is called how, in which unit."""
     units = [c.unit for c in model.coordinates]
     return [
@@ -42,7 +156,17 @@ def _words(model: RockingModel, columns: Mapping[str, Iterable[str]]) -> list[st
         *_table("PARAMETER_MEANINGS", [p.meaning for p in model.parameters]),
         *_table("PARAMETER_SIGNS", [_sign(p) for p in model.parameters]),
         *_of_sizes(model),
-        *_table("CONTACTS", model.contacts),
+        *_table("CONTACTS", contacts),
+        *_transitions(model),
+        *(line for name, values in columns.items() for line in _table(name, values)),
+    ]
+
+
+def _transitions(model: RockingModel | Model) -> list[str]:
+    """Those that are declared."""
+    if isinstance(model, Model):
+        return ["TRANSITIONS = ()"]
+    return [
         "TRANSITIONS = (",
         *(
             f"    ({string(t.source)}, {string(t.target)}, {string(t.kind)}),"
@@ -50,7 +174,6 @@ def _words(model: RockingModel, columns: Mapping[str, Iterable[str]]) -> list[st
             for t in outgoing(model, c)
         ),
         ")",
-        *(line for name, values in columns.items() for line in _table(name, values)),
     ]
 
 
@@ -140,19 +263,27 @@ def _rate_unit(unit: str) -> str:
     return "1/s" if unit == "-" else f"{unit}/s"
 
 
-def _rows(first: str, rows: Mapping[str, list[int]], filler: int = -1) -> list[str]:
+def _column(first: str, values: Mapping[str, str]) -> list[str]:
+    """A table with a number for each contact state."""
+    return [first, *(f"    {value},  # {contact}" for contact, value in values.items()), ")"]
+
+
+def _rows(
+    first: str, rows: Mapping[str, Sequence[Any]], filler: int = -1, length: int = 0
+) -> list[str]:
     """A table with a row for each contact state, all of one length."""
-    length = max(map(len, rows.values()))
+    length = max(length, *map(len, rows.values()))
     lines = []
     for contact, numbers in rows.items():
-        row = numbers + [filler] * (length - len(numbers))
+        row = [*numbers, *[filler] * (length - len(numbers))]
         lines.append(f"    ({''.join(f'{i}, ' for i in row).strip()}),  # {contact}")
     return [first, *lines, ")"]
 
 
 def _table(name: str, values: Iterable[str]) -> list[str]:
-    items = ", ".join(map(string, values))
-    line = f"{name} = ({items},)"
+    values = list(values)
+    items = "".join(f"{string(v)}, " for v in values).strip()
+    line = f"{name} = ({items})"
     if len(line) <= WIDTH:
         return [line]
     return [f"{name} = (", *(f"    {string(v)}," for v in values), ")"]

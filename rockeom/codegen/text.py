@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from textwrap import dedent
+from typing import Any
 
 import sympy as sp
 
@@ -16,8 +17,14 @@ from rockeom.codegen.names import Names, docstring, names_in
 from rockeom.codegen.printer import WIDTH, assign, python, statements
 from rockeom.codegen.sine_cosine import assigned_angles, named_angles
 from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel
 from rockeom.symbolic.statics import LOAD
+
+
+def contact_names(model: RockingModel | Model) -> tuple[str, ...]:
+    """Names of the contact states, in the order in which generated code numbers them."""
+    return model.modes.names if isinstance(model, Model) else model.contacts
 
 
 class Text:
@@ -29,11 +36,11 @@ class Text:
         by function.
     """
 
-    def __init__(self, model: RockingModel) -> None:
-        self.model = model
+    def __init__(self, model: RockingModel | Model) -> None:
+        self.model: Any = model
         self.n = len(model.coordinates)
         given = Names()
-        self.contacts = {c: given.of_contact(c) for c in model.contacts}
+        self.contacts = {c: given.of_contact(c) for c in contact_names(model)}
         self.states = [given.of(name) for name in model.states]
         self.parameters = [given.of(p.name) for p in model.parameters]
         self.given = given.given
@@ -58,8 +65,10 @@ class Text:
 
     def plain(self, expr: sp.Expr) -> sp.Expr:
         """The expression in Python names, derived constants written out."""
-        expr = self.model.written_out(sp.sympify(expr))
-        return expr.xreplace(self.model.constants).xreplace(self.names)
+        expr = sp.sympify(expr)
+        if isinstance(self.model, RockingModel):
+            expr = self.model.written_out(expr).xreplace(self.model.constants)
+        return expr.xreplace(self.names)
 
     def fixed(self, expr: sp.Expr) -> bool:
         """Whether an expression contains parameters alone."""

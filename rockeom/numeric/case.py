@@ -180,7 +180,8 @@ class Case:
         quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
-        known = moves or structure.rocks_on_rigid_ground or self.phase is not None
+        told = structure.rocks_on_rigid_ground or structure.stands_on_points
+        known = moves or told or self.phase is not None
         return Problem(
             contact=structure.contact(y0, self.phase, 0.0 if known else self._about_to_turn(y0)),
             y0=y0,

@@ -18,6 +18,8 @@ Row = tuple[float, float, float, float, float, float, float]
 N_STATES: int
 N_GUARDS: int
 N_PARTS: int
+N_POINTS: int
+N_ELEMENTS: int
 ROTATION: int
 ROTATION_RATE: int
 SIDES: tuple[float, ...]
@@ -26,6 +28,10 @@ KINDS: tuple[tuple[int, ...], ...]
 TARGETS: tuple[tuple[int, ...], ...]
 CLOSED: tuple[tuple[int, ...], ...]
 PARTS: tuple[tuple[int, ...], ...]
+POINT_STATES: tuple[tuple[int, ...], ...]
+ELEMENT_STATES: tuple[tuple[int, ...], ...]
+SHARED: tuple[tuple[int, ...], ...]
+SUBJECTS: tuple[tuple[int, ...], ...]
 NARROW: bool
 
 ROUNDER: float
@@ -39,6 +45,34 @@ def jump(
 def energies(contact: Int, y: Floats, p: Floats, out: Floats) -> None: ...
 def reactions(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, out: Floats) -> None: ...
 def kinematics(contact: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+
+# -- of one whose contacts may open, slide and bounce
+
+def free_motion(
+    y: Floats, p: Floats, ax: Float, ay: Float, contact: Int, matrix: Floats, forces: Floats
+) -> None: ...
+def points(y: Floats, p: Floats, out: Floats) -> None: ...
+def point_laws(p: Floats, out: Floats) -> None: ...
+
+# -- contacts.py
+
+def is_closed(touching: Int, i: Int) -> bool: ...
+ANGLES: tuple[float, ...]
+
+def force_noise(contact: Int, index: Int, b: Floats, stride: Int) -> float: ...
+def longest_turn(y: Floats) -> float: ...
+def stays_within(
+    contact: Int, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
+    ground: Floats, w: Floats, g: Floats, samples: Floats,
+) -> bool: ...  # fmt: skip
+def pass_on(
+    contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
+    later_x: Float, later_y: Float, tau: Float, out: Floats,
+) -> tuple[Int, Int]: ...  # fmt: skip
+def held_upright(contact: Int, y: Floats, p: Floats) -> bool: ...
+def time_of_bounces(
+    contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, tolerance: Float, out: Floats
+) -> tuple[Float, Int]: ...
 
 # -- the step of a method
 

@@ -734,7 +734,7 @@ def integrate_lanes(
     The rest as in `integrate_many`.
     """
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
-    events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
+    events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     return run_lanes(
         first, z, w,

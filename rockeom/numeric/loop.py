@@ -28,14 +28,20 @@ from rockeom.contract import (
     IDLE,
     IMPACT,
     IMPACTS,
+    IMPOSSIBLE,
+    LANDING,
     LAST_ERROR,
+    LIFTING,
     NEWS,
     NEXT_STEP,
+    NO_SOLUTION,
     NOT_FINITE,
     OVERTURNED,
     REFINED,
     REFINED_TO,
     REST,
+    SEVERAL_SOLUTIONS,
+    SLIPPING,
     STALLED,
     STEPS_KEPT,
     SWITCH,
@@ -57,6 +63,7 @@ if TYPE_CHECKING:  # joined before this text
         N_ALL_STAGES,
         N_GUARDS,
         N_PARTS,
+        N_POINTS,
         N_STAGES,
         N_STATES,
         NARROW,
@@ -74,13 +81,20 @@ if TYPE_CHECKING:  # joined before this text
         TARGETS,
         dense_output,
         energies,
+        force_noise,
         guards,
+        held_upright,
+        is_closed,
         jump,
         kinematics,
+        longest_turn,
         opening_acceleration,
+        pass_on,
         rates,
         reactions,
+        stays_within,
         take_step,
+        time_of_bounces,
     )
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -532,19 +546,25 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
 
 
 @inlined
-def stands_until(contact, t, end, y, rate, p, gx, gy, g):
+def stands_until(contact, t, end, y, rate, p, gx, gy, w, g):
     """Whether a structure that cannot move on both its feet stays there while straight laws last.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
     both ends decide.
     """
-    if N_STATES > 2 or N_PARTS > 0 or SIDES[contact] != 0.0 or gx[2] != 0.0 or gy[2] != 0.0:
+    if N_STATES > 2 and N_POINTS == 0:
         return False
-    if rate[0] != 0.0 or rate[1] != 0.0:
+    if N_PARTS > 0 or SIDES[contact] != 0.0 or gx[2] != 0.0 or gy[2] != 0.0:
         return False
-    for n in range(GUARDS[contact]):
-        if KINDS[contact][n] != UPLIFT:
+    for i in range(N_STATES):
+        if rate[i] != 0.0:
             return False
+    for n in range(GUARDS[contact]):
+        kind = KINDS[contact][n]
+        if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
+            return False
+    if N_POINTS > 0 and not held_until(contact, end, y, p, gx, gy, w):
+        return False
     for turn in range(2):
         tau = end if turn == 1 else t
         guards(contact, y, p, shaking(gx, tau), shaking(gy, tau), g)
@@ -555,6 +575,15 @@ def stands_until(contact, t, end, y, rate, p, gx, gy, g):
             if not g[n] > 1e-9 * size:
                 return False
     return True
+
+
+def held_until(contact, end, y, p, gx, gy, w):
+    """Whether nothing is accelerated at the end of straight laws: then nothing is before it."""
+    rates(contact, y, p, shaking(gx, end), shaking(gy, end), w)
+    moves = False
+    for i in range(N_STATES):
+        moves = moves or w[i] != 0.0
+    return not moves
 
 
 def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
@@ -667,6 +696,14 @@ def noise_of(contact, index, p, fallen, noise, w, g):
     return noise[first + index]
 
 
+@inlined
+def grain_of(contact, index, p, fallen, noise, w, g, b, stride):
+    """Size of the rounding errors of a guard: of an element's, or of one that is a force."""
+    if N_POINTS > 0 and KINDS[contact][index] != SWITCH:
+        return force_noise(contact, index, b, stride)
+    return noise_of(contact, index, p, fallen, noise, w, g)
+
+
 def rounding(contact, index, h, y, p, ax, ay, b):
     """Size of the rounding errors of a guard that opens from closed.
 
@@ -702,42 +739,45 @@ def first_event(
     from_closed = unclear = False
     rocks = rocking(contact)
     for i in range(GUARDS[contact]):
-        if i == landed or (landed >= 0 and i == touching):
+        known = touching == i if N_POINTS == 0 else is_closed(touching, i)
+        if i == landed or (landed >= 0 and known):
             continue
-        closed = touching == i
+        closed = known
         whole = N_PARTS == 0 or PARTS[contact][i] < 0
         if b[8 * i] < 0.0 and whole and not rocks and not closed:
             # beside zero but for rounding, by an event before this one, is closed, too
-            near = noise_of(contact, i, p, fallen, noises, w, g)
+            near = grain_of(contact, i, p, fallen, noises, w, g, b, 8)
             if KINDS[contact][i] == IMPACT:
                 near = CLOSED_GAP * fallen
+            elif KINDS[contact][i] == LANDING:
+                near = CLOSED_GAP * size(b, 8 * i)
             closed = b[8 * i] >= -near
         noise = 0.0
         if closed:
             ax, ay = shaking(gx, t), shaking(gy, t)
             noise = rounding(contact, i, h, y, p, ax, ay, b)
-            noise = max(noise, noise_of(contact, i, p, fallen, noises, w, g))
+            noise = max(noise, grain_of(contact, i, p, fallen, noises, w, g, b, 8))
         row = i
         if not whole:
             x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
         else:
             grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
             x = first_fall(b, 8 * i, grain, closed, noise, stack)
-        if touching == i:
-            unclear = abs(b[8 * row + 1]) <= noise
-        beside = closed and touching != i and x * h <= instant
+        doubtful = known and abs(b[8 * row + 1]) <= noise
+        beside = closed and not known and x * h <= instant
         if beside and rises_first(b, 8 * row, noise):
             continue
         if x < place:
             hover = size(b, 8 * row)
-            if hover <= noise_of(contact, i, p, fallen, noises, w, g):
+            if hover <= grain_of(contact, i, p, fallen, noises, w, g, b, 8):
                 continue  # nothing but rounding errors
             place = x
             target = i
+            unclear = doubtful
             from_closed = closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
             from_closed &= not beside  # else it is known to fall
             slope = bernstein_at(b, 8 * row, x)[1] / h
-    return place, target, slope, from_closed, unclear and target == touching
+    return place, target, slope, from_closed, unclear
 
 
 # -- impacts -------------------------------------------------------------------------------------
@@ -905,7 +945,9 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
     moved = False
     guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
     for i in range(GUARDS[contact]):
-        if i == touching or KINDS[contact][i] == IMPACT or not g[i] < 0.0:
+        known = touching == i if N_POINTS == 0 else is_closed(touching, i)
+        kind = KINDS[contact][i]
+        if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
         if not moved:
             # look ahead, by some of the errors that the time of an event may have
@@ -919,7 +961,7 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
             due = i
     if due >= 0:
         value = g[due]
-        if value >= -noise_of(contact, due, p, fallen, noise, w, g):
+        if value >= -grain_of(contact, due, p, fallen, noise, w, g, g, 1):
             return -1
     return due
 
@@ -945,11 +987,14 @@ def record_step(row, t, h, contact, coefficients, steps, step_contact, step_stat
             step_states[row, j, i] = coefficients[j * N_STATES + i]
 
 
-def record_event(row, t, kind, before, follows, y, after, events, event_kinds, event_states):
+def record_event(
+    row, t, kind, before, follows, guard, y, after, events, event_kinds, event_states
+):  # fmt: skip
     events[row] = t
     event_kinds[row, 0] = kind
     event_kinds[row, 1] = before
     event_kinds[row, 2] = follows
+    event_kinds[row, 3] = guard
     for i in range(N_STATES):
         event_states[row, 0, i] = y[i]
         event_states[row, 1, i] = after[i]
@@ -975,8 +1020,8 @@ def integrate(
         step whose estimated error is above COARSE is refused, and the rest of its law is
         integrated with control of the error.
     steps (n, 2) start and length, step_contact (n,), step_states (n, 8, N) the dense output of
-    each step; n = 0 keeps none. events (m,) times, event_kinds (m, 3) kind and contact before
-    and after, event_states (m, 2, N) state before and after.
+    each step; n = 0 keeps none. events (m,) times, event_kinds (m, 4) kind, contact before and
+    after and the guard that fell, event_states (m, 2, N) state before and after.
     """
     k = scratch[_K:_W]  # rates of the stages of a step, and the ground at each
     w = scratch[_W:_Y_NEW]
@@ -1003,6 +1048,7 @@ def integrate(
     rocks = rocking(contact)
     side = SIDES[contact]
     outcome = COMPLETED
+    h = 0.0
     turn = taken + TURN
     for i in range(noises.shape[0]):
         noises[i] = -1.0
@@ -1050,6 +1096,8 @@ def integrate(
             h = min(h_next, h_max)
             if not rocks:
                 h = min(h, sampling_step(gx), sampling_step(gy))
+            if N_POINTS > 0:
+                h = min(h, longest_turn(y))
             longest = min(h_next, last - t)
             cut = t + 1.1 * h >= last
             if cut:
@@ -1058,7 +1106,7 @@ def integrate(
             slope = more = 0.0
             corrections = overlooked = 0
             beyond = turned = hops = False
-            stands = last - t <= h_max and stands_until(contact, t, last, y, k, p, gx, gy, g)
+            stands = last - t <= h_max and stands_until(contact, t, last, y, k, p, gx, gy, w, g)
             if stands:
                 # nothing moves: no step is needed to know the state at its end
                 taken += 1
@@ -1127,7 +1175,7 @@ def integrate(
                         continue
                     misplaced = abs(move) >= 0.01 * h
                     misplaced = misplaced or (
-                        not rocks and closed_before(contact, target, h, y_new, g)
+                        not rocks and closed_before(contact, target, h, y_new, g, b)
                     )
                     if misplaced and h > 1e-6 * longest:
                         # the guard is not where its polynomial put it: look again in less time
@@ -1152,7 +1200,15 @@ def integrate(
                         cut = False
                         continue
                 elif landed < 0 and touching < 0:
-                    open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
+                    if N_POINTS > 0:
+                        for m in range(4):
+                            tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
+                            stack[2 * m], stack[2 * m + 1] = shaking(gx, tau), shaking(gy, tau)
+                        open_ = stays_within(
+                            contact, h, y, y_new, k, N_STAGES * N_STATES, p, stack, w, g, b
+                        )
+                    if not open_:
+                        open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
@@ -1255,22 +1311,37 @@ def integrate(
             break
         before = contact
         kind = KINDS[contact][landed]
-        contact = jump(before, landed, law, ratio_at(law, ratio, impacts, y, p), y, p, after)
+        touching = -1
+        if N_POINTS == 0:
+            contact = jump(before, landed, law, ratio_at(law, ratio, impacts, y, p), y, p, after)
+        else:
+            length = max(h, min(h_next, last - t))
+            tau = 1e-5 * length
+            contact, touching = pass_on(
+                before, landed, length, y, p, shaking(gx, t), shaking(gy, t),
+                shaking(gx, t + tau), shaking(gy, t + tau), tau, after,
+            )  # fmt: skip
+            if contact < 0:
+                outcome = NO_SOLUTION if contact == IMPOSSIBLE else SEVERAL_SOLUTIONS
+                contact = before
+                break
         record_event(
-            n_events, t, kind, before, contact, y, after, events, event_kinds, event_states
-        )
+            n_events, t, kind, before, contact, landed, y, after, events, event_kinds,
+            event_states,
+        )  # fmt: skip
         n_events += 1
         for i in range(N_STATES):
             y[i] = after[i]
         rocks = rocking(contact)
         side = SIDES[contact]
         fresh = news = 1
-        touching = CLOSED[before][landed] if kind != IMPACT or SIDES[contact] != 0.0 else -1
-        if kind == UPLIFT:
+        if N_POINTS == 0 and (kind != IMPACT or SIDES[contact] != 0.0):
+            touching = CLOSED[before][landed]
+        if kind in (UPLIFT, LIFTING):
             h_next = 0.0  # the gap opens slowly: its first moments want a short step
-        if kind != IMPACT:
+        if kind != IMPACT and kind != LANDING:
             continue
-        if idle > 1 and SIDES[contact] == 0.0:
+        if N_POINTS == 0 and idle > 1 and SIDES[contact] == 0.0:
             # it opened and closed in no time: that uplift was none
             for i in range(GUARDS[contact]):
                 if TARGETS[contact][i] == before:
@@ -1279,41 +1350,63 @@ def integrate(
         if impacts > max_impacts:
             outcome = TOO_MANY_IMPACTS
             break
-        if SIDES[contact] == 0.0:
-            continue
-
-        # -- the rest of infinitely many impacts at once
         ax, ay = shaking(gx, t), shaking(gy, t)
-        rests, follows = time_to_rest(
-            contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
-        )
-        if (t + rests < last or rests < 16.0 * EPS * t) and stand(
-            follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new
-        ):
-            if keep and t + rests > t:
-                dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
-                record_step(
-                    n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
-                )
-                n_steps += 1
-            t += rests
-            for i in range(N_STATES):
-                w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
-                after[i] = y_new[i]
-            record_event(
-                n_events, t, REST, contact, follows, w, after,
-                events, event_kinds, event_states,
-            )  # fmt: skip
-            n_events += 1
-            if follow:
-                widen(peaks, after)
-            for i in range(N_STATES):
-                y[i] = after[i]
-            contact = follows
-            rocks = rocking(contact)
-            side = SIDES[contact]
-            touching = -1
-            h_next = 0.0
+        if N_POINTS > 0:
+            rests, follows = time_of_bounces(contact, y, p, ax, ay, rest_tolerance, y_new)
+            if t + rests < last or rests < 16.0 * EPS * t:
+                if keep and t + rests > t:
+                    for i in range(8 * N_STATES):
+                        coefficients[i] = 0.0
+                    for i in range(N_STATES):
+                        coefficients[i] = y[i]
+                        coefficients[N_STATES + i] = y_new[i] - y[i]
+                    record_step(
+                        n_steps, t, rests, contact, coefficients, steps, step_contact, step_states
+                    )
+                    n_steps += 1
+                t += rests
+                record_event(
+                    n_events, t, REST, contact, follows, -1, y, y_new, events, event_kinds,
+                    event_states,
+                )  # fmt: skip
+                n_events += 1
+                if follow:
+                    widen(peaks, y_new)
+                for i in range(N_STATES):
+                    y[i] = y_new[i]
+                contact, touching, h_next = follows, -1, 0.0
+        elif SIDES[contact] != 0.0:
+            # -- the rest of infinitely many impacts at once
+            rests, follows = time_to_rest(
+                contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
+            )
+            if (t + rests < last or rests < 16.0 * EPS * t) and stand(
+                follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new
+            ):
+                if keep and t + rests > t:
+                    dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
+                    record_step(
+                        n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
+                    )
+                    n_steps += 1
+                t += rests
+                for i in range(N_STATES):
+                    w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
+                    after[i] = y_new[i]
+                record_event(
+                    n_events, t, REST, contact, follows, -1, w, after,
+                    events, event_kinds, event_states,
+                )  # fmt: skip
+                n_events += 1
+                if follow:
+                    widen(peaks, after)
+                for i in range(N_STATES):
+                    y[i] = after[i]
+                contact = follows
+                rocks = rocking(contact)
+                side = SIDES[contact]
+                touching = -1
+                h_next = 0.0
 
     status[CONTACT], status[TOUCHING] = contact, touching
     status[IMPACTS], status[TAKEN], status[REFINED] = impacts, taken, refined
@@ -1350,10 +1443,13 @@ def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g, later, noise):
 
 
 @inlined
-def closed_before(contact, target, h, y, g):
+def closed_before(contact, target, h, y, g, b):
     """Whether a gap has closed before the event that a step ends on, by more than rounding."""
     for i in range(GUARDS[contact]):
-        if i != target and KINDS[contact][i] == IMPACT and -g[i] > 1e-9 * h * abs(y[ROTATION_RATE]):
+        kind = KINDS[contact][i]
+        if i != target and kind == IMPACT and -g[i] > 1e-9 * h * abs(y[ROTATION_RATE]):
+            return True
+        if i != target and kind == LANDING and -g[i] > 1e-9 * size(b, 8 * i):
             return True
     return False
 
@@ -1488,10 +1584,20 @@ def shorten(coefficients, x):
         factor *= x
 
 
+@inlined
+def standing(contact, y, p):
+    """Whether a structure stands on both its feet."""
+    return (
+        SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT
+        if N_POINTS == 0
+        else held_upright(contact, y, p)
+    )
+
+
 @entry
 def at_rest(contact: int, y: Floats, p: Floats) -> bool:
     """Full contact, and a kinetic energy below a billionth of the weight's potential energy."""
-    if SIDES[contact] != 0.0 or KINDS[contact][0] != UPLIFT:
+    if not standing(contact, y, p):
         return False
     energy = np.empty(3)
     energies(contact, y, p, energy)
@@ -1514,14 +1620,14 @@ def falls(
     It is followed until the next impact, or, on springs, while the structure leans further and has
     not been upright; `reach` [s] is how long at a time; `still` the table of ground that is.
     """
-    if SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT:
+    if standing(contact, y, p):
         return False
     rocks = SIDES[contact] != 0.0 and KINDS[contact][0] == IMPACT
     if rocks:
         # a rocking motion has a time of its own, in which it comes back or falls
         reach = max(reach, 10.0 * own_time(contact, y, p))
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
-    events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
+    events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     peaks = np.empty((2, N_STATES))
     status = np.empty(len(AT_THE_START), np.int64)
@@ -1576,7 +1682,7 @@ def integrate_many(
     (n,): FULL, or that of a motion that has ended. impact_times (n, k): the first k of each.
     """
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
-    events, event_kinds = np.empty(64), np.empty((64, 3), np.int64)
+    events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
     event_states = np.empty((64, 2, N_STATES))
     scratch = np.zeros(SCRATCH)
     left = TURN
@@ -1601,7 +1707,8 @@ def integrate_many(
             )  # fmt: skip
             left -= status[n, TAKEN]
             for e in range(status[n, EVENTS_KEPT]):
-                if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
+                landing = event_kinds[e, 0] == IMPACT or event_kinds[e, 0] == LANDING
+                if landing and noted < impact_times.shape[1]:
                     impact_times[n, noted] = events[e]
                     noted += 1
         if code == COMPLETED and quiet_from[n] <= t_end[n]:

@@ -111,7 +111,8 @@ what it is called by."""
 def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
     """Name of a part of a program, and a hash of all that its code follows from."""
     digest = _digest(
-        part, source(generated), method, target(), _own("loop.py"), _own("tableau.py"),
+        part, source(generated), _contacts(generated), method, target(), _own("loop.py"),
+        _own("tableau.py"),
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
@@ -172,6 +173,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
     parts = [
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),
+        Text("contacts.py", _contacts(generated)),
         Text("loop.py", _own("loop.py"), fused=True),
     ]
     if lanes:
@@ -181,6 +183,15 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
         parts.append(Text(VECTORS, step, fused=True))
         parts.append(Text("lanes.py", _own("lanes.py"), fused=True))
     return parts
+
+
+def _contacts(generated: ModuleType) -> str:
+    """What finds the contact state that follows, where a structure does not declare it."""
+    if not getattr(generated, "N_POINTS", 0):
+        return "N_POINTS = 0\n"
+    units = generated.STATE_UNITS[: generated.N_STATES // 2]
+    angles = ", ".join("1.0" if unit == "rad" else "0.0" for unit in units)
+    return f"{_own('contacts.py')}\n\nANGLES = ({angles},)  # which coordinates are\n"
 
 
 def _digest(*sources: str) -> str:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rockeom.contract import IMPACT, KIND_OF, REST
+from rockeom.contract import IMPACT, KIND_OF, LANDING, REST
+from rockeom.numeric.contact_states import HAPPENED, subject
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
 
 if TYPE_CHECKING:
@@ -34,6 +35,14 @@ class Outcome(Enum):
     )
     CHATTER = ("chatter", "Contact states followed one another without time going on.")
     NOT_FINITE = ("not finite", "The state became infinite or not a number: check the parameters.")
+    NO_SOLUTION = (
+        "no solution",
+        "No contact state fits the forces: rigid bodies with so much friction jam (Painleve).",
+    )
+    SEVERAL_SOLUTIONS = (
+        "several solutions",
+        "Several contact states fit the forces, with different motions (Painleve).",
+    )
 
     def __init__(self, label: str, sentence: str) -> None:
         self.label = label
@@ -48,8 +57,11 @@ class Impact:
     """One passage from a contact state to another.
 
     kind : "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
-        infinitely many impacts).
+        infinitely many impacts). Of contacts that may open and slide: "landing", "lifting",
+        "slip begins", "slip ends".
     before, after : the states on both sides, by name.
+    contact : the name of the point that landed, lifted or slipped, or of the element that switched;
+        of several at once joined by "+", such as "left+right". Empty where the phases tell all.
     """
 
     time: float
@@ -58,9 +70,10 @@ class Impact:
     phase_after: str
     before: dict[str, float]
     after: dict[str, float]
+    contact: str = ""
 
 
-_KINDS = (*KIND_OF, "rest")
+_KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 
 MEASURABLE = 1e-3
 """Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -153,7 +166,7 @@ class Response:
     @cached_property
     def events(self) -> tuple[Impact, ...]:
         """All passages between contact states, in time order."""
-        names = self.program.CONTACTS
+        names, module = self.program.CONTACTS, self.structure.module
         return tuple(
             Impact(
                 float(time),
@@ -162,8 +175,9 @@ class Response:
                 names[after],
                 dict(zip(self.states, pair[0].tolist(), strict=True)),
                 dict(zip(self.states, pair[1].tolist(), strict=True)),
+                subject(module, kind, before, guard, pair, self.structure.vector),
             )
-            for time, (kind, before, after), pair in zip(*self.passages, strict=True)
+            for time, (kind, before, after, guard), pair in zip(*self.passages, strict=True)
         )
 
     @property
@@ -186,8 +200,11 @@ class Response:
 
     @property
     def impacts(self) -> tuple[Impact, ...]:
-        """The impacts, in time order; `events` holds uplifts and other passages too."""
-        return tuple(e for e in self.events if e.kind == "impact")
+        """The impacts, in time order; `events` holds uplifts and other passages too.
+
+        Of contacts that may open and slide each landing is one.
+        """
+        return tuple(e for e in self.events if e.kind in ("impact", HAPPENED[LANDING]))
 
     @property
     def rest_time(self) -> float | None:
@@ -388,8 +405,8 @@ class Response:
         _, kinds, states = self.passages
         largest = 0.0
         before, after = np.zeros(2), np.zeros(2)
-        for (kind, old, new), (arriving, leaving) in zip(kinds, states, strict=True):
-            if kind != IMPACT:
+        for (kind, old, new, _), (arriving, leaving) in zip(kinds, states, strict=True):
+            if kind not in (IMPACT, LANDING):
                 continue
             momentum(old, arriving, p, before)
             momentum(new, leaving, p, after)

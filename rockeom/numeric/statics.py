@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy import optimize
 
 from rockeom.arguments import numbers
+from rockeom.numeric.contact_states import Points
 
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
@@ -35,6 +37,8 @@ def equilibrium(structure: Structure, rotation: float) -> tuple[float, np.ndarra
     """(force, state) of equilibrium in the contact state that is consistent with it."""
     m = structure.module
     side = -1.0 if rotation < 0 else 1.0
+    if structure.stands_on_points:
+        return _on_points(structure, rotation)
     if structure.rocks_on_rigid_ground:
         return _solve(structure, m.CONTACTS.index("right" if side > 0 else "left"), rotation)
     for contact, count in enumerate(m.GUARDS):
@@ -46,6 +50,41 @@ def equilibrium(structure: Structure, rotation: float) -> tuple[float, np.ndarra
         if np.isfinite(force) and g[:count].min() >= -1e-9 * max(1.0, np.abs(g[:count]).max()):
             return force, y
     raise ValueError(f"no equilibrium of {structure.model} at rotation {rotation}")
+
+
+def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray]:
+    """(force, state) of a structure on points that may open: they stick, and give what they can."""
+    m, p = structure.module, structure.vector
+    n = m.N_STATES // 2
+    rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
+    upright = structure.state({m.STATES[m.ROTATION]: rotation})
+    held = _held(structure, upright)
+    free = [i for i in range(n) if i != m.ROTATION and not np.any(held[:, i])]
+    tied = [i for i in range(n) if i != m.ROTATION and i not in free]
+
+    def state(unknown: np.ndarray) -> np.ndarray:
+        named = {m.STATES[i]: x for i, x in zip(free, unknown, strict=True)}
+        return structure.state({m.STATES[m.ROTATION]: rotation, **named})
+
+    def statics(y: np.ndarray, load: float) -> np.ndarray:
+        """Of the rotation and what is free: virtual work, the tied coordinates moving along."""
+        lacking = np.empty(n)
+        m.statics(structure.contact(y), y, p, load, lacking)
+        rows = _held(structure, y)
+        moving = [m.ROTATION, *free]
+        along = -np.linalg.lstsq(rows[:, tied], rows[:, moving], rcond=None)[0]
+        return lacking[moving] + along.T @ lacking[tied]
+
+    force, y = _balanced(state, statics, len(free))
+    if not np.isfinite(force):
+        raise ValueError(f"no equilibrium of {structure.model} at rotation {rotation}")
+    return force, y
+
+
+def _held(structure: Structure, y: np.ndarray) -> np.ndarray:
+    """(k, n) the directions in which the points that touch in a state hold it."""
+    points = Points(structure.module, y, structure.vector)
+    return np.vstack([points.normal[points.touching], points.tangential[points.touching]])
 
 
 def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, np.ndarray]:
@@ -60,22 +99,41 @@ def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, 
         y[others] = unknown
         return y
 
-    def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
-        """What the other coordinates lack of equilibrium under the load that holds the rotation."""
-        none, with_load = np.empty(n), np.empty(n)
-        m.statics(contact, state(unknown), p, 0.0, none)
-        load = 1.0 + abs(none[m.ROTATION])  # one newton might be lost beside the other forces
-        m.statics(contact, state(unknown), p, load, with_load)
-        share = none[m.ROTATION] / (none[m.ROTATION] - with_load[m.ROTATION])
-        return (none + share * (with_load - none))[others], share * load
+    def statics(y: np.ndarray, load: float) -> np.ndarray:
+        lacking = np.empty(n)
+        m.statics(contact, y, p, load, lacking)
+        return lacking[[m.ROTATION, *others]]
 
-    at = np.zeros(len(others))
-    if not others:
+    return _balanced(state, statics, len(others))
+
+
+def _balanced(
+    state: Callable[[np.ndarray], np.ndarray],
+    statics: Callable[[np.ndarray, float], np.ndarray],
+    unknowns: int,
+) -> tuple[float, np.ndarray]:
+    """(force, state) in equilibrium; nan where none was found.
+
+    state : of the unknowns; statics : what the rotation, and then the unknowns, lack of equilibrium
+    in a state under a load.
+    """
+
+    def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
+        """What the unknowns lack of equilibrium under the load that holds the rotation."""
+        y = state(unknown)
+        none = statics(y, 0.0)
+        load = 1.0 + abs(none[0])  # one newton might be lost beside the other forces
+        with_load = statics(y, load)
+        share = none[0] / (none[0] - with_load[0])
+        return (none + share * (with_load - none))[1:], share * load
+
+    at = np.zeros(unknowns)
+    if not unknowns:
         return lacking(at)[1], state(at)
     # a metre may be too much or next to nothing: each unknown is counted in the distance at which
     # its own stiffness would restore equilibrium, and each equation likewise
     missing = lacking(at)[0]
-    small = 1e-6 * np.eye(len(others))
+    small = 1e-6 * np.eye(unknowns)
     stiffness = [
         abs(lacking(e)[0][i] - lacking(-e)[0][i]) / 2e-6 or 1.0 for i, e in enumerate(small)
     ]

@@ -17,6 +17,7 @@ from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numeric.contact_states import contact_of, has_points, named, standing
 from rockeom.numeric.impact import (
     AngularMomentum,
     EnergyRatioAtSpeed,
@@ -84,6 +85,11 @@ class Structure:
         return "both" in m.CONTACTS and UPLIFT in m.KINDS[m.CONTACTS.index("both")]
 
     @functools.cached_property
+    def stands_on_points(self) -> bool:
+        """Whether its contacts may open, slide and bounce; its contact states are found then."""
+        return has_points(self.module)
+
+    @functools.cached_property
     def has_impacts(self) -> bool:
         """Whether an impact ends any contact state."""
         m = self.module
@@ -115,7 +121,10 @@ class Structure:
         for name, value in zip(self.states, y, strict=True):
             if not isfinite(value):
                 raise ValueError(f"state {name} is {value}: give a finite number")
-        return np.array(y)
+        found = np.array(y)
+        if has_points(self.module):
+            return standing(self.module, found, self.vector, values)
+        return found
 
     def contact(self, y: np.ndarray, phase: str | None = None, towards: float = 0.0) -> int:
         """Number of the contact state of a state vector, or of the phase named.
@@ -125,6 +134,8 @@ class Structure:
         Raises ValueError for a state that fits no contact state, or not the phase named.
         """
         m = self.module
+        if has_points(m):
+            return contact_of(m, self.model, y, self.vector) if phase is None else named(m, phase)
         values = y.tolist()
         rotation, rate = values[m.ROTATION], values[m.ROTATION_RATE]
         if phase is not None:
@@ -519,21 +530,27 @@ class RigidBlock(Structure):
 
     @classmethod
     def from_frequency(
-        cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY
-    ) -> RigidBlock:
+        cls,
+        p: float,
+        alpha: float,
+        mass: float = 1.0,
+        gravity: float = STANDARD_GRAVITY,
+        **others: float,
+    ) -> Self:
         """The homogeneous rectangular block of frequency parameter p [rad/s] and angle alpha [rad].
 
-        p**2 = m g R/I_o = 3 g/(4 R).
+        p**2 = m g R/I_o = 3 g/(4 R). others : the parameters that are left.
         """
-        check_values("RigidBlock", {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
+        check_values(cls.__name__, {"p": p, "alpha": alpha, "gravity": gravity}, frozenset())
         if not alpha < math.pi / 2:
-            raise ValueError(f"RigidBlock: alpha is {alpha}: it must be below pi/2")
+            raise ValueError(f"{cls.__name__}: alpha is {alpha}: it must be below pi/2")
         radius = 0.75 * gravity / p**2
         return cls(
             half_width=radius * mathematics.sin(alpha),
             half_height=radius * mathematics.cos(alpha),
             mass=mass,
             gravity=gravity,
+            **others,
         )
 
     @property
@@ -565,6 +582,31 @@ class RigidBlock(Structure):
             "inertia": inertia,
             "gravity": self.gravity,
         }
+
+
+@_structure_class
+class SlidingBlock(RigidBlock):
+    """The rigid block on feet that open, stick, slip and bounce, any size of rotation.
+
+    friction : its coefficient at each foot; restitution : the ratio of the rates of a foot's gap
+    after and before it lands, 0 to 1. All else is that of `RigidBlock`. States are the place x and
+    the height y of the base's centre [m], theta [rad], and their rates.
+    """
+
+    model: ClassVar[str] = "sliding_block"
+    may_vanish = frozenset({"inertia", "friction", "restitution"})
+    friction: float
+    restitution: float
+
+    def __post_init__(self) -> None:
+        if self.restitution > 1:
+            raise ValueError(
+                f"SlidingBlock: restitution is {self.restitution}: give the ratio of rates after "
+                "and before a landing, 0 to 1"
+            )
+
+    def parameters(self) -> dict[str, float]:
+        return super().parameters() | {"friction": self.friction, "restitution": self.restitution}
 
 
 @_structure_class

@@ -1,0 +1,183 @@
+"""Contact states of structures whose contacts may open, slide and bounce, from their states.
+
+Their generated modules tell of each point the gap, the slip and how both move, see
+`rockeom.numeric.contacts`, where the loop asks the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from rockeom.contract import (
+    LANDING,
+    LIFTING,
+    OPEN,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+    SLIPPING,
+    STICK,
+    STICKING,
+    SWITCH,
+)
+
+HAPPENED = {
+    LANDING: "landing", LIFTING: "lifting", SLIPPING: "slip begins", STICKING: "slip ends",
+}  # fmt: skip
+"""What an event of a point is called."""
+
+_CLOSED = 1e-9
+"""Relative to the terms of a gap, or of a rate: what is smaller is none, where a user says it."""
+
+
+def has_points(module: ModuleType) -> bool:
+    """Whether a structure's contact states are found from its points and elements."""
+    return hasattr(module, "POINT_STATES")
+
+
+class Points:
+    """The points of a structure in a state (N,): gap, gap_rate, slip_rate (m,), and Jacobians.
+
+    normal, tangential (m, n) : derivatives of gap and slip by the coordinates.
+    """
+
+    def __init__(self, module: ModuleType, y: np.ndarray, p: np.ndarray) -> None:
+        n, m = len(module.STATES) // 2, len(module.POINTS)
+        told = np.zeros(m * (5 + 2 * n))
+        if m:
+            module.points(y, p, told)
+        rows = told.reshape(m, 5 + 2 * n)
+        self.gap, self.gap_rate, self.slip_rate = rows[:, 0], rows[:, 1], rows[:, 2]
+        self.normal, self.tangential = rows[:, 5 : 5 + n], rows[:, 5 + n :]
+        self.size = np.abs(self.normal) @ np.abs(y[:n]) + 1e-300
+        self.speed = np.abs(self.normal) @ np.abs(y[n:]) + 1e-300
+        self.slip_speed = np.abs(self.tangential) @ np.abs(y[n:]) + 1e-300
+
+    @property
+    def touching(self) -> np.ndarray:
+        """(m,) whether a point touches, its gap closed and not opening."""
+        return (np.abs(self.gap) <= _CLOSED * self.size) & (
+            np.abs(self.gap_rate) <= _CLOSED * self.speed
+        )
+
+
+def standing(
+    module: ModuleType, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+) -> np.ndarray:
+    """The state with what is not named changed, so that the lowest points stand and do not slip.
+
+    Coordinates that turn the structure stay as they are, and so does all where heights are named.
+    """
+    y = y.copy()
+    n = len(module.STATES) // 2
+    free = np.array([name not in named for name in module.STATES])
+    free[[module.ROTATION, module.ROTATION_RATE]] = False
+    places = free[:n]
+    for _ in range(50):
+        points = Points(module, y, p)
+        if not len(points.gap):
+            return y
+        lowest = int(np.argmin(points.gap))
+        lever = points.normal[lowest] * places
+        if abs(points.gap[lowest]) <= 1e-15 * points.size[lowest] or not lever.any():
+            break
+        y[:n] -= points.gap[lowest] * lever / (lever @ lever)
+    points = Points(module, y, p)
+    down = np.abs(points.gap) <= _CLOSED * points.size
+    if not down.any() or not free[n:].any():
+        return y
+    choices = [np.flatnonzero(down), *([i] for i in np.flatnonzero(down))]
+    for held in choices:
+        rows = np.vstack([points.normal[held], points.tangential[held]])
+        moved = y.copy()
+        lacking = rows @ y[n:]
+        moved[n:][free[n:]] -= np.linalg.lstsq(rows[:, free[n:]], lacking, rcond=None)[0]
+        there = Points(module, moved, p)
+        fits = np.abs(rows @ moved[n:]) <= _CLOSED * (np.abs(rows) @ np.abs(moved[n:]) + 1e-300)
+        opens = there.gap_rate >= -_CLOSED * there.speed
+        if fits[: len(held)].all() and opens[down].all():
+            return moved
+    return y
+
+
+def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> int:
+    """Number of the contact state of a state vector.
+
+    Raises ValueError where a point is below what it stands on, and where no contact state fits.
+    """
+    points = Points(module, y, p)
+    states = []
+    for i, name in enumerate(module.POINTS):
+        if points.gap[i] < -_CLOSED * points.size[i]:
+            raise ValueError(
+                f"{model}: the gap of {name} is {points.gap[i]:g} in this state: it must not be "
+                "negative; leave the heights out, they follow from the rest"
+            )
+        if not points.touching[i]:
+            states.append(OPEN)
+        elif abs(points.slip_rate[i]) <= _CLOSED * points.slip_speed[i]:
+            states.append(STICK)
+        else:
+            states.append(SLIP_RIGHT if points.slip_rate[i] > 0.0 else SLIP_LEFT)
+    fits = [c for c, row in enumerate(module.POINT_STATES) if list(row) == states]
+    if not fits:
+        told = ", ".join(
+            f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
+        )
+        raise ValueError(f"{model} has no contact state in which {told}: correct the state")
+    return max(fits, key=lambda c: _switch_margin(module, c, y, p))
+
+
+_WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}
+
+
+def _switch_margin(module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray) -> float:
+    """The least guard of an element; not negative where all are as the state says."""
+    g = np.zeros(module.N_GUARDS + module.N_PARTS)
+    module.guards(contact, y, p, 0.0, 0.0, g)
+    kinds = module.KINDS[contact][: module.GUARDS[contact]]
+    margin = min((v for v, kind in zip(g, kinds, strict=False) if kind == SWITCH), default=0.0)
+    return min(margin, 0.0)
+
+
+def named(module: ModuleType, phase: Any) -> int:
+    """Number of the contact state named; raises TypeError or ValueError where it is none."""
+    if not isinstance(phase, str):
+        raise TypeError(f"phase is {phase!r}: give one of {', '.join(module.CONTACTS)}")
+    if phase not in module.CONTACTS:
+        raise ValueError(
+            f"no phase {phase!r}; {module.NAME} has {', '.join(module.CONTACTS)}"
+        )
+    return module.CONTACTS.index(phase)
+
+
+def subject(
+    module: ModuleType, kind: int, contact: int, guard: int, states: np.ndarray, p: np.ndarray
+) -> str:
+    """The points, or the element, of an event, joined by "+" where several have it at once.
+
+    states (2, N) : before and after it.
+    """
+    if guard < 0 or not has_points(module):
+        return ""
+    number = module.SUBJECTS[contact][guard]
+    if number >= len(module.POINTS):
+        return module.ELEMENTS[number - len(module.POINTS)]
+    several = [number]
+    if kind == LANDING:
+        before, after = (Points(module, y, p) for y in states)
+        met = (before.gap_rate < -_CLOSED * before.speed) & (
+            after.gap_rate >= -_CLOSED * before.speed
+        )
+        opened = np.array(module.POINT_STATES[contact]) == OPEN
+        near = after.gap <= 1e-6 * np.abs(before.gap_rate)  # it did not only turn back in flight
+        several = sorted({number, *np.flatnonzero(met & opened & near).tolist()})
+    elif kind in (SLIPPING, STICKING):
+        shared = module.SHARED[contact]
+        several = [i for i, first in enumerate(shared) if first == shared[number]]
+        closed = module.POINT_STATES[contact]
+        several = [i for i in several if closed[i] != OPEN]
+    return "+".join(module.POINTS[i] for i in several)

@@ -1,0 +1,812 @@
+"""Passages between contact states that are found: which one follows is not declared.
+
+Joined to the generated modules of structures whose contacts may open, slide and bounce, see
+`rockeom.numeric.program`. There a contact state says of each point whether it is open, sticks or
+slips to a side. Where one ends, all that may follow are tried: at a landing, those whose impulses
+fit the velocities after them; then those whose forces fit the accelerations. What fits none, or
+several that move differently, ends the motion.
+
+Velocities and accelerations of a point are those of its gap (normal) and of its slip (tangential).
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.contract import (
+    AMBIGUOUS,
+    IMPOSSIBLE,
+    LANDING,
+    LIFTING,
+    OPEN,
+    SLIPPING,
+    STICK,
+    STICKING,
+    SWITCH,
+)
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.numeric.joined import (
+        ANGLES,
+        ELEMENT_STATES,
+        GUARDS,
+        KINDS,
+        N_ELEMENTS,
+        N_GUARDS,
+        N_PARTS,
+        N_POINTS,
+        N_STATES,
+        POINT_STATES,
+        ROTATION,
+        SHARED,
+        SUBJECTS,
+        TARGETS,
+        free_motion,
+        guards,
+        point_laws,
+        points,
+        rates,
+    )
+
+N_COORDINATES = N_STATES // 2
+POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
+ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
+FITS = 1e-11  # relative rounding error of what a candidate must fulfil
+NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
+SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
+ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
+SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
+HALVES = (
+    1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125,
+    0.0009765625, 0.00048828125, 0.000244140625, 0.0001220703125, 6.103515625e-05,
+    3.0517578125e-05, 1.52587890625e-05, 7.62939453125e-06, 3.814697265625e-06,
+    1.9073486328125e-06, 9.5367431640625e-07, 4.76837158203125e-07, 2.384185791015625e-07,
+    1.1920928955078125e-07, 5.960464477539063e-08, 2.9802322387695312e-08,
+    1.4901161193847656e-08, 7.450580596923828e-09, 3.725290298461914e-09, 1.862645149230957e-09,
+    9.313225746154785e-10, 4.656612873077393e-10,
+)  # fmt: skip
+
+
+def is_closed(touching, i):
+    """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
+    n = int(touching * HALVES[i])
+    return touching > 0 and n - 2 * int(n * 0.5) == 1
+
+
+# -- steps ---------------------------------------------------------------------------------------
+
+
+def longest_turn(y):
+    """The longest step in which angles change so little that eight samples follow a gap."""
+    fastest = 1e-300
+    for i in range(N_COORDINATES):
+        fastest = max(fastest, ANGLES[i] * abs(y[N_COORDINATES + i]))
+    return 1.0 / fastest
+
+
+def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples):
+    """Whether all guards of a contact state stay far from zero in a step.
+
+    They are parabolas, all but a tenth, through four samples on the quintics through both ends, and
+    above a quarter of their size. k : the rates at the start, and from `end` on those at the end.
+    ground (8,) : its accelerations at the samples: the start, the middle, three quarters, the end.
+    """
+    for m in range(4):
+        if m == 0:
+            guards(contact, y, p, ground[0], ground[1], g)
+        elif m == 3:
+            guards(contact, y_new, p, ground[6], ground[7], g)
+        else:
+            between(h, 0.5 if m == 1 else 0.75, y, y_new, k, end, w)
+            guards(contact, w, p, ground[2 * m], ground[2 * m + 1], g)
+        for i in range(GUARDS[contact]):
+            samples[4 * i + m] = g[i]
+    for i in range(GUARDS[contact]):
+        first, middle, later, last = (
+            samples[4 * i],
+            samples[4 * i + 1],
+            samples[4 * i + 2],
+            samples[4 * i + 3],
+        )
+        bend = 2.0 * middle - 0.5 * (first + last)
+        least = min(first, min(bend, last))
+        if not least > 0.25 * max(first, max(abs(bend), last)):
+            return False
+        if abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) > 0.1 * least:
+            return False
+    return True
+
+
+def between(h, x, y, y_new, k, end, w):
+    """The state at x in [0, 1] of a step, on the quintics through both ends, into w (N,)."""
+    n = N_COORDINATES
+    u = 1.0 - x
+    for i in range(n):
+        q0, q1, v0, v1 = y[i], y_new[i], h * y[n + i], h * y_new[n + i]
+        a0, a1 = h * h * k[n + i], h * h * k[end + n + i]
+        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+        c0, c1, c2, c3 = u * q0 + x * b1, u * b1 + x * b2, u * b2 + x * b3, u * b3 + x * b4
+        c4 = u * b4 + x * q1
+        c0, c1, c2, c3 = u * c0 + x * c1, u * c1 + x * c2, u * c2 + x * c3, u * c3 + x * c4
+        c0, c1, c2 = u * c0 + x * c1, u * c1 + x * c2, u * c2 + x * c3
+        c0, c1 = u * c0 + x * c1, u * c1 + x * c2
+        w[i], w[n + i] = u * c0 + x * c1, 5.0 * (c1 - c0) / h
+
+
+def force_noise(contact, index, b, stride):
+    """Size of the rounding errors of a guard that is a force; 0 of others.
+
+    b : of each guard `stride` numbers, which tell how large it is in a step or at an instant.
+    """
+    if KINDS[contact][index] != LIFTING and KINDS[contact][index] != SLIPPING:
+        return 0.0
+    largest = 0.0
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] == LIFTING or KINDS[contact][i] == SLIPPING:
+            for j in range(stride * i, stride * i + stride):
+                largest = max(largest, abs(b[j]))
+    return 1e-13 * largest
+
+
+# -- linear equations ----------------------------------------------------------------------------
+
+
+def eliminate(a, order, width):
+    """Solve a x = b in place, by Gauss and Jordan with complete pivoting; b stands behind a.
+
+    a (order, width) row by row, of which the first `order` columns are the matrix. Unknowns that
+    the equations do not determine are zero. Returns the number of those that they do.
+    """
+    column = np.empty(ROWS + N_COORDINATES, np.int64)
+    for i in range(order):
+        column[i] = i
+    largest = 0.0
+    for i in range(order):
+        for j in range(order):
+            largest = max(largest, abs(a[i * width + j]))
+    rank = order
+    for n in range(order):
+        best, row, col = 0.0, n, n
+        for i in range(n, order):
+            for j in range(n, order):
+                if abs(a[i * width + j]) > best:
+                    best, row, col = abs(a[i * width + j]), i, j
+        if best <= 1e-12 * largest:
+            rank = n
+            break
+        for j in range(width):
+            swapped = a[n * width + j]
+            a[n * width + j] = a[row * width + j]
+            a[row * width + j] = swapped
+        for i in range(order):
+            swapped = a[i * width + n]
+            a[i * width + n] = a[i * width + col]
+            a[i * width + col] = swapped
+        kept = column[n]
+        column[n] = column[col]
+        column[col] = kept
+        pivot = 1.0 / a[n * width + n]
+        for j in range(n, width):
+            a[n * width + j] *= pivot
+        for i in range(order):
+            factor = a[i * width + n]
+            if i != n and factor != 0.0:
+                for j in range(n, width):
+                    a[i * width + j] -= factor * a[n * width + j]
+    # back to the order of the unknowns
+    found = np.empty((ROWS + N_COORDINATES) * (ROWS + 1))
+    behind = width - order
+    for n in range(order):
+        for j in range(behind):
+            value = a[n * width + order + j] if n < rank else 0.0
+            found[column[n] * behind + j] = value
+    for n in range(order):
+        for j in range(behind):
+            a[n * width + order + j] = found[n * behind + j]
+    return rank
+
+
+def response_to_impulses(y, p, ax, ay, contact, told, spread, coupling):
+    """What unit impulses at the points do: to the velocities, and to those of the points.
+
+    told : of `points`. spread (n, ROWS) : M^-1 J'; coupling (ROWS, ROWS) : J M^-1 J'.
+    Returns the inertia that the rotation has.
+    """
+    n, width = N_COORDINATES, N_COORDINATES + ROWS
+    matrix, forces = np.empty(N_COORDINATES * N_COORDINATES), np.empty(N_COORDINATES)
+    free_motion(y, p, ax, ay, contact, matrix, forces)
+    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
+    for i in range(n):
+        for j in range(n):
+            a[i * width + j] = matrix[i * n + j]
+        for r in range(N_POINTS):
+            a[i * width + n + 2 * r] = told[r * POINT + 5 + i]
+            a[i * width + n + 2 * r + 1] = told[r * POINT + 5 + n + i]
+    eliminate(a, n, width)
+    for i in range(n):
+        for r in range(ROWS):
+            spread[i * ROWS + r] = a[i * width + n + r]
+    for r in range(ROWS):
+        for s in range(ROWS):
+            coupling[r * ROWS + s] = along(told, r, spread, s)
+    return matrix[ROTATION * n + ROTATION]
+
+
+def along(told, row, spread, s):
+    """J of a row times column s of `spread`."""
+    start = row_of_point(row)
+    total = 0.0
+    for i in range(N_COORDINATES):
+        total += told[start + i] * spread[i * ROWS + s]
+    return total
+
+
+def row_of_point(row):
+    """Where the Jacobian of a row begins in what `points` tells."""
+    point = int(row * 0.5)
+    return point * POINT + 5 + (row - 2 * point) * N_COORDINATES
+
+
+def rate_of(told, row, y, first):
+    """J of a row times y[first : first + n], and the sum of the terms' sizes."""
+    start = row_of_point(row)
+    total = size = 0.0
+    for i in range(N_COORDINATES):
+        term = told[start + i] * y[first + i]
+        total += term
+        size += abs(term)
+    return total, size
+
+
+def put_on(rows, wanted, first, told, spread, coupling, y):
+    """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
+
+    rows (ROWS,) : 1 where a row is held.
+    """
+    width = ROWS + 1
+    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
+    for r in range(ROWS):
+        for s in range(ROWS):
+            held = rows[r] == 1 and rows[s] == 1
+            a[r * width + s] = coupling[r * ROWS + s] if held else 0.0
+        a[r * width + ROWS] = wanted[r] if rows[r] == 1 else 0.0
+    eliminate(a, ROWS, width)
+    for i in range(N_COORDINATES):
+        value, size = y[first + i], abs(y[first + i])
+        for r in range(ROWS):
+            change = spread[i * ROWS + r] * a[r * width + ROWS]
+            value += change
+            size += abs(change)
+        y[first + i] = value if abs(value) > 1e-14 * size else 0.0  # but for rounding
+
+
+# -- candidates ----------------------------------------------------------------------------------
+
+
+def may_follow(candidate, contact, near, sliding):
+    """Whether a contact state has the elements of another, and its points can be as it says.
+
+    near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
+    it does not move.
+    """
+    for i in range(N_ELEMENTS):
+        if ELEMENT_STATES[candidate][i] != ELEMENT_STATES[contact][i]:
+            return False
+    for i in range(N_POINTS):
+        state = POINT_STATES[candidate][i]
+        if state == OPEN:
+            continue
+        if near[i] == 0:
+            return False
+        if sliding[i] != 0.0 and SIGN_OF[state] != sliding[i]:
+            return False
+    return True
+
+
+def impulses_of(candidate, arriving, laws, coupling, fractions, impulse):
+    """The impulses with which points come to be as a contact state says, into impulse (ROWS,).
+
+    arriving (ROWS,) : velocities before. fractions (N_POINTS,) : where sticking points share their
+    friction, the part of the normal impulse that it is; not a number where it is to be found.
+    """
+    width = ROWS + 1
+    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
+    unit = 0.0  # of equations that only say what an impulse is, as large as the others
+    for r in range(ROWS):
+        unit = max(unit, coupling[r * ROWS + r])
+    for r in range(ROWS):
+        for s in range(width):
+            a[r * width + s] = 0.0
+        a[r * width + r] = unit
+    for i in range(N_POINTS):
+        state = POINT_STATES[candidate][i]
+        if state == OPEN:
+            continue
+        normal = 2 * i
+        for j in range(ROWS):
+            a[normal * width + j] = coupling[normal * ROWS + j]
+        a[normal * width + ROWS] = -(1.0 + laws[normal]) * min(arriving[normal], 0.0)
+        if arriving[normal] > 0.0:
+            a[normal * width + ROWS] = -arriving[normal]
+        if state == STICK and SHARED[candidate][i] == i and fractions[i] != fractions[i]:
+            for j in range(ROWS):
+                a[(normal + 1) * width + j] = coupling[(normal + 1) * ROWS + j]
+            a[(normal + 1) * width + ROWS] = -arriving[normal + 1]
+        elif state == STICK and fractions[i] == fractions[i]:
+            a[(normal + 1) * width + normal] = -unit * fractions[i]
+        elif state != STICK:
+            a[(normal + 1) * width + normal] = unit * laws[normal + 1] * SIGN_OF[state]
+    eliminate(a, ROWS, width)
+    for r in range(ROWS):
+        impulse[r] = a[r * width + ROWS]
+
+
+def impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
+    """Whether impulses press, friction is within its bound, and all points leave as they may."""
+    scale = 0.0
+    for r in range(ROWS):
+        scale += abs(impulse[r])
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        state, normal = POINT_STATES[candidate][i], 2 * i
+        small = FITS * sizes[normal]
+        if state == OPEN:
+            if leaving[normal] + laws[normal] * min(arriving[normal], 0.0) < -small:
+                return False
+            continue
+        if impulse[normal] < -FITS * scale:
+            return False
+        if state == STICK:
+            along_, bound = 0.0, 0.0
+            for j in range(N_POINTS):
+                if POINT_STATES[candidate][j] == STICK and (
+                    SHARED[candidate][j] == SHARED[candidate][i]
+                ):
+                    along_ += impulse[2 * j + 1]
+                    bound += laws[2 * j + 1] * max(impulse[2 * j], 0.0)
+            if abs(along_) > bound + FITS * scale:
+                return False
+        elif SIGN_OF[state] * leaving[normal + 1] < -FITS * sizes[normal + 1]:
+            return False
+    return True
+
+
+def collide(contact, near, y, laws, told, spread, coupling, out):
+    """Velocities after all touching points have met, into out[n:].
+
+    The law is the algebraic one: each closing gap opens at the rate e times that at which it
+    closed, or faster where nothing presses; friction opposes the slip after the impact; all points
+    at once. Returns a contact state of the impulses that fit, or IMPOSSIBLE, or AMBIGUOUS.
+    """
+    n = N_COORDINATES
+    arriving, leaving, sizes = np.empty(ROWS), np.empty(ROWS), np.empty(ROWS)
+    impulse, after = np.empty(ROWS), np.empty(N_COORDINATES)
+    fractions = np.empty(N_POINTS)
+    sliding = np.zeros(N_POINTS)
+    for r in range(ROWS):
+        arriving[r], sizes[r] = rate_of(told, r, y, n)
+    found = IMPOSSIBLE
+    for candidate in range(len(POINT_STATES)):
+        if not may_follow(candidate, contact, near, sliding):
+            continue
+        for i in range(N_POINTS):
+            fractions[i] = np.nan
+        impulses_of(candidate, arriving, laws, coupling, fractions, impulse)
+        if share(candidate, told, impulse, fractions):
+            impulses_of(candidate, arriving, laws, coupling, fractions, impulse)
+        for r in range(ROWS):
+            leaving[r] = arriving[r]
+            for s in range(ROWS):
+                leaving[r] += coupling[r * ROWS + s] * impulse[s]
+        if not impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
+            continue
+        for i in range(n):
+            value, size = y[n + i], abs(y[n + i])
+            for r in range(ROWS):
+                value += spread[i * ROWS + r] * impulse[r]
+                size += abs(spread[i * ROWS + r] * impulse[r])
+            if found >= 0 and abs(value - after[i]) > 1e-9 * size:
+                return AMBIGUOUS
+            if found < 0:
+                after[i] = value
+        if found < 0:
+            found = candidate
+    if found >= 0:
+        for i in range(n):
+            out[n + i] = after[i]
+    return found
+
+
+def share(candidate, told, force, fractions):
+    """The fraction of friction of sticking points at different heights, which share their sum.
+
+    Which of them gives it cannot be told of rigid bodies; all mobilise the same fraction of it, as
+    they do when they slip. Returns whether there are such points.
+    """
+    found = False
+    for i in range(N_POINTS):
+        if POINT_STATES[candidate][i] != STICK or SHARED[candidate][i] == i:
+            continue
+        first = SHARED[candidate][i]
+        apart = 0.0
+        for j in range(N_COORDINATES):
+            one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
+            apart = max(apart, abs(told[one] - told[other]))
+        if apart > 1e-9:
+            found = True
+    if not found:
+        return False
+    for i in range(N_POINTS):
+        if POINT_STATES[candidate][i] != STICK:
+            continue
+        tangential = normal = 0.0
+        members = 0
+        for j in range(N_POINTS):
+            if POINT_STATES[candidate][j] == STICK and SHARED[candidate][j] == SHARED[candidate][i]:
+                tangential += force[2 * j + 1]
+                normal += force[2 * j]
+                members += 1
+        if members > 1 and normal != 0.0:
+            fractions[i] = tangential / normal
+    return True
+
+
+def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
+    """The least margin by which forces and accelerations fit; negative where they do not.
+
+    A margin is relative to scales, see `sizes_of`. dy (N,), g : rates and guards found.
+    """
+    n = N_COORDINATES
+    rates(candidate, y, p, ax, ay, dy)
+    guards(candidate, y, p, ax, ay, g)
+    least = np.inf
+    for i in range(GUARDS[candidate]):
+        if KINDS[candidate][i] == LIFTING or KINDS[candidate][i] == SLIPPING:
+            least = min(least, g[i] / scales[ROWS + SUBJECTS[candidate][i]])
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        state = POINT_STATES[candidate][i]
+        if state == OPEN:
+            pushed, _ = rate_of(told, 2 * i, dy, n)
+            least = min(least, (pushed + told[i * POINT + 3]) / scales[2 * i])
+        elif state != STICK and sliding[i] == 0.0:
+            pushed, _ = rate_of(told, 2 * i + 1, dy, n)
+            pushed = SIGN_OF[state] * (pushed + told[i * POINT + 4])
+            least = min(least, pushed / scales[2 * i + 1])
+    return least
+
+
+def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told, coupling):
+    """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
+
+    ends : whether `contact` has come to its end, so that it follows only where nothing else does.
+    later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
+    move alike decide between them.
+    """
+    n = N_COORDINATES
+    dy, g, first = np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS), np.empty(N_COORDINATES)
+    w = np.empty(N_STATES)
+    later, apart = np.empty(POINT * N_POINTS), np.empty(N_COORDINATES)
+    matrix = np.empty(N_COORDINATES * N_COORDINATES)
+    scales = np.empty(ROWS + N_POINTS)
+    free = sizes_of(y, p, ax, ay, contact, coupling, matrix, scales)
+    found, several = IMPOSSIBLE, 0
+    for candidate in range(len(POINT_STATES)):
+        if not may_follow(candidate, contact, near, sliding):
+            continue
+        fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
+        if not fit >= -NEARLY:
+            continue
+        several += 1
+        if found < 0:
+            found = candidate
+            for i in range(n):
+                first[i] = dy[n + i]
+            continue
+        for i in range(n):
+            apart[i] = dy[n + i] - first[i]
+        if squared(matrix, apart) > ALIKE * ALIKE * free:
+            return AMBIGUOUS
+    if several < 2:
+        return found
+    # of those that move alike now, what fits best a little later
+    for i in range(n):
+        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * first[i])
+        w[n + i] = y[n + i] + tau * first[i]
+    points(w, p, later)
+    best = -np.inf
+    for candidate in range(len(POINT_STATES)):
+        if not may_follow(candidate, contact, near, sliding):
+            continue
+        fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
+        if not fit >= -NEARLY:
+            continue
+        margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
+        if candidate == contact and ends:
+            # what has come to its end goes on only where nothing but rounding errors ended it
+            margin = np.inf if margin >= -FITS else -1e300
+        # of those that fit as well, the one that keeps more points closed, which stands first
+        if margin > best + FITS:
+            found, best = candidate, margin
+    return found
+
+
+def sizes_of(y, p, ax, ay, contact, coupling, matrix, scales):
+    """How large accelerations and forces are: those of the motion without contacts, squared.
+
+    In the measure of the mass, see `squared`; with the ground at rest, too, so that they do not
+    vanish with the weight. scales (ROWS + N_POINTS,) : of the accelerations of points, and of the
+    normal forces.
+    """
+    free = max(free_motion_squared(y, p, ax, ay, contact, matrix),
+               free_motion_squared(y, p, 0.0, 0.0, contact, matrix))  # fmt: skip
+    for r in range(ROWS):
+        scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
+    for i in range(N_POINTS):
+        scales[ROWS + i] = math.sqrt(free / coupling[2 * i * ROWS + 2 * i]) + 1e-300
+    return free
+
+
+def free_motion_squared(y, p, ax, ay, contact, matrix):
+    n, width = N_COORDINATES, N_COORDINATES + 1
+    forces = np.empty(N_COORDINATES)
+    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
+    free_motion(y, p, ax, ay, contact, matrix, forces)
+    for i in range(n):
+        for j in range(n):
+            a[i * width + j] = matrix[i * n + j]
+        a[i * width + n] = forces[i]
+    eliminate(a, n, width)
+    total = 0.0
+    for i in range(n):
+        total += forces[i] * a[i * width + n]
+    return total
+
+
+def squared(matrix, x):
+    total = 0.0
+    for i in range(N_COORDINATES):
+        for j in range(N_COORDINATES):
+            total += x[i] * matrix[i * N_COORDINATES + j] * x[j]
+    return total
+
+
+# -- passages ------------------------------------------------------------------------------------
+
+
+def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
+    """The end of a contact state by a guard: state after into out (N,).
+
+    Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
+    closed, see `is_closed`.
+    """
+    n = N_COORDINATES
+    for i in range(N_STATES):
+        out[i] = y[i]
+    kind, subject = KINDS[contact][guard], SUBJECTS[contact][guard]
+    if kind == SWITCH:
+        follows = TARGETS[contact][guard]
+        touching = 0
+        for i in range(GUARDS[follows]):
+            if SUBJECTS[follows][i] == subject:
+                touching = int(1.0 / HALVES[i])
+        return follows, touching
+    told, laws = np.empty(POINT * N_POINTS), np.empty(ROWS)
+    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
+    near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
+    wanted, sliding = np.zeros(ROWS), np.zeros(N_POINTS)
+    points(out, p, told)
+    point_laws(p, laws)
+    response_to_impulses(out, p, ax, ay, contact, told, spread, coupling)
+    # -- which points touch: they are put on what they touch
+    for i in range(N_POINTS):
+        closed = POINT_STATES[contact][i] != OPEN or (kind == LANDING and i == subject)
+        if not closed and kind == LANDING:
+            gap, rate = told[i * POINT], told[i * POINT + 1]
+            _, size = rate_of(told, 2 * i, out, 0)
+            closed = rate <= 0.0 and gap <= 1e-9 * h * abs(rate) + 1e-13 * size
+        if closed:
+            near[i] = 1
+            rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
+    put_on(rows, wanted, 0, told, spread, coupling, out)
+    points(out, p, told)
+    # -- which of them move along, or leave
+    as_said = contact  # by the velocities of this contact state
+    if kind == LANDING:
+        as_said = collide(contact, near, out, laws, told, spread, coupling, out)
+        if as_said < 0:
+            return as_said, -1
+    points(out, p, told)
+    leaving = np.zeros(N_POINTS, np.int64)
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        state = POINT_STATES[as_said][i]
+        rate, size = rate_of(told, 2 * i, out, n)
+        _before, size_before = rate_of(told, 2 * i, y, n)
+        leaves = rate > FITS * max(size, size_before)
+        if leaves and (state == OPEN or laws[2 * i] > 0.0) and kind == LANDING:
+            leaving[i], near[i] = 1, 0
+            rows[2 * i] = 0
+            continue
+        wanted[2 * i] = -rate
+        slip, size = rate_of(told, 2 * i + 1, out, n)
+        still = state == STICK or abs(slip) <= FITS * size
+        if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:
+            still = True
+        if still:
+            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
+        else:
+            sliding[i] = 1.0 if slip > 0.0 else -1.0
+    put_on(rows, wanted, n, told, spread, coupling, out)
+    points(out, p, told)
+    ends = kind in (LIFTING, SLIPPING)
+    follows = go_on_as(
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, told, coupling
+    )
+    if follows < 0:
+        return follows, -1
+    return follows, closed_guards(
+        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, coupling
+    )
+
+
+def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, coupling):
+    """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
+    g, scales = np.empty(N_GUARDS + N_PARTS), np.empty(ROWS + N_POINTS)
+    matrix = np.empty(N_COORDINATES * N_COORDINATES)
+    guards(follows, y, p, ax, ay, g)
+    sizes_of(y, p, ax, ay, follows, coupling, matrix, scales)
+    touching = 0
+    for i in range(GUARDS[follows]):
+        kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
+        closed = follows == contact and i == guard and kind != LANDING
+        if kind == LANDING:
+            closed = near[subject] == 1 or leaving[subject] == 1
+        elif kind == STICKING:
+            closed = sliding[subject] == 0.0
+        elif kind in (LIFTING, SLIPPING):
+            closed = closed or abs(g[i]) <= NEARLY * scales[ROWS + subject]
+        if closed:
+            touching += int(1.0 / HALVES[i])
+    return touching if touching > 0 else -1
+
+
+def held_upright(contact, y, p):
+    """Whether points are closed that keep the structure from turning."""
+    if y[ROTATION + N_COORDINATES] != 0.0:
+        return False
+    dy = np.empty(N_STATES)
+    rates(contact, y, p, 0.0, 0.0, dy)
+    held = False
+    for i in range(N_POINTS):
+        held = held or POINT_STATES[contact][i] != OPEN
+    return held and dy[ROTATION + N_COORDINATES] == 0.0
+
+
+# -- infinitely many impacts ---------------------------------------------------------------------
+
+
+def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
+    """(time, contact): when the infinitely many impacts to come will all have happened.
+
+    From a landing after which points leave what they touched: close to the end flights are
+    parabolas, each from the rates of the state in which it begins, and the impacts between are
+    those of any landing. They are followed until their times are a geometric series to the last
+    digits, whose rest is summed. out (N,) : the state then, all these points closed.
+    Returns (inf, contact) while the time is longer than `tolerance` times sqrt(l/a), a the
+    acceleration that closes the gap and l the radius of gyration.
+    """
+    n = N_COORDINATES
+    told, laws = np.empty(POINT * N_POINTS), np.empty(ROWS)
+    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
+    dy, w = np.empty(N_STATES), np.empty(N_STATES)
+    bouncing = np.zeros(N_POINTS, np.int64)
+    points(y, p, told)
+    for i in range(N_STATES):
+        w[i] = y[i]
+    rates(contact, w, p, ax, ay, dy)
+    point_laws(p, laws)
+    limit = np.inf
+    inertia = longest = start = 0.0
+    for i in range(N_POINTS):
+        gap, rate = told[i * POINT], told[i * POINT + 1]
+        _, size = rate_of(told, 2 * i, y, 0)
+        if POINT_STATES[contact][i] != OPEN or gap > 1e-12 * size or rate <= 0.0:
+            continue
+        push, _ = rate_of(told, 2 * i, dy, n)
+        a = -(push + told[i * POINT + 3])
+        if not a > 0.0:
+            return np.inf, contact
+        bouncing[i] = 1
+        if 2.0 * rate / a > tolerance * SLOWEST:
+            return np.inf, contact
+        if start == 0.0:
+            inertia = response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
+        start = max(start, rate)
+        longest = max(longest, 2.0 * rate / a)
+        radius = math.sqrt(inertia * coupling[2 * i * ROWS + 2 * i])
+        limit = min(limit, tolerance * math.sqrt(radius / a))
+    if start == 0.0 or longest > limit:
+        return np.inf, contact
+    total = flight = before = last = 0.0
+    here = contact
+    for _turn in range(4000):
+        # the next landing of those that bounce
+        points(w, p, told)
+        rates(here, w, p, ax, ay, dy)
+        flight, which, fastest = np.inf, -1, 0.0
+        for i in range(N_POINTS):
+            if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
+                continue
+            gap, rate = max(told[i * POINT], 0.0), told[i * POINT + 1]
+            push, _ = rate_of(told, 2 * i, dy, n)
+            a = -(push + told[i * POINT + 3])
+            if not a > 0.0:
+                return np.inf, contact
+            lasts = (rate + math.sqrt(rate * rate + 2.0 * a * gap)) / a
+            fastest = max(fastest, rate)
+            if lasts < flight:
+                flight, which = lasts, i
+        if which < 0 or fastest <= 1e-7 * start:
+            break
+        before, last = last, flight
+        total += flight
+        if total > limit:
+            return np.inf, contact
+        for i in range(n):
+            w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
+            w[n + i] += flight * dy[n + i]
+        guard = -1
+        for i in range(GUARDS[here]):
+            if KINDS[here][i] == LANDING and SUBJECTS[here][i] == which:
+                guard = i
+        here, _ = pass_on(here, guard, flight, w, p, ax, ay, ax, ay, 1e-3 * flight, out)
+        if here < 0:
+            return np.inf, contact
+        for i in range(N_STATES):
+            w[i] = out[i]
+        points(w, p, told)
+        for i in range(N_POINTS):
+            _, size = rate_of(told, 2 * i, w, 0)
+            left = told[i * POINT] <= 1e-12 * size and told[i * POINT + 1] > 0.0
+            if left and POINT_STATES[here][i] == OPEN:
+                bouncing[i] = 1
+    if last > 0.0 and before > last:
+        total += last * last / (before - last)
+    # all of them closed: what follows then
+    near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
+    wanted, sliding = np.zeros(ROWS), np.zeros(N_POINTS)
+    for i in range(N_STATES):
+        out[i] = w[i]
+    points(out, p, told)
+    response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 or POINT_STATES[here][i] != OPEN:
+            near[i], rows[2 * i], wanted[2 * i] = 1, 1, -told[i * POINT]
+    put_on(rows, wanted, 0, told, spread, coupling, out)
+    points(out, p, told)
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        wanted[2 * i] = -told[i * POINT + 1]
+        slip, size = rate_of(told, 2 * i + 1, out, n)
+        sticks = POINT_STATES[here][i] == STICK
+        if sticks or abs(slip) <= 1e-6 * start + FITS * size:
+            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
+        else:
+            sliding[i] = 1.0 if slip > 0.0 else -1.0
+    response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
+    put_on(rows, wanted, n, told, spread, coupling, out)
+    points(out, p, told)
+    follows = go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, told, coupling)
+    if follows < 0:
+        return np.inf, contact
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[follows][i] == OPEN:
+            return np.inf, contact
+    return total, follows

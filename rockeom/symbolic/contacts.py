@@ -1,0 +1,184 @@
+"""A structure whose contacts are declared: its modes are derived, see `rockeom.symbolic.modes`.
+
+Bodies have positions in the coordinates of the FREE structure. A contact is a point with a gap and
+a slip, functions of the coordinates, and a law; an element carries a force. Nothing is said of
+modes or of what leads from one to another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.model import Body, Coordinate, Parameter, Phase
+
+if TYPE_CHECKING:
+    from rockeom.symbolic.modes import Modes
+
+
+@dataclass(frozen=True)
+class Rigid:
+    """A rigid contact: it opens, sticks or slips.
+
+    restitution : Newton's, the ratio of the rates of the gap after and before an impact, 0 to 1.
+    friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips.
+    """
+
+    restitution: sp.Expr = sp.S.Zero
+    friction: sp.Expr | None = None
+
+    def __post_init__(self) -> None:
+        friction = 0 if self.friction is None else self.friction
+        valid.expressions("law Rigid", restitution=self.restitution, friction=friction)
+        valid.not_negative("law Rigid", restitution=self.restitution, friction=friction)
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A point that may touch.
+
+    gap : its distance, not negative. slip : its tangential place, which grows to the right.
+    side : of a point of a mirrored pair, whose gap and slip contain s: -1 or 1; else 0.
+    """
+
+    name: str
+    gap: sp.Expr
+    slip: sp.Expr
+    law: Rigid
+    side: int = 0
+
+    def __post_init__(self) -> None:
+        what = f"contact {self.name!r}"
+        valid.texts(what, name=self.name)
+        valid.expressions(what, gap=self.gap, slip=self.slip)
+        if not isinstance(self.law, Rigid):
+            raise ValueError(f"{what}: its law is {self.law!r}: give Rigid(restitution, friction)")
+
+    def at(self, side: sp.Expr | int) -> tuple[sp.Expr, sp.Expr]:
+        """(gap, slip), the side put in."""
+        return at_side(self.gap, side), at_side(self.slip, side)
+
+
+@dataclass(frozen=True)
+class Unilateral:
+    """A spring and a damper that press and never pull: k d + c d' while d and that sum are positive.
+
+    compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
+    """
+
+    name: str
+    compression: sp.Expr
+    stiffness: sp.Expr
+    damping: sp.Expr = sp.S.Zero
+
+    def __post_init__(self) -> None:
+        what = f"element {self.name!r}"
+        valid.texts(what, name=self.name)
+        valid.expressions(
+            what, compression=self.compression, stiffness=self.stiffness, damping=self.damping
+        )
+        valid.not_negative(what, stiffness=self.stiffness, damping=self.damping)
+
+
+def feet(
+    *,
+    gap: Callable[[sp.Expr], sp.Expr],
+    slip: Callable[[sp.Expr], sp.Expr],
+    law: Rigid,
+    names: tuple[str, str] = ("left", "right"),
+) -> tuple[Contact, Contact]:
+    """A mirrored pair: gap and slip of the side s, which is -1 at the left foot, 1 at the right."""
+    left, right = names
+    return (
+        Contact(left, gap(SIDE), slip(SIDE), law, -1),
+        Contact(right, gap(SIDE), slip(SIDE), law, 1),
+    )
+
+
+@dataclass(frozen=True)
+class Model:
+    """A structure that is free to move but for its contacts and elements.
+
+    contacts, elements : what touches, and what carries forces.
+    rotation : the coordinate that overturns, positive clockwise, at `overturning`.
+    elastic_energy, dissipation : of springs and dampers that always act.
+    load_point : place of a pushover's force, whose displacement a response tells.
+    """
+
+    name: str
+    title: str
+    parameters: tuple[Parameter, ...]
+    coordinates: tuple[Coordinate, ...]
+    bodies: tuple[Body, ...]
+    gravity: sp.Expr
+    rotation: Coordinate
+    contacts: tuple[Contact, ...] = ()
+    elements: tuple[Unilateral, ...] = ()
+    elastic_energy: sp.Expr = sp.S.Zero
+    dissipation: sp.Expr = sp.S.Zero
+    overturning: sp.Expr = sp.pi / 2
+    load_point: tuple[sp.Expr, sp.Expr] | None = None
+    reference: str = ""
+
+    @cached_property
+    def free(self) -> Phase:
+        """The structure without its contacts and elements, all coordinates free."""
+        return Phase(
+            {"flight": 0},
+            self.coordinates,
+            self.bodies,
+            self.gravity,
+            self.elastic_energy,
+            self.dissipation,
+            load_point=self.load_point,
+        )
+
+    @cached_property
+    def modes(self) -> Modes:
+        """The contact states and their mechanisms, derived."""
+        from rockeom.symbolic.modes import derive_modes
+
+        return derive_modes(self)
+
+    # what all that writes a model asks of it, whichever way it was declared
+
+    @property
+    def phases(self) -> tuple[Phase, ...]:
+        return (self.free,)
+
+    @property
+    def constants(self) -> dict[sp.Symbol, sp.Expr]:
+        return {}
+
+    @property
+    def velocity_ratio(self) -> None:
+        return None
+
+    def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
+        return sp.sympify(expr)
+
+    def latex(self, form: str = "width") -> str:
+        """A LaTeX document of the whole model."""
+        from rockeom.symbolic.typeset import latex_document
+
+        return latex_document(self, form)
+
+    def markdown(self) -> str:
+        """The same equations as a Markdown page."""
+        from rockeom.symbolic.typeset import markdown_page
+
+        return markdown_page(self)
+
+    def check_derived(self) -> None:
+        """Raise ValueError where what follows from the declaration cannot be simulated."""
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        names = [c.name for c in self.coordinates]
+        return (*names, *(f"{n}_dot" for n in names))
