@@ -75,7 +75,7 @@ def test_a_block_at_rest_starts_as_by_hand(b, h, mu, a, up):
         (0.4, 1.0, 0.399, 3.0 * G, "slide"),
         (0.4, 1.0, 0.401, 0.405 * G, "slide-rock"),
         (0.4, 1.0, 0.7, 0.401 * G, "rock"),
-        (0.4, 1.0, 1.0, 3.0 * G, "slide-rock"),
+        (0.4, 1.0, 0.7, 3.0 * G, "slide-rock"),
     ],
 )
 def test_each_start_is_met(b, h, mu, a, what):
@@ -96,7 +96,7 @@ def test_a_block_rocks_from_the_critical_friction_on(a):
 
 
 def test_a_slide_rock_presses_with_what_was_found_by_hand():
-    b, h, mu, a = 0.4, 1.0, 0.6, 10.0
+    b, h, mu, a = 0.4, 1.0, 0.6, 15.0
     block = Block(b, h, mu, mass=3.0)
     by_hand = exact.start(a, G, b, h, mu)
     assert by_hand.motion == "slide-rock"
@@ -382,7 +382,7 @@ def test_the_other_foot_gives_the_mirrored_motion(leaning_run):
 
 
 def test_with_much_friction_it_is_the_pinned_block():
-    run = rk.simulate(structure(leaning(5.0)), STILL, initial={"theta": LEANING}, duration=4.5)
+    run = rk.simulate(structure(leaning(5.0)), STILL, initial={"theta": LEANING}, duration=5.2)
     pinned, peak, t, landings = FreeBlock(P, ALPHA), LEANING, 0.0, []
     for _ in range(5):
         t += pinned.quarter(peak)
