@@ -27,7 +27,7 @@ Operations before and after common subexpressions were shared:
     statics                   11    10
     overturning                1     1
     velocity_ratio             0     0
-    sizes                      0     0
+    sizes                      4     2
     prepare                   59    29
 """
 
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "59d8718876f08431"
+SOURCE_HASH = "81fc5e24f78ff99f"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -54,7 +54,12 @@ PARAMETER_MEANINGS = (
     "ratio of the rates of a gap after and before an impact",
 )
 PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+",)
-SIZES = ()
+SIZES = (  # what, whether it may be zero, parameters, remedy
+    ("1 less the restitution of contact 'left'", True, ("restitution",), "give 0 to 1"),
+    ("the width of contact 'left'", False, ("half_width",), "the point of side -1 must stand to the left of that of side 1"),
+    ("1 less the restitution of contact 'right'", True, ("restitution",), "give 0 to 1"),
+    ("the width of contact 'right'", False, ("half_width",), "the point of side -1 must stand to the left of that of side 1"),
+)
 CONTACTS = (
     "both",
     "both_slides_right",
@@ -818,7 +823,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = normal_1
         friction = p[5]
         total_0 = friction*normal_0 + friction*normal_1
-        share_0 = friction_0 / total_0 if total_0 > 0.0 else 0.0
+        share_0 = friction_0 / total_0 if total_0 != 0.0 else 0.0
         friction = p[5]
         x0 = friction*share_0
         out[3] = normal_0*x0
@@ -957,7 +962,14 @@ def velocity_ratio(p):
 
 def sizes(p, out):
     """What the parameters must not make negative, or zero, into out, as SIZES."""
-    pass
+    half_width = p[1]
+    restitution = p[6]
+    x0 = 1 - restitution
+    x1 = 2*half_width
+    out[0] = x0
+    out[1] = x1
+    out[2] = x0
+    out[3] = x1
 
 
 def prepare(parameters):

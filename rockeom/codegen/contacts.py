@@ -489,7 +489,7 @@ def _shares(written: Written, arrangement: Arrangement, behind: int) -> list[str
     lines += written.text.evaluate("reactions", totals, indent, states=False)
     for name in totals:
         first = name.removeprefix("total_")
-        lines.append(f"{indent}share_{first} = friction_{first} / {name} if {name} > 0.0 else 0.0")
+        lines.append(f"{indent}share_{first} = friction_{first} / {name} if {name} != 0.0 else 0.0")
     return lines + written.text.evaluate("reactions", targets, indent, states=False)
 
 

@@ -65,10 +65,8 @@ class Text:
 
     def plain(self, expr: sp.Expr) -> sp.Expr:
         """The expression in Python names, derived constants written out."""
-        expr = sp.sympify(expr)
-        if isinstance(self.model, RockingModel):
-            expr = self.model.written_out(expr).xreplace(self.model.constants)
-        return expr.xreplace(self.names)
+        expr = self.model.written_out(sp.sympify(expr))
+        return expr.xreplace(self.model.constants).xreplace(self.names)
 
     def fixed(self, expr: sp.Expr) -> bool:
         """Whether an expression contains parameters alone."""

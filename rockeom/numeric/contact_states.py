@@ -64,6 +64,12 @@ class Points:
         )
 
 
+def landing_speeds(structure: Any, states: np.ndarray) -> np.ndarray:
+    """(k,) speeds at which the fastest points of states (k, N) close their gaps [m/s]."""
+    module, p = structure.module, structure.vector
+    return np.array([max(-Points(module, y, p).gap_rate.min(), 0.0) for y in states])
+
+
 def standing(
     module: ModuleType, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
 ) -> np.ndarray:
@@ -148,9 +154,7 @@ def named(module: ModuleType, phase: Any) -> int:
     if not isinstance(phase, str):
         raise TypeError(f"phase is {phase!r}: give one of {', '.join(module.CONTACTS)}")
     if phase not in module.CONTACTS:
-        raise ValueError(
-            f"no phase {phase!r}; {module.NAME} has {', '.join(module.CONTACTS)}"
-        )
+        raise ValueError(f"no phase {phase!r}; {module.NAME} has {', '.join(module.CONTACTS)}")
     return module.CONTACTS.index(phase)
 
 

@@ -52,6 +52,8 @@ if TYPE_CHECKING:  # joined before this text
 N_COORDINATES = N_STATES // 2
 POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
+GRAIN = 4e-15  # relative rounding error of a gap
+LEAST_HOP = 1e-11  # relative to the terms of a gap: lower flights are summed up
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
 SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
@@ -135,12 +137,19 @@ def between(h, x, y, y_new, k, end, w):
         w[i], w[n + i] = u * c0 + x * c1, 5.0 * (c1 - c0) / h
 
 
-def force_noise(contact, index, b, stride):
-    """Size of the rounding errors of a guard that is a force; 0 of others.
+def guard_noise(contact, index, y, p, b, stride):
+    """Size of the rounding errors of a guard.
 
-    b : of each guard `stride` numbers, which tell how large it is in a step or at an instant.
+    Of a gap, by the terms whose difference it is; of a force, by how large forces are: b holds of
+    each guard `stride` numbers, in a step or at an instant.
     """
-    if KINDS[contact][index] != LIFTING and KINDS[contact][index] != SLIPPING:
+    kind = KINDS[contact][index]
+    if kind == LANDING:
+        told = np.empty(POINT * N_POINTS)
+        points(y, p, told)
+        _, size = rate_of(told, 2 * SUBJECTS[contact][index], y, 0)
+        return GRAIN * size
+    if kind != LIFTING and kind != SLIPPING:
         return 0.0
     largest = 0.0
     for i in range(GUARDS[contact]):
@@ -584,7 +593,6 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
     Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
     closed, see `is_closed`.
     """
-    n = N_COORDINATES
     for i in range(N_STATES):
         out[i] = y[i]
     kind, subject = KINDS[contact][guard], SUBJECTS[contact][guard]
@@ -598,7 +606,7 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
     told, laws = np.empty(POINT * N_POINTS), np.empty(ROWS)
     spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
-    wanted, sliding = np.zeros(ROWS), np.zeros(N_POINTS)
+    wanted = np.zeros(ROWS)
     points(out, p, told)
     point_laws(p, laws)
     response_to_impulses(out, p, ax, ay, contact, told, spread, coupling)
@@ -613,6 +621,24 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
     put_on(rows, wanted, 0, told, spread, coupling, out)
+    return meet(
+        contact, guard, kind, near, y, p, ax, ay, later_x, later_y, tau, told, laws, spread,
+        coupling, out,
+    )  # fmt: skip
+
+
+def meet(
+    contact, guard, kind, near, y, p, ax, ay, later_x, later_y, tau, told, laws, spread, coupling,
+    out,
+):  # fmt: skip
+    """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
+
+    out (N,) : the state, at first that before. Returns as `pass_on`.
+    """
+    n, subject = N_COORDINATES, SUBJECTS[contact][guard]
+    rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
+    for i in range(N_POINTS):
+        rows[2 * i] = near[i]
     points(out, p, told)
     # -- which of them move along, or leave
     as_said = contact  # by the velocities of this contact state
@@ -712,11 +738,12 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     rates(contact, w, p, ax, ay, dy)
     point_laws(p, laws)
     limit = np.inf
+    lost = True
     inertia = longest = start = 0.0
     for i in range(N_POINTS):
         gap, rate = told[i * POINT], told[i * POINT + 1]
         _, size = rate_of(told, 2 * i, y, 0)
-        if POINT_STATES[contact][i] != OPEN or gap > 1e-12 * size or rate <= 0.0:
+        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
             continue
         push, _ = rate_of(told, 2 * i, dy, n)
         a = -(push + told[i * POINT + 3])
@@ -731,8 +758,22 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         longest = max(longest, 2.0 * rate / a)
         radius = math.sqrt(inertia * coupling[2 * i * ROWS + 2 * i])
         limit = min(limit, tolerance * math.sqrt(radius / a))
+        lost = lost and 0.5 * rate * rate < LEAST_HOP * size * a
+    if lost:
+        limit = SLOWEST * longest  # flights so low end among rounding errors
     if start == 0.0 or longest > limit:
         return np.inf, contact
+    # counted by themselves: they are lost among the last digits of a state
+    heights = np.zeros(N_POINTS)
+    for i in range(N_POINTS):
+        # others that are in flight, and land as soon
+        gap, rate = told[i * POINT], told[i * POINT + 1]
+        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
+            push, _ = rate_of(told, 2 * i, dy, n)
+            a = -(push + told[i * POINT + 3])
+            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
+                bouncing[i], heights[i] = 1, gap
+    near, met = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     total = flight = before = last = 0.0
     here = contact
     for _turn in range(4000):
@@ -743,12 +784,12 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         for i in range(N_POINTS):
             if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
                 continue
-            gap, rate = max(told[i * POINT], 0.0), told[i * POINT + 1]
+            rate = told[i * POINT + 1]
             push, _ = rate_of(told, 2 * i, dy, n)
             a = -(push + told[i * POINT + 3])
             if not a > 0.0:
                 return np.inf, contact
-            lasts = (rate + math.sqrt(rate * rate + 2.0 * a * gap)) / a
+            lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
             fastest = max(fastest, rate)
             if lasts < flight:
                 flight, which = lasts, i
@@ -758,6 +799,16 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         total += flight
         if total > limit:
             return np.inf, contact
+        for i in range(N_POINTS):
+            near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
+            if bouncing[i] == 1 and near[i] == 0:
+                push, _ = rate_of(told, 2 * i, dy, n)
+                rise = told[i * POINT + 1] * flight
+                drop = -0.5 * (push + told[i * POINT + 3]) * flight * flight
+                heights[i] += rise - drop
+                if i == which or heights[i] <= 1e-9 * drop:
+                    heights[i], near[i] = 0.0, 1
+            met[i] = near[i]
         for i in range(n):
             w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
             w[n + i] += flight * dy[n + i]
@@ -765,38 +816,44 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         for i in range(GUARDS[here]):
             if KINDS[here][i] == LANDING and SUBJECTS[here][i] == which:
                 guard = i
-        here, _ = pass_on(here, guard, flight, w, p, ax, ay, ax, ay, 1e-3 * flight, out)
+        for i in range(N_STATES):
+            out[i] = w[i]
+        here, _ = meet(
+            here, guard, LANDING, near, w, p, ax, ay, ax, ay, 1e-3 * flight, told, laws, spread,
+            coupling, out,
+        )  # fmt: skip
         if here < 0:
             return np.inf, contact
-        for i in range(N_STATES):
+        for i in range(n, N_STATES):
             w[i] = out[i]
         points(w, p, told)
         for i in range(N_POINTS):
-            _, size = rate_of(told, 2 * i, w, 0)
-            left = told[i * POINT] <= 1e-12 * size and told[i * POINT + 1] > 0.0
-            if left and POINT_STATES[here][i] == OPEN:
+            if met[i] == 1 and POINT_STATES[here][i] == OPEN and told[i * POINT + 1] > 0.0:
                 bouncing[i] = 1
     if last > 0.0 and before > last:
         total += last * last / (before - last)
     # all of them closed: what follows then
-    near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
-    wanted, sliding = np.zeros(ROWS), np.zeros(N_POINTS)
+    rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     for i in range(N_STATES):
         out[i] = w[i]
     points(out, p, told)
     response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
     for i in range(N_POINTS):
-        if bouncing[i] == 1 or POINT_STATES[here][i] != OPEN:
-            near[i], rows[2 * i], wanted[2 * i] = 1, 1, -told[i * POINT]
+        closed = bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
+        near[i] = 1 if closed else 0
+        if closed:
+            rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
     put_on(rows, wanted, 0, told, spread, coupling, out)
     points(out, p, told)
     for i in range(N_POINTS):
+        if near[i] == 0 and told[i * POINT] <= 0.0:
+            return np.inf, contact  # it landed before
         if near[i] == 0:
             continue
         wanted[2 * i] = -told[i * POINT + 1]
         slip, size = rate_of(told, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK
-        if sticks or abs(slip) <= 1e-6 * start + FITS * size:
+        if sticks or abs(slip) <= start + FITS * size:  # so slow a slip has ended, too
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0

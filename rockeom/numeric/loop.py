@@ -81,7 +81,7 @@ if TYPE_CHECKING:  # joined before this text
         TARGETS,
         dense_output,
         energies,
-        force_noise,
+        guard_noise,
         guards,
         held_upright,
         is_closed,
@@ -697,10 +697,10 @@ def noise_of(contact, index, p, fallen, noise, w, g):
 
 
 @inlined
-def grain_of(contact, index, p, fallen, noise, w, g, b, stride):
-    """Size of the rounding errors of a guard: of an element's, or of one that is a force."""
+def grain_of(contact, index, y, p, fallen, noise, w, g, b, stride):
+    """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
     if N_POINTS > 0 and KINDS[contact][index] != SWITCH:
-        return force_noise(contact, index, b, stride)
+        return guard_noise(contact, index, y, p, b, stride)
     return noise_of(contact, index, p, fallen, noise, w, g)
 
 
@@ -746,17 +746,15 @@ def first_event(
         whole = N_PARTS == 0 or PARTS[contact][i] < 0
         if b[8 * i] < 0.0 and whole and not rocks and not closed:
             # beside zero but for rounding, by an event before this one, is closed, too
-            near = grain_of(contact, i, p, fallen, noises, w, g, b, 8)
+            near = grain_of(contact, i, y, p, fallen, noises, w, g, b, 8)
             if KINDS[contact][i] == IMPACT:
                 near = CLOSED_GAP * fallen
-            elif KINDS[contact][i] == LANDING:
-                near = CLOSED_GAP * size(b, 8 * i)
             closed = b[8 * i] >= -near
         noise = 0.0
         if closed:
             ax, ay = shaking(gx, t), shaking(gy, t)
             noise = rounding(contact, i, h, y, p, ax, ay, b)
-            noise = max(noise, grain_of(contact, i, p, fallen, noises, w, g, b, 8))
+            noise = max(noise, grain_of(contact, i, y, p, fallen, noises, w, g, b, 8))
         row = i
         if not whole:
             x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
@@ -769,7 +767,7 @@ def first_event(
             continue
         if x < place:
             hover = size(b, 8 * row)
-            if hover <= grain_of(contact, i, p, fallen, noises, w, g, b, 8):
+            if hover <= grain_of(contact, i, y, p, fallen, noises, w, g, b, 8):
                 continue  # nothing but rounding errors
             place = x
             target = i
@@ -961,7 +959,7 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
             due = i
     if due >= 0:
         value = g[due]
-        if value >= -grain_of(contact, due, p, fallen, noise, w, g, g, 1):
+        if value >= -grain_of(contact, due, y, p, fallen, noise, w, g, g, 1):
             return -1
     return due
 

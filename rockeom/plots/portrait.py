@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from rockeom.contract import IMPACT, LANDING
 from rockeom.plots import style
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ def plot_phase_portrait(run: Response, *, ax: Axes | None = None) -> Figure:
     for piece in np.split(np.column_stack([y, dy]), jumps):
         ax.plot(*piece.T, color=style.OTHERS[0])
     _, kinds, states = run.passages
-    for before, after in states[kinds[:, 0] == 0]:
+    for before, after in states[np.isin(kinds[:, 0], (IMPACT, LANDING))]:
         ends = np.array([before, after])
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)
     ax.plot(y[0], dy[0], "o", color=style.OTHERS[0], ms=4)

@@ -129,7 +129,8 @@ def _impacts(ax: Axes, run: Response) -> None:
     ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts_in_words())
     ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
     rate, unit = style.rate_of(run)
-    ax.set_ylabel(f"impact speed\n$|{rate}|$ [{unit}]")
+    points = run.structure.stands_on_points
+    ax.set_ylabel("landing speed\n[m/s]" if points else f"impact speed\n$|{rate}|$ [{unit}]")
     style.legend_above(ax)
 
 
@@ -140,7 +141,10 @@ def _contact(ax: Axes, run: Response) -> None:
     for name in present:
         of = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == name]
         ax.broken_barh(of, (0.0, 1.0), facecolor=style.PHASES[name], lw=0)
-    handles: list = [
+    slides = [(start, end - start) for start, end in run.sliding]
+    ax.broken_barh(slides, (0.0, 0.35), facecolor="k", lw=0)
+    handles: list = [Patch(facecolor="k", label="slides")] if slides else []
+    handles += [
         Patch(facecolor=style.PHASES[name], label=style.PHASE_MEANINGS[name]) for name in present
     ]
     for kind, mark, label in (("uplift", "^", "uplift begins"), ("rest", "o", "impacts end")):

@@ -14,7 +14,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
+from rockeom.contract import IMPACT, LANDING
 from rockeom.motion import STANDARD_GRAVITY
+from rockeom.numeric.contact_states import landing_speeds
 
 if TYPE_CHECKING:
     from rockeom.numeric.response import Response
@@ -181,9 +183,15 @@ def times_of(run: Response, kind: str) -> np.ndarray:
 
 
 def impact_speeds(run: Response) -> tuple[np.ndarray, np.ndarray]:
-    """(n,) times of the impacts [s], and the rates of rotation just before them."""
+    """(n,) times of the impacts [s], and the rates of rotation just before them.
+
+    Of points that land, the speed of the fastest.
+    """
     times, kinds, states = run.passages
-    hit = kinds[:, 0] == 0
+    if run.structure.stands_on_points:
+        hit = kinds[:, 0] == LANDING
+        return times[hit], landing_speeds(run.structure, states[hit, 0])
+    hit = kinds[:, 0] == IMPACT
     return times[hit], np.abs(states[hit, 0, run.program.ROTATION_RATE])
 
 

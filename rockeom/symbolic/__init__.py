@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from rockeom.symbolic.contacts import Contact, Model, Rigid, Unilateral, feet
 from rockeom.symbolic.model import (
     Body,
     Coordinate,
@@ -32,16 +33,21 @@ def __getattr__(name: str) -> Any:
 __all__ = [
     "SHIPPED",
     "Body",
+    "Contact",
     "Coordinate",
     "Definition",
     "Foot",
     "Law",
+    "Model",
     "Parameter",
     "Phase",
+    "Rigid",
     "RockingModel",
     "Transition",
+    "Unilateral",
     "coordinate",
     "derive",
+    "feet",
     "models",
     "parameter",
     "rocking_structure",

@@ -19,6 +19,7 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 
 if TYPE_CHECKING:
+    from rockeom.symbolic.contacts import Contact, Model, Unilateral
     from rockeom.symbolic.model import Body, Phase, RockingModel, Transition
 
 KINDS = ("impact", "uplift", "switch")
@@ -42,11 +43,11 @@ def check(model: RockingModel) -> None:
         rigid_velocity_ratio=1 if ratio is None else ratio,
     )  # fmt: skip
     _names(model)
-    _symbols(model)
+    distinct_symbols(model)
     _phases(model)
-    known = _declared_kinds(model)
+    known = declared_kinds(model)
     for item, expr, kinds in _expressions(model):
-        _contents(model, known, item, sp.sympify(expr), kinds)
+        contents(model, known, item, sp.sympify(expr), kinds)
     _transitions(model)
     _grounded(model)
 
@@ -70,7 +71,7 @@ def _names(model: RockingModel) -> None:
     for name in outputs:
         valid.name(f"{model.name}: quantity", name)
     names = [p.name for p in model.parameters] + list(model.states)
-    twice = _twice(names) or _twice([*model.states, *outputs]) or _twice(model.contacts)
+    twice = repeated(names) or repeated([*model.states, *outputs]) or repeated(model.contacts)
     if twice:
         _fail(model, f"declared twice: {', '.join(twice)}; give each a name of its own")
     taken = sorted(RESPONSE & {*model.states, *outputs})
@@ -78,7 +79,7 @@ def _names(model: RockingModel) -> None:
         _fail(model, f"every response calls something else {', '.join(taken)}: choose another name")
 
 
-def _twice(names: Iterable[Any]) -> list[str]:
+def repeated(names: Iterable[Any]) -> list[str]:
     names = list(names)
     return sorted({str(n) for n in names if names.count(n) > 1})
 
@@ -87,7 +88,7 @@ def _quantities(model: RockingModel) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for phase in model.phases for name in phase.quantities))
 
 
-def _symbols(model: RockingModel) -> None:
+def distinct_symbols(model: RockingModel) -> None:
     """Each symbol stands for one thing."""
     from rockeom.symbolic.model import GROUND_X, GROUND_Y
     from rockeom.symbolic.statics import LOAD
@@ -95,7 +96,7 @@ def _symbols(model: RockingModel) -> None:
     symbols = [p.symbol for p in model.parameters] + [d.symbol for d in model.definitions]
     symbols += [s for c in model.coordinates for s in (c.position, c.velocity, c.acceleration)]
     symbols += [law.symbol for law in model.laws]
-    twice = _twice(symbols)
+    twice = repeated(symbols)
     if twice:
         _fail(
             model,
@@ -132,8 +133,8 @@ def _phases(model: RockingModel) -> None:
         _sides(model, phase, what)
         _coordinates_of(model, phase, what)
         names = [b.name for b in phase.bodies]
-        if _twice(names):
-            raise ValueError(f"{what}: two bodies are called {_twice(names)[0]!r}: rename one")
+        if repeated(names):
+            raise ValueError(f"{what}: two bodies are called {repeated(names)[0]!r}: rename one")
     _same_outputs(model)
 
 
@@ -157,7 +158,7 @@ def _coordinates_of(model: RockingModel, phase: Phase, what: str) -> None:
     strange = [c.name for c in phase.coordinates if c not in model.coordinates]
     if strange:
         raise ValueError(f"{what}: {', '.join(strange)} is not in the model's `coordinates`")
-    if _twice([c.name for c in phase.coordinates]):
+    if repeated([c.name for c in phase.coordinates]):
         raise ValueError(f"{what}: it has a coordinate twice")
     if len(phase.forces) not in (0, len(phase.coordinates)):
         raise ValueError(
@@ -203,7 +204,7 @@ _WORDS = {
 }
 
 
-def _declared_kinds(model: RockingModel) -> dict[sp.Basic, str]:
+def declared_kinds(model: RockingModel) -> dict[sp.Basic, str]:
     """What each symbol and function of a declaration is; "" for constants."""
     from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
@@ -263,7 +264,7 @@ def _called(t: Transition) -> str:
     return f"{t.kind} {t.source!r} -> {t.target!r}"
 
 
-def _contents(
+def contents(
     model: RockingModel, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
 ) -> None:
     for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef, sp.Piecewise):
@@ -313,8 +314,8 @@ def _transitions(model: RockingModel) -> None:
             )
         {"impact": _impact, "uplift": _uplift, "switch": _switch}[t.kind](model, t, what)
     impacts = [t.source for t in model.transitions if t.kind == "impact"]
-    if _twice(impacts):
-        _fail(model, f"two impacts end the contact state {_twice(impacts)[0]!r}: declare one")
+    if repeated(impacts):
+        _fail(model, f"two impacts end the contact state {repeated(impacts)[0]!r}: declare one")
     _pairs(model)
 
 
@@ -437,17 +438,17 @@ _NEGLIGIBLE = 1e-9
 
 def check_derived(model: RockingModel) -> None:
     """Equations, impacts and guards of a declaration, at random states and parameters."""
-    sample = _Sample(model)
+    sample = Sample(model)
     matrices = {p.equations.mass_matrix.as_immutable(): p for p in reversed(model.phases)}
     for phase in reversed(matrices.values()):
-        _invertible(model, phase, sample)
+        invertible(model, phase, sample)
     _one_ratio(model, sample)
     _guards_open(model, sample)
     _rests(model, sample)
     _energies_are_even(model, sample)
 
 
-class _Sample:
+class Sample:
     """Random values of all symbols, by which expressions become arrays (k, n)."""
 
     def __init__(self, model: RockingModel) -> None:
@@ -489,7 +490,7 @@ def _contact_of(phase: Phase) -> str:
     return next(iter(phase.contacts))
 
 
-def _invertible(model: RockingModel, phase: Phase, sample: _Sample) -> None:
+def invertible(model: RockingModel, phase: Phase, sample: Sample) -> None:
     """Each free coordinate moves a mass of its own."""
     n = len(phase.coordinates)
     if n == 0:
@@ -515,7 +516,7 @@ def _invertible(model: RockingModel, phase: Phase, sample: _Sample) -> None:
         )
 
 
-def _one_ratio(model: RockingModel, sample: _Sample) -> None:
+def _one_ratio(model: RockingModel, sample: Sample) -> None:
     """The laws of impact multiply the rate by one ratio, whichever side closes."""
     from rockeom.symbolic.impulse import rigid_velocity_ratio
 
@@ -534,7 +535,7 @@ def _one_ratio(model: RockingModel, sample: _Sample) -> None:
             )
 
 
-def _guards_open(model: RockingModel, sample: _Sample) -> None:
+def _guards_open(model: RockingModel, sample: Sample) -> None:
     """A contact state of one side has states on that side inside it."""
     theta = model.rotation.position
     for side in sorted({_side(model, contact) for contact in model.contacts} - {0}):
@@ -564,7 +565,7 @@ def _at_rest(model: RockingModel) -> dict[sp.Symbol, Any]:
     return states | {p.symbol: 0.0 for p in model.parameters if not p.symbol.is_nonnegative}
 
 
-def _rests(model: RockingModel, sample: _Sample) -> None:
+def _rests(model: RockingModel, sample: Sample) -> None:
     """Springs do not push the structure away from where it is said to rest.
 
     Without a spring at work, or where it carries the weight, a coordinate may be zero.
@@ -590,7 +591,7 @@ def _rests(model: RockingModel, sample: _Sample) -> None:
         )
 
 
-def _energies_are_even(model: RockingModel, sample: _Sample) -> None:
+def _energies_are_even(model: RockingModel, sample: Sample) -> None:
     """The elastic energy does not rise to one side of rest while it falls to the other.
 
     Of a coordinate that is not the rotation, less what a spring that is compressed at rest gives.
@@ -648,8 +649,10 @@ class Size(NamedTuple):
     remedy: str
 
 
-def sizes(model: RockingModel) -> tuple[Size, ...]:
-    """Masses and moments of inertia of bodies, and widths of bases, that parameters alone give."""
+def sizes(model: RockingModel | Model) -> tuple[Size, ...]:
+    """Masses, moments of inertia, widths of bases, laws of contacts, that parameters alone give."""
+    from rockeom.symbolic.model import RockingModel
+
     symbols = {p.symbol: p.name for p in model.parameters}
 
     def size(what: str, value: sp.Expr, may_vanish: bool, remedy: str) -> Size:
@@ -667,8 +670,28 @@ def sizes(model: RockingModel) -> tuple[Size, ...]:
             remedy = "the left foot must stand to the left of the right one"
             yield size("the distance of the feet", width, False, remedy)
 
+    def of_points(points: Iterable[Contact]) -> Iterator[Size]:
+        for c in points:
+            at = f"of contact {c.name!r}"
+            law = c.law
+            yield size(f"1 less the restitution {at}", 1 - law.restitution, True, "give 0 to 1")
+            if law.friction is not None:
+                yield size(f"the friction {at}", law.friction, True, "it must not be negative")
+            if c.side:
+                width = c.side * (c.at(c.side)[1] - c.at(-c.side)[1]).subs(upright)
+                remedy = "the point of side -1 must stand to the left of that of side 1"
+                yield size(f"the width {at}", width, False, remedy)
+
+    def of_elements(elements: Iterable[Unilateral]) -> Iterator[Size]:
+        for e in elements:
+            for what, value in (("stiffness", e.stiffness), ("damping", e.damping)):
+                at = f"the {what} of element {e.name!r}"
+                yield size(at, value, True, "it must not be negative")
+
     upright = {c.position: 0 for c in model.coordinates}
     every = dict.fromkeys(found for phase in model.phases for found in of(phase))
+    if not isinstance(model, RockingModel):
+        every |= dict.fromkeys((*of_points(model.contacts), *of_elements(model.elements)))
     return tuple(found for found in every if found.value.free_symbols <= symbols.keys())
 
 

@@ -7,7 +7,7 @@ modes or of what leads from one to another.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -16,10 +16,10 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.model import Body, Coordinate, Parameter, Phase
+from rockeom.symbolic.model import Body, Coordinate, Definition, Law, Parameter, Phase
 
 if TYPE_CHECKING:
-    from rockeom.symbolic.modes import Modes
+    from rockeom.symbolic.modes import Mechanism, Modes
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def feet(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Model:
     """A structure that is free to move but for its contacts and elements.
 
@@ -109,6 +109,8 @@ class Model:
     rotation : the coordinate that overturns, positive clockwise, at `overturning`.
     elastic_energy, dissipation : of springs and dampers that always act.
     load_point : place of a pushover's force, whose displacement a response tells.
+
+    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
 
     name: str
@@ -126,6 +128,13 @@ class Model:
     load_point: tuple[sp.Expr, sp.Expr] | None = None
     reference: str = ""
 
+    def __post_init__(self) -> None:
+        from rockeom.symbolic.check_contacts import check
+
+        for name in ("parameters", "coordinates", "bodies", "contacts", "elements"):
+            object.__setattr__(self, name, tuple(getattr(self, name)))
+        check(self)
+
     @cached_property
     def free(self) -> Phase:
         """The structure without its contacts and elements, all coordinates free."""
@@ -141,30 +150,42 @@ class Model:
 
     @cached_property
     def modes(self) -> Modes:
-        """The contact states and their mechanisms, derived."""
+        """The contact states and their mechanisms, derived.
+
+        Raises ValueError where statics does not tell how closed points share their forces, and
+        where there are too many contact states.
+        """
         from rockeom.symbolic.modes import derive_modes
 
         return derive_modes(self)
 
-    # what all that writes a model asks of it, whichever way it was declared
+    def mode(self, name: str) -> Mechanism:
+        """The mechanism that moves in a contact state, such as "right_slides_left".
+
+        Raises ValueError, naming the contact states, if there is none of that name.
+        """
+        valid.known(self.name, "contact state", name, self.modes.names)
+        return self.modes.mechanism_of(self.modes.states[self.modes.names.index(name)])
 
     @property
-    def phases(self) -> tuple[Phase, ...]:
-        return (self.free,)
+    def states(self) -> tuple[str, ...]:
+        names = [c.name for c in self.coordinates]
+        return (*names, *(f"{n}_dot" for n in names))
 
-    @property
-    def constants(self) -> dict[sp.Symbol, sp.Expr]:
-        return {}
+    def check_derived(self) -> None:
+        """Raise ValueError where what follows from the declaration cannot be simulated."""
+        from rockeom.symbolic.check_contacts import check_derived
 
-    @property
-    def velocity_ratio(self) -> None:
-        return None
+        check_derived(self)
 
-    def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
-        return sp.sympify(expr)
+    def check_values(self, values: Mapping[str, float]) -> None:
+        """Raise ValueError where these parameters, by name, give a body or a base no size."""
+        from rockeom.symbolic.check import check_values
+
+        check_values(self, values)
 
     def latex(self, form: str = "width") -> str:
-        """A LaTeX document of the whole model."""
+        """A LaTeX document of the whole model; it has one form."""
         from rockeom.symbolic.typeset import latex_document
 
         return latex_document(self, form)
@@ -175,10 +196,30 @@ class Model:
 
         return markdown_page(self)
 
-    def check_derived(self) -> None:
-        """Raise ValueError where what follows from the declaration cannot be simulated."""
+    # what is asked of a model whichever way it was declared
 
     @property
-    def states(self) -> tuple[str, ...]:
-        names = [c.name for c in self.coordinates]
-        return (*names, *(f"{n}_dot" for n in names))
+    def phases(self) -> tuple[Phase, ...]:
+        return (self.free,)
+
+    @property
+    def constants(self) -> dict[sp.Symbol, sp.Expr]:
+        return {}
+
+    @property
+    def definitions(self) -> tuple[Definition, ...]:
+        return ()
+
+    @property
+    def laws(self) -> tuple[Law, ...]:
+        return ()
+
+    @property
+    def velocity_ratio(self) -> None:
+        return None
+
+    def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
+        return sp.sympify(expr)
+
+    def written_out(self, expr: sp.Expr) -> sp.Expr:
+        return sp.sympify(expr)

@@ -17,16 +17,17 @@ s; so are the two signs of a slip, sigma, and the states of an element, chi = 0 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations, product
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
 
 from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
-from rockeom.symbolic.algebra import SIDE, square_is, tidy
+from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.lagrange import rate
 
@@ -69,6 +70,14 @@ class Arrangement:
     shared: tuple[int, ...]
 
 
+class Start(NamedTuple):
+    """Accelerations by their symbols, normal forces by point, friction by a group's first point."""
+
+    accelerations: dict[sp.Symbol, sp.Expr]
+    normal: dict[int, sp.Expr]
+    friction: dict[int, sp.Expr]
+
+
 class Mechanism:
     """What moves while some points are closed, some of which slip.
 
@@ -89,36 +98,71 @@ class Mechanism:
 
     # -- the closed configuration ------------------------------------------------------------
 
-    @cached_property
+    @property
     def place(self) -> dict[sp.Symbol, sp.Expr]:
-        """Positions that the closed gaps fix in closed form."""
-        found: dict[sp.Symbol, sp.Expr] = {}
+        """Positions that the closed gaps fix, as they are put into equations."""
+        return self._closing[0]
+
+    @property
+    def leaning(self) -> dict[sp.Symbol, sp.Expr]:
+        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
+        return self._closing[1]
+
+    @property
+    def left_open(self) -> list[sp.Expr]:
+        """What is left of the closed gaps then: nothing where they can be closed together."""
+        return self._closing[2]
+
+    @cached_property
+    def _closing(
+        self,
+    ) -> tuple[dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+        place: dict[sp.Symbol, sp.Expr] = {}
+        leaning: dict[sp.Symbol, sp.Expr] = {}
         gaps = [self._gaps[i] for i in self.closed]
         while gaps:
-            for gap in gaps:
-                fixed = self._fixed(gap)
-                if fixed is not None:
-                    break
+            fixed = next(filter(None, map(self._fixed, gaps)), None)
+            if fixed is None:
+                break
+            if any(e.has(sp.atan) for e in fixed.values()):
+                leaning |= fixed
             else:
-                return found
-            found = {x: brief(e.subs(fixed)) for x, e in found.items()} | fixed
-            gaps = [e for gap in gaps if (e := brief(gap.subs(fixed))) != 0]
-        return found
+                place = {x: brief(e.subs(fixed)) for x, e in place.items()} | fixed
+            gaps = [e for gap in gaps if not _vanishes(e := brief(gap.subs(fixed)))]
+        return place, leaning, gaps
+
+    def _same(self, expr: sp.Expr) -> bool:
+        """Whether an expression vanishes in the closed configuration."""
+        return _vanishes(brief(expr.subs(self.leaning)))
 
     def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
-        """The coordinate that a closed gap fixes, where it enters so that it can be told."""
-        for x in self.q:
-            slope = sp.diff(gap, x)
+        """The coordinate that a closed gap fixes, where it enters so that it can be told.
+
+        That is linear, or as an angle whose sine and cosine alone make the gap; it is then the
+        one about which the structure stands upright.
+        """
+        x = self._linear(gap)
+        if x is not None:
+            return {x: brief(sp.expand(x - gap / sp.diff(gap, x)))}
+        angles = angles_in(gap)
+        if len(angles) != 1:
+            return None
+        (angle,) = angles
+        sine, cosine = sp.Dummy(), sp.Dummy()
+        linear = sp.expand(gap.subs({sp.sin(angle): sine, sp.cos(angle): cosine}))
+        a, b = linear.coeff(sine), linear.coeff(cosine)
+        x = self._linear(angle)
+        if x is None or a == 0 or sp.expand(linear - a * sine - b * cosine) != 0:
+            return None
+        lacking = angle + sp.atan(sp.cancel(b / a))
+        return {x: sp.expand(x - lacking / sp.diff(angle, x))}
+
+    def _linear(self, expr: sp.Expr) -> sp.Symbol | None:
+        """The first coordinate in which an expression is linear, its slope a constant."""
+        for j in self._order:
+            slope = sp.diff(expr, self.q[j])
             if slope != 0 and not slope.free_symbols & set(self.q):
-                return {x: brief(sp.expand(x - gap / slope))}
-        free = [x for x in self.q if gap.has(x)]
-        if len(free) == 1:
-            (x,) = free
-            sine, cosine = sp.Dummy(), sp.Dummy()
-            linear = sp.expand(gap.subs({sp.sin(x): sine, sp.cos(x): cosine}))
-            a, b = linear.coeff(sine), linear.coeff(cosine)
-            if not linear.has(x) and a != 0 and sp.expand(linear - a * sine - b * cosine) == 0:
-                return {x: -sp.atan(sp.cancel(b / a))}
+                return self.q[j]
         return None
 
     def here(self, expr: sp.Expr) -> sp.Expr:
@@ -151,12 +195,12 @@ class Mechanism:
         if not self.closed:
             return ()
         normal = sp.Matrix.vstack(*self.normal_rows.values())
-        left = sp.zeros(self.n, 0) if normal.rows == self.n else _motions(normal, self._order)[2]
+        left = self._motions(normal)[2]
         groups: list[list[int]] = []
         for i in self.closed:
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
-                if all(brief(e) == 0 for e in difference):
+                if all(self._same(e) for e in difference):
                     group.append(i)
                     break
             else:
@@ -196,8 +240,7 @@ class Mechanism:
         if not rows:
             return [], list(range(self.n)), sp.eye(self.n), sp.zeros(0, self.n)
         matrix = sp.Matrix.vstack(*rows)
-        dependent, independent, motions = _motions(matrix, self._order)
-        return dependent, independent, motions, matrix
+        return *self._motions(matrix), matrix
 
     @property
     def dependent(self) -> list[int]:
@@ -211,6 +254,42 @@ class Mechanism:
     def motions(self) -> sp.Matrix:
         """T of q' = T q_I', (n, m)."""
         return self._constraints[2]
+
+    def _motions(self, matrix: sp.Matrix) -> tuple[list[int], list[int], sp.Matrix]:
+        """(dependent, independent, T): what A q' = 0 leaves free."""
+        dependent = self._dependent(matrix)
+        independent = [j for j in range(self.n) if j not in dependent]
+        share = -_inverse(matrix[:, dependent]) * matrix[:, independent]
+        motions = sp.zeros(self.n, len(independent))
+        for k, i in enumerate(independent):
+            motions[i, k] = 1
+            for row, d in enumerate(dependent):
+                motions[d, k] = brief(share[row, k])
+        return dependent, independent, motions
+
+    def _dependent(self, matrix: sp.Matrix) -> list[int]:
+        """Columns to eliminate: of coordinates whose place is known; then the simplest to divide by.
+
+        Raises ValueError where the rows depend on one another.
+        """
+        used = [j for j in self._order if any(e != 0 for e in matrix[:, j])]
+        best: tuple[tuple[int, int, int], list[int]] | None = None
+        for columns in combinations(used, matrix.rows):
+            divisor = _determinant(matrix[:, list(columns)].as_immutable())
+            if self._same(divisor):
+                continue
+            known = sum(self.q[j] in self.place or self.q[j] in self.leaning for j in columns)
+            moving = len(divisor.free_symbols & set(self.q))
+            cost = -known, moving, int(sp.count_ops(divisor))
+            if best is None or cost < best[0]:
+                best = cost, sorted(columns)
+        if best is None:
+            names = ", ".join(self.model.contacts[i].name for i in self.closed)
+            raise ValueError(
+                f"{self.model.name}: how {names} share their forces when they are closed, statics "
+                "does not tell: let fewer points of one rigid body touch at once, or give springs"
+            )
+        return best[1]
 
     @cached_property
     def velocity(self) -> dict[sp.Symbol, sp.Expr]:
@@ -300,13 +379,56 @@ class Mechanism:
         here = sp.Matrix([lacking[d] for d in self.dependent])
         found = (_inverse(self.pushes[self.dependent, :]) * here).applyfunc(brief)
         normal = dict(zip(self.closed, found, strict=False))
-        friction: dict[int, sp.Expr] = {}
+        friction = {g[0]: found[len(self.closed) + k] for k, g in enumerate(self.sticking)}
+        for group in self.sticking:
+            normal = self._at_their_heights(group, normal, friction[group[0]])
         for group in self.slipping:
             total = sum(self.friction(i) * normal[i] for i in group)
             friction[group[0]] = brief(-self.sigma(group[0]) * total)
-        for k, group in enumerate(self.sticking):
-            friction[group[0]] = found[len(self.closed) + k]
         return normal, friction
+
+    def _at_their_heights(
+        self, group: tuple[int, ...], normal: dict[int, sp.Expr], friction: sp.Expr
+    ) -> dict[int, sp.Expr]:
+        """Normal forces where friction acts at each point of a group, not at the first alone.
+
+        Statics determines only the sum of the friction. All points mobilise the same fraction of
+        their normal forces, as they do when they slip: F_i = kappa N_i.
+        """
+        first = self.slip_rows[group[0]]
+        apart = {i: (self.slip_rows[i] - first).applyfunc(brief) for i in group}
+        if all(self._same(e) for row in apart.values() for e in row):
+            return normal
+        rows = sp.Matrix.vstack(*self.normal_rows.values())
+        columns = self._dependent(rows)
+        inverse = _inverse(rows[:, columns])
+        shares = {
+            i: dict(zip(self.closed, (row[:, columns] * inverse).applyfunc(brief), strict=True))
+            for i, row in apart.items()
+        }
+        alike = len({self.model.contacts[i].law.friction for i in group}) == 1
+        if not alike or not all(
+            self._same(sum((c[j] for j in group), sp.S.Zero)) for c in shares.values()
+        ):
+            names = ", ".join(self.model.contacts[i].name for i in group)
+            raise ValueError(
+                f"{self.model.name}: how {names} share their friction follows neither from statics "
+                "nor from one coefficient of friction at level points: give them one coefficient, "
+                "or one height, or springs"
+            )
+        kappa = friction / sum(normal[i] for i in group)
+        matrix = sp.Matrix(
+            len(group), len(group),
+            lambda j, i: (1 if i == j else 0) + kappa * shares[group[i]][group[j]],
+        )  # fmt: skip
+        solved = _inverse(matrix) * sp.Matrix([normal[j] for j in group])
+        inside = dict(zip(group, solved, strict=True))
+        outside = {
+            j: normal[j] - kappa * sum(shares[i][j] * inside[i] for i in group)
+            for j in self.closed
+            if j not in group
+        }
+        return {j: inside[j] if j in group else outside[j] for j in self.closed}
 
     def _acceleration(self, coordinate: int) -> sp.Expr:
         """Its symbol, or zero where nothing can move it."""
@@ -314,6 +436,46 @@ class Mechanism:
         if held and all(e == 0 for e in self.motions[coordinate, :]):
             return sp.S.Zero
         return self.qdd[coordinate]
+
+    def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
+        """What this mechanism begins with from rest at given positions, in closed form.
+
+        Accelerations of all coordinates, normal forces and friction are quotients; where the
+        friction is less than friction can be, and no normal force negative, it is what begins.
+        """
+        still = dict(place) | dict.fromkeys(self.qd, sp.S.Zero)
+        matrix, forcing, drift = (
+            m.applyfunc(lambda e: brief(e.subs(still)))
+            for m in (self.mass_matrix, self.forcing, self.drift)
+        )
+        motions = self.motions.applyfunc(lambda e: brief(e.subs(still)))
+        m = matrix.rows
+        divisor = _determinant(matrix.as_immutable())
+        above = sp.Matrix(
+            m, 1,
+            lambda i, _: brief(
+                sum(
+                    (-1) ** (i + j)
+                    * _determinant(matrix.minor_submatrix(j, i).as_immutable())
+                    * forcing[j]
+                    for j in range(m)
+                )
+            ),
+        )  # fmt: skip
+        every = (motions * above if m else sp.zeros(self.n, 1)) + drift * divisor
+
+        def quotient(expr: sp.Expr) -> sp.Expr:
+            expr = sp.expand(brief(expr.subs(still)))
+            alone = expr.subs(dict.fromkeys(self.qdd, 0))
+            moved = sum(sp.diff(expr, a) * e for a, e in zip(self.qdd, every, strict=True))
+            return _positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
+
+        normal, friction = self.forces
+        return Start(
+            dict(zip(self.qdd, map(quotient, self.qdd), strict=True)),
+            {i: quotient(e) for i, e in normal.items()},
+            {i: quotient(e) for i, e in friction.items()},
+        )
 
     def slip_rate(self, group: tuple[int, ...]) -> sp.Expr:
         """Rate of slip of the points of a group."""
@@ -331,6 +493,12 @@ class Modes:
     states: tuple[ContactState, ...]
     arrangements: tuple[Arrangement, ...]
     mechanisms: tuple[Mechanism, ...]
+
+    @property
+    def standing(self) -> dict[sp.Symbol, sp.Expr]:
+        """Positions at rest with as many points closed as may be."""
+        first = self.mechanisms[0]
+        return {x: e.subs(first.leaning) for x, e in first.place.items()} | first.leaning
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -440,8 +608,35 @@ def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
     if len(closed) < 2:
         return True
     mechanism = Mechanism(model, _stuck(model, closed), False)
+    if any(not gap.free_symbols & set(mechanism.q) for gap in mechanism.left_open):
+        return False  # but for parameters that happen to make them meet
     matrix = sp.Matrix.vstack(*mechanism.normal_rows.values())
-    return _rank(matrix) == len(closed)
+    if _rank(matrix.subs(mechanism.leaning)) == len(closed):
+        return True
+    if mechanism.left_open and not _meet(mechanism):
+        return False
+    names = ", ".join(model.contacts[i].name for i in closed)
+    raise ValueError(
+        f"{model.name}: {names} may touch at once, and how they share their forces statics does "
+        "not tell: leave out those between others, or declare them as springs (Unilateral)"
+    )
+
+
+def _meet(mechanism: Mechanism) -> bool:
+    """Whether all closed gaps can be zero at once, at random parameters."""
+    rng = np.random.default_rng(2)
+    gaps = sp.Matrix(mechanism.left_open)
+    places = [x for x in mechanism.q if gaps.has(x)]
+    given = sorted(gaps.free_symbols - set(places), key=str)
+    put = {x: sp.Float(rng.uniform(0.5, 1.5)) for x in given}
+    value = sp.lambdify(places, gaps.subs(put).doit(), modules="math")
+    slope = sp.lambdify(places, gaps.jacobian(places).subs(put), modules="math")
+    x = rng.uniform(-0.1, 0.1, len(places))
+    for _ in range(100):
+        x = x - np.linalg.lstsq(
+            np.array(slope(*x), dtype=float), np.array(value(*x), dtype=float).ravel(), rcond=None
+        )[0]
+    return bool(np.abs(np.array(value(*x), dtype=float)).max() < 1e-9)
 
 
 def _arrangement(
@@ -517,44 +712,62 @@ def brief(expr: sp.Expr) -> sp.Expr:
     return expr
 
 
-def _motions(matrix: sp.Matrix, order: list[int]) -> tuple[list[int], list[int], sp.Matrix]:
-    """(dependent, independent, T): what A q' = 0 leaves free."""
-    dependent = _dependent(matrix, order)
-    n = matrix.cols
-    independent = [j for j in range(n) if j not in dependent]
-    share = -_inverse(matrix[:, dependent]) * matrix[:, independent]
-    motions = sp.zeros(n, len(independent))
-    for k, i in enumerate(independent):
-        motions[i, k] = 1
-        for row, d in enumerate(dependent):
-            motions[d, k] = brief(share[row, k])
-    return dependent, independent, motions
-
-
-def _dependent(matrix: sp.Matrix, order: list[int]) -> list[int]:
-    """Columns to eliminate, those with the simplest determinant, the first in `order` if alike."""
-    rows = matrix.rows
-    used = [j for j in order if any(e != 0 for e in matrix[:, j])]
-    best: tuple[tuple[int, int], list[int]] | None = None
-    for columns in combinations(used, rows):
-        found = brief(matrix[:, list(columns)].det())
-        if found == 0:
-            continue
-        cost = (len(found.free_symbols), int(sp.count_ops(found)))
-        if best is None or cost < best[0]:
-            best = cost, sorted(columns)
-    if best is None:
-        raise ValueError("constraints that depend on one another")
-    return best[1]
-
-
 def _inverse(matrix: sp.Matrix) -> sp.Matrix:
     """By determinants: entries are short."""
     if matrix.rows == 0:
         return matrix
-    determinant = brief(matrix.det())
-    adjugate = matrix.adjugate().applyfunc(brief)
-    return adjugate.applyfunc(lambda e: sp.cancel(e / determinant) if e != 0 else e)
+    n, divisor = matrix.rows, _determinant(matrix.as_immutable())
+
+    def entry(i: int, j: int) -> sp.Expr:
+        minor = _determinant(matrix.minor_submatrix(j, i).as_immutable())
+        return _quotient((-1) ** (i + j) * minor, divisor)
+
+    return sp.Matrix(n, n, entry)
+
+
+def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """One over the other, short: what divides it is a product as a rule."""
+    above = sp.expand(above)
+    for sign in (1, -1):
+        if above == sign * below:
+            return sp.Integer(sign)
+    return above / below if below.is_Add else sp.expand(above / below)
+
+
+def _positive_below(expr: sp.Expr) -> sp.Expr:
+    """A quotient, factored, whose denominator is positive where nothing slips."""
+    above, below = sp.fraction(expr)
+    slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
+    sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
+    return sp.factor(sign * above) / sp.expand(sign * below)
+
+
+@lru_cache(maxsize=4096)
+def _determinant(matrix: sp.ImmutableMatrix) -> sp.Expr:
+    """By the row with the fewest entries: constraints have few."""
+    n = matrix.rows
+    if n == 0:
+        return sp.S.One
+    row = min(range(n), key=lambda i: sum(e != 0 for e in matrix[i, :]))
+    total = sp.S.Zero
+    for j in range(n):
+        if matrix[row, j] != 0:
+            minor = _determinant(matrix.minor_submatrix(row, j))
+            total += (-1) ** (row + j) * matrix[row, j] * minor
+    return brief(total)
+
+
+def _vanishes(expr: sp.Expr) -> bool:
+    """Whether an expression is zero whatever its symbols are: square roots may hide it."""
+    if expr == 0 or not expr.atoms(sp.Pow, sp.atan):
+        return expr == 0
+    rng = np.random.default_rng(3)
+    symbols = sorted(expr.free_symbols, key=str)
+    for _ in range(3):
+        put = {x: sp.Float(rng.uniform(0.5, 1.5), 30) for x in symbols}
+        if abs(sp.N(expr.subs(put), 30)) > 1e-20:
+            return False
+    return True
 
 
 def _rank(matrix: sp.Matrix) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import sympy as sp
 
@@ -323,6 +323,7 @@ def _mechanism(model: Model, mechanism: Mechanism) -> list[Block]:
     ]
     blocks += [f"One form for all: {'; '.join(told)}."] if told else []
     held = [f"{notation.plain(x)} = {notation.write(e)}" for x, e in mechanism.place.items()]
+    held += [f"{notation.plain(x)} = {notation.plain(e)}" for x, e in mechanism.leaning.items()]
     held += [
         f"{notation.plain(mechanism.qd[d])} = "
         f"{notation.write(mechanism.velocity[mechanism.qd[d]])}"
@@ -405,7 +406,39 @@ def _mechanism_forces(
     opens = [i for i, state in enumerate(mechanism.states) if state == OPEN]
     for i in opens:
         ends.append(f"the gap ${notation.write(mechanism.gap(i))}$ closes (landing)")
-    return [*blocks, f"It ends when {', or '.join(ends)}."]
+    blocks.append(f"It ends when {', or '.join(ends)}.")
+    return [*blocks, *_from_rest(mechanism, notation, called)]
+
+
+LONGEST_FROM_REST = 3
+"""Free coordinates of a mechanism whose beginning from rest has a closed form worth reading."""
+
+
+def _from_rest(
+    mechanism: Mechanism, notation: Notation, called: Callable[[str, Iterable[int]], str]
+) -> list[Block]:
+    """How a mechanism begins from standing at rest, and the friction that it needs then."""
+    model = mechanism.model
+    if not 0 < len(mechanism.independent) <= LONGEST_FROM_REST:
+        return []
+    start = mechanism.from_rest(model.modes.standing)
+    lines = [
+        f"{notation.plain(a)} = {notation.quotient(e)}"
+        for a, e in start.accelerations.items()
+        if e != 0
+    ]
+    lines += [f"{called('N', [i])} = {notation.quotient(e)}" for i, e in start.normal.items()]
+    for group in mechanism.sticking:
+        needed = start.friction[group[0]] / sum(start.normal[i] for i in group)
+        sum_of = " + ".join(called("N", [i]) for i in group)
+        name = rf"\frac{{{called('F', group)}}}{{{sum_of}}}"
+        lines.append(f"{name} = {notation.quotient(sp.cancel(needed))}")
+    needs = ", and the friction that it needs" if mechanism.sticking else ""
+    return [
+        Heading(3, "From rest"),
+        f"Standing still, the accelerations and normal forces with which it begins{needs}:",
+        Display(tuple(lines)),
+    ]
 
 
 # --- transitions and statics

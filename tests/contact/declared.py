@@ -1,0 +1,180 @@
+"""Structures that no file of the package declares, to be derived in tests."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from rockeom.symbolic import (
+    Body,
+    Contact,
+    Model,
+    Rigid,
+    Unilateral,
+    coordinate,
+    feet,
+    parameter,
+    turned,
+)
+
+X = coordinate("x", "x", "m", "place of the base's centre")
+Y = coordinate("y", "y", "m", "height of the base's centre")
+THETA = coordinate("theta", "theta", "rad", "rotation, positive clockwise")
+MASS = parameter("m", "mass", "kg", "mass")
+HEIGHT = parameter("h", "height", "m", "height of the centroid above the base")
+INERTIA = parameter("I", "inertia", "kg m2", "moment of inertia about the centroid")
+GRAVITY = parameter("g", "gravity", "m/s2", "acceleration of gravity")
+FRICTION = parameter("mu", "friction", "-", "coefficient of friction")
+RESTITUTION = parameter("e", "restitution", "-", "ratio of the rates of a gap")
+BLOCK = (MASS, HEIGHT, INERTIA, GRAVITY, FRICTION, RESTITUTION)
+LAW = Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol)
+
+
+def placed(point, x=X.position, y=Y.position, theta=THETA.position):
+    """A point of a body whose base's centre is at (x, y)."""
+    across, up = turned(point, (0, 0), theta)
+    return x + across, y + up
+
+
+def block() -> Body:
+    return Body(
+        "block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position
+    )
+
+
+def on_points(name: str, points: dict[str, tuple], *more) -> Model:
+    """A block on points of any place on it, by name."""
+    found = (placed(point) for point in points.values())
+    return Model(
+        name=name,
+        title="A block on points",
+        parameters=(*BLOCK, *more),
+        coordinates=(X, Y, THETA),
+        bodies=(block(),),
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        contacts=tuple(
+            Contact(of, gap=place[1], slip=place[0], law=LAW)
+            for of, place in zip(points, found, strict=True)
+        ),
+        load_point=block().position,
+    )
+
+
+@cache
+def unequal_feet() -> Model:
+    """Feet of different distances and heights: standing on both, it leans."""
+    left, right = (parameter(f"b_{i}", f"{i}_width", "m", "distance") for i in ("left", "right"))
+    leg = parameter("d", "leg", "m", "length of the right foot's leg")
+    places = {"left": (-left.symbol, 0), "right": (right.symbol, -leg.symbol)}
+    return on_points("unequal_feet", places, left, right, leg)
+
+
+@cache
+def four_feet() -> Model:
+    """Feet at different heights: any two of them may stand together, no three."""
+    places = {
+        "a": (-sp.Rational(3, 2), sp.Rational(1, 5)),
+        "b": (-sp.Rational(1, 2), 0),
+        "c": (sp.Rational(2, 5), 0),
+        "d": (sp.Rational(7, 5), sp.Rational(3, 10)),
+    }
+    b = parameter("b", "half_width", "m", "unit of length of the base")
+    return on_points(
+        "four_feet", {k: (x * b.symbol, y * b.symbol) for k, (x, y) in places.items()}, b
+    )
+
+
+@cache
+def two_springs() -> Model:
+    """A block on two springs and dampers that cannot pull, its base's centre guided."""
+    k = parameter("k", "stiffness", "N/m", "stiffness of each spring")
+    c = parameter("c", "damping", "N s/m", "damping of each damper")
+    b = parameter("b", "half_width", "m", "half of the width of the base")
+    v, theta = Y.position, THETA.position
+    centre = v - MASS.symbol * GRAVITY.symbol / (2 * k.symbol)
+    body = Body(
+        "block",
+        MASS.symbol,
+        placed((0, HEIGHT.symbol), x=sp.S.Zero, y=centre),
+        INERTIA.symbol,
+        theta,
+    )
+    return Model(
+        name="two_springs",
+        title="A block on two springs",
+        parameters=(MASS, HEIGHT, INERTIA, GRAVITY, k, c, b),
+        coordinates=(THETA, Y),
+        bodies=(body,),
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        elements=tuple(
+            Unilateral(name, -centre + s * b.symbol * sp.sin(theta), k.symbol, c.symbol)
+            for name, s in (("left", -1), ("right", 1))
+        ),
+        load_point=body.position,
+    )
+
+
+@cache
+def two_blocks(friction: bool = False) -> Model:
+    """A block on another one, which stands on the ground."""
+    lower = [
+        parameter(s, f"lower_{n}", u, n)
+        for s, n, u in (("m_1", "mass", "kg"), ("b_1", "half_width", "m"),
+                        ("h_1", "half_height", "m"), ("I_1", "inertia", "kg m2"))
+    ]  # fmt: skip
+    upper = [
+        parameter(s, f"upper_{n}", u, n)
+        for s, n, u in (("m_2", "mass", "kg"), ("b_2", "half_width", "m"),
+                        ("h_2", "half_height", "m"), ("I_2", "inertia", "kg m2"))
+    ]  # fmt: skip
+    m1, b1, h1, i1 = (p.symbol for p in lower)
+    m2, b2, h2, i2 = (p.symbol for p in upper)
+    xi = coordinate("xi", "xi", "m", "place of the upper block along the lower one's top")
+    eta = coordinate("eta", "eta", "m", "height of the upper block above the lower one's top")
+    phi = coordinate("phi", "phi", "rad", "rotation of the upper block")
+    turn = phi.position
+    # the upper block's base in axes that turn with the lower one
+    across, up = xi.position, 2 * h1 + eta.position
+    base = placed((across, up))
+
+    def of_upper(point):
+        return placed(point, base[0], base[1], turn)
+
+    relative = turn - THETA.position
+
+    def corner(s):
+        dx, dy = turned((s * b2, 0), (0, 0), relative)
+        return across + dx, eta.position + dy
+
+    law = Rigid(
+        restitution=RESTITUTION.symbol, friction=FRICTION.symbol if friction else None
+    )
+    return Model(
+        name="two_blocks",
+        title="Two blocks on one another",
+        parameters=(*lower, *upper, GRAVITY, FRICTION, RESTITUTION),
+        coordinates=(X, Y, THETA, xi, eta, phi),
+        bodies=(
+            Body("lower", m1, placed((0, h1)), i1, THETA.position),
+            Body("upper", m2, of_upper((0, h2)), i2, turn),
+        ),
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        contacts=(
+            *feet(
+                gap=lambda s: placed((s * b1, 0))[1],
+                slip=lambda s: placed((s * b1, 0))[0],
+                law=law,
+            ),
+            *feet(
+                gap=lambda s: corner(s)[1],
+                slip=lambda s: corner(s)[0],
+                law=law,
+                names=("upper_left", "upper_right"),
+            ),
+        ),
+        load_point=of_upper((0, h2)),
+    )
