@@ -38,9 +38,7 @@ def placed(point, x=X.position, y=Y.position, theta=THETA.position):
 
 
 def block() -> Body:
-    return Body(
-        "block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position
-    )
+    return Body("block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position)
 
 
 def on_points(name: str, points: dict[str, tuple], *more) -> Model:
@@ -149,9 +147,7 @@ def two_blocks(friction: bool = False) -> Model:
         dx, dy = turned((s * b2, 0), (0, 0), relative)
         return across + dx, eta.position + dy
 
-    law = Rigid(
-        restitution=RESTITUTION.symbol, friction=FRICTION.symbol if friction else None
-    )
+    law = Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol if friction else None)
     return Model(
         name="two_blocks",
         title="Two blocks on one another",
