@@ -6,9 +6,9 @@ import sympy as sp
 
 from rockeom.symbolic.contacts import Model, Rigid, feet
 from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, turned
+from rockeom.symbolic.parts.superstructures import GRAVITY
+from rockeom.symbolic.parts.supports import FREE_ROTATION as THETA, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
-from rockeom.symbolic.structures.rigid_block import GRAVITY
-from rockeom.symbolic.structures.sliding_block import RESTITUTION, THETA, X, Y
 
 XI = coordinate("xi", "xi", "m", "place of the upper base's centre along the lower block's top")
 ETA = coordinate("eta", "eta", "m", "height of the upper base's centre above the lower block's top")
