@@ -743,7 +743,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     for i in range(N_POINTS):
         gap, rate = told[i * POINT], told[i * POINT + 1]
         _, size = rate_of(told, 2 * i, y, 0)
-        if POINT_STATES[contact][i] != OPEN or gap > 1e-12 * size or rate <= 0.0:
+        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
             continue
         push, _ = rate_of(told, 2 * i, dy, n)
         a = -(push + told[i * POINT + 3])
@@ -765,6 +765,14 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         return np.inf, contact
     # counted by themselves: they are lost among the last digits of a state
     heights = np.zeros(N_POINTS)
+    for i in range(N_POINTS):
+        # others that are in flight, and land as soon
+        gap, rate = told[i * POINT], told[i * POINT + 1]
+        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
+            push, _ = rate_of(told, 2 * i, dy, n)
+            a = -(push + told[i * POINT + 3])
+            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
+                bouncing[i], heights[i] = 1, gap
     near, met = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     total = flight = before = last = 0.0
     here = contact
@@ -838,6 +846,8 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     put_on(rows, wanted, 0, told, spread, coupling, out)
     points(out, p, told)
     for i in range(N_POINTS):
+        if near[i] == 0 and told[i * POINT] <= 0.0:
+            return np.inf, contact  # it landed before
         if near[i] == 0:
             continue
         wanted[2 * i] = -told[i * POINT + 1]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rockeom.contract import IMPACT, KIND_OF, LANDING, REST
+from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.contact_states import HAPPENED, subject
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
 
@@ -417,6 +417,43 @@ class Response:
         return largest
 
     @cached_property
+    def sliding(self) -> np.ndarray:
+        """(k, 2) starts and ends of the spans of time in which a point slides [s].
+
+        Empty where contacts cannot slide.
+        """
+        if not self.structure.stands_on_points:
+            return np.empty((0, 2))
+        times, kinds, _ = self.passages
+        states = self.structure.module.POINT_STATES
+        slides = np.array([not {SLIP_RIGHT, SLIP_LEFT}.isdisjoint(row) for row in states])
+        edges = np.concatenate([self.t[:1], times, self.t[-1:]])
+        of = slides[np.concatenate([self.contact[:1], kinds[:, 2]])]
+        spans = np.column_stack([edges[:-1], edges[1:]])
+        return spans[of & (spans[:, 1] > spans[:, 0])]
+
+    @cached_property
+    def impact_energy_gains(self) -> np.ndarray:
+        """(k,) kinetic energy that landings gave instead of taking it [J]; of most motions empty.
+
+        With friction and a restitution above zero the algebraic law of impact can do so: a motion
+        that depends on such a landing is not to be trusted.
+        """
+        _, kinds, states = self.passages
+        landed = kinds[:, 0] == LANDING
+        energies, p = self.program.energies, self.structure.vector
+        found = []
+        before, after = np.zeros(len(self.program.ENERGIES)), np.zeros(len(self.program.ENERGIES))
+        for (_, old, new, _), (arriving, leaving) in zip(
+            kinds[landed], states[landed], strict=True
+        ):
+            energies(old, arriving, p, before)
+            energies(new, leaving, p, after)
+            if after[0] > before[0] * (1.0 + 1e-9):
+                found.append(after[0] - before[0])
+        return np.array(found)
+
+    @cached_property
     def lost_contact(self) -> bool:
         """Whether the ground would have had to pull a foot: the model's assumption failed then."""
         if self._support is None:
@@ -429,10 +466,27 @@ class Response:
         """How far the assumptions of no sliding and no lost contact held, in words."""
         if self._support is None:
             return "The model has no feet: it says nothing of sliding or contact."
-        text = self._friction()
+        text = self._slides() if self.structure.stands_on_points else self._friction()
         if self.lost_contact:
             return f"{text} A foot's vertical reaction turned negative: {self.structure.pulled}."
         return text + " No foot's vertical reaction turned negative."
+
+    def _slides(self) -> str:
+        """Of contacts that may slide: for how long they did, and what their landings did wrong."""
+        spans, gains = self.sliding, self.impact_energy_gains
+        if len(spans):
+            text = (
+                f"It slid for {np.diff(spans).sum():.4g} s, the first time at {spans[0, 0]:.4g} s."
+            )
+        else:
+            needed = self.friction_demand
+            text = f"It did not slide: that needed a friction coefficient of {needed:.3g}."
+        if len(gains):
+            text += (
+                f" {len(gains)} of its landings gave energy, at most {gains.max():.3g} J: so can "
+                "the algebraic law of impact, with friction and a restitution above zero."
+            )
+        return text
 
     def _friction(self) -> str:
         forces, impulses = self.friction_demand, self.impact_friction_demand

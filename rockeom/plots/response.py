@@ -141,10 +141,9 @@ def _contact(ax: Axes, run: Response) -> None:
     for name in present:
         of = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == name]
         ax.broken_barh(of, (0.0, 1.0), facecolor=style.PHASES[name], lw=0)
-    slides = style.sliding_spans(run)
-    if len(slides):
-        ax.broken_barh([(a, b - a) for a, b in slides], (0.0, 0.35), facecolor="k", lw=0)
-    handles: list = [Patch(facecolor="k", label="slides")] if len(slides) else []
+    slides = [(start, end - start) for start, end in run.sliding]
+    ax.broken_barh(slides, (0.0, 0.35), facecolor="k", lw=0)
+    handles: list = [Patch(facecolor="k", label="slides")] if slides else []
     handles += [
         Patch(facecolor=style.PHASES[name], label=style.PHASE_MEANINGS[name]) for name in present
     ]

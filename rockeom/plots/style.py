@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
-from rockeom.contract import IMPACT, LANDING, SLIP_LEFT, SLIP_RIGHT
+from rockeom.contract import IMPACT, LANDING
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.numeric.contact_states import landing_speeds
 
@@ -175,19 +175,6 @@ def contact_spans(run: Response) -> tuple[np.ndarray, list[str]]:
             spans.append([start, end])
             names.append(name)
     return np.array(spans).reshape(-1, 2), names
-
-
-def sliding_spans(run: Response) -> list[tuple[float, float]]:
-    """Starts and ends of the time in which a point slides."""
-    if not run.structure.stands_on_points:
-        return []
-    times, kinds, _ = run.passages
-    edges = [float(run.t[0]), *times.tolist(), float(run.t[-1])]
-    states = run.structure.module.POINT_STATES
-    slides = [any(x in (SLIP_RIGHT, SLIP_LEFT) for x in row) for row in states]
-    of = [slides[run.contact[0]], *(slides[after] for after in kinds[:, 2])]
-    spans = zip(edges[:-1], edges[1:], of, strict=True)
-    return [(start, end) for start, end, yes in spans if yes and end > start]
 
 
 def times_of(run: Response, kind: str) -> np.ndarray:
