@@ -26,7 +26,7 @@ def examples(tmp_path_factory):
 
 def test_examples_run_and_draw(examples):
     names, folder = examples
-    pictures = {"column.png", "compared.png", "portrait.png", "sketch.png"}
+    pictures = {"column.png", "compared.png", "portrait.png", "sketch.png", "lopsided.png"}
     assert {path.name for path in folder.iterdir()} == pictures
     assert isinstance(names["run"], rk.Response)
 
