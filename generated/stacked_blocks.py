@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "87df45869b9ac5ee"
+SOURCE_HASH = "810cb4c858bb1ea4"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -399,6 +399,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # flight
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_UPPER_BOTH = 0
@@ -471,12 +472,12 @@ def rates_left_sticks_right_sticks_upper_left_sticks_upper_right_sticks(x, y_, t
 @inlined
 def rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where left sticks, right sticks, upper_right sticks, or its mirror image."""
+    sin_phi, cos_phi = sine_cosine(phi)
     upper_half_width = p[5]
     gravity = p[8]
     c0 = p[10]
     c1 = p[11]
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = c1*s
     x1 = s*upper_half_width
     x2 = sin_phi*x1
@@ -500,6 +501,7 @@ def rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, 
 @inlined
 def rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where right sticks, upper_left sticks, upper_right sticks, or its mirror image."""
+    sin_phi, cos_phi = sine_cosine(phi)
     lower_half_width = p[1]
     upper_mass = p[4]
     gravity = p[8]
@@ -508,7 +510,6 @@ def rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi,
     c4 = p[14]  # lower_half_width*(lower_mass + upper_mass)
     c5 = p[15]
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = -c4*s + upper_mass*xi
     x1 = lower_half_width*s
     x2 = sin_phi*x1
@@ -537,13 +538,13 @@ def rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi,
 @inlined
 def rates_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where left sticks, right sticks."""
+    sin_phi, cos_phi = sine_cosine(phi)
     upper_mass = p[4]
     gravity = p[8]
     c6 = p[16]  # upper_half_height*upper_mass
     c7 = p[17]  # upper_half_height**2*upper_mass + upper_inertia
     c8 = p[18]  # 1/upper_mass
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = c6*cos_phi
     x1 = phi_dot**2
     m10 = 0
@@ -579,6 +580,9 @@ def rates_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, the
 @inlined
 def rates_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where right sticks, upper_right sticks, or its mirror image."""
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
+    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     lower_half_width = p[1]
     upper_mass = p[4]
     upper_half_width = p[5]
@@ -602,9 +606,6 @@ def rates_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, 
     c23 = p[33]  # 2*lower_half_height
     c24 = p[34]  # 2*upper_half_width
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
-    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     x0 = c9*cos_angle_2**2
     x1 = s*xi
     x2 = s*sin_angle_2
@@ -688,6 +689,9 @@ def rates_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, 
 @inlined
 def rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where right sticks, upper_left sticks, or its mirror image."""
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
+    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     lower_half_width = p[1]
     upper_mass = p[4]
     upper_half_width = p[5]
@@ -711,9 +715,6 @@ def rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y
     c23 = p[33]  # 2*lower_half_height
     c24 = p[34]  # 2*upper_half_width
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
-    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     x0 = c9*cos_angle_2**2
     x1 = s*xi
     x2 = s*sin_angle_2
@@ -793,6 +794,7 @@ def rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y
 @inlined
 def rates_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where upper_left sticks, upper_right sticks."""
+    sin_phi, cos_phi = sine_cosine(phi)
     upper_mass = p[4]
     gravity = p[8]
     c5 = p[15]
@@ -803,7 +805,6 @@ def rates_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot
     c28 = p[38]
     c29 = p[39]  # 1/(lower_mass + upper_mass)
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = upper_mass*xi
     x1 = sin_phi*x0
     x2 = -x1
@@ -845,6 +846,8 @@ def rates_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot
 @inlined
 def rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where right sticks, or its mirror image."""
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
     lower_half_width = p[1]
     upper_mass = p[4]
     gravity = p[8]
@@ -863,8 +866,6 @@ def rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, x
     c32 = p[42]  # lower_half_height*lower_mass + 2*lower_half_height*upper_mass
     c33 = p[43]  # 2*upper_mass
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c6*cos_phi
     x1 = cos_theta*x0
     x2 = c6*sin_phi
@@ -963,6 +964,9 @@ def rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, x
 @inlined
 def rates_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where upper_right sticks, or its mirror image."""
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
+    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     upper_mass = p[4]
     upper_half_width = p[5]
     gravity = p[8]
@@ -984,9 +988,6 @@ def rates_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_
     c29 = p[39]  # 1/(lower_mass + upper_mass)
     c34 = p[44]
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
-    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     x0 = sin_theta*xi
     x1 = c14*sin_theta
     x2 = cos_angle_2*s
@@ -1094,6 +1095,8 @@ def rates_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_
 @inlined
 def rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states where no point is closed."""
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
     upper_mass = p[4]
     gravity = p[8]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1109,8 +1112,6 @@ def rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, et
     c33 = p[43]  # 2*upper_mass
     c34 = p[44]
     total_gravity = ay + gravity
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = cos_theta*upper_mass
     x1 = sin_theta*upper_mass
     x2 = c6*cos_phi
@@ -1355,6 +1356,7 @@ def forces_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta,
     xi_ddot = found[9]
     eta_ddot = found[10]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
     lower_mass = p[0]
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1372,7 +1374,6 @@ def forces_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta,
     c48 = p[58]  # (1/2)*upper_half_height*upper_half_width*upper_mass/lower_half_width
     c49 = p[59]  # lower_half_height*upper_half_height*upper_mass/lower_half_width
     c50 = p[60]  # gravity*upper_mass
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = c47*cos_phi
     x1 = 1/s
     x2 = ax*x1
@@ -1422,6 +1423,7 @@ def forces_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi
     y__ddot = found[7]
     theta_ddot = found[8]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
     lower_mass = p[0]
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1451,7 +1453,6 @@ def forces_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi
     c67 = p[77]  # (1/2)*gravity*lower_half_height*lower_mass/upper_half_width
     c68 = p[78]  # (1/2)*gravity*upper_mass/upper_half_width
     c69 = p[79]  # lower_half_height*upper_half_height*upper_mass/upper_half_width
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = c26*theta_ddot
     x1 = c27*theta_ddot
     x2 = c6*phi_ddot
@@ -1518,6 +1519,7 @@ def forces_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, th
     xi_ddot = found[9]
     eta_ddot = found[10]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
     lower_mass = p[0]
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1531,7 +1533,6 @@ def forces_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, th
     c42 = p[52]  # (1/2)*gravity*lower_mass + (1/2)*gravity*upper_mass
     c45 = p[55]  # (1/2)*upper_half_height*upper_mass
     c49 = p[59]  # lower_half_height*upper_half_height*upper_mass/lower_half_width
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = phi_dot**2
     x1 = cos_phi*x0
     x2 = c45*x1
@@ -1563,6 +1564,9 @@ def forces_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot,
     xi_ddot = found[9]
     eta_ddot = found[10]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
+    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     lower_mass = p[0]
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1572,9 +1576,6 @@ def forces_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot,
     c27 = p[37]  # 2*lower_half_height*upper_mass
     c50 = p[60]  # gravity*upper_mass
     c51 = p[61]  # gravity*lower_mass + gravity*upper_mass
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
-    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     x0 = c26*sin_theta
     x1 = c27*theta_ddot
     x2 = c6*sin_phi
@@ -1641,6 +1642,9 @@ def forces_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, 
     xi_ddot = found[9]
     eta_ddot = found[10]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
+    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     lower_mass = p[0]
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1650,9 +1654,6 @@ def forces_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, 
     c27 = p[37]  # 2*lower_half_height*upper_mass
     c50 = p[60]  # gravity*upper_mass
     c51 = p[61]  # gravity*lower_mass + gravity*upper_mass
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
-    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     x0 = ay*upper_mass
     x1 = upper_mass*y__ddot
     x2 = eta_ddot*upper_mass
@@ -1716,6 +1717,7 @@ def forces_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_do
     y__ddot = found[7]
     theta_ddot = found[8]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
     c27 = p[37]  # 2*lower_half_height*upper_mass
@@ -1735,7 +1737,6 @@ def forces_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_do
     c67 = p[77]  # (1/2)*gravity*lower_half_height*lower_mass/upper_half_width
     c68 = p[78]  # (1/2)*gravity*upper_mass/upper_half_width
     c69 = p[79]  # lower_half_height*upper_half_height*upper_mass/upper_half_width
-    sin_phi, cos_phi = sine_cosine(phi)
     x0 = c65*sin_phi
     x1 = c67*sin_phi
     x2 = c53*theta_ddot
@@ -1797,6 +1798,8 @@ def forces_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, 
     xi_ddot = found[9]
     eta_ddot = found[10]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
     lower_mass = p[0]
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
@@ -1804,8 +1807,6 @@ def forces_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, 
     c27 = p[37]  # 2*lower_half_height*upper_mass
     c33 = p[43]  # 2*upper_mass
     c51 = p[61]  # gravity*lower_mass + gravity*upper_mass
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta*theta_ddot
     x1 = c6*sin_phi
     x2 = sin_theta*upper_mass
@@ -1845,15 +1846,15 @@ def forces_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta
     xi_ddot = found[9]
     eta_ddot = found[10]
     phi_ddot = found[11]
+    sin_phi, cos_phi = sine_cosine(phi)
+    sin_theta, cos_theta = sine_cosine(theta)
+    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     upper_mass = p[4]
     c6 = p[16]  # upper_half_height*upper_mass
     c11 = p[21]  # 2*upper_half_width*upper_mass
     c14 = p[24]  # upper_half_width*upper_mass
     c27 = p[37]  # 2*lower_half_height*upper_mass
     c50 = p[60]  # gravity*upper_mass
-    sin_phi, cos_phi = sine_cosine(phi)
-    sin_theta, cos_theta = sine_cosine(theta)
-    sin_angle_2, cos_angle_2 = sine_cosine(phi - theta)
     x0 = sin_theta*upper_mass
     x1 = cos_theta*upper_mass
     x2 = upper_mass*xi
@@ -1923,8 +1924,8 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_1, normal_0, normal_2, friction_0, friction_2 = forces_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c24 = p[34]  # 2*upper_half_width
         sin_phi, cos_phi = sine_cosine(phi)
+        c24 = p[34]  # 2*upper_half_width
         g[0] = normal_0
         g[1] = normal_1
         g[2] = normal_2
@@ -1944,8 +1945,8 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_0, normal_1, normal_3, friction_0, friction_3 = forces_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c24 = p[34]  # 2*upper_half_width
         sin_phi, cos_phi = sine_cosine(phi)
+        c24 = p[34]  # 2*upper_half_width
         g[0] = normal_0
         g[1] = normal_1
         g[2] = c24*s*sin_phi
@@ -1965,8 +1966,8 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_0, normal_3, normal_2, friction_0, friction_2 = forces_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c70 = p[80]  # 2*lower_half_width
         sin_phi, cos_phi = sine_cosine(phi)
+        c70 = p[80]  # 2*lower_half_width
         g[0] = normal_0
         g[1] = c70*s*sin_phi
         g[2] = normal_2
@@ -1986,8 +1987,8 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_1, normal_2, normal_3, friction_1, friction_2 = forces_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c70 = p[80]  # 2*lower_half_width
         sin_phi, cos_phi = sine_cosine(phi)
+        c70 = p[80]  # 2*lower_half_width
         g[0] = c70*s*sin_phi
         g[1] = normal_1
         g[2] = normal_2
@@ -2006,8 +2007,8 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_0, normal_1, friction_0 = forces_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        upper_half_width = p[5]
         sin_phi, cos_phi = sine_cosine(phi)
+        upper_half_width = p[5]
         x0 = sin_phi*upper_half_width
         g[0] = normal_0
         g[1] = normal_1
@@ -2028,10 +2029,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_0, normal_2, friction_0, friction_2 = forces_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c24 = p[34]  # 2*upper_half_width
-        c70 = p[80]  # 2*lower_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        c24 = p[34]  # 2*upper_half_width
+        c70 = p[80]  # 2*lower_half_width
         g[0] = normal_0
         g[1] = c70*s*sin_theta
         g[2] = normal_2
@@ -2051,10 +2052,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_0, normal_3, friction_0, friction_3 = forces_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c24 = p[34]  # 2*upper_half_width
-        c70 = p[80]  # 2*lower_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        c24 = p[34]  # 2*upper_half_width
+        c70 = p[80]  # 2*lower_half_width
         g[0] = normal_0
         g[1] = c70*s*sin_theta
         g[2] = -c24*s*sin_angle_1
@@ -2074,10 +2075,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_1, normal_2, friction_1, friction_2 = forces_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c24 = p[34]  # 2*upper_half_width
-        c70 = p[80]  # 2*lower_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        c24 = p[34]  # 2*upper_half_width
+        c70 = p[80]  # 2*lower_half_width
         g[0] = c70*s*sin_theta
         g[1] = normal_1
         g[2] = normal_2
@@ -2097,10 +2098,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_1, normal_3, friction_1, friction_3 = forces_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        c24 = p[34]  # 2*upper_half_width
-        c70 = p[80]  # 2*lower_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        c24 = p[34]  # 2*upper_half_width
+        c70 = p[80]  # 2*lower_half_width
         g[0] = c70*s*sin_theta
         g[1] = normal_1
         g[2] = c24*s*sin_angle_1
@@ -2119,8 +2120,8 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_2, normal_3, friction_2 = forces_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        lower_half_width = p[1]
         sin_phi, cos_phi = sine_cosine(phi)
+        lower_half_width = p[1]
         x0 = lower_half_width*sin_phi
         g[0] = x0 + y_
         g[1] = -x0 + y_
@@ -2141,10 +2142,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_0, friction_0 = forces_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        upper_half_width = p[5]
-        c70 = p[80]  # 2*lower_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        upper_half_width = p[5]
+        c70 = p[80]  # 2*lower_half_width
         x0 = s*sin_angle_1*upper_half_width
         g[0] = normal_0
         g[1] = c70*s*sin_theta
@@ -2165,10 +2166,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_1, friction_1 = forces_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        upper_half_width = p[5]
-        c70 = p[80]  # 2*lower_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        upper_half_width = p[5]
+        c70 = p[80]  # 2*lower_half_width
         x0 = s*sin_angle_1*upper_half_width
         g[0] = c70*s*sin_theta
         g[1] = normal_1
@@ -2189,10 +2190,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_2, friction_2 = forces_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        lower_half_width = p[1]
-        c24 = p[34]  # 2*upper_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        lower_half_width = p[1]
+        c24 = p[34]  # 2*upper_half_width
         x0 = lower_half_width*s*sin_theta
         g[0] = -x0 + y_
         g[1] = x0 + y_
@@ -2213,10 +2214,10 @@ def guards(contact, y, p, ax, ay, g):
         eta_dot = y[10]
         phi_dot = y[11]
         normal_3, friction_3 = forces_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-        lower_half_width = p[1]
-        c24 = p[34]  # 2*upper_half_width
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        lower_half_width = p[1]
+        c24 = p[34]  # 2*upper_half_width
         x0 = lower_half_width*s*sin_theta
         g[0] = x0 + y_
         g[1] = -x0 + y_
@@ -2235,10 +2236,10 @@ def guards(contact, y, p, ax, ay, g):
         xi_dot = y[9]
         eta_dot = y[10]
         phi_dot = y[11]
-        lower_half_width = p[1]
-        upper_half_width = p[5]
         sin_theta, cos_theta = sine_cosine(theta)
         sin_angle_1, cos_angle_1 = sine_cosine(phi - theta)
+        lower_half_width = p[1]
+        upper_half_width = p[5]
         x0 = lower_half_width*sin_theta
         x1 = sin_angle_1*upper_half_width
         g[0] = x0 + y_
