@@ -836,7 +836,10 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
             fastest = max(fastest, rate)
             if lasts < flight:
                 flight, which = lasts, i
-        if which < 0 or fastest <= 1e-7 * start:
+        if which < 0:
+            break
+        _, speed = rate_of(told, 2 * which, w, n)
+        if fastest <= max(1e-7 * start, 100.0 * FITS * speed):
             break
         before, last = last, flight
         total += flight
