@@ -599,9 +599,9 @@ class StackedBlocks(Structure):
     """Two rigid blocks on one another, whose corners open and close; none of them slips.
 
     lower, upper : two of `RigidBlock`, the upper no wider than the lower one, under one gravity.
-    restitution : the ratio of the rates of a gap after and before a corner lands, 0 to 1. States are
-    x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper block's base
-    along and above the lower one's top, and its rotation phi [rad]; and their rates.
+    restitution : the ratio of the rates of a gap after and before a corner lands, 0 to 1. States
+    are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper block's
+    base along and above the lower one's top, and its rotation phi [rad]; and their rates.
     """
 
     model: ClassVar[str] = "stacked_blocks"

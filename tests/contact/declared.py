@@ -37,9 +37,7 @@ def placed(point, x=X.position, y=Y.position, theta=THETA.position):
 
 
 def block() -> Body:
-    return Body(
-        "block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position
-    )
+    return Body("block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position)
 
 
 def on_points(name: str, points: dict[str, tuple], *more) -> Model:
