@@ -72,7 +72,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Unilateral:
-    """A spring and a damper that press and never pull: k d + c d' while d and that sum are positive.
+    """A spring and a damper that press, k d + c d', while d and that sum are positive.
 
     compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
     """

@@ -109,7 +109,7 @@ class Mechanism:
 
     @property
     def leaning(self) -> dict[sp.Symbol, sp.Expr]:
-        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
+        """Angles at which closed gaps hold it: equations keep their symbols, and are shorter."""
         return self._closing[1]
 
     @property
@@ -274,7 +274,7 @@ class Mechanism:
         return dependent, independent, motions
 
     def _dependent(self, matrix: sp.Matrix) -> list[int]:
-        """Columns to eliminate: of coordinates whose place is known; then the simplest to divide by.
+        """Columns to eliminate: of coordinates whose place is known, and the simplest to divide by.
 
         Raises ValueError where the rows depend on one another.
         """
@@ -315,7 +315,7 @@ class Mechanism:
             return tau
         functions = [self._gaps[i] for i in self.closed]
         functions += [self._slips[g[0]] for g in self.sticking]
-        still = {x: 0 for x in self.qdd}
+        still = dict.fromkeys(self.qdd, 0)
         coordinates = self.model.coordinates
         bias = [rate(rate(f, coordinates), coordinates).subs(still) for f in functions]
         right = sp.Matrix([-self.here(b) for b in bias])

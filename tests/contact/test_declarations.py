@@ -50,71 +50,71 @@ ON_LEFT, ON_RIGHT = point("left", -WIDTH, 0), point("right", WIDTH, 0)
 SPRING = Unilateral("pad", -Y.position, sp.Symbol("mu", positive=True))
 
 REFUSED = {
-    "nothing touches": (dict(contacts=()), "nothing touches"),
-    "no masses": (dict(bodies=()), "no bodies"),
+    "nothing touches": ({"contacts": ()}, "nothing touches"),
+    "no masses": ({"bodies": ()}, "no bodies"),
     "a point declared twice": (
-        dict(contacts=(ON_LEFT, replace(ON_RIGHT, gap=ON_LEFT.gap))), "have the same gap",
+        {"contacts": (ON_LEFT, replace(ON_RIGHT, gap=ON_LEFT.gap))}, "have the same gap",
     ),
     "one name for two points": (
-        dict(contacts=(ON_LEFT, replace(ON_RIGHT, name="left"))), "declared twice: left",
+        {"contacts": (ON_LEFT, replace(ON_RIGHT, name="left"))}, "declared twice: left",
     ),
     "a point and an element of one name": (
-        dict(elements=(replace(SPRING, name="left"),)), "declared twice",
+        {"elements": (replace(SPRING, name="left"),)}, "declared twice",
     ),
     "a gap that nothing changes": (
-        dict(contacts=(replace(ON_LEFT, gap=WIDTH),)), "the gap of contact 'left' is b",
+        {"contacts": (replace(ON_LEFT, gap=WIDTH),)}, "the gap of contact 'left' is b",
     ),
     "a slip that nothing changes": (
-        dict(contacts=(replace(ON_LEFT, slip=sp.S.Zero),)), "the slip of contact 'left' is 0",
+        {"contacts": (replace(ON_LEFT, slip=sp.S.Zero),)}, "the slip of contact 'left' is 0",
     ),
     "a gap with a rate": (
-        dict(contacts=(replace(ON_LEFT, gap=ON_LEFT.gap + Y.velocity),)),
+        {"contacts": (replace(ON_LEFT, gap=ON_LEFT.gap + Y.velocity),)},
         "gap of contact 'left' contains the velocity",
     ),
     "an unknown symbol": (
-        dict(contacts=(replace(ON_LEFT, gap=ON_LEFT.gap + sp.Symbol("z")),)),
+        {"contacts": (replace(ON_LEFT, gap=ON_LEFT.gap + sp.Symbol("z")),)},
         "undeclared symbols z",
     ),
     "friction that moves": (
-        dict(contacts=(replace(ON_LEFT, law=Rigid(friction=Y.position**2)),)),
+        {"contacts": (replace(ON_LEFT, law=Rigid(friction=Y.position**2)),)},
         "friction of contact 'left' contains the coordinate",
     ),
-    "one foot of a mirrored pair": (dict(contacts=(LEFT,)), "no other point is its image"),
+    "one foot of a mirrored pair": ({"contacts": (LEFT,)}, "no other point is its image"),
     "a side that no pair has": (
-        dict(contacts=(replace(LEFT, side=0),)), "declare both by `feet",
+        {"contacts": (replace(LEFT, side=0),)}, "declare both by `feet",
     ),
     "a side of its own": (
-        dict(contacts=(replace(ON_LEFT, side=-1), ON_RIGHT)), "no other point is its image",
+        {"contacts": (replace(ON_LEFT, side=-1), ON_RIGHT)}, "no other point is its image",
     ),
     "a body that turns against its rotation": (
-        dict(
-            bodies=(replace(
+        {
+            "bodies": (replace(
                 declared.block(), position=counterclockwise(0, declared.HEIGHT.symbol)
             ),),
-            contacts=tuple(
+            "contacts": tuple(
                 Contact(name, counterclockwise(x, 0)[1], counterclockwise(x, 0)[0], declared.LAW)
                 for name, x in (("left", -WIDTH), ("right", WIDTH))
             ),
-        ),
+        },
         "and the point does not",
     ),
     "no body that turns": (
-        dict(bodies=(Body("block", declared.MASS.symbol, (X.position, Y.position)),)),
+        {"bodies": (Body("block", declared.MASS.symbol, (X.position, Y.position)),)},
         "no body turns with the rotation 'theta'",
     ),
     "a rotation that is none": (
-        dict(rotation=replace(THETA, name="phi")), "is not in `coordinates`",
+        {"rotation": replace(THETA, name="phi")}, "is not in `coordinates`",
     ),
     "a symbol of the derivation": (
-        dict(parameters=(*declared.BLOCK, replace(B, symbol=sign_of_slip(0)))), "is kept for",
+        {"parameters": (*declared.BLOCK, replace(B, symbol=sign_of_slip(0)))}, "is kept for",
     ),
     "the side as a parameter": (
-        dict(parameters=(*declared.BLOCK, replace(B, symbol=SIDE))), "is kept for the side",
+        {"parameters": (*declared.BLOCK, replace(B, symbol=SIDE))}, "is kept for the side",
     ),
     "a compression that nothing changes": (
-        dict(elements=(replace(SPRING, compression=WIDTH),)), "which no coordinate changes",
+        {"elements": (replace(SPRING, compression=WIDTH),)}, "which no coordinate changes",
     ),
-    "text for a contact": (dict(contacts=("left", "right")), "contacts holds 'left'"),
+    "text for a contact": ({"contacts": ("left", "right")}, "contacts holds 'left'"),
 }  # fmt: skip
 
 
@@ -155,10 +155,10 @@ def test_a_point_between_two_walls_is_refused():
 @pytest.mark.parametrize(
     ("law", "told"),
     [
-        (dict(restitution=1.5), "0 to 1"),
-        (dict(restitution=-0.1), "negative"),
-        (dict(friction=-0.1), "negative"),
-        (dict(friction="0.1"), "friction is '0.1'"),
+        ({"restitution": 1.5}, "0 to 1"),
+        ({"restitution": -0.1}, "negative"),
+        ({"friction": -0.1}, "negative"),
+        ({"friction": "0.1"}, "friction is '0.1'"),
     ],
 )
 def test_a_law_is_refused(law, told):
@@ -173,8 +173,8 @@ def test_a_contact_state_that_is_none_is_refused():
 
 @pytest.mark.parametrize(
     ("wrong", "told"),
-    [(dict(restitution=1.2), "restitution"), (dict(friction=-0.1), "friction"),
-     (dict(half_width=0.0), "half_width")],
+    [({"restitution": 1.2}, "restitution"), ({"friction": -0.1}, "friction"),
+     ({"half_width": 0.0}, "half_width")],
 )  # fmt: skip
 def test_the_values_of_a_declared_structure_are_refused(wrong, told):
     values = {"mass": 1.0, "height": 1.0, "inertia": 0.5, "gravity": 9.81, "friction": 0.3,
