@@ -198,7 +198,9 @@ class ShearFrame(Structure):
                     "the lowest up"
                 )
 
-        inertia = sum(self.inertias or ()) + self.base_inertia + self.base_mass * self.base_height**2
+        inertia = (
+            sum(self.inertias or ()) + self.base_inertia + self.base_mass * self.base_height**2
+        )
         check_support("ShearFrame", self.support, self.base_mass, inertia)
 
     @functools.cached_property

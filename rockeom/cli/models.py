@@ -94,7 +94,10 @@ def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[st
     known = dict(zip(module.PARAMETERS, words, strict=True))
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
     for name, given in structure.defaults().items():
-        unit, meaning = known[_NAME_IN_MODEL.get(name, name)]
+        called = name if name in known else _NAME_IN_MODEL.get(name)
+        if called is None:  # no number, such as what the base stands on
+            continue
+        unit, meaning = known[called]
         default = "required" if given is dataclasses.MISSING else str(given)
         if given is None:
             default = "as a homogeneous block"

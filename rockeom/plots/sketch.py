@@ -66,13 +66,13 @@ def draw_structure(
         _lumped(ax, values, turn, deformation)
     else:
         _block(ax, values, turn)
-    feet = turn(np.array([[-b, 0.0], [b, 0.0]]))
     depth = 0.35 * b if springs else 0.0
-    for foot in feet:
-        if springs:  # from the foot, or from its place if it has lifted
-            top = min(float(foot[1]), 0.0)
-            free_body.spring(ax, (foot[0], top), (foot[0], -depth), 0.36 * depth)
-        ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
+    number = getattr(getattr(structure, "support", None), "springs", 2)
+    for x in np.linspace(-b, b, number if springs else 2):
+        ((x, y),) = turn(np.array([[x, 0.0]]))
+        if springs:  # from the sole, or from its place if it has lifted
+            free_body.spring(ax, (x, min(y, 0.0)), (x, -depth), 0.36 * depth)
+        ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
     right = 4.4 * b if "frame_mass" in values else 1.9 * b
     _on_ground(ax, -1.9 * b, right, depth, values)
     return style.parent_figure(ax)

@@ -99,7 +99,7 @@ class Reader:
         names = sorted(map(re.escape, self.values), key=len, reverse=True)
         skipped = r"(?P<skip>\s+|\\thinspace|\\left(?![a-z])|\\right(?![a-z])|\\bigl|\\bigr)"
         known = "|".join(rf"{n}(?![A-Za-z_])" for n in names)
-        self.token = re.compile(rf"{skipped}|({known}|\\[a-z]+|\d+|[-+=^{{}}()\[\]])")
+        self.token = re.compile(rf"{skipped}|({known}|\\[a-z]+|\d+|[-+=/^{{}}()\[\]])")
 
     def __call__(self, tex: str) -> float:
         self.tokens, at = [], 0
@@ -124,7 +124,7 @@ class Reader:
     def product(self) -> float:
         value = self.power()
         while self.tokens and self.tokens[0] not in "+-=)]}":
-            value *= self.power()
+            value = value / self.power() if self.next("/") else value * self.power()
         return value
 
     def power(self) -> float:

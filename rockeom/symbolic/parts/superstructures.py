@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import sympy as sp
@@ -46,6 +46,10 @@ class Superstructure:
     bodies: Callable[[Place, sp.Expr], list[Body]]
     elastic_energy: sp.Expr = sp.S.Zero
     dissipation: sp.Expr = sp.S.Zero
+
+    def about_the_middle(self, place: Place, angle: sp.Expr) -> tuple[Body, ...]:
+        """The bodies on a base that turns about no foot: R and alpha would tell nothing of them."""
+        return tuple(replace(b, polar=None) for b in self.bodies(place, angle))
 
     @property
     def weight(self) -> sp.Expr:

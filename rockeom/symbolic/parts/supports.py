@@ -94,13 +94,13 @@ def winkler(of: Superstructure, springs: int) -> Model:
     last = springs - 1
     names = ["left", *(f"spring_{i}" for i in range(2, springs)), "right"]
     places = [HALF_WIDTH.symbol * sp.Rational(2 * i - last, last) for i in range(springs)]
-    bodies = of.bodies(place, theta)
+    bodies = of.about_the_middle(place, theta)
     return Model(
         name=f"{of.name}_on_{springs}_springs",
         title=f"{of.title} on a bed of {springs} springs",
         parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE, *of.coordinates),
-        bodies=tuple(bodies),
+        bodies=bodies,
         gravity=GRAVITY.symbol,
         rotation=ROTATION,
         elements=tuple(
@@ -119,13 +119,13 @@ def winkler(of: Superstructure, springs: int) -> Model:
 def sliding(of: Superstructure) -> Model:
     """On feet that open, stick, slip and bounce on rigid ground."""
     place = _moved((X.position, Y.position))
-    bodies = of.bodies(place, ROTATION.position)
+    bodies = of.about_the_middle(place, ROTATION.position)
     return Model(
         name=f"sliding_{of.name}",
         title=f"{of.title} on feet that slide",
         parameters=(*of.parameters, FRICTION, RESTITUTION),
         coordinates=(X, Y, FREE_ROTATION, *of.coordinates),
-        bodies=tuple(bodies),
+        bodies=bodies,
         gravity=GRAVITY.symbol,
         rotation=FREE_ROTATION,
         contacts=feet(
@@ -181,7 +181,7 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
     k, c = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol
     coordinates = (ROTATION, HEAVE, *of.coordinates)
     place = _moved((SIDE * b * (1 - sp.cos(theta)), _level(of, 2)))
-    bodies = tuple(of.bodies(place, theta))
+    bodies = of.about_the_middle(place, theta)
     sole = {foot: place((s * b, sp.S.Zero)) for foot, s in _FEET.items()}
     # under the foot on the side to which it leans, and under the other
     near, far = (-place((s * b, sp.S.Zero))[1] for s in (SIDE, -SIDE))

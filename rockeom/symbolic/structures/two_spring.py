@@ -53,7 +53,7 @@ def two_spring_structure() -> RockingModel:
         x, y = turned(point, (sp.Integer(0), sp.Integer(0)), theta)
         return x, y + centre[1]
 
-    bodies = tuple(rigid().bodies(place, theta))
+    bodies = rigid().about_the_middle(place, theta)
     sole = {
         "left": (-b * sp.cos(theta), centre[1] + b * sp.sin(theta)),
         "right": (b * sp.cos(theta), centre[1] - b * sp.sin(theta)),
