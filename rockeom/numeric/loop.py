@@ -563,7 +563,8 @@ def stands_until(contact, t, end, y, rate, p, gx, gy, w, g):
         kind = KINDS[contact][n]
         if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
             return False
-    if N_POINTS > 0 and not held_until(contact, end, y, p, gx, gy, w):
+    held = True if N_POINTS == 0 else held_until(contact, end, y, p, gx, gy, w)
+    if not held:
         return False
     for turn in range(2):
         tau = end if turn == 1 else t
@@ -699,9 +700,13 @@ def noise_of(contact, index, p, fallen, noise, w, g):
 @inlined
 def grain_of(contact, index, y, p, fallen, noise, w, g, b, stride):
     """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
-    if N_POINTS > 0 and KINDS[contact][index] != SWITCH:
-        return guard_noise(contact, index, y, p, b, stride)
-    return noise_of(contact, index, p, fallen, noise, w, g)
+    return (
+        noise_of(contact, index, p, fallen, noise, w, g)
+        if N_POINTS == 0
+        else noise_of(contact, index, p, fallen, noise, w, g)
+        if KINDS[contact][index] == SWITCH
+        else guard_noise(contact, index, y, p, b, stride)
+    )
 
 
 def rounding(contact, index, h, y, p, ax, ay, b):
