@@ -113,3 +113,21 @@ def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():
     turns = structure(STACK).accelerations(state, phase="right_upper_left")
     assert turns["theta"] == pytest.approx(found.motion[2], rel=1e-10)
     assert turns["phi"] == pytest.approx(found.motion[5], rel=1e-10)
+
+
+def test_where_not_to_slip_needs_a_normal_force_that_pulls_there_is_no_motion():
+    """A foot that never slips is held by friction until its normal force is zero.
+
+    Here it needs friction still, at a normal force that falls through zero; opened, it would sink
+    into the lower block: its gap would close with 0.67 m/s2.
+    """
+    start = {"theta": 0.05, "phi": -0.05}
+    run = rk.simulate(structure(STACK), STILL, initial=start, duration=0.6)
+    q, v = moved(STACK, run.final)
+    held = STACK.assembly.forces(q, v, (OPEN, STICK, STICK, OPEN), (0.0, 0.0))
+    assert held.normal[2] == pytest.approx(0.0, abs=1e-6)
+    assert abs(held.friction[2]) > 1.0
+    opened = STACK.assembly.forces(q, v, (OPEN, STICK, OPEN, OPEN), (0.0, 0.0))
+    foot = STACK.assembly.seen(STACK.assembly.points[2], q, v)
+    assert (foot.rows @ opened.motion + foot.bias)[1] < -0.5
+    assert str(run.outcome) == "no solution"
