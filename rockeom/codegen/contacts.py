@@ -38,7 +38,6 @@ NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never slips."""
 
 
-
 class Written:
     """Names of signs and switches, and of the functions of each mechanism as they are written."""
 
@@ -119,9 +118,9 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     return columns
 
 
-def _every(text: Text, name: str, targets: Mapping[str, sp.Expr], **how: bool) -> list[str]:
+def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
     """Lines of a function that is the same in every contact state."""
-    return text.evaluate(name, targets, "    ", **how) or ["    pass"]
+    return text.evaluate(name, targets, "    ") or ["    pass"]
 
 
 def _choice(name: str, number: int, of: int) -> str:
@@ -328,7 +327,9 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             group = next(g for g in mechanism.slipping if first_of(arrangement, g) == i)
             targets[place] = mechanism.sigma(group[0]) * mechanism.slip_rate(group)
         elif guard.kind == SLIPPING:
-            points = [j for j, f in enumerate(arrangement.shared) if f == i and arrangement.states[j]]
+            points = [
+                j for j, f in enumerate(arrangement.shared) if f == i and arrangement.states[j]
+            ]
             cone = sum(mechanism.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
         else:
@@ -373,7 +374,7 @@ def _points(text: Text) -> None:
             targets[f"out[{size * i + j}]"] = tidy(e)
     text.function(
         "points(y, p, out)",
-        f"""Of each point from out[i * {size}]: gap, its rate, rate of slip, biases of gap and slip, rows.
+        f"""Of each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
         _every(text, "points", targets),
@@ -451,7 +452,7 @@ def _reactions(written: Written) -> Columns:
         "reactions(contact, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
-    Where only the sum of frictions is determined, each has its share in proportion to its largest.""",
+    Where only the sum of frictions is determined, each has the same part of its largest.""",
         body if arrangements else ["    pass"],
     )
     return tuple(columns)

@@ -599,14 +599,64 @@ class SlidingBlock(RigidBlock):
     restitution: float
 
     def __post_init__(self) -> None:
-        if self.restitution > 1:
-            raise ValueError(
-                f"SlidingBlock: restitution is {self.restitution}: give the ratio of rates after "
-                "and before a landing, 0 to 1"
-            )
+        _check_restitution("SlidingBlock", self.restitution)
 
     def parameters(self) -> dict[str, float]:
         return super().parameters() | {"friction": self.friction, "restitution": self.restitution}
+
+
+@_structure_class
+class StackedBlocks(Structure):
+    """Two rigid blocks on one another, whose corners open and close; none of them slips.
+
+    lower, upper : two of `RigidBlock`, the upper no wider than the lower one, under one gravity.
+    restitution : the ratio of the rates of a gap after and before a corner lands, 0 to 1. States
+    are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper block's
+    base along and above the lower one's top, and its rotation phi [rad]; and their rates.
+    """
+
+    model: ClassVar[str] = "stacked_blocks"
+    may_vanish = frozenset({"restitution"})
+    not_numbers = frozenset({"lower", "upper"})
+    lower: RigidBlock
+    upper: RigidBlock
+    restitution: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("lower", "upper"):
+            if type(block := getattr(self, name)) is not RigidBlock:
+                raise TypeError(f"StackedBlocks: {name} is {told(block)}: give a RigidBlock")
+        _check_restitution("StackedBlocks", self.restitution)
+        if self.upper.half_width > self.lower.half_width:
+            raise ValueError(
+                f"StackedBlocks: the upper block's half_width is {self.upper.half_width} and the "
+                f"lower one's {self.lower.half_width}: corners that hang over are not modelled, "
+                "give an upper block that is no wider"
+            )
+        if self.upper.gravity != self.lower.gravity:
+            raise ValueError(
+                f"StackedBlocks: gravity is {self.lower.gravity} of the lower block and "
+                f"{self.upper.gravity} of the upper one: give both the same"
+            )
+
+    def parameters(self) -> dict[str, float]:
+        values = {"gravity": self.lower.gravity, "restitution": self.restitution}
+        for which in ("lower", "upper"):
+            of = getattr(self, which).parameters()
+            values |= {f"{which}_{n}": of[n] for n in ("mass", "half_width", "inertia")}
+            values[f"{which}_half_height"] = of["height"]
+        return values
+
+    def hints(self) -> tuple[str, ...]:
+        return (*self.lower.hints(), *self.upper.hints())
+
+
+def _check_restitution(what: str, restitution: float) -> None:
+    if restitution > 1:
+        raise ValueError(
+            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
+            "landing, 0 to 1"
+        )
 
 
 @_structure_class

@@ -1,4 +1,4 @@
-"""Two blocks on one another that do not slip, declared by what touches: impacts against by hand."""
+"""Two blocks on one another that do not slip: their impacts, by hand and by the reference."""
 
 import math
 
@@ -8,7 +8,6 @@ from hypothesis import assume, given, settings, strategies as st
 
 import rockeom as rk
 
-from .declared import two_blocks
 from .reference import OPEN, STICK, UndecidedError, one
 from .two_blocks import Stack, lower_begins_to_rock
 
@@ -17,14 +16,10 @@ STACK = Stack(0.5, 0.4, 0.45, 0.6, 2.0, 1.5)
 
 
 def structure(stack: Stack) -> rk.Structure:
-    lower, upper = stack.assembly.bodies
-    return rk.structure(
-        two_blocks(),
-        lower_mass=stack.m1, lower_half_width=stack.b1, lower_half_height=stack.h1,
-        lower_inertia=lower.inertia, upper_mass=stack.m2, upper_half_width=stack.b2,
-        upper_half_height=stack.h2, upper_inertia=upper.inertia, gravity=9.81, friction=0.0,
-        restitution=0.0,
-    )  # fmt: skip
+    return rk.StackedBlocks(
+        lower=rk.RigidBlock(half_width=stack.b1, half_height=stack.h1, mass=stack.m1),
+        upper=rk.RigidBlock(half_width=stack.b2, half_height=stack.h2, mass=stack.m2),
+    )
 
 
 def moved(stack: Stack, state: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
