@@ -1,4 +1,4 @@
-"""Two blocks on one another that do not slip, declared by what touches: impacts against by hand."""
+"""Two blocks on one another that do not slip: their impacts, by hand and by the reference."""
 
 import math
 
@@ -8,7 +8,6 @@ from hypothesis import assume, given, settings, strategies as st
 
 import rockeom as rk
 
-from .declared import two_blocks
 from .reference import OPEN, STICK, UndecidedError, one
 from .two_blocks import Stack, lower_begins_to_rock
 
@@ -17,14 +16,10 @@ STACK = Stack(0.5, 0.4, 0.45, 0.6, 2.0, 1.5)
 
 
 def structure(stack: Stack) -> rk.Structure:
-    lower, upper = stack.assembly.bodies
-    return rk.structure(
-        two_blocks(),
-        lower_mass=stack.m1, lower_half_width=stack.b1, lower_half_height=stack.h1,
-        lower_inertia=lower.inertia, upper_mass=stack.m2, upper_half_width=stack.b2,
-        upper_half_height=stack.h2, upper_inertia=upper.inertia, gravity=9.81, friction=0.0,
-        restitution=0.0,
-    )  # fmt: skip
+    return rk.StackedBlocks(
+        lower=rk.RigidBlock(half_width=stack.b1, half_height=stack.h1, mass=stack.m1),
+        upper=rk.RigidBlock(half_width=stack.b2, half_height=stack.h2, mass=stack.m2),
+    )
 
 
 def moved(stack: Stack, state: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
@@ -63,7 +58,7 @@ def test_an_upper_block_that_lands_sets_the_lower_one_rocking_as_by_hand(
     """The lower block stands at rest until then; a foot of the upper one lands."""
     b2 = narrow * b1
     stack = Stack(b1, h1, b2, slender * b2, m1, m2)
-    start = {"phi": 1e-4, "phi_dot": -0.5}
+    start = {"theta": 0.0, "theta_dot": 0.0, "phi": 1e-4, "phi_dot": -0.5}
     run = rk.simulate(structure(stack), STILL, initial=start, duration=0.001)
     first = run.events[0]
     assume(first.kind == "landing")  # else the lower block already rocks by the upper one's weight
@@ -77,9 +72,23 @@ def test_an_upper_block_that_lands_sets_the_lower_one_rocking_as_by_hand(
         assert ratio == pytest.approx(1 - 1.5 * s * s, rel=1e-9)
 
 
+def test_rotations_that_are_not_named_are_zero():
+    """Heights and places follow from which corners touch; a rotation does not."""
+    start = structure(STACK).state({"phi": 0.02, "phi_dot": -0.5})
+    names = structure(STACK).states
+    named = dict(zip(names, start, strict=True))
+    assert named["theta"] == named["theta_dot"] == 0.0
+    assert named["phi"] == 0.02
+
+
 @pytest.mark.parametrize(
     "initial",
-    [{"phi": 0.1}, {"theta": 0.05}, {"theta": 0.05, "phi": 0.05}, {"theta": 0.05, "phi": -0.05}],
+    [
+        {"theta": 0.0, "phi": 0.1},
+        {"theta": 0.05, "phi": 0.0},
+        {"theta": 0.05, "phi": 0.05},
+        {"theta": 0.05, "phi": -0.05},
+    ],
 )
 def test_every_impact_is_that_of_the_reference(initial):
     run = rk.simulate(structure(STACK), STILL, initial=initial, duration=0.6)
@@ -99,7 +108,7 @@ def test_every_impact_is_that_of_the_reference(initial):
 
 def test_the_bounces_of_the_lower_block_end_under_the_rocking_upper_one():
     """One contact state follows at the end of infinitely many landings of the lower block."""
-    run = rk.simulate(structure(STACK), STILL, initial={"phi": 0.1}, duration=0.6)
+    run = rk.simulate(structure(STACK), STILL, initial={"theta": 0.0, "phi": 0.1}, duration=0.6)
     assert str(run.outcome) not in ("several solutions", "no solution", "chatter")
 
 
@@ -113,3 +122,21 @@ def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():
     turns = structure(STACK).accelerations(state, phase="right_upper_left")
     assert turns["theta"] == pytest.approx(found.motion[2], rel=1e-10)
     assert turns["phi"] == pytest.approx(found.motion[5], rel=1e-10)
+
+
+def test_where_not_to_slip_needs_a_normal_force_that_pulls_there_is_no_motion():
+    """A foot that never slips is held by friction until its normal force is zero.
+
+    Here it needs friction still, at a normal force that falls through zero; opened, it would sink
+    into the lower block: its gap would close with 0.67 m/s2.
+    """
+    start = {"theta": 0.05, "phi": -0.05}
+    run = rk.simulate(structure(STACK), STILL, initial=start, duration=0.6)
+    q, v = moved(STACK, run.final)
+    held = STACK.assembly.forces(q, v, (OPEN, STICK, STICK, OPEN), (0.0, 0.0))
+    assert held.normal[2] == pytest.approx(0.0, abs=1e-6)
+    assert abs(held.friction[2]) > 1.0
+    opened = STACK.assembly.forces(q, v, (OPEN, STICK, OPEN, OPEN), (0.0, 0.0))
+    foot = STACK.assembly.seen(STACK.assembly.points[2], q, v)
+    assert (foot.rows @ opened.motion + foot.bias)[1] < -0.5
+    assert str(run.outcome) == "no solution"
