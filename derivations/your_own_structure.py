@@ -350,7 +350,7 @@ assert walked[1] > 10 * walked[0]
 leaning, landing = runs[0.35], runs[0.35].impacts[0]
 assert landing.phase_before == "right"
 assert landing.phase_after == "left_slides_left"
-assert np.ptp(leaning["right_slip"][leaning.t < landing.time]) < 1e-12
+assert np.ptp(leaning["right_slip"][leaning.t < landing.time]) < 1e-9
 
 # %% tags=["hide-input"]
 figure, (ax, below) = plt.subplots(2, 1, figsize=(6.2, 4.2), sharex=True, layout="constrained")
