@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "810cb4c858bb1ea4"
+SOURCE_HASH = "7e1088711ac187a6"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -182,7 +182,7 @@ GUARDS = (
     4,  # upper_right
     4,  # flight
 )
-POINT_STATES = (  # of each point; 0 open, 1 sticks, 2 slips to the right, 3 to the left
+POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left
     (1, 1, 1, 1,),  # both_upper_both
     (1, 1, 1, 0,),  # both_upper_left
     (1, 1, 0, 1,),  # both_upper_right
@@ -2384,7 +2384,7 @@ def free_motion(y, p, ax, ay, contact, matrix, forces):
 
 
 def points(y, p, out):
-    """Of each point from out[i * 17]: gap, its rate, rate of slip, biases of gap and slip, rows.
+    """Of each point from out[i * 17]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).
     """
@@ -2580,7 +2580,7 @@ def energies(contact, y, p, out):
 def reactions(contact, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
-    Where only the sum of frictions is determined, each has its share in proportion to its largest.
+    Where only the sum of frictions is determined, each has the same part of its largest.
     """
     found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11], p, ax, ay)
     x_ddot = found[0]

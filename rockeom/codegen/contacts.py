@@ -132,7 +132,8 @@ def _chosen(name: str, branches: Sequence[list[str]]) -> list[str]:
     lines = [f"    {name} = {name.upper()}S[contact]"]
     for number, branch in enumerate(branches):
         last = number == len(branches) - 1
-        lines.append("    else:" if last else f"    {'elif' if number else 'if'} {name} == {number}:")
+        word = "elif" if number else "if"
+        lines.append("    else:" if last else f"    {word} {name} == {number}:")
         lines += branch
     return lines
 
@@ -161,9 +162,7 @@ def _motions(written: Written) -> None:
     branches = []
     for i, mechanism in enumerate(mechanisms):
         written.rates.append(_motion_of(written, i, mechanism))
-        branches.append(
-            [*written.read(mechanism, " " * 8), f"        return {written.rates[-1]}"]
-        )
+        branches.append([*written.read(mechanism, " " * 8), f"        return {written.rates[-1]}"])
     n, states = text.n, ", ".join(text.states)
     text.function(
         f"rates_of_states(contact, {states}, p, ax, ay)",

@@ -13,7 +13,6 @@ from rockeom.symbolic import (
     Rigid,
     Unilateral,
     coordinate,
-    feet,
     parameter,
     turned,
 )
