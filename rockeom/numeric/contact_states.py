@@ -83,7 +83,7 @@ def standing(
     y = y.copy()
     n = len(module.STATES) // 2
     free = np.array([name not in named for name in module.STATES])
-    free[[module.ROTATION, module.ROTATION_RATE]] = False
+    free &= np.tile(np.array(angles(module)) == 0.0, 2)
     places = free[:n]
     for _ in range(50):
         points = Points(module, y, p)

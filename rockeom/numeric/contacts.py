@@ -352,22 +352,22 @@ def impulses_of(candidate, arriving, laws, coupling, fractions, impulse):
         impulse[r] = a[r * width + ROWS]
 
 
-def impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
-    """Whether impulses press, friction is within its bound, and all points leave as they may."""
-    scale = 0.0
-    for r in range(ROWS):
-        scale += abs(impulse[r])
+def impulses_fit(candidate, near, arriving, leaving, laws, impulse, sizes):
+    """The least margin by which impulses fit; negative where they do not.
+
+    They press, friction is within its bound, and all points leave as they may. A margin is relative
+    to sizes (ROWS + N_POINTS,), the velocities and the normal impulses of the whole motion.
+    """
+    least = np.inf
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state, normal = POINT_STATES[candidate][i], 2 * i
-        small = FITS * sizes[normal]
         if state == OPEN:
-            if leaving[normal] + laws[normal] * min(arriving[normal], 0.0) < -small:
-                return False
+            opens = leaving[normal] + laws[normal] * min(arriving[normal], 0.0)
+            least = min(least, opens / sizes[normal])
             continue
-        if impulse[normal] < -FITS * scale:
-            return False
+        least = min(least, impulse[normal] / sizes[ROWS + i])
         if state == STICK:
             along_, bound = 0.0, 0.0
             for j in range(N_POINTS):
@@ -376,28 +376,37 @@ def impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
                 ):
                     along_ += impulse[2 * j + 1]
                     bound += laws[2 * j + 1] * max(impulse[2 * j], 0.0)
-            if abs(along_) > bound + FITS * scale:
-                return False
-        elif SIGN_OF[state] * leaving[normal + 1] < -FITS * sizes[normal + 1]:
-            return False
-    return True
+            least = min(least, (bound - abs(along_)) / sizes[ROWS + i])
+        else:
+            least = min(least, SIGN_OF[state] * leaving[normal + 1] / sizes[normal + 1])
+    return least
 
 
-def collide(contact, near, y, laws, told, spread, coupling, out):
+def collide(contact, near, y, p, laws, told, spread, coupling, out):
     """Velocities after all touching points have met, into out[n:].
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
     closed, or faster where nothing presses; friction opposes the slip after the impact; all points
-    at once. Returns a contact state of the impulses that fit, or IMPOSSIBLE, or AMBIGUOUS.
+    at once. Returns a contact state of the impulses that fit, the best of those that lead to the
+    same velocities, or IMPOSSIBLE, or AMBIGUOUS.
     """
     n = N_COORDINATES
-    arriving, leaving, sizes = np.empty(ROWS), np.empty(ROWS), np.empty(ROWS)
-    impulse, after = np.empty(ROWS), np.empty(N_COORDINATES)
+    arriving, leaving, sizes = np.empty(ROWS), np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    impulse, after, apart = np.empty(ROWS), np.empty(N_COORDINATES), np.empty(N_COORDINATES)
+    chosen, forces = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
+    matrix = np.empty(N_COORDINATES * N_COORDINATES)
+    free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
     fractions = np.empty(N_POINTS)
     sliding = np.zeros(N_POINTS)
+    for i in range(n):
+        apart[i] = y[n + i]
+    whole = squared(matrix, apart)
     for r in range(ROWS):
-        arriving[r], sizes[r] = rate_of(told, r, y, n)
-    found = IMPOSSIBLE
+        arriving[r], _ = rate_of(told, r, y, n)
+        sizes[r] = math.sqrt(coupling[r * ROWS + r] * whole) + 1e-300
+    for i in range(N_POINTS):
+        sizes[ROWS + i] = math.sqrt(whole / coupling[2 * i * ROWS + 2 * i]) + 1e-300
+    found, best = IMPOSSIBLE, -np.inf
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
@@ -410,22 +419,24 @@ def collide(contact, near, y, laws, told, spread, coupling, out):
             leaving[r] = arriving[r]
             for s in range(ROWS):
                 leaving[r] += coupling[r * ROWS + s] * impulse[s]
-        if not impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
+        margin = impulses_fit(candidate, near, arriving, leaving, laws, impulse, sizes)
+        if not margin >= -FITS:
             continue
         for i in range(n):
-            value, size = y[n + i], abs(y[n + i])
+            value = y[n + i]
             for r in range(ROWS):
                 value += spread[i * ROWS + r] * impulse[r]
-                size += abs(spread[i * ROWS + r] * impulse[r])
-            if found >= 0 and abs(value - after[i]) > 1e-9 * size:
-                return AMBIGUOUS
             if found < 0:
                 after[i] = value
-        if found < 0:
-            found = candidate
-    if found >= 0:
-        for i in range(n):
-            out[n + i] = after[i]
+            apart[i] = value - after[i]
+        if squared(matrix, apart) > 1e-18 * whole:
+            return AMBIGUOUS
+        if margin > best:
+            found, best = candidate, margin
+            for i in range(n):
+                chosen[i] = after[i] + apart[i]
+    for i in range(n):
+        out[n + i] = chosen[i] if found >= 0 else y[n + i]
     return found
 
 
@@ -550,7 +561,7 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
             apart[i] = dy[n + i] - first[i]
         if squared(matrix, apart) > ALIKE * ALIKE * free:
             return AMBIGUOUS
-    if several < 2:
+    if several == 0 or (several == 1 and not (ends and found == contact)):
         return found
     # of those that move alike now, what fits best a little later
     for i in range(n):
@@ -567,6 +578,8 @@ def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, 
         margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
         if candidate == contact and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
+            if several == 1 and margin < -FITS:
+                return IMPOSSIBLE
             margin = np.inf if margin >= -FITS else -1e300
         # of those that fit as well, the one that keeps more points closed, which stands first
         if margin > best + FITS:
@@ -673,7 +686,7 @@ def meet(
     # -- which of them move along, or leave
     as_said = contact  # by the velocities of this contact state
     if kind == LANDING:
-        as_said = collide(contact, near, out, laws, told, spread, coupling, out)
+        as_said = collide(contact, near, out, p, laws, told, spread, coupling, out)
         if as_said < 0:
             return as_said, -1
     points(out, p, told)
@@ -823,7 +836,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         # the next landing of those that bounce
         points(w, p, told)
         rates(here, w, p, ax, ay, dy)
-        flight, which, fastest = np.inf, -1, 0.0
+        flight, which, fastest, whole = np.inf, -1, 0.0, 0.0
         for i in range(N_POINTS):
             if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
                 continue
@@ -838,8 +851,10 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
                 flight, which = lasts, i
         if which < 0:
             break
-        _, speed = rate_of(told, 2 * which, w, n)
-        if fastest <= max(1e-7 * start, 100.0 * FITS * speed):
+        for i in range(N_POINTS):
+            _, speed = rate_of(told, 2 * i, w, n)
+            whole = max(whole, speed)
+        if fastest <= max(1e-7 * start, 1e-8 * whole):  # behind that are the digits of the others
             break
         before, last = last, flight
         total += flight
