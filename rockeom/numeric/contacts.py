@@ -856,10 +856,19 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
             whole = max(whole, speed)
         if fastest <= max(1e-7 * start, 1e-8 * whole):  # behind that are the digits of the others
             break
+        if total + flight > limit:
+            # some have come to their end, others fly on
+            ended = False
+            for i in range(N_POINTS):
+                if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+                    bouncing[i] = 0
+                else:
+                    ended = ended or bouncing[i] == 1
+            if not ended:
+                return np.inf, contact
+            break
         before, last = last, flight
         total += flight
-        if total > limit:
-            return np.inf, contact
         for i in range(N_POINTS):
             near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
             if bouncing[i] == 1 and near[i] == 0:
@@ -907,7 +916,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     put_on(rows, wanted, 0, told, spread, coupling, out)
     points(out, p, told)
     for i in range(N_POINTS):
-        if near[i] == 0 and told[i * POINT] <= 0.0:
+        if near[i] == 0 and told[i * POINT] <= 0.0 and told[i * POINT + 1] <= 0.0:
             return np.inf, contact  # it landed before
         if near[i] == 0:
             continue

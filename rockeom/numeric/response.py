@@ -377,7 +377,8 @@ class Response:
             return math.nan
         horizontal, _, _, vertical = self._support
         none = 1e-9 * abs(vertical.peak)  # what is no force, but rounding
-        if abs(horizontal.peak) <= none:
+        flies = self.structure.stands_on_points and vertical.peak == 0.0  # but for rounding
+        if flies or abs(horizontal.peak) <= none:
             return 0.0
 
         def vertical_over_horizontal(t, y, contact) -> np.ndarray:
@@ -466,7 +467,9 @@ class Response:
         """How far the assumptions of no sliding and no lost contact held, in words."""
         if self._support is None:
             return "The model has no feet: it says nothing of sliding or contact."
-        text = self._slides() if self.structure.stands_on_points else self._friction()
+        if self.structure.stands_on_points:
+            return self._slides()
+        text = self._friction()
         if self.lost_contact:
             return f"{text} A foot's vertical reaction turned negative: {self.structure.pulled}."
         return text + " No foot's vertical reaction turned negative."
@@ -474,12 +477,11 @@ class Response:
     def _slides(self) -> str:
         """Of contacts that may slide: for how long they did, and what their landings did wrong."""
         spans, gains = self.sliding, self.impact_energy_gains
-        if len(spans):
-            text = (
-                f"It slid for {np.diff(spans).sum():.4g} s, the first time at {spans[0, 0]:.4g} s."
-            )
+        slid = np.diff(spans).sum()
+        if slid > 1e-12 * self.duration:
+            text = f"It slid for {slid:.4g} s, the first time at {spans[0, 0]:.4g} s."
         else:
-            needed = self.friction_demand
+            needed = max(self.friction_demand, self.impact_friction_demand)
             text = f"It did not slide: that needed a friction coefficient of {needed:.3g}."
         if len(gains):
             text += (
