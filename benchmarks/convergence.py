@@ -47,7 +47,7 @@ def by_rockeom(end: float, method: str, steps: int) -> tuple[np.ndarray, np.ndar
         duration=end,
     )
     compiled = program(case.structure.module, method)
-    solver = rk.SolverOptions(method=method, steps_per_law=steps)
+    solver = rk.SolverOptions(method=method, steps_per_segment=steps)
     record = run(compiled, case.problem(), solver, keep=False)
     return record.events[0], record.y
 
@@ -94,7 +94,7 @@ def under_the_record() -> str:
     for workload in ("W2", "W3"):
         last = None
         for steps in (1, 2, 3):
-            solver = with_rockeom.options(1e-10, method="RK45", steps_per_law=steps)
+            solver = with_rockeom.options(1e-10, method="RK45", steps_per_segment=steps)
             solver = replace(solver, rest_tolerance=1e-8)
             error = w.error(workload, with_rockeom.RUNS[workload](solver)())
             found = np.log(last[1] / error) / np.log(steps / last[0]) if last else None

@@ -94,7 +94,7 @@ def rows(
     A step's time is told where steps are as long as the samples. The error of a motion is the
     largest among the times of its first impacts, against steps of tolerance 1e-13.
     """
-    a_sample, loose = rk.SolverOptions(steps_per_law=1), with_rockeom.options(RTOL)
+    a_sample, loose = rk.SolverOptions(steps_per_segment=1), with_rockeom.options(RTOL)
     maps = (
         ("blocks", blocks(), a_sample),
         ("flexible structures", columns(), a_sample),
@@ -114,7 +114,7 @@ def rows(
             off = np.abs(first_impacts(result) - exact)
             rocks = np.isfinite(off).any(axis=1)
             a_motion = times[way].median / len(cases)
-            equal = way == "lanes" and of_lanes.steps_per_law == 1
+            equal = way == "lanes" and of_lanes.steps_per_segment == 1
             yield (
                 name,
                 way,

@@ -55,7 +55,7 @@ def sweeps(workload: str, missing: Iterable[str]) -> dict[str, list[Way]]:
     }
     if workload in ("W2", "W3"):
         found["rockeom RK45, equal steps"] = [
-            ways.rockeom(workload, thin=True, method="RK45", steps_per_law=n, **rest)
+            ways.rockeom(workload, thin=True, method="RK45", steps_per_segment=n, **rest)
             for n in ((1, 2, 3) if workload == "W2" else (1, 2, 4, 8))
         ]
     if "C" not in missing:

@@ -25,12 +25,12 @@ FLAGS = (*with_c.FLAGS, "-DSMALL_ANGLES", "-fopenmp-simd")
 
 @dataclass(frozen=True)
 class Options:
-    """As rockeom's, and Tsit5 among the methods. steps_per_law : 0 for steps by the error."""
+    """As rockeom's, and Tsit5 among the methods. steps_per_segment : 0 for steps by the error."""
 
     method: str = "DOP853"
     rtol: float = 1e-10
     rest_tolerance: float = 1e-6
-    steps_per_law: int = 0
+    steps_per_segment: int = 0
     max_impacts: int = 100_000
 
 
@@ -96,7 +96,7 @@ def header(method: Tableau) -> str:
 class _Options(ctypes.Structure):
     _fields_ = [
         *((n, ctypes.c_double) for n in ("rtol", "atol", "fallen", "rest_tolerance", "ratio")),
-        *((n, ctypes.c_long) for n in ("max_impacts", "steps_per_law")),
+        *((n, ctypes.c_long) for n in ("max_impacts", "steps_per_segment")),
     ]
 
 
@@ -192,7 +192,7 @@ class Problem(Prepared):
         self.library = library(case.structure.model, options.method)
         self.options = _Options(
             options.rtol, 1e-2 * options.rtol, q.fallen, options.rest_tolerance, q.ratio,
-            options.max_impacts, options.steps_per_law,
+            options.max_impacts, options.steps_per_segment,
         )  # fmt: skip
         self.motion_type = _motion_type(len(q.y0))
         self.room = np.empty(1 << 14, _IMPACT)

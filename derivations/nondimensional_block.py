@@ -269,7 +269,7 @@ assert speeds_by_hand(3.0, misprinted=True) is None
 # The slender block (4) is linear between impacts, so a periodic motion can be found by hand. Look
 # for one with two impacts per cycle of the ground, whose halves mirror each other:
 # $x(t+\pi/\omega) = -x(t)$. Let it leave the ground at $t=0$ with the speed $v$, to the right, and
-# let the ground's phase $\varphi$ be unknown. For $0<t<\pi/\omega$
+# let the phase angle $\varphi$ of the ground be unknown. For $0<t<\pi/\omega$
 #
 # $$x = 1 + a\cosh t + b\sinh t + C\cos(\omega t+\varphi), \qquad C = \frac{\beta}{1+\omega^2}.
 #   \tag{5}$$

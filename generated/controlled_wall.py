@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "971c59300160db73"
+SOURCE_HASH = "b7cbb0b9142d80ea"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -164,6 +164,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -214,6 +215,7 @@ def sine_cosine(x):
 @inlined
 def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
     anchor_height = p[7]
@@ -242,7 +244,6 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     c17 = p[31]  # 2*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c18 = p[32]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = cos_theta*x1
@@ -293,6 +294,7 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
 @inlined
 def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_slack or right_slack."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
     gravity = p[13]
@@ -310,7 +312,6 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     c14 = p[28]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
     c15 = p[29]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = cos_theta*x1
@@ -346,6 +347,7 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
 @inlined
 def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_yield or right_yield."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
     anchor_height = p[7]
@@ -372,7 +374,6 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     c17 = p[31]  # 2*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c18 = p[32]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = cos_theta*x1
@@ -463,6 +464,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
+        sin_theta, cos_theta = sine_cosine(theta)
         anchor_height = p[7]
         anchor_depth = p[8]
         tendon_stiffness = p[9]
@@ -472,7 +474,6 @@ def guards(contact, y, p, ax, ay, g):
         c10 = p[24]  # edge_distance - half_width
         c16 = p[30]  # anchor_depth + anchor_height
         c19 = p[33]  # initial_force - yield_force
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = c10*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         x2 = (
@@ -487,6 +488,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
+        sin_theta, cos_theta = sine_cosine(theta)
         anchor_height = p[7]
         anchor_depth = p[8]
         tendon_stiffness = p[9]
@@ -495,7 +497,6 @@ def guards(contact, y, p, ax, ay, g):
         c0 = p[14]  # height**2/transition**2
         c10 = p[24]  # edge_distance - half_width
         c16 = p[30]  # anchor_depth + anchor_height
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = c10*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         g[0] = s*theta
@@ -508,6 +509,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
+        sin_theta, cos_theta = sine_cosine(theta)
         anchor_height = p[7]
         anchor_depth = p[8]
         eccentricity = p[12]
@@ -515,7 +517,6 @@ def guards(contact, y, p, ax, ay, g):
         c10 = p[24]  # edge_distance - half_width
         c11 = p[25]  # 2*anchor_height
         c12 = p[26]  # 4*height**2*(-edge_distance + half_width)/transition**2
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = sin_theta**2
         x1 = math.exp(-c0*x0)
         x2 = c10*s*(1 - x1)
@@ -1151,6 +1152,15 @@ def statics(contact, y, p, load, out):
             (1/2)*x24*(x11*x15*x25 - x15*x17*x25 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2)
         )
         out[1] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

@@ -49,7 +49,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "fe695803701e7685"
+SOURCE_HASH = "ad338de2f9237926"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -333,6 +333,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -1601,6 +1602,15 @@ def statics(contact, y, p, load, out):
         )
         out[1] = 0
         out[2] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

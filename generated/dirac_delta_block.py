@@ -27,7 +27,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "14b844253c0c0a50"
+SOURCE_HASH = "09a89e4f672549f5"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -99,6 +99,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right_tail
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -334,6 +335,15 @@ def statics(contact, y, p, load, out):
         regularisation = p[2]
         x0 = alpha**2
         out[0] = -alpha*load - x*x0 + x0*math.tanh(x/regularisation)
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

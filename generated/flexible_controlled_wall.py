@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "b44a54789ee94779"
+SOURCE_HASH = "2e0c568789923392"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -189,6 +189,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -239,6 +240,7 @@ def sine_cosine(x):
 @inlined
 def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
     anchor_height = p[7]
@@ -273,7 +275,6 @@ def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot,
     c21 = p[37]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     c22 = p[38]  # 1/mass
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = s*sin_theta*x1
@@ -349,6 +350,7 @@ def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot,
 @inlined
 def accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_slack or right_slack."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
     stiffness = p[13]
@@ -374,7 +376,6 @@ def accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta
     c18 = p[34]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
     c22 = p[38]  # 1/mass
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = sin_theta*x1
@@ -436,6 +437,7 @@ def accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta
 @inlined
 def accelerations_left_yield_right_yield(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_yield or right_yield."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
     anchor_height = p[7]
@@ -468,7 +470,6 @@ def accelerations_left_yield_right_yield(s, theta, u, permanent_extension, theta
     c21 = p[37]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     c22 = p[38]  # 1/mass
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = s*sin_theta*x1
@@ -588,6 +589,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[2]
+        sin_theta, cos_theta = sine_cosine(theta)
         anchor_height = p[7]
         anchor_depth = p[8]
         tendon_stiffness = p[9]
@@ -597,7 +599,6 @@ def guards(contact, y, p, ax, ay, g):
         c11 = p[27]  # edge_distance - half_width
         c19 = p[35]  # anchor_depth + anchor_height
         c23 = p[39]  # initial_force - yield_force
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = c11*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         x2 = (
@@ -612,6 +613,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[2]
+        sin_theta, cos_theta = sine_cosine(theta)
         anchor_height = p[7]
         anchor_depth = p[8]
         tendon_stiffness = p[9]
@@ -620,7 +622,6 @@ def guards(contact, y, p, ax, ay, g):
         c0 = p[16]  # height**2/transition**2
         c11 = p[27]  # edge_distance - half_width
         c19 = p[35]  # anchor_depth + anchor_height
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = c11*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         g[0] = s*theta
@@ -633,6 +634,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[3]
+        sin_theta, cos_theta = sine_cosine(theta)
         anchor_height = p[7]
         anchor_depth = p[8]
         eccentricity = p[12]
@@ -640,7 +642,6 @@ def guards(contact, y, p, ax, ay, g):
         c11 = p[27]  # edge_distance - half_width
         c13 = p[29]  # 2*anchor_height
         c14 = p[30]  # 4*height**2*(-edge_distance + half_width)/transition**2
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = sin_theta**2
         x1 = math.exp(-c0*x0)
         x2 = c11*s*(1 - x1)
@@ -1362,6 +1363,15 @@ def statics(contact, y, p, load, out):
         )
         out[1] = -load*x3 + stiffness*u - x2
         out[2] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

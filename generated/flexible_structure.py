@@ -17,8 +17,8 @@ Source: thesis 5-34, 5-35, D-1 to D-29.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    accelerations             60    55
-    guards                     1     1
+    accelerations             59    54
+    guards                    13    10
     impulse                   23    21
     energies                  91    62
     reactions                291   137
@@ -28,7 +28,7 @@ Operations before and after common subexpressions were shared:
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
-    prepare                   29    21
+    prepare                   36    27
 """
 
 import math
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "af7fbab92d0308d1"
+SOURCE_HASH = "f3cda154e8ed0d16"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -110,6 +110,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = 1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -157,6 +158,7 @@ def sine_cosine(x):
 @inlined
 def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     height = p[1]
     half_width = p[6]
@@ -173,7 +175,6 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
     c9 = p[19]  # damping/mass
     c10 = p[20]  # stiffness/mass
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = theta_dot**2
     x1 = -c2*s + mass*u
     m00 = -c0*s*u + c1 + mass*u**2
@@ -195,10 +196,9 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
 @inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
-    stiffness = p[8]
-    damping = p[9]
-    c11 = p[21]  # 1/mass
-    u_ddot = -ax - c11*(damping*u_dot + stiffness*u)
+    c9 = p[19]  # damping/mass
+    c10 = p[20]  # stiffness/mass
+    u_ddot = -ax - c10*u - c9*u_dot
     return (0.0, u_ddot,)
 
 
@@ -261,13 +261,13 @@ def impulse_to_opposite(s, y, p, out):
     base_inertia = p[5]
     c0 = p[10]  # 2*half_width*mass
     c1 = p[11]
-    c12 = p[22]  # base_height**2*base_mass
-    c13 = p[23]  # base_mass*half_width**2
-    c14 = p[24]  # half_width**2*mass
+    c11 = p[21]  # base_height**2*base_mass
+    c12 = p[22]  # base_mass*half_width**2
+    c13 = p[23]  # half_width**2*mass
     x0 = mass*u**2
     m00 = c0*s*u + c1 + x0
     f0 = (
-        base_inertia*theta_dot + c12*theta_dot - c13*theta_dot - c14*theta_dot +
+        base_inertia*theta_dot + c11*theta_dot - c12*theta_dot - c13*theta_dot +
         inertia*theta_dot + theta_dot*x0
     )
     share_10 = height
@@ -534,6 +534,25 @@ def statics(contact, y, p, load, out):
         out[1] = -load + stiffness*u
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    u = y[1]
+    u_dot = y[3]
+    c3 = p[13]  # base_height*base_mass
+    c4 = p[14]  # damping*height
+    c14 = p[24]  # gravity*mass + height*stiffness
+    c15 = p[25]  # base_mass*gravity*half_width + gravity*half_width*mass
+    x0 = c14*u
+    x1 = c4*u_dot
+    x2 = ax*c3
+    g[0] = c15 + x0 + x1 - x2
+    g[1] = c15 - x0 - x1 + x2
+
+
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
@@ -562,8 +581,8 @@ def sizes(p, out):
 
 
 def prepare(parameters):
-    """Parameters (10,) with the constants that follow from them: p (25,)."""
-    p = np.empty(25)
+    """Parameters (10,) with the constants that follow from them: p (26,)."""
+    p = np.empty(26)
     p[:10] = parameters
     mass = parameters[0]
     height = parameters[1]
@@ -572,6 +591,7 @@ def prepare(parameters):
     base_height = parameters[4]
     base_inertia = parameters[5]
     half_width = parameters[6]
+    gravity = parameters[7]
     stiffness = parameters[8]
     damping = parameters[9]
     x0 = 2*mass
@@ -579,20 +599,23 @@ def prepare(parameters):
     x2 = half_width**2
     x3 = base_mass*x2
     x4 = mass*x2
-    x5 = 1/mass
+    x5 = height*stiffness
+    x6 = half_width*mass
+    x7 = 1/mass
     p[10] = half_width*x0
     p[11] = base_inertia + inertia + x1 + x3 + x4
     p[12] = half_width*(base_mass + mass)
     p[13] = base_height*base_mass
     p[14] = damping*height
-    p[15] = height*stiffness
+    p[15] = x5
     p[16] = height*mass
     p[17] = x0
-    p[18] = half_width*mass
-    p[19] = damping*x5
-    p[20] = stiffness*x5
-    p[21] = x5
-    p[22] = x1
-    p[23] = x3
-    p[24] = x4
+    p[18] = x6
+    p[19] = damping*x7
+    p[20] = stiffness*x7
+    p[21] = x1
+    p[22] = x3
+    p[23] = x4
+    p[24] = gravity*mass + x5
+    p[25] = base_mass*gravity*half_width + gravity*x6
     return p

@@ -28,7 +28,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5c7377528ebda88b"
+SOURCE_HASH = "187c325b533a980a"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -84,6 +84,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -132,10 +133,10 @@ def sine_cosine(x):
 def accelerations_left_right(s, x, x_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
     alpha = p[0]
+    sin_angle_0, cos_angle_0 = sine_cosine(alpha*x)
     c0 = p[2]  # math.cos(alpha)/alpha
     c1 = p[3]  # math.sin(alpha)/alpha
     total_gravity = ay + 1
-    sin_angle_0, cos_angle_0 = sine_cosine(alpha*x)
     x0 = c1*s
     x_ddot = (
         ax*(-c0*cos_angle_0 - sin_angle_0*x0) + total_gravity*(c0*sin_angle_0 - cos_angle_0*x0)
@@ -366,6 +367,15 @@ def statics(contact, y, p, load, out):
         out[0] = alpha*radius_ratio*s*x4*x5 - load*(s*x1*x2*x4 + x3*x5) - x1*x3
     elif contact == BOTH:
         out[0] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

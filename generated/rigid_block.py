@@ -31,7 +31,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d5a098af2d5ba47d"
+SOURCE_HASH = "46616010a133624d"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"
@@ -89,6 +89,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -136,11 +137,11 @@ def sine_cosine(x):
 @inlined
 def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
+    sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[4]
     c0 = p[5]  # height*mass/(half_width**2*mass + height**2*mass + inertia)
     c1 = p[6]  # half_width*mass/(half_width**2*mass + height**2*mass + inertia)
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c1*s
     theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
     return (theta_ddot,)
@@ -376,6 +377,15 @@ def statics(contact, y, p, load, out):
         )
     elif contact == BOTH:
         out[0] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

@@ -8,6 +8,7 @@ SHIPPED = {
     "slender_block": "SlenderBlock",
     "nondimensional_block": "NondimensionalBlock",
     "sliding_block": "SlidingBlock",
+    "stacked_blocks": "StackedBlocks",
     "dirac_delta_block": "DiracDeltaBlock",
     "lumped_mass_structure": "LumpedMassStructure",
     "two_spring_structure": "TwoSpringStructure",
@@ -19,4 +20,6 @@ SHIPPED = {
     "controlled_wall_oscillator": "ControlledWallOscillator",
     "substitute_gravity_wall": "SubstituteGravityWall",
     "simplified_substitute_gravity_wall": "SimplifiedSubstituteGravityWall",
+    "rocking_frame": "RockingFrame",
+    "wall_with_frame": "WallWithFrame",
 }

@@ -31,7 +31,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d8f1735dcad08f7c"
+SOURCE_HASH = "9cae6ab107ad0a8e"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -89,6 +89,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -364,6 +365,15 @@ def statics(contact, y, p, load, out):
         out[0] = alpha*gravity*mass*radius*s - gravity*mass*radius*theta - load*radius
     elif contact == BOTH:
         out[0] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "81fc5e24f78ff99f"
+SOURCE_HASH = "7c1cd8336a323796"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -116,7 +116,7 @@ GUARDS = (
     3,  # right_slides_left
     2,  # flight
 )
-POINT_STATES = (  # of each point; 0 open, 1 sticks, 2 slips to the right, 3 to the left
+POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left
     (1, 1,),  # both
     (2, 2,),  # both_slides_right
     (3, 3,),  # both_slides_left
@@ -261,6 +261,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # flight
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH = 0
@@ -339,12 +340,12 @@ def rates_left_slips_right_slips(sigma_0, x, y_, theta, x_dot, y_dot, theta_dot,
 @inlined
 def rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Rates of all states where right sticks, or its mirror image."""
+    sin_theta, cos_theta = sine_cosine(theta)
     half_width = p[1]
     gravity = p[4]
     c1 = p[8]  # height*mass/(half_width**2*mass + height**2*mass + inertia)
     c2 = p[9]  # half_width*mass/(half_width**2*mass + height**2*mass + inertia)
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c2*s
     x1 = half_width*s
     x2 = sin_theta*x1
@@ -365,6 +366,7 @@ def rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
 @inlined
 def rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Rates of all states where right slips, or its mirror image."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     half_width = p[1]
     height = p[2]
@@ -384,7 +386,6 @@ def rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, 
     c14 = p[21]  # 2*height
     c15 = p[22]  # friction*height
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c3*cos_theta
     x1 = sigma_0*sin_theta
     x2 = cos_theta*s
@@ -416,13 +417,13 @@ def rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, 
 @inlined
 def rates_flight(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Rates of all states where no point is closed."""
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     gravity = p[4]
     c3 = p[10]  # height*mass
     c16 = p[23]  # height**2*mass + inertia
     c17 = p[24]  # 1/mass
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c3*cos_theta
     x1 = theta_dot**2
     m10 = 0
@@ -535,10 +536,10 @@ def forces_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     x_ddot = found[3]
     y__ddot = found[4]
     theta_ddot = found[5]
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     c3 = p[10]  # height*mass
     c22 = p[29]  # gravity*mass
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c3*sin_theta
     x1 = theta_dot**2
     x2 = c3*cos_theta
@@ -553,13 +554,13 @@ def forces_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax,
     found = rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     y__ddot = found[4]
     theta_ddot = found[5]
+    sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     c0 = p[7]  # friction*mass
     c3 = p[10]  # height*mass
     c4 = p[11]  # friction*height*mass
     c21 = p[28]  # friction*gravity*mass
     c22 = p[29]  # gravity*mass
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = theta_dot**2
     x1 = c0*sigma_0
     normal_1 = ay*mass + c22 - c3*cos_theta*x0 - c3*sin_theta*theta_ddot + mass*y__ddot
@@ -613,9 +614,9 @@ def guards(contact, y, p, ax, ay, g):
         y_dot = y[4]
         theta_dot = y[5]
         normal_0, friction_0 = forces_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
+        sin_theta, cos_theta = sine_cosine(theta)
         friction = p[5]
         c23 = p[30]  # 2*half_width
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = friction*normal_0
         g[0] = normal_0
         g[1] = -friction_0 + x0
@@ -631,9 +632,9 @@ def guards(contact, y, p, ax, ay, g):
         y_dot = y[4]
         theta_dot = y[5]
         normal_0, friction_0 = forces_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[1]
         c23 = p[30]  # 2*half_width
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = s*sin_theta
         g[0] = normal_0
         g[1] = sigma_0*(-half_width*theta_dot*x0 + x_dot)
@@ -647,9 +648,9 @@ def guards(contact, y, p, ax, ay, g):
         y_dot = y[4]
         theta_dot = y[5]
         normal_1, friction_1 = forces_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
+        sin_theta, cos_theta = sine_cosine(theta)
         friction = p[5]
         c23 = p[30]  # 2*half_width
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = friction*normal_1
         g[0] = c23*s*sin_theta
         g[1] = normal_1
@@ -665,9 +666,9 @@ def guards(contact, y, p, ax, ay, g):
         y_dot = y[4]
         theta_dot = y[5]
         normal_1, friction_1 = forces_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[1]
         c23 = p[30]  # 2*half_width
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = s*sin_theta
         g[0] = c23*x0
         g[1] = normal_1
@@ -679,8 +680,8 @@ def guards(contact, y, p, ax, ay, g):
         x_dot = y[3]
         y_dot = y[4]
         theta_dot = y[5]
-        half_width = p[1]
         sin_theta, cos_theta = sine_cosine(theta)
+        half_width = p[1]
         x0 = half_width*sin_theta
         g[0] = x0 + y_
         g[1] = -x0 + y_
@@ -719,7 +720,7 @@ def free_motion(y, p, ax, ay, contact, matrix, forces):
 
 
 def points(y, p, out):
-    """Of each point from out[i * 11]: gap, its rate, rate of slip, biases of gap and slip, rows.
+    """Of each point from out[i * 11]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).
     """
@@ -797,7 +798,7 @@ def energies(contact, y, p, out):
 def reactions(contact, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
-    Where only the sum of frictions is determined, each has its share in proportion to its largest.
+    Where only the sum of frictions is determined, each has the same part of its largest.
     """
     found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     x_ddot = found[0]

@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "fcbd67a834099ce1"
+SOURCE_HASH = "dc5da065670980ec"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"
@@ -143,6 +143,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -193,6 +194,7 @@ def sine_cosine(x):
 @inlined
 def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
+    sin_theta, cos_theta = sine_cosine(theta)
     half_width = p[4]
     tendon_stiffness = p[7]
     initial_force = p[8]
@@ -205,7 +207,6 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     c4 = p[16]  # centroid_height/pivot_inertia
     c5 = p[17]  # half_width/pivot_inertia
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = 1 - math.exp(-c1*sin_theta**2)
     x1 = s*x0
     x2 = c2*x1
@@ -223,12 +224,12 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
 @inlined
 def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_slack or right_slack."""
+    sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
     c0 = p[12]  # centroid_height*mass/pivot_inertia
     c1 = p[13]  # height**2/transition**2
     c2 = p[14]  # half_width*mass/pivot_inertia
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = c2*s*(1 - math.exp(-c1*sin_theta**2))
     theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
     return (theta_ddot, 0.0,)
@@ -237,6 +238,7 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
 @inlined
 def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left_yield or right_yield."""
+    sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
     c0 = p[12]  # centroid_height*mass/pivot_inertia
     c1 = p[13]  # height**2/transition**2
@@ -244,7 +246,6 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     c6 = p[18]  # centroid_height*yield_force/pivot_inertia
     c7 = p[19]  # half_width*yield_force/pivot_inertia
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = s*(1 - math.exp(-c1*sin_theta**2))
     x1 = c2*x0
     theta_ddot = (
@@ -302,6 +303,7 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[4]
         tendon_stiffness = p[7]
         initial_force = p[8]
@@ -309,7 +311,6 @@ def guards(contact, y, p, ax, ay, g):
         c1 = p[13]  # height**2/transition**2
         c3 = p[15]  # edge_distance - half_width
         c8 = p[20]  # initial_force - yield_force
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = (
             tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1 -
             math.exp(-c1*sin_theta**2)) + half_width*(1 -
@@ -322,13 +323,13 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[4]
         tendon_stiffness = p[7]
         initial_force = p[8]
         eccentricity = p[10]
         c1 = p[13]  # height**2/transition**2
         c3 = p[15]  # edge_distance - half_width
-        sin_theta, cos_theta = sine_cosine(theta)
         g[0] = s*theta
         g[1] = (
             -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1
@@ -339,12 +340,12 @@ def guards(contact, y, p, ax, ay, g):
         s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[4]
         eccentricity = p[10]
         c1 = p[13]  # height**2/transition**2
         c3 = p[15]  # edge_distance - half_width
         c9 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = math.tan(theta)
         x1 = 1/cos_theta
         x2 = math.exp(-c1*sin_theta**2)
@@ -748,6 +749,15 @@ def statics(contact, y, p, load, out):
             height*x2) + yield_force*(half_width*s*x2*x3 - x1)
         )
         out[1] = 0
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

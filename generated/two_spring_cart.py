@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "40ebbfd63a5d3ec3"
+SOURCE_HASH = "8aec422382b4f150"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -109,6 +109,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_LEFT = 0
@@ -382,6 +383,15 @@ def statics(contact, y, p, load, out):
         x11 = 1/math.sqrt(x10**2/x9**2 + 1)
         x12 = 1/(-half_width*x11 + half_width - height*x1 + height*x10*x11/x9)
         out[0] = gravity**2*height*s*x0*x12*x4*x7 - load + s*x8 - u*x12*x8
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

@@ -34,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "ae469ce6b9e064fa"
+SOURCE_HASH = "7840549bf0ee40be"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -116,6 +116,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (2, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -164,6 +165,7 @@ def sine_cosine(x):
 @inlined
 def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
+    sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[7]
     c0 = p[10]  # base_height*base_mass
     c1 = p[11]  # height*mass
@@ -176,7 +178,6 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     c8 = p[18]  # base_mass*gravity + gravity*mass
     c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     m10 = -c0*sin_theta - c1*sin_theta
     m11 = c2
     f0 = (
@@ -197,6 +198,7 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
 @inlined
 def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates with contact left or right."""
+    sin_theta, cos_theta = sine_cosine(theta)
     half_width = p[6]
     gravity = p[7]
     foundation_stiffness = p[8]
@@ -212,7 +214,6 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     c13 = p[23]  # foundation_damping*half_width
     c14 = p[24]  # foundation_stiffness*half_width
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     x0 = foundation_damping*heave_dot
     x1 = foundation_stiffness*heave
     m10 = -c0*sin_theta - c1*sin_theta
@@ -238,6 +239,7 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
 @inlined
 def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates with contact flight."""
+    sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[7]
     c0 = p[10]  # base_height*base_mass
     c1 = p[11]  # height*mass
@@ -245,7 +247,6 @@ def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
     c3 = p[13]  # base_height*base_mass + height*mass
     c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
     total_gravity = ay + gravity
-    sin_theta, cos_theta = sine_cosine(theta)
     m10 = -c0*sin_theta - c1*sin_theta
     m11 = c2
     f0 = -ax*c3*cos_theta + c3*sin_theta*total_gravity
@@ -307,11 +308,11 @@ def guards(contact, y, p, ax, ay, g):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[6]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = half_width*sin_theta
         x1 = foundation_stiffness*(c15 - heave + x0)
         x2 = -x1
@@ -326,11 +327,11 @@ def guards(contact, y, p, ax, ay, g):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[6]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = cos_theta*half_width*theta_dot
         x1 = half_width*sin_theta
         g[0] = foundation_damping*(-heave_dot - x0) + foundation_stiffness*(c15 - heave - x1)
@@ -340,11 +341,11 @@ def guards(contact, y, p, ax, ay, g):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[6]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = half_width*sin_theta
         x1 = foundation_stiffness*(c15 - heave - x0)
         x2 = -x1
@@ -364,11 +365,11 @@ def guards(contact, y, p, ax, ay, g):
         heave = y[1]
         theta_dot = y[2]
         heave_dot = y[3]
+        sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[6]
         foundation_stiffness = p[8]
         foundation_damping = p[9]
         c15 = p[25]  # (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        sin_theta, cos_theta = sine_cosine(theta)
         x0 = half_width*sin_theta
         x1 = foundation_stiffness*(c15 - heave - x0)
         x2 = -x1
@@ -695,6 +696,15 @@ def statics(contact, y, p, load, out):
         x2 = gravity*mass
         out[0] = -base_height*x0*x1 - height*load*math.cos(theta) - height*x0*x2
         out[1] = x1 + x2
+
+
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def overturning(p):

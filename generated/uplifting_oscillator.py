@@ -13,8 +13,8 @@ Source: Chopra and Yim (1985); thesis 2-7, 2-8.
     contacts    left, both, right
 
 Operations before and after common subexpressions were shared:
-    accelerations             20    19
-    guards                     1     1
+    accelerations             19    18
+    guards                     9     6
     impulse                   16    16
     energies                  37    32
     reactions                 55    40
@@ -24,7 +24,7 @@ Operations before and after common subexpressions were shared:
     overturning                1     1
     velocity_ratio             8     8
     sizes                      1     1
-    prepare                  209    54
+    prepare                  217    60
 """
 
 import math
@@ -32,7 +32,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d476b5ca89c6a1cf"
+SOURCE_HASH = "dbf0f9fe09a9caef"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -91,6 +91,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
+HELD = 1  # contact state whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -159,10 +160,9 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
 @inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates with contact both."""
-    stiffness = p[3]
-    damping = p[4]
-    c6 = p[12]  # 1/mass
-    u_ddot = -ax - c6*(damping*u_dot + stiffness*u)
+    c6 = p[12]  # damping/mass
+    c7 = p[13]  # stiffness/mass
+    u_ddot = -ax - c6*u_dot - c7*u
     return (0.0, u_ddot,)
 
 
@@ -219,16 +219,16 @@ def impulse_to_opposite(s, y, p, out):
     theta_dot = y[2]
     u_dot = y[3]
     c3 = p[9]  # height*mass/(half_width**2*mass + height**2*mass)
-    c7 = p[13]  # mass/(-height**2*mass**2/(half_width**2*mass + height**2*mass) + mass)
-    c8 = p[14]  # height*mass/(-height**2*mass**2/(half_width**2*mass + height**2*mass) + mass)
-    c9 = p[15]
+    c8 = p[14]  # mass/(-height**2*mass**2/(half_width**2*mass + height**2*mass) + mass)
+    c9 = p[15]  # height*mass/(-height**2*mass**2/(half_width**2*mass + height**2*mass) + mass)
     c10 = p[16]
     c11 = p[17]
-    c12 = p[18]  # height**2*mass/(half_width**2*mass + height**2*mass)
-    c13 = p[19]  # half_width**2*mass/(half_width**2*mass + height**2*mass)
-    u_dot_after = -c10*u_dot + c11*theta_dot + c7*u_dot + c8*theta_dot - c9*theta_dot
+    c12 = p[18]
+    c13 = p[19]  # height**2*mass/(half_width**2*mass + height**2*mass)
+    c14 = p[20]  # half_width**2*mass/(half_width**2*mass + height**2*mass)
+    u_dot_after = -c10*theta_dot - c11*u_dot + c12*theta_dot + c8*u_dot + c9*theta_dot
     share_01 = c3
-    theta_dot_after_alone = c12*theta_dot - c13*theta_dot + c3*u_dot
+    theta_dot_after_alone = c13*theta_dot - c14*theta_dot + c3*u_dot
     theta_dot_after = theta_dot_after_alone - share_01 * u_dot_after
     out[2] = theta_dot_after
     out[3] = u_dot_after
@@ -405,6 +405,22 @@ def statics(contact, y, p, load, out):
         out[1] = -load + stiffness*u
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    u = y[1]
+    u_dot = y[3]
+    c15 = p[21]  # damping*height*mass
+    c16 = p[22]  # height*mass*stiffness
+    c17 = p[23]  # gravity*half_width*mass**2
+    x0 = c15*u_dot + c16*u
+    g[0] = c17 + x0
+    g[1] = c17 - x0
+
+
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
@@ -426,12 +442,15 @@ def sizes(p, out):
 
 
 def prepare(parameters):
-    """Parameters (6,) with the constants that follow from them: p (20,)."""
-    p = np.empty(20)
+    """Parameters (6,) with the constants that follow from them: p (24,)."""
+    p = np.empty(24)
     p[:6] = parameters
     mass = parameters[0]
     height = parameters[1]
     half_width = parameters[2]
+    stiffness = parameters[3]
+    damping = parameters[4]
+    gravity = parameters[5]
     x0 = height**2
     x1 = half_width**2
     x2 = 1/(x0 + x1)
@@ -443,23 +462,28 @@ def prepare(parameters):
     x8 = mass*x1
     x9 = mass*x0
     x10 = 1/(x8 + x9)
-    x11 = mass**2
-    x12 = x0*x11
-    x13 = mass/(mass - x10*x12)
-    x14 = mass**3*x10
-    x15 = 1/(-x0*x1*x14 + x0*x11 + x1*x11 - x14*x5)
+    x11 = height*mass
+    x12 = mass**2
+    x13 = x0*x12
+    x14 = mass/(mass - x10*x13)
+    x15 = mass**3*x10
+    x16 = 1/(-x0*x1*x15 + x0*x12 + x1*x12 - x15*x5)
     p[6] = x0*x6 - x4
     p[7] = x4*x7
     p[8] = half_width*height*x6
-    p[9] = height*mass*x10
+    p[9] = x10*x11
     p[10] = height*x2
     p[11] = half_width*x2
-    p[12] = x7
-    p[13] = x13
-    p[14] = height*x13
-    p[15] = height**3*x11*x15
-    p[16] = x12*x15
-    p[17] = height*x1*x11*x15
-    p[18] = x10*x9
-    p[19] = x10*x8
+    p[12] = damping*x7
+    p[13] = stiffness*x7
+    p[14] = x14
+    p[15] = height*x14
+    p[16] = height**3*x12*x16
+    p[17] = x13*x16
+    p[18] = height*x1*x12*x16
+    p[19] = x10*x9
+    p[20] = x10*x8
+    p[21] = damping*x11
+    p[22] = stiffness*x11
+    p[23] = gravity*half_width*x12
     return p

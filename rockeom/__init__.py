@@ -14,9 +14,12 @@ SymPy.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from rockeom import hooks
+
 __version__ = "0.1.0"
 
 _NAMES_OF = {
+    "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.declared": ("structure",),
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.numeric.case": ("Case",),
@@ -48,6 +51,13 @@ def _classes() -> dict[str, str]:
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
+    from rockeom.composed import (
+        Pinned as Pinned,
+        ShearFrame as ShearFrame,
+        Sliding as Sliding,
+        TwoSprings as TwoSprings,
+        Winkler as Winkler,
+    )
     from rockeom.declared import structure as structure
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.numeric.case import Case as Case
@@ -78,6 +88,22 @@ if TYPE_CHECKING:
         derive as derive,
         models as models,
     )
+
+
+def _plot_response(*args: Any, **kwargs: Any) -> Any:
+    from rockeom.plots import plot_response
+
+    return plot_response(*args, **kwargs)
+
+
+def _thesis_wall(initial_force: float) -> Any:
+    from rockeom.analysis import Wall
+
+    return Wall.thesis(initial_force)
+
+
+hooks.plot_response.answer = _plot_response
+hooks.thesis_wall.answer = _thesis_wall
 
 
 def __getattr__(name: str) -> Any:

@@ -48,6 +48,6 @@ AT_THE_START = np.array([0, -1, 0, 0, 0, 1, 1, 0, 0, 0])
 AT_THE_START.flags.writeable = False
 """The status of a motion that begins in contact state 0."""
 
-# and of `clock`: time, the next step (0: unknown), the logarithm of the error of the last step,
-# the end of the law whose equal steps are refined (0: of none)
+# and of `clock`: time, the next step (0: unknown), the error of the last step (0: of none), the end
+# of the law whose equal steps are refined (0: of none)
 TIME, NEXT_STEP, LAST_ERROR, REFINED_TO = range(4)

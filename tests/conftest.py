@@ -28,6 +28,11 @@ LONGEST = (
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""
 
+TOGETHER = {
+    "tests/thesis/test_checks_notice.py": "tests/thesis/test_equations.py",
+}
+"""Files that go to the worker of another one, which has derived what both compare with."""
+
 
 # SymPy, imported later, remembers 1,000 results of each of its functions where nothing is said, and
 # forgets others that the next model asks for again.
@@ -50,9 +55,26 @@ def pytest_configure(config: pytest.Config) -> None:
         config.option.loadscopereorder = False
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """As --dist loadfile, but that of two files of TOGETHER the worker is one."""
+    if config.getvalue("dist") != "loadfile":
+        return None
+    from xdist.scheduler import LoadFileScheduling
+
+    class Scheduling(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            file = super()._split_scope(nodeid)
+            return TOGETHER.get(file, file)
+
+    return Scheduling(config, log)
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     places = {Path(__file__).parent / name: place for place, name in enumerate(LONGEST)}
+    root = Path(__file__).parents[1]
     assert all(path.exists() for path in places)
+    assert all((root / name).exists() for pair in TOGETHER.items() for name in pair)
     items.sort(key=lambda item: places.get(item.path, len(places)))
 
 

@@ -21,8 +21,9 @@ def plain(name: str, size: Callable[[], float] | None = None) -> dict[str, float
     rng = np.random.default_rng(zlib.crc32(name.encode()))
     size = size or (lambda: float(rng.uniform(0.5, 2.0)))
     for _ in range(100):
+        of_sign = {"+": size, "+-": lambda: 0.0, "n": lambda: float(rng.integers(1, 5))}
         values = {
-            parameter: size() if signs.get(parameter, "+") == "+" else 0.0
+            parameter: of_sign[signs.get(parameter, "+")]()
             for parameter, default in cls.defaults().items()
             if default is dataclasses.MISSING
         }
@@ -33,3 +34,12 @@ def plain(name: str, size: Callable[[], float] | None = None) -> dict[str, float
         else:
             return values
     raise ValueError(f"no parameters about 1 make a {name}, give it some by hand: {said}")
+
+
+def stands_on_points(name: str) -> bool:
+    """Whether the contacts of a shipped structure were declared, and its modes derived."""
+    return hasattr(importlib.import_module(f"rockeom.generated.{name}"), "POINTS")
+
+
+PINNED = tuple(name for name in SHIPPED if not stands_on_points(name))
+"""Those that were declared phase by phase: their feet do not slip, nor bounce."""

@@ -101,6 +101,102 @@ print(sorted({"scipy", "sympy"} & set(sys.modules)))
     assert run_python("-c", code) == "[]"
 
 
+# --- who calls whom
+
+
+FACADE = ROOT / "rockeom" / "__init__.py"
+"""Above all packages: the one place that may reach into any of them by name."""
+
+
+def imports_by_string(path: Path) -> list[str | None]:
+    """What a file imports otherwise than by a statement; None for what its text does not tell.
+
+    What comes before the first value that is put into a text is told.
+    """
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    words = {"import_module", "__import__", "spec_from_file_location", "run_module"}
+    found: list[str | None] = []
+    calls: set[ast.expr] = set()
+    package = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+    package = package.removesuffix(".__init__")
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom | ast.Import):
+            renamed = [alias for alias in node.names if alias.name in words and alias.asname]
+            found += [None] * len(renamed)
+        if not isinstance(node, ast.Call):
+            continue
+        if getattr(node.func, "attr", getattr(node.func, "id", None)) in words:
+            calls.add(node.func)
+            match node.args:
+                case [ast.Constant(value=str(name)), *_]:
+                    found.append(name)
+                case [ast.JoinedStr(values=[ast.Constant(value=str(name)), *_]), *_]:
+                    found.append(name)
+                case [ast.JoinedStr(values=[ast.FormattedValue(value=ast.Name("__name__")), *_])]:
+                    found.append(package)
+                case _:
+                    found.append(None)
+    used = (node for node in ast.walk(tree) if isinstance(node, ast.Name | ast.Attribute))
+    named = {node for node in used if getattr(node, "attr", getattr(node, "id", None)) in words}
+    return found + [None] * len(named - calls)  # handed on under another name
+
+
+def is_own_or_generated(path: Path, name: str) -> bool:
+    package = ".".join(path.relative_to(ROOT).parts[:2]).removesuffix(".py")
+    return f"{name}.".startswith(
+        (f"{package}.", "rockeom.generated.")
+    ) or not f"{name}.".startswith("rockeom.")
+
+
+WALKS_ITS_FOLDER = ROOT / "rockeom" / "symbolic" / "registry.py"
+
+
+def test_no_package_reaches_another_by_a_string():
+    """Import contracts see statements alone; of the generated modules only the name is known."""
+    paths = set((ROOT / "rockeom").rglob("*.py")) - {FACADE}
+    found = {path: names for path in paths if (names := imports_by_string(path))}
+    assert found.pop(WALKS_ITS_FOLDER) == [None]
+    assert {
+        str(path.relative_to(ROOT)): names
+        for path, names in found.items()
+        if not all(name is not None and is_own_or_generated(path, name) for name in names)
+    } == {}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'import importlib\nimportlib.import_module("rockeom.plots").plot_response(1)',
+        'from importlib import import_module\nimport_module("rockeom.analysis")',
+        'from importlib import import_module as load\nload("rockeom.analysis")',
+        'import importlib\nload = importlib.import_module\nload("rockeom.analysis")',
+        'import importlib\nimportlib.import_module(f"rockeom.plots.{__name__}")',
+        'import importlib\nplace = "rockeom.plots"\nimportlib.import_module(place)',
+        '__import__("rockeom.cli")',
+    ],
+)
+def test_call_upwards_by_a_string_is_noticed(tmp_path, monkeypatch, text):
+    monkeypatch.setattr(sys.modules[__name__], "ROOT", tmp_path)
+    path = tmp_path / "rockeom" / "numeric" / "response.py"
+    path.parent.mkdir(parents=True)
+    path.write_text(text, encoding="utf-8")
+    found = imports_by_string(path)
+    assert any(name is None or not is_own_or_generated(path, name) for name in found), found
+
+
+def test_every_hook_has_an_answer_wherever_an_import_begins():
+    """Of users who go straight into a package, too."""
+    code = """
+from rockeom.numeric.structures import ControlledWall
+from rockeom import hooks
+wall = ControlledWall.thesis(initial_force=111e3)
+print(wall.initial_force, all(
+    callable(hook.answer) for hook in vars(hooks).values() if isinstance(hook, hooks.Hook)
+))
+"""
+    assert run_python("-c", code) == "111000.0 True"
+
+
 # --- what is public
 
 

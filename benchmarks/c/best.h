@@ -277,7 +277,7 @@ static inline void extrapolate(double h, double e, const double *y, const double
 
 typedef struct {
     double rtol, atol, fallen, rest_tolerance, ratio;
-    long max_impacts, steps_per_law; /* of the latter 0: by the error */
+    long max_impacts, steps_per_segment; /* of the latter 0: by the error */
 } options;
 
 typedef struct {
@@ -415,8 +415,8 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
         }
         if (h_next == 0.0)
             h_next = start;
-        const int equal = o->steps_per_law > 0 && g->end < INFINITY;
-        double h = equal ? (g->end - g->start) / o->steps_per_law : h_next;
+        const int equal = o->steps_per_segment > 0 && g->end < INFINITY;
+        double h = equal ? (g->end - g->start) / o->steps_per_segment : h_next;
         int cut = t + 1.1 * h >= last, lands = 0;
         if (cut)
             h = last - t;

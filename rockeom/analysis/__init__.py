@@ -90,6 +90,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         overturning_spectral_velocity,
         stable_slenderness,
     )
+    from rockeom.analysis.energies import Energies, energies_of_states, held_states, static_energy
     from rockeom.analysis.fitting import (
         Fit,
         Swings,
@@ -114,7 +115,6 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
     )
     from rockeom.analysis.free_vibration import (
         CycleDamping,
-        Energies,
         FreeVibration,
         QuarterPeriods,
         Restitution,
@@ -133,7 +133,6 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         low_pass_on_peaks,
         record_energies,
         rotational_stiffness_from_excess,
-        static_energy,
     )
     from rockeom.analysis.isolation import (
         Demands,
@@ -289,6 +288,7 @@ __all__ = [
     "design_damping",
     "displacement_based_design",
     "displacement_from_rotation",
+    "energies_of_states",
     "energy_balance",
     "energy_ratio_4_31",
     "energy_ratio_4_36",
@@ -314,6 +314,7 @@ __all__ = [
     "grant_damping",
     "gravitational_energy",
     "harmonic_force",
+    "held_states",
     "impact_forces_of_record",
     "impact_speed",
     "importance_scores",
@@ -373,11 +374,11 @@ __all__ = [
 ]
 
 _HOMES = (
-    "controlled_wall", "damping", "foundation", "free_vibration", "measured", "orbits", "periods",
-    "restitution", "support_forces", "uplift", "isolation", "design.displacement_based",
-    "design.envelope", "design.fema_356", "design.hysteresis", "design.oscillator",
-    "design.overturning", "spectra", "fitting", "impacts", "measured_forces", "noise",
-    "points_of_interest", "records", "slips", "windows",
+    "controlled_wall", "damping", "energies", "foundation", "free_vibration", "measured", "orbits",
+    "periods", "restitution", "support_forces", "uplift", "isolation",
+    "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
+    "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
+    "noise", "points_of_interest", "records", "slips", "windows",
 )  # fmt: skip
 
 

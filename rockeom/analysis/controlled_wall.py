@@ -11,13 +11,20 @@ is the point of the base whose vertical displacement is zero. It lies at the dis
 centreline, towards the pressed edge, so that the base has lifted over the length d with
 d cos(theta) = B + b (4-7). A position along the base is measured from the centreline and is
 positive to the right.
+
+The force of a pushover, the forces of the tendons and the energies are those that are derived of
+such a wall, `rockeom.ControlledWallOscillator`, by the functions that a simulation integrates. What
+is written down here are the thesis's forms of what is not derived there: the path of the rotation
+centre that is fitted to tests (4-7), the uplifts of a base (the oscillator has no feet), the
+inertia that changes on the way (B-9; the oscillator has a constant mass), a tendon by itself, and
+the formulas of design.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +33,8 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.impact import EnergyRatioAtSpeed
+from rockeom.numeric.states import at_states
+from rockeom.numeric.structures import ControlledWallOscillator
 
 # --- the rotation centre and the tendon
 
@@ -269,6 +278,7 @@ class Wall:
         )
         if self.inertia is not None:
             positive("Wall", inertia=self.inertia)
+        object.__setattr__(self, "tendons", tuple(self.tendons))  # which can be looked up
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Wall:
@@ -355,12 +365,13 @@ class Wall:
         tendon : which of `tendons`. The tendon in its duct would grow by 2 (d - B) sin(theta/2),
         less by 6e-5 of it at 30 mm.
         """
-        q = self._sine("Wall.tendon_extension", displacement)
-        return self.uplift(displacement, self.tendons[tendon].eccentricity) / np.sqrt(1 - q**2)
+        self._sine("Wall.tendon_extension", displacement)
+        return _Held(_with_one_tendon(self)[tendon], displacement).extension
 
     def tendon_force(self, displacement: ArrayLike, tendon: int = 0) -> np.ndarray:
         """Force of one of `tendons` [N]; thesis 4-16."""
-        return self.tendons[tendon].force(self.tendon_extension(displacement, tendon))
+        self._sine("Wall.tendon_force", displacement)
+        return _Held(_with_one_tendon(self)[tendon], displacement).tendon_force
 
     def yield_displacement(self, tendon: int = 0) -> float:
         """Displacement D > 0 at which one of `tendons` yields [m].
@@ -385,20 +396,22 @@ class Wall:
 
     def gravity_energy(self, displacement: ArrayLike) -> np.ndarray:
         """U, the weight times the centroid's rise [J]; thesis 4-18, B-4; see p_delta."""
-        rise = self.uplift(displacement, 0.0)
+        q = self._sine("Wall.gravity_energy", displacement)
+        energy = self._without_tendons(displacement).energy
+        # the term that 4-18 leaves out is not in what is derived of it
         if self.p_delta:
-            rise = rise - self.centroid_height * (1 - np.cos(self.rotation(displacement)))
-        return self.mass * self.gravity * rise
+            energy = energy - self._descending_weight * q**2 / (1 + np.sqrt(1 - q**2))
+        return energy
 
     def elastic_energy(self, displacement: ArrayLike) -> np.ndarray:
         """U_E, the work done on all tendons since the initial state [J]; thesis 4-20."""
-        return sum(
-            (
-                tendon.energy(self.tendon_extension(displacement, index))
-                for index, tendon in enumerate(self.tendons)
-            ),
-            start=np.zeros(np.shape(displacement)),
-        )
+        q = self._sine("Wall.elastic_energy", displacement)
+        bare = self._without_tendons(displacement).energy
+        work = np.zeros(np.shape(q))
+        for tendon, wall in zip(self.tendons, _with_one_tendon(self), strict=False):
+            held = _Held(wall, displacement)
+            work = work + (held.energy - bare - tendon.initial_energy) + held.work_of_yielding
+        return work
 
     def potential_energy(self, displacement: ArrayLike) -> np.ndarray:
         """U + U_E [J]; thesis 4-21."""
@@ -419,23 +432,16 @@ class Wall:
         The exact derivative of U + U_E. Zero at D = 0 for tendons on the centreline.
         """
         q = self._sine("Wall.restoring_force", displacement)
-        cosine, side = np.sqrt(1 - q**2), np.sign(q)
-        centre, (size,) = self.rotation_centre, numbers("Wall", displacement=np.abs(displacement))
-        reach = self.half_width + centre.distance(size)
-        # the uplift is lever |q| - position q
-        lever = self._lever(size, q)
-        lever_slope = centre.slope(size) / cosine + reach * q * side / (self.height * cosine**3)
-        rise_slope = side * (lever_slope * np.abs(q) + lever / self.height)
-
-        gravity = rise_slope
+        if not self.tendons:
+            force = self._without_tendons(displacement).force
+        else:
+            first, *others = _with_one_tendon(self)
+            force = _Held(first, displacement).force
+            if others:  # the weight counts once
+                bare = self._without_tendons(displacement).force
+                force = force + sum(_Held(wall, displacement).force - bare for wall in others)
         if self.p_delta:
-            gravity = gravity - self.centroid_height * q / (self.height * cosine)
-        force = self.mass * self.gravity * gravity
-        for index, tendon in enumerate(self.tendons):
-            uplift_slope = rise_slope - tendon.eccentricity / self.height
-            uplift = self.uplift(displacement, tendon.eccentricity)
-            slope = uplift_slope / cosine + uplift * q / (self.height * cosine**3)
-            force = force + self.tendon_force(displacement, index) * slope
+            force = force - self._descending_weight * q / (self.height * np.sqrt(1 - q**2))
         return force
 
     def uplift_acceleration(self) -> float:
@@ -444,6 +450,7 @@ class Wall:
         (m g + P0) B/(m H_c), each tendon with its own lever arm, towards the weaker side: the
         11.1 m/s2 of 4.8.2. A wall that rocks about its centreline at first resists no force.
         """
+        # of a wall on fixed corners, which the walls that are derived with such tendons are not
         weight, b = self.mass * self.gravity, self.half_width
         moments = (
             weight * b + sum(t.initial_force * (b - side * t.eccentricity) for t in self.tendons)
@@ -501,9 +508,10 @@ class Wall:
                 spare = self.potential_energy(d0) - self.potential_energy(d)
                 # Beside the release the difference of energies is lost in rounding; there the
                 # force hardly changes, and its mean over the way gives the work.
-                points = d[..., None] + way[..., None] * (1 + nodes) / 2
-                work = way * (self.restoring_force(points) * weights).sum(axis=-1) / 2
-                spare = np.where(np.abs(way) < near, work, spare)
+                beside = np.abs(way) < near
+                points = d[beside, None] + way[beside, None] * (1 + nodes) / 2
+                forces = self.restoring_force(points)
+                spare[beside] = way[beside] * (forces * weights).sum(axis=-1) / 2
                 return abs(d0) * np.sin(phi) / np.sqrt(2 * spare / self._mass_at(d))
 
             return _integral(integrand, 0.0, angle, tolerance=1e-10) if angle else 0.0
@@ -548,6 +556,14 @@ class Wall:
         limit = fraction * peak
         return DissipationLimit(limit, np.abs(self.phase_trajectory(peak, limit)))
 
+    def _without_tendons(self, displacement: ArrayLike) -> _Held:
+        return _Held(_with_one_tendon(self)[0], displacement, cut=True)
+
+    @property
+    def _descending_weight(self) -> float:
+        """m g H_c [J]."""
+        return self.mass * self.gravity * self.centroid_height
+
     def _lever(self, displacement: ArrayLike, q: np.ndarray) -> np.ndarray:
         """d - B [m], without cancellation near upright; q = sin(theta)."""
         cosine = np.sqrt(1 - q**2)
@@ -563,6 +579,79 @@ class Wall:
         rule = f"it must be less than the height, {self.height} m; give metres"
         require(np.abs(displacement) < self.height, where, "displacement", displacement, rule)
         return displacement / self.height
+
+
+@lru_cache(maxsize=256)
+def _with_one_tendon(wall: Wall) -> tuple[ControlledWallOscillator, ...]:
+    """The wall with each of its tendons alone, as it is derived.
+
+    Energies and forces are sums over the weight and the tendons, so that several tendons need no
+    model of their own. A wall without tendons has one that never pulls.
+    """
+    never_pulls = Tendon(stiffness=1.0, initial_force=0.0, yield_force=1.0)
+    walls = (replace(wall, tendons=(t,)) for t in wall.tendons or (never_pulls,))
+    return tuple(ControlledWallOscillator.from_wall(one, energy_ratio=1.0) for one in walls)
+
+
+class _Held:
+    """A wall with one tendon, held at displacements: what its generated functions say of it.
+
+    displacement [m], any shape, which all has. cut : whether the tendon is. Each displacement is
+    reached from upright by a growing one: a tendon that yields has its yield force.
+    """
+
+    def __init__(
+        self, wall: ControlledWallOscillator, displacement: ArrayLike, cut: bool = False
+    ) -> None:
+        m = wall.module
+        self._wall, self._shape = wall, np.shape(displacement)
+        d = np.ravel(np.asarray(displacement, dtype=float))
+        self._y = np.zeros((d.size, m.N_STATES))
+        self._y[:, m.ROTATION] = d
+
+        def contact(tendon: str) -> np.ndarray:
+            left, right = (m.CONTACTS.index(f"{side}{tendon}") for side in ("left", "right"))
+            return np.where(d < 0, left, right)
+
+        self._contact = contact("")
+        if cut:
+            self._contact = contact("_slack")
+            return
+        # the force of a tendon that neither yields nor is slack says whether it does
+        elastic = wall.initial_force + wall.tendon_stiffness * self.extension.ravel()
+        self._beyond = np.maximum(elastic - wall.yield_force, 0.0)
+        self._contact = np.where(elastic < 0, contact("_slack"), self._contact)
+        self._contact = np.where(self._beyond > 0, contact("_yield"), self._contact)
+
+    def _named(self, function: str, *given: float) -> dict[str, np.ndarray]:
+        found = at_states(self._wall, function, self._contact, self._y, *given)
+        return {name: value.reshape(self._shape) for name, value in found.items()}
+
+    @property
+    def force(self) -> np.ndarray:
+        """Of the pushover [N]."""
+        return self._named("statics", 0.0)[self._wall.states[self._wall.module.ROTATION]]
+
+    @property
+    def energy(self) -> np.ndarray:
+        """Of the weight and stored in the tendon [J]."""
+        return sum(self._named("energies").values(), start=np.zeros(self._shape))
+
+    @property
+    def work_of_yielding(self) -> np.ndarray:
+        """Done on the tendon and not stored, its yield force times its permanent extension [J]."""
+        permanent = self._beyond / self._wall.tendon_stiffness
+        return self._wall.yield_force * permanent.reshape(self._shape)
+
+    @property
+    def extension(self) -> np.ndarray:
+        """Of the tendon since the initial state [m]."""
+        return self._named("kinematics")["tendon_extension"]
+
+    @property
+    def tendon_force(self) -> np.ndarray:
+        """[N]."""
+        return self._named("reactions", 0.0, 0.0)["tendon_force"]
 
 
 # --- measured walls

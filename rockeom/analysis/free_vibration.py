@@ -3,7 +3,7 @@
 from rockeom import analysis
 
 measured = analysis.FreeVibration.table_a1()
-measured.restitution(analysis.Wall.thesis())  # of each passage through upright
+measured.restitution(rk.ControlledWall.thesis())  # of each passage, by the energies of a structure
 
 record = analysis.FreeVibration.from_samples(t, displacement, acceleration=a)
 record.quarter_periods()
@@ -23,10 +23,13 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.controlled_wall import Wall
 from rockeom.analysis.damping import damping_from_decrement
+from rockeom.analysis.energies import Energies, energies_of_states, held_states
 from rockeom.analysis.noise import noise_level
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
+
+    from rockeom.numeric.structures import Structure
 
 
 class QuarterPeriods(NamedTuple):
@@ -41,19 +44,6 @@ class CycleDamping(NamedTuple):
 
     peak: np.ndarray
     ratio: np.ndarray
-
-
-class Energies(NamedTuple):
-    """Of gravity, of the tendons and of the motion [J]."""
-
-    gravity: np.ndarray
-    elastic: np.ndarray
-    kinetic: np.ndarray
-
-    @property
-    def total(self) -> np.ndarray:
-        """Their sum [J]."""
-        return self.gravity + self.elastic + self.kinetic
 
 
 class Restitution(NamedTuple):
@@ -230,13 +220,20 @@ class FreeVibration:
         peaks = self.displacement[self.at_peak]
         return CycleDamping(peaks[:-2], damping_from_decrement(peaks[:-2], peaks[2:]))
 
-    def energies(self, wall: Wall) -> Energies:
-        """Of `wall` at each peak and crossing; thesis 4-18 to 4-20, Figure 4-29.
+    def energies(self, structure: Wall | Structure, quantity: str = "displacement") -> Energies:
+        """Of a structure at each peak and crossing, above those upright; thesis 4-18 to 4-20.
 
-        Where the record has the force of the wall's only tendon, the elastic energy is that of the
-        measured force; else that of the displacement.
+        structure : any, by its own energies: in the states in which a load holds it at the
+        displacements of the record, moving through them with its velocities; see `static_energy`.
+        quantity : of the structure, that the record calls displacement: its rotation, "theta", or
+        one of a response that grows with it.
+        Of a `Wall`, Figure 4-29, it is that of its height H; where the record has the force of
+        the wall's only tendon, the elastic energy is that of the measured force.
         Raises ValueError for a measured force beyond yield and for several tendons.
         """
+        if not isinstance(structure, Wall):
+            return _energies_of(structure, quantity, self.displacement, self.velocity)
+        wall = structure
         if self.tendon_force is None:
             elastic = wall.elastic_energy(self.displacement)
         elif len(wall.tendons) == 1:
@@ -252,14 +249,17 @@ class FreeVibration:
             wall.kinetic_energy(self.displacement, self.velocity),
         )
 
-    def restitution(self, wall: Wall) -> Restitution:
+    def restitution(
+        self, structure: Wall | Structure, quantity: str = "displacement"
+    ) -> Restitution:
         """Apparent coefficients of restitution, between successive peaks; thesis Figure 4-30.
 
-        wall : whose energies they are. energy_ratio r is that of the total energies at the peaks
-        after and before each crossing, speed that at the crossing.
+        structure, quantity : whose energies they are, and what the record has measured of it, as in
+        `energies`. energy_ratio r is that of the total energies at the peaks after and before each
+        crossing, speed that at the crossing. `Impacts` says besides how sure they are.
         """
         peaks = np.flatnonzero(self.at_peak)
-        total = self.energies(wall).total[peaks]
+        total = self.energies(structure, quantity).total[peaks]
         speed = np.abs(self.velocity[peaks[:-1] + 1])
         return Restitution(total[1:] / total[:-1], speed, self.displacement[peaks[:-1]])
 
@@ -277,6 +277,23 @@ class FreeVibration:
         difference = pressed - np.maximum(self.left_uplift, self.right_uplift)
         centre = np.full(difference.shape, np.nan)
         return np.divide(2 * b * pressed, difference, out=centre, where=difference != 0)
+
+
+def _energies_of(
+    structure: Structure, quantity: str, value: np.ndarray, rate: np.ndarray
+) -> Energies:
+    """Of a structure that passes through values of a quantity as a load would hold it there."""
+    y = held_states(structure, value, quantity)
+    step = 1e-6 * np.abs(value).max()
+    above, below = (held_states(structure, value + h, quantity) for h in (step, -step))
+    half = structure.module.N_STATES // 2
+    moving = y.copy()
+    moving[:, half:] = rate[:, None] * (above - below)[:, :half] / (2 * step)
+    # by the states held, which say what a tendon does; upright, by where the structure goes
+    turned = y[:, structure.module.ROTATION] != 0
+    states = np.where(turned[:, None], y, moving)
+    contact = np.array([structure.contact(state) for state in states], dtype=int)
+    return energies_of_states(structure, moving, contact)
 
 
 def resolved_floor(time: ArrayLike, displacement: ArrayLike, noise: float | None = None) -> float:

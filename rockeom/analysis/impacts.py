@@ -21,49 +21,28 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, numbers, require
-from rockeom.analysis.free_vibration import Energies, coefficient_of_determination
+from rockeom.analysis.energies import Energies, energies_of_states, held_states
+from rockeom.analysis.free_vibration import coefficient_of_determination
 from rockeom.analysis.noise import COVERED, Noise
 from rockeom.analysis.records import MeasuredRecord
 from rockeom.analysis.restitution import spring_energy
+from rockeom.numeric.states import at_states
 
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
-# --- energies of a structure
+def _rotation_of(structure: Structure) -> str:
+    return structure.states[structure.module.ROTATION]
 
 
-def static_energy(structure: Structure, rotation: ArrayLike) -> np.ndarray:
-    """Energy of a structure held at rest at a rotation, above that upright [J].
-
-    rotation : the structure's own coordinate, any shape. Gravitational and elastic energy as they
-    are derived; its other coordinates are in equilibrium under the load of a pushover.
-    Raises ValueError where there is no equilibrium.
-    """
-    (rotations,) = numbers("static_energy", rotation=rotation)
-    upright = _energies(structure, np.zeros(structure.module.N_STATES)).sum()
-    found = np.empty(rotations.shape)
-    for index in np.ndindex(rotations.shape):
-        _, y = structure.equilibrium(float(rotations[index]))
-        found[index] = _energies(structure, y).sum() - upright
-    return found
-
-
-def _energies(structure: Structure, y: np.ndarray, contact: int | None = None) -> np.ndarray:
-    """Kinetic, gravitational and elastic energy of a state [J]."""
-    out = np.empty(len(structure.module.ENERGIES))
-    where = structure.contact(y) if contact is None else contact
-    structure.module.energies(where, y, structure.vector, out)
-    return out
-
-
-def _speed(structure: Structure, rotation: float, energy: float) -> float:
-    """Rate of rotation upright, before the impact, of a structure with that energy."""
+def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
+    """Rate of rotation upright, before the impact, of a structure let go at a peak."""
     m = structure.module
-    y = np.zeros(m.N_STATES)
-    y[m.ROTATION_RATE] = 1.0
-    contact = structure.contact(structure.equilibrium(rotation)[1])
-    return float(-np.sign(rotation) * np.sqrt(energy / _energies(structure, y, contact)[0]))
+    moving = structure.state({m.STATES[m.ROTATION_RATE]: 1.0})[None]
+    contact = np.array([structure.contact(y)])
+    kinetic = float(at_states(structure, "energies", contact, moving)["kinetic_energy"][0])
+    return float(-np.sign(y[m.ROTATION]) * np.sqrt(energy / kinetic))
 
 
 # --- peaks, and how well they are known
@@ -198,9 +177,9 @@ class Impacts:
 
     time [s], between the two peaks; foot : "left" or "right", which lands; speed : rate of rotation
     just before [rad/s], positive where the right foot lands, of the energy before; peak_before,
-    peak_after : rotations; energy_before, energy_after [J], above upright; half_width : of the
-    interval about `energy_ratio` in which it lies with 95 %, as far as noise is concerned; 0 where
-    none was stated.
+    peak_after : rotations, or values of the quantity that was measured; energy_before,
+    energy_after [J], above upright; half_width : of the interval about `energy_ratio` in which it
+    lies with 95 %, as far as noise is concerned; 0 where none was stated.
     """
 
     time: np.ndarray
@@ -217,8 +196,9 @@ class Impacts:
         cls,
         record: MeasuredRecord,
         structure: Structure,
-        channel: str = "theta",
+        channel: str | None = None,
         *,
+        quantity: str | None = None,
         threshold: float = 0.0,
         rotational_stiffness: float = 0.0,
         smallest: float | None = None,
@@ -226,13 +206,16 @@ class Impacts:
         """From the peaks of a channel of a record, as `of_peaks`.
 
         record : as measured; each peak is fitted, which needs no filter, and the noise of the
-        record gives the intervals. smallest : as in `MeasuredRecord.free_vibration`.
+        record gives the intervals. channel : "theta", or as the structure calls its rotation, if
+        not given. quantity : what the channel has measured, as in `of_peaks`.
+        smallest : as in `MeasuredRecord.free_vibration`.
         """
-        peaks = fitted_peaks(record, channel, smallest)
+        peaks = fitted_peaks(record, channel or _rotation_of(structure), smallest)
         return cls.of_peaks(
             peaks.time,
             peaks.value,
             structure,
+            quantity=quantity,
             deviation=peaks.deviation,
             threshold=threshold,
             rotational_stiffness=rotational_stiffness,
@@ -245,6 +228,7 @@ class Impacts:
         peaks: ArrayLike,
         structure: Structure,
         *,
+        quantity: str | None = None,
         deviation: ArrayLike = 0.0,
         threshold: float = 0.0,
         rotational_stiffness: float = 0.0,
@@ -253,6 +237,8 @@ class Impacts:
 
         time (n,) [s]; peaks (n,), rotations of the structure on both sides in turn, signed;
         deviation : standard deviation of the peaks, (n,) or one for all.
+        quantity : what the peaks are of, where that is not the rotation: "displacement" of the load
+        point or another that grows with it, as in `static_energy`.
         threshold : impacts with less energy before them are left out [J]; r is a ratio, and its
         error grows as the energy falls. Thesis section 3.2.4 takes 6 J for its block.
         rotational_stiffness : of a spring that gives back all it takes [N m/rad]; 3-16.
@@ -271,22 +257,22 @@ class Impacts:
             )
         rule = "successive peaks lie on both sides in turn"
         require(x[1:] * x[:-1] < 0, where, "peaks", x[1:], rule)
-        balance = structure.overturning_rotation
-        rule = f"a free structure turns back before {balance:.4g}, its balance; give radians"
-        require(np.abs(x) < balance, where, "peaks", x, rule)
 
-        def energy(rotation: np.ndarray) -> np.ndarray:
-            return static_energy(structure, rotation) + spring_energy(
-                rotation, rotational_stiffness
-            )
+        def energy(y: np.ndarray) -> np.ndarray:
+            spring = spring_energy(y[:, structure.module.ROTATION], rotational_stiffness)
+            return energies_of_states(structure, y).total + spring
 
-        u = energy(x)
         h = 1e-4 * np.abs(x)
-        relative = np.broadcast_to(sigma, x.shape) * (energy(x + h) - energy(x - h)) / (2 * h * u)
+        below, y, above = (held_states(structure, x + step, quantity) for step in (-h, 0.0, h))
+        u, slope = energy(y), (energy(above) - energy(below)) / (2 * h)
+        unit = "radians" if quantity is None else "SI units"
+        rule = f"a free structure turns back before its balance; give {unit}"
+        require((u > 0) & (np.sign(x) * slope > 0), where, "peaks", x, rule)
+        relative = np.broadcast_to(sigma, x.shape) * slope / u
         ratio = u[1:] / u[:-1]
         half_width = COVERED * ratio * np.hypot(relative[1:], relative[:-1])
         kept = u[:-1] >= least
-        speed = [_speed(structure, a, b) for a, b in zip(x[:-1], u[:-1], strict=True)]
+        speed = [_speed(structure, a, b) for a, b in zip(y[:-1], u[:-1], strict=True)]
         found = cls(
             time=(t[1:] + t[:-1]) / 2,
             foot=np.where(x[1:] > 0, "right", "left"),
@@ -411,9 +397,7 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
             y[:, i] = record[name]
     small = 1e-3 * structure.overturning_rotation
     left, right = (structure.contact(structure.equilibrium(x)[1]) for x in (-small, small))
-    rows = [_energies(structure, state, right if state[m.ROTATION] >= 0 else left) for state in y]
-    kinetic, gravity, elastic = (np.array(rows) - _energies(structure, np.zeros(m.N_STATES))).T
-    return Energies(gravity, elastic, kinetic)
+    return energies_of_states(structure, y, np.where(y[:, m.ROTATION] >= 0, right, left))
 
 
 class RotationalSpring(NamedTuple):
@@ -425,16 +409,21 @@ class RotationalSpring(NamedTuple):
 
 
 def fitted_rotational_spring(
-    record: MeasuredRecord, structure: Structure, channel: str = "theta", count: int | None = None
+    record: MeasuredRecord,
+    structure: Structure,
+    channel: str | None = None,
+    count: int | None = None,
 ) -> RotationalSpring:
     """The rotational spring with which the total energy is most constant between impacts; 3-4.
 
-    record and structure as in `record_energies`. Of each half-cycle the stiffness is that of the
-    straight line through the energy against theta**2/2; samples near the impacts, and those of the
-    release, are left out. count : how many half-cycles count, from the first; all if not given.
+    record and structure as in `record_energies`; channel as in `Impacts.of_record`. Of each
+    half-cycle the stiffness is that of the straight line through the energy against theta**2/2;
+    samples near the impacts, and those of the release, are left out. count : how many half-cycles
+    count, from the first; all if not given.
     The mean weighs them by the spread of theta**2, and its deviation is that of their scatter.
     Raises ValueError for fewer than two half-cycles.
     """
+    channel = channel or _rotation_of(structure)
     free = record.free_vibration(channel)
     crossings = free.time[~free.at_peak]
     total = record_energies(record, structure).total

@@ -2,6 +2,12 @@
 
 The literature calls r as well as e = sqrt(r), the ratio of rates of rotation, "coefficient of
 restitution". Here a name says which it is; all of thesis 2-6, 3-3, 3-16, 5-4, 5-14 are r.
+
+These are the thesis's own formulas, of blocks and of two lumped masses and of arrays of them; the
+derived impacts and energies are tested against them, so that they must not come from there, and the
+energies keep all their digits however small the rotation. Of any structure `Impacts` and
+`FreeVibration.restitution` find r of a measured record by the energies that are derived, and
+`velocity_ratio` of the structure is the square root of the r that is predicted.
 """
 
 from __future__ import annotations
@@ -151,6 +157,8 @@ def energy_ratios_from_peaks(
     gravity: ArrayLike = STANDARD_GRAVITY,
 ):
     """r of each impact between successive peaks of a rocking block; thesis 3-3 and 3-16.
+
+    Of any other structure, and with intervals: `Impacts.of_peaks`.
 
     peaks : (..., n) peak rotations, one on each side in turn [rad]; the signs do not count.
     alpha : as in `energy_ratio_of_block` [rad]; for several blocks (..., 1), as the others.

@@ -15,7 +15,7 @@ from rockeom.numeric.structures import SHIPPED, Structure
 HELP = "list the structures, or explain one of them"
 DESCRIPTION = """\
 List the shipped structures, or explain one: its states, its parameters with units and
-meanings, and its contact phases.
+meanings, and its contact states.
 """
 EPILOG = """\
 examples:
@@ -80,8 +80,8 @@ def _explain(structure: type[Structure]) -> str:
         ("in Python", f"rockeom.{structure.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
-        ("contact phases", ", ".join(module.CONTACTS)),
-        ("impact laws", laws if _has_impacts(module) else "none: the contacts are springs"),
+        ("contact states", ", ".join(module.CONTACTS)),
+        ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
     ]
     return "\n".join(
         [_title(module), "", *_aligned(facts), "", *_aligned(_parameters(structure, module))]
@@ -94,7 +94,10 @@ def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[st
     known = dict(zip(module.PARAMETERS, words, strict=True))
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
     for name, given in structure.defaults().items():
-        unit, meaning = known[_NAME_IN_MODEL.get(name, name)]
+        called = name if name in known else _NAME_IN_MODEL.get(name)
+        if called is None:  # no number, such as what the base stands on
+            continue
+        unit, meaning = known[called]
         default = "required" if given is dataclasses.MISSING else str(given)
         if given is None:
             default = "as a homogeneous block"
@@ -104,6 +107,12 @@ def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[st
 
 def _has_impacts(module: ModuleType) -> bool:
     return any(kind == "impact" for _, _, kind in module.TRANSITIONS)
+
+
+def _without_a_law(module: ModuleType) -> str:
+    if getattr(module, "POINTS", ()):
+        return "none: each point has its restitution, and its friction if it may slip"
+    return "none: the contacts are springs"
 
 
 def _module(structure: type[Structure]) -> ModuleType:

@@ -56,7 +56,7 @@ def units(run: Response) -> dict[str, str]:
 
 
 def write_csv(run: Response, path: Path) -> None:
-    """Time, contact phase and all quantities, headed by names with units.
+    """Time, contact state (`phase`) and all quantities, headed by names with units.
 
     The instant of a jump stands in two rows, before and after.
     """

@@ -41,8 +41,8 @@ pulses (accelerations in m/s2, times in s; what stands in brackets may be left o
   single-cosine        amplitude= period= [duration=]
   ricker               amplitude= period= [duration=]
   antisymmetric-ricker amplitude= period= [duration=]
-  harmonic             amplitude= duration= [phase=] and one of frequency= (Hz),
-                       angular_frequency= (rad/s), period= (s)
+  harmonic             amplitude= duration= [phase=] (an angle, rad) and one of
+                       frequency= (Hz), angular_frequency= (rad/s), period= (s)
 
 impact laws:
   angular-momentum     conserved about the new pivot, the structure taken as rigid; if not given

@@ -6,7 +6,7 @@ of each element as numbers. Which one moves in a contact state stands in tables.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -36,7 +36,6 @@ from rockeom.symbolic.statics import equilibrium
 
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never slips."""
-
 
 
 class Written:
@@ -116,19 +115,27 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     }
     _momentum(text)
     _statics(written)
+    if not text.model.contacts:
+        _jump(text)
     return columns
 
 
-def _every(text: Text, name: str, targets: Mapping[str, sp.Expr], **how: bool) -> list[str]:
+def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
     """Lines of a function that is the same in every contact state."""
-    return text.evaluate(name, targets, "    ", **how) or ["    pass"]
+    return text.evaluate(name, targets, "    ") or ["    pass"]
 
 
-def _choice(name: str, number: int, of: int) -> str:
-    """The line before the branch of one of several numbers."""
-    if number == of - 1 and number:
-        return "    else:"
-    return f"    {'elif' if number else 'if'} {name} == {number}:"
+def _chosen(name: str, branches: Sequence[list[str]]) -> list[str]:
+    """Lines that go the way of a contact state's number in the table of that name."""
+    if len(branches) == 1:
+        return [line.removeprefix("    ") for line in branches[0]]
+    lines = [f"    {name} = {name.upper()}S[contact]"]
+    for number, branch in enumerate(branches):
+        last = number == len(branches) - 1
+        word = "elif" if number else "if"
+        lines.append("    else:" if last else f"    {word} {name} == {number}:")
+        lines += branch
+    return lines
 
 
 # -- motion -----------------------------------------------------------------------------------
@@ -152,16 +159,15 @@ def _told(mechanism: Mechanism) -> str:
 def _motions(written: Written) -> None:
     """Rates of all states: of each mechanism, of the one that moves, and on arrays."""
     text, mechanisms = written.text, written.modes.mechanisms
-    chosen = ["    mechanism = MECHANISMS[contact]"]
+    branches = []
     for i, mechanism in enumerate(mechanisms):
         written.rates.append(_motion_of(written, i, mechanism))
-        chosen += [_choice("mechanism", i, len(mechanisms)), *written.read(mechanism, " " * 8)]
-        chosen.append(f"        return {written.rates[-1]}")
+        branches.append([*written.read(mechanism, " " * 8), f"        return {written.rates[-1]}"])
     n, states = text.n, ", ".join(text.states)
     text.function(
         f"rates_of_states(contact, {states}, p, ax, ay)",
         "Rates of all states, in their order.",
-        chosen,
+        _chosen("mechanism", branches),
         "@inlined",
     )
     found = ", ".join(f"found[{n + i}]" for i in range(n))
@@ -292,10 +298,7 @@ def guards_of(model: Model, arrangement: Arrangement) -> list[Guard]:
 def _guards(written: Written) -> None:
     text, arrangements = written.text, written.modes.arrangements
     model = text.model
-    body = ["    arrangement = ARRANGEMENTS[contact]"]
-    for number, arrangement in enumerate(arrangements):
-        body.append(_choice("arrangement", number, len(arrangements)))
-        body += _guards_of(written, arrangement)
+    body = _chosen("arrangement", [_guards_of(written, a) for a in arrangements])
     if not any(guards_of(model, a) for a in arrangements):
         body = ["    pass"]
     text.function(
@@ -328,7 +331,9 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             group = next(g for g in mechanism.slipping if first_of(arrangement, g) == i)
             targets[place] = mechanism.sigma(group[0]) * mechanism.slip_rate(group)
         elif guard.kind == SLIPPING:
-            points = [j for j, f in enumerate(arrangement.shared) if f == i and arrangement.states[j]]
+            points = [
+                j for j, f in enumerate(arrangement.shared) if f == i and arrangement.states[j]
+            ]
             cone = sum(mechanism.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
         else:
@@ -373,7 +378,7 @@ def _points(text: Text) -> None:
             targets[f"out[{size * i + j}]"] = tidy(e)
     text.function(
         "points(y, p, out)",
-        f"""Of each point from out[i * {size}]: gap, its rate, rate of slip, biases of gap and slip, rows.
+        f"""Of each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
         _every(text, "points", targets),
@@ -442,16 +447,20 @@ def _reactions(written: Written) -> Columns:
     }
     body += written.read_switches("    ")
     body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
-    body.append("    arrangement = ARRANGEMENTS[contact]")
-    for number, arrangement in enumerate(arrangements):
-        body.append(_choice("arrangement", number, len(arrangements)))
-        body += written.found_forces(arrangement, " " * 8)
-        body += _shares(written, arrangement, 1 + len(points) + len(elements))
+    first = 1 + len(points) + len(elements)
+    if points:
+        body += _chosen(
+            "arrangement",
+            [
+                [*written.found_forces(a, " " * 8), *_shares(written, a, first)]
+                for a in arrangements
+            ],
+        )
     text.function(
         "reactions(contact, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
-    Where only the sum of frictions is determined, each has its share in proportion to its largest.""",
+    Where only the sum of frictions is determined, each has the same part of its largest.""",
         body if arrangements else ["    pass"],
     )
     return tuple(columns)
@@ -528,6 +537,19 @@ def _momentum(text: Text) -> None:
         "momentum(contact, y, p, out)",
         "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
         _every(text, "momentum", {f"out[{i}]": e for i, e in enumerate(total)}),
+    )
+
+
+def _jump(text: Text) -> None:
+    """Where nothing lands, elements switch, and the states go on unchanged."""
+    text.function(
+        "jump(contact, guard, law, ratio, y, p, out)",
+        "Pass through the switch whose guard fell: y into out (N,), the contact state returned.",
+        [
+            "    for i in range(N_STATES):",
+            "        out[i] = y[i]",
+            "    return TARGETS[contact][guard]",
+        ],
     )
 
 

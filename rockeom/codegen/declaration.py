@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-import hashlib
 from collections.abc import Iterator, Mapping
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from rockeom.sources import digest
 from rockeom.symbolic.model import RockingModel
-
-ROOT = Path(__file__).resolve().parents[1]
 
 
 def declaration_digest(model: RockingModel) -> str:
@@ -22,8 +18,7 @@ def declaration_digest(model: RockingModel) -> str:
 
     Raises TypeError where a declaration holds what is neither text nor number nor expression.
     """
-    parts = [sp.__version__, _derivation(), *_told(model)]
-    return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:20]
+    return digest(*_told(model))
 
 
 _ASSUMED = [
@@ -64,18 +59,3 @@ def _told(value: Any) -> Iterator[str]:
         yield repr(value)
     else:
         raise TypeError(f"a declaration holds {value!r}, which is no text, number or expression")
-
-
-def sources() -> list[Path]:
-    """The files that derive and write, and those of the numbers that are written."""
-    folders = (ROOT / "symbolic", ROOT / "codegen")
-    return [ROOT / "contract.py", *sorted(f for folder in folders for f in folder.rglob("*.py"))]
-
-
-@cache
-def _derivation() -> str:
-    """Hash of the sources."""
-    found = hashlib.sha256()
-    for file in sources():
-        found.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
-    return found.hexdigest()

@@ -12,6 +12,7 @@ import hashlib
 
 from rockeom.codegen.contacts import contact_functions
 from rockeom.codegen.guards import guards
+from rockeom.codegen.held import held
 from rockeom.codegen.jump import jump
 from rockeom.codegen.names import check_names, docstring
 from rockeom.codegen.outputs import outputs
@@ -62,8 +63,13 @@ def module_text(model: RockingModel | Model) -> str:
         guards(text)
         jump(text)
         columns = outputs(text)
+        on_both_feet = held(text)
     functions_of_parameters(text)
-    head = contact_tables(text, columns) if isinstance(model, Model) else tables(text, columns)
+    head = (
+        contact_tables(text, columns)
+        if isinstance(model, Model)
+        else tables(text, columns, on_both_feet)
+    )
     check_names("\n".join(head + text.lines), text.given)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
     body = "\n".join(lines) + "\n"

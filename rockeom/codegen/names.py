@@ -15,20 +15,21 @@ import unicodedata
 _PROGRAM = """
 abs float max min np math range __debug__
 
-accelerations energies guards jump kinematics momentum opening_acceleration overturning prepare
-rates reactions sine_cosine sizes statics velocity_ratio fused inlined
+accelerations energies guards held_guards jump kinematics momentum opening_acceleration overturning
+prepare rates reactions sine_cosine sizes statics velocity_ratio fused inlined
 
 free_motion points point_laws
 
 contact s y p ax ay dy g i out law ratio guard load found value parameters total_gravity
 matrix forces arrangement mechanism
 
-CLASS CLOSED CONTACTS ENERGIES GUARDS HAS_IMPULSIVE IMPULSIVE KINDS KINEMATICS NAME N_GUARDS N_PARTS
-N_STATES NARROW PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS RATIO REACTIONS
-ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS TRANSITIONS
+CLASS CLOSED CONTACTS ENERGIES GUARDS HAS_IMPULSIVE HELD IMPULSIVE KINDS KINEMATICS NAME N_GUARDS
+N_PARTS N_STATES NARROW PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS RATIO
+REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
+TRANSITIONS
 
-ARRANGEMENTS ELEMENTS ELEMENT_STATES IMAGES MECHANISMS N_ELEMENTS N_POINTS POINTS POINT_STATES SHARED
-SIGMAS SUBJECTS
+ARRANGEMENTS ELEMENTS ELEMENT_STATES IMAGES MECHANISMS N_ELEMENTS N_POINTS POINTS POINT_STATES
+SHARED SIGMAS SUBJECTS
 """
 """What the text uses of Python and its libraries, its functions, their arguments, its tables."""
 WORDS = frozenset(_PROGRAM.split())

@@ -49,10 +49,13 @@ def eliminated(
     """(what is to be evaluated, by name; the lines behind it that solve), see `solve`."""
 
     def collected(expr: sp.Expr) -> sp.Expr:
-        return expr if gravity is None else _collected(expr, gravity)
+        if gravity is None:
+            return expr
+        sums = by_states(text, expr)
+        return _collected(expr, gravity) if sums is None else sums
 
     M, F = matrix.copy(), right.copy()
-    left, last = _eliminate(text, M, F)
+    left, last = eliminate(text, M, F)
     left.sort(key=lambda j: not text.fixed(M[j, j]))
     entries = {f"m{a}{b}": M[i, j] for a, i in enumerate(left) for b, j in enumerate(left[: a + 1])}
     entries |= {f"f{a}": collected(F[i]) for a, i in enumerate(left)}
@@ -118,7 +121,7 @@ def unsymmetric(
     return entries, [indent + line for line in lines]
 
 
-def _eliminate(
+def eliminate(
     text: Text, M: sp.Matrix, F: sp.Matrix
 ) -> tuple[list[int], list[tuple[int, sp.Expr, dict[int, sp.Expr]]]]:
     """Eliminate from M x = F, in place, the unknowns whose coefficients are constants.
@@ -135,11 +138,27 @@ def _eliminate(
         left.remove(j)
         share = {i: sp.expand(M[i, j] / M[j, j]) for i in left}
         for i in left:
+            if share[i] == 0:
+                continue
             F[i] = tidy(F[i] - share[i] * F[j])
             for k in left:
                 M[i, k] = tidy(M[i, k] - share[i] * M[j, k])
         last.append((j, sp.expand(F[j] / M[j, j]), share))
     return left, last
+
+
+def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
+    """An expression as constants by the states and by ax, or None where it is no such sum.
+
+    The processor then waits for one product and one sum after the last state is known.
+    """
+    states = [x for c in text.model.coordinates for x in (c.position, c.velocity)]
+    variables = [*states, GROUND_X]
+    factors = [sp.factor_terms(sp.expand(sp.diff(expr, x))) for x in variables]
+    rest = expr.subs(dict.fromkeys(variables, 0))
+    if not all(map(text.fixed, [*factors, rest])):
+        return None
+    return sp.Add(rest, *(f * x for f, x in zip(factors, variables, strict=True)))
 
 
 def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:

@@ -18,8 +18,8 @@ from rockeom.symbolic.model import Parameter, RockingModel
 from rockeom.symbolic.modes import Modes
 
 
-def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
-    """All tables; `columns` : those that name what functions give."""
+def tables(text: Text, columns: Mapping[str, Iterable[str]], held: int) -> list[str]:
+    """All tables; `columns` : those that name what functions give. held : see `held.py`."""
     return [
         "",
         *_words(text.model, columns, text.model.contacts),
@@ -27,6 +27,7 @@ def tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str]:
         *_numbers(text),
         *_of_guards(text.model),
         f"NARROW = {bool(text.model.laws)}  # whether forces may act in a small part of a step",
+        f"HELD = {held}  # contact state whose guards are sums of the state and the ground, or -1",
         f"HAS_IMPULSIVE = {impulsive(text.model)}",
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
         *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),
@@ -53,11 +54,12 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         f"N_ELEMENTS = {len(model.elements)}",
         f"ROTATION = {text.index(model.rotation.position)}",
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
-        *_column("SIDES = (", {name: "0.0" for name in written}),
+        *_column("SIDES = (", dict.fromkeys(written, "0.0")),
         *_column("GUARDS = (", {name: str(len(row)) for name, row in rows.items()}),
         *_states_of_contact(modes, slips),
         *_of_derived_guards(model, modes, rows, longest_row),
         "NARROW = False  # whether forces may act in a small part of a step",
+        "HELD = -1  # contact state whose guards are sums of the state and the ground, or -1",
         "HAS_IMPULSIVE = False",
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
         *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),
@@ -69,7 +71,7 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
     written = {state: modes.arrangements[state.arrangement] for state in modes.states}
     return [
         *_rows(
-            "POINT_STATES = (  # of each point; 0 open, 1 sticks, 2 slips to the right, 3 to the left",
+            "POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left",
             {state.name: state.points for state in written},
         ),
         *_rows("ELEMENT_STATES = (  # 0 off, 1 on", {s.name: s.elements for s in written}),
@@ -113,7 +115,9 @@ def _of_derived_guards(
         if guard.kind != SWITCH:
             return -1
         there = rows[modes.states[switched(number, guard)].name]
-        return next(i for i, g in enumerate(there) if g.subject == guard.subject and g.kind == SWITCH)
+        return next(
+            i for i, g in enumerate(there) if g.subject == guard.subject and g.kind == SWITCH
+        )
 
     def part(number: int, guard: Guard) -> int:
         if guard.kind != SWITCH or modes.states[number].elements[guard.subject - points]:
@@ -239,11 +243,13 @@ def class_name(model: str) -> str:
 
 
 def _sign(parameter: Parameter) -> str:
-    """Which numbers a parameter may be: not negative, or any."""
+    """Which numbers a parameter may be: whole and positive, not negative, or any."""
+    if parameter.symbol.is_integer:
+        return "n"
     return "+" if parameter.symbol.is_nonnegative else "+-"
 
 
-def _of_sizes(model: RockingModel) -> list[str]:
+def _of_sizes(model: RockingModel | Model) -> list[str]:
     """What is told where `sizes` gives a number that no structure has."""
     rows = sizes_to_check(model)
     if not rows:

@@ -6,7 +6,7 @@ function that adds to the text. Here is what they have in common.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from textwrap import dedent
 from typing import Any
 
@@ -124,18 +124,23 @@ class Text:
             plain, angles = named_angles(plain)
         lines, before, after = statements(plain, indent)
         self.count(function, before, after)
-        used = {str(x) for e in plain.values() for x in e.free_symbols}
-        ahead = {k: e for k, e in ahead.items() if k in used}
+        in_lines = _symbols(plain.values())
+        ahead = {k: e for k, e in ahead.items() if k in in_lines}
         assigned = [line for k, e in ahead.items() for line in assign(k, python(e), indent)]
-        assigned += assigned_angles(angles, indent)
-        read = self._read([*ahead.values(), *plain.values(), *angles], indent, states)
-        return read + assigned + lines
+        used = _symbols([*ahead.values(), *plain.values(), *angles])
+        of_angles = _symbols(angles)
+        read = self._read_states(used, indent) if states else []
+        # what is read before the angles waits on the stack until they are found
+        read += self._read_constants(used & of_angles, indent) + assigned_angles(angles, indent)
+        return read + self._read_constants(used - of_angles, indent) + assigned + lines
 
-    def _read(self, exprs: Iterable[sp.Expr], indent: str, states: bool) -> list[str]:
-        """Read the states (of y) and parameters (of p) that occur, in the order of the tables."""
-        used = {str(x) for e in exprs for x in sp.sympify(e).free_symbols}
-        lines = [f"{indent}{n} = y[{i}]" for i, n in enumerate(self.states) if states and n in used]
-        lines += [f"{indent}{n} = p[{i}]" for i, n in enumerate(self.parameters) if n in used]
+    def _read_states(self, used: Collection[str], indent: str) -> list[str]:
+        """Read the states that occur, of y."""
+        return [f"{indent}{n} = y[{i}]" for i, n in enumerate(self.states) if n in used]
+
+    def _read_constants(self, used: Collection[str], indent: str) -> list[str]:
+        """Read the parameters and constants that occur, of p."""
+        lines = [f"{indent}{n} = p[{i}]" for i, n in enumerate(self.parameters) if n in used]
         first = len(self.parameters)
         for i, (value, c) in enumerate(self.constants.names.items()):
             if str(c) in used:
@@ -171,3 +176,8 @@ class Text:
                 body += self.side(phase, " " * 8)
             body += lines or [" " * 8 + "pass"]
         self.function(signature, doc, [*body, *after])
+
+
+def _symbols(exprs: Iterable[sp.Expr]) -> set[str]:
+    """Names of the symbols that occur."""
+    return {str(x) for e in exprs for x in sp.sympify(e).free_symbols}

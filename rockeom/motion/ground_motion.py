@@ -154,7 +154,7 @@ class GroundMotion:
         """amplitude sin(omega t + phase), without end up to `duration` [s].
 
         amplitude : [m/s2]; exactly one of frequency [Hz], angular_frequency [rad/s] and period
-        [s]; phase : [rad], pi/2 for a cosine.
+        [s]; phase : the phase angle [rad], pi/2 for a cosine.
         """
         a, end, phase = (
             _finite("amplitude", amplitude),
@@ -519,12 +519,12 @@ def _scaled_name(name: str, acceleration: float, time: float) -> str:
 # -- construction --------------------------------------------------------------------------------
 
 
-def _analytic(name: str, laws: list[tuple[float, ...]]) -> GroundMotion:
+def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
     """Segments one after the other, each by its end, kind and constants."""
     rows = []
     start = 0.0
-    for end, *law in laws:
-        rows.append([start, end, *law, *[0.0] * (COLUMNS - KIND - len(law))])
+    for end, *given in segments:
+        rows.append([start, end, *given, *[0.0] * (COLUMNS - KIND - len(given))])
         start = end
     return GroundMotion(np.array(rows), name, "analytic")
 
@@ -539,18 +539,18 @@ def _pulse(
     amplitude: float,
     period: float,
     periods: float,
-    phase: float,
+    angle: float,
     duration: float | None,
 ) -> GroundMotion:
-    """A sine of `phase` for so many periods, and quiet time after it."""
+    """A sine of this phase angle for so many periods, and quiet time after it."""
     a, t_p = _finite("amplitude", amplitude), _positive("period", period)
     end = periods * t_p
-    law = (end, SINE, a, 2.0 * math.pi / t_p, phase)
+    pulse = (end, SINE, a, 2.0 * math.pi / t_p, angle)
     name = _named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
     total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
     if total > end:  # both at once: maps make many of them
-        return _analytic(name, [law, (total, LINEAR)])
-    return _analytic(name, [law]).padded_to(total)
+        return _analytic(name, [pulse, (total, LINEAR)])
+    return _analytic(name, [pulse]).padded_to(total)
 
 
 def _readers() -> ModuleType:

@@ -18,7 +18,7 @@ COLUMNS = 7
 
 
 class SegmentKind(IntEnum):
-    """The law of a segment."""
+    """How the acceleration runs within a segment."""
 
     LINEAR = 0  # c0 + c1 tau
     SINE = 1  # c0 sin(c1 tau + c2)
@@ -45,12 +45,12 @@ def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
         of_kind = rows[:, KIND] == kind
         if of_kind.any():
             c0, c1, c2 = rows[of_kind, C0 : C2 + 1].T
-            found[of_kind] = law(kind, c0, c1, c2, tau[of_kind])
+            found[of_kind] = within(kind, c0, c1, c2, tau[of_kind])
     return found
 
 
-def law(kind: float, c0: Any, c1: Any, c2: Any, tau: Any) -> Any:
-    """Acceleration [m/s2] of a law of this kind, at its local time tau [s]; numbers or arrays."""
+def within(kind: float, c0: Any, c1: Any, c2: Any, tau: Any) -> Any:
+    """Acceleration [m/s2] at the local time tau [s] of a segment; numbers or arrays."""
     if kind == LINEAR:
         return c0 + c1 * tau
     if kind == SINE:

@@ -11,7 +11,7 @@ import numpy as np
 from rockeom.arguments import number, told
 from rockeom.many import isfinite, values
 from rockeom.motion import GroundMotion
-from rockeom.motion.segments import LINEAR, law
+from rockeom.motion.segments import LINEAR, within
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.structures import Structure, check_states
 
@@ -225,14 +225,14 @@ def _check_motion(name: str, motion: Any) -> None:
 
 
 def _pushes(motion: GroundMotion) -> Iterator[float]:
-    """The ground acceleration of each law, a thousandth of the law's own time behind its start.
+    """The ground acceleration of each segment, a thousandth of its own time behind its start.
 
     Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
     """
     for row in motion.segments:
         start, end, kind, c0, c1, c2, _ = row.tolist()
         curved = kind != LINEAR and c1 != 0.0
-        yield law(kind, c0, c1, c2, 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9))
+        yield within(kind, c0, c1, c2, 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9))
 
 
 def _table(motion: GroundMotion | None) -> np.ndarray:

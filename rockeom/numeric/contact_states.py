@@ -7,12 +7,15 @@ Their generated modules tell of each point the gap, the slip and how both move, 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from rockeom.contract import (
+    IMPOSSIBLE,
     LANDING,
     LIFTING,
     OPEN,
@@ -95,12 +98,14 @@ def standing(
     down = np.abs(points.gap) <= _CLOSED * points.size
     if not down.any() or not free[n:].any():
         return y
-    choices = [np.flatnonzero(down), *([i] for i in np.flatnonzero(down))]
+    touching = np.flatnonzero(down)
+    choices = [touching, *(touching[i : i + 1] for i in range(len(touching)))]
     for held in choices:
         rows = np.vstack([points.normal[held], points.tangential[held]])
         moved = y.copy()
         lacking = rows @ y[n:]
-        moved[n:][free[n:]] -= np.linalg.lstsq(rows[:, free[n:]], lacking, rcond=None)[0]
+        move = np.flatnonzero(free[n:])
+        moved[n + move] -= np.linalg.lstsq(rows[:, move], lacking, rcond=None)[0]
         there = Points(module, moved, p)
         fits = np.abs(rows @ moved[n:]) <= _CLOSED * (np.abs(rows) @ np.abs(moved[n:]) + 1e-300)
         opens = there.gap_rate >= -_CLOSED * there.speed
@@ -138,6 +143,41 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
 
 
 _WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}
+
+
+def by_forces(
+    module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
+) -> int:
+    """The contact state in which a state goes on, by the forces under a ground acceleration.
+
+    contact : that which the state itself tells of. Raises ValueError where forces fit none, or
+    several that move differently.
+    """
+    if not len(module.POINTS):
+        return contact
+    follows = _searching(module)["fits_by_forces"](contact, y, p, *ground)
+    if follows < 0:
+        none = "no" if follows == IMPOSSIBLE else "more than one"
+        raise ValueError(
+            f"{none} contact state of {module.NAME} fits the forces in this state (Painleve): give "
+            "less friction, or another state"
+        )
+    return follows
+
+
+@cache
+def _searching(module: ModuleType) -> dict[str, Any]:
+    """The functions that search for contact states, as plain Python, for a generated module."""
+    found = dict(vars(module)) | {"ANGLES": angles(module)}
+    text = (files("rockeom.numeric") / "contacts.py").read_text(encoding="utf-8")
+    exec(compile(text, "contacts.py", "exec"), found)
+    return found
+
+
+def angles(module: ModuleType) -> tuple[float, ...]:
+    """1 of each coordinate that is an angle, 0 of others."""
+    units = module.STATE_UNITS[: module.N_STATES // 2]
+    return tuple(1.0 if unit == "rad" else 0.0 for unit in units)
 
 
 def _switch_margin(module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray) -> float:

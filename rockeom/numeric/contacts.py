@@ -429,6 +429,36 @@ def collide(contact, near, y, laws, told, spread, coupling, out):
     return found
 
 
+def touching_points(contact, y, p, told, near, sliding):
+    """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
+
+    told : of `points`, found here. A point that a contact state has closed does.
+    """
+    points(y, p, told)
+    for i in range(N_POINTS):
+        _, size = rate_of(told, 2 * i, y, 0)
+        _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
+        slip, slips = rate_of(told, 2 * i + 1, y, N_COORDINATES)
+        closed = told[i * POINT] <= 1e-9 * size and abs(told[i * POINT + 1]) <= 1e-9 * speed
+        near[i] = 1 if closed or POINT_STATES[contact][i] != OPEN else 0
+        sliding[i] = 0.0
+        if near[i] == 1 and abs(slip) > 1e-9 * slips:
+            sliding[i] = 1.0 if slip > 0.0 else -1.0
+
+
+def fits_by_forces(contact, y, p, ax, ay):
+    """The contact state that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
+
+    contact : that which the state's gaps and velocities tell of, with its elements.
+    """
+    told = np.empty(POINT * N_POINTS)
+    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
+    near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
+    touching_points(contact, y, p, told, near, sliding)
+    response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
+    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, told, coupling)
+
+
 def share(candidate, told, force, fractions):
     """The fraction of friction of sticking points at different heights, which share their sum.
 
@@ -702,6 +732,19 @@ def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay,
     return touching if touching > 0 else -1
 
 
+def nothing_moves(contact, y, p):
+    """Whether no acceleration of the ground moves anything in a contact state, in a state at rest.
+
+    Accelerations are sums of a part of each of the ground's, and of none: two are tried at once.
+    """
+    dy = np.empty(N_STATES)
+    rates(contact, y, p, 1.0, 0.7, dy)
+    moves = False
+    for i in range(N_STATES):
+        moves = moves or dy[i] != 0.0
+    return not moves
+
+
 def held_upright(contact, y, p):
     """Whether points are closed that keep the structure from turning."""
     if y[ROTATION + N_COORDINATES] != 0.0:
@@ -793,7 +836,10 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
             fastest = max(fastest, rate)
             if lasts < flight:
                 flight, which = lasts, i
-        if which < 0 or fastest <= 1e-7 * start:
+        if which < 0:
+            break
+        _, speed = rate_of(told, 2 * which, w, n)
+        if fastest <= max(1e-7 * start, 100.0 * FITS * speed):
             break
         before, last = last, flight
         total += flight

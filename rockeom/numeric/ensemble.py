@@ -122,7 +122,7 @@ def simulate_many(
         much longer.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt),
-    final_time [s], final_phase, impacts, refined (laws of the ground in which equal steps would
+    final_time [s], final_phase, impacts, refined (segments of the ground in which equal steps would
     have been too long), peak, maximum, minimum and final value of each state, and impact_time (nan
     where there was none). maximum and minimum have a sign, peak is the larger of their sizes; they
     are found within the steps. Memory is bounded by the dataset. A keyboard
@@ -174,7 +174,7 @@ def simulate_many(
             )
         except KeyboardInterrupt:
             interrupted = True
-    dataset = results.dataset(values, module).assign(asked.variables(values))
+    dataset = results.dataset(values, module, asked.variables(values))
     dataset.attrs.update(model=module.NAME, method=options.method, interrupted=int(interrupted))
     return dataset
 
@@ -440,7 +440,7 @@ class _Results:
         outcome = np.full(n, FULL)
         others = (
             q.horizontal, q.h_rows, q.vertical, q.v_rows, q.p, q.law, q.ratio, options.rtol,
-            np.full(width, options.atol), options.max_step, options.steps_per_law, q.fallen,
+            np.full(width, options.atol), options.max_step, options.steps_per_segment, q.fallen,
             options.rest_tolerance, options.max_impacts, options.max_steps, outcome, peaks, times,
         )  # fmt: skip
         in_lanes = ended = 0
@@ -471,7 +471,10 @@ class _Results:
             self.refined[there] = status[ran, REFINED]
             self.outcome[there] = outcome[ran]
 
-    def dataset(self, values: Mapping[str, list[Any]], module: ModuleType) -> Sweep:
+    def dataset(
+        self, values: Mapping[str, list[Any]], module: ModuleType, asked: Mapping[str, Any]
+    ) -> Sweep:
+        """All that is kept of the cases, `asked` among it, in one go: a dataset is slow to make."""
         dims = tuple(values)
         shape = tuple(len(v) for v in values.values())
         ran = self.outcome != NOT_RUN
@@ -485,23 +488,21 @@ class _Results:
         def of_states(a: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
             return (*dims, "state"), shaped(np.where(ran[:, None], a, np.nan))
 
-        over = Sweep(
-            {
-                "outcome": (dims, shaped(labels[self.outcome])),
-                "final_time": (dims, shaped(self.final_time), {"units": "s"}),
-                "final_phase": (dims, shaped(phases[np.where(ran, self.contact, -1)])),
-                "impacts": (dims, shaped(self.impacts)),
-                "refined": (dims, shaped(self.refined)),
-                "peak": of_states(np.abs(self.peaks).max(axis=1)),
-                "maximum": of_states(self.peaks[:, 1]),
-                "minimum": of_states(self.peaks[:, 0]),
-                "final": of_states(self.final),
-            },
-            coords={"state": list(module.STATES)} | {d: _labels(v) for d, v in values.items()},
-        )
+        found = {
+            "outcome": (dims, shaped(labels[self.outcome])),
+            "final_time": (dims, shaped(self.final_time), {"units": "s"}),
+            "final_phase": (dims, shaped(phases[np.where(ran, self.contact, -1)])),
+            "impacts": (dims, shaped(self.impacts)),
+            "refined": (dims, shaped(self.refined)),
+            "peak": of_states(np.abs(self.peaks).max(axis=1)),
+            "maximum": of_states(self.peaks[:, 1]),
+            "minimum": of_states(self.peaks[:, 0]),
+            "final": of_states(self.final),
+        }
         if self.times.shape[1]:
-            over["impact_time"] = ((*dims, "impact"), shaped(self.times), {"units": "s"})
-        return over
+            found["impact_time"] = ((*dims, "impact"), shaped(self.times), {"units": "s"})
+        coords = {"state": list(module.STATES)} | {d: _labels(v) for d, v in values.items()}
+        return Sweep({**found, **asked}, coords=coords)
 
 
 @dataclass(frozen=True)

@@ -317,7 +317,8 @@ def take_in(lane, z, w, home, fallen):
     status, clock, states, rates_, peaks, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
     z[Z_T + lane], z[Z_NEXT + lane] = clock[case, TIME], clock[case, NEXT_STEP]
-    z[Z_DAMP + lane] = math.exp(DAMPING * clock[case, LAST_ERROR])
+    last_error = clock[case, LAST_ERROR]
+    z[Z_DAMP + lane] = last_error**DAMPING if last_error > 0.0 else 1.0
     z[Z_CONTACT + lane] = status[case, CONTACT]
     z[Z_SIDE + lane] = GAP_SIDES[status[case, CONTACT]]
     z[Z_TOUCHING + lane] = status[case, TOUCHING]
@@ -340,7 +341,7 @@ def take_out(lane, z, w, home):
     if z[Z_T + lane] > clock[case, TIME]:
         status[case, IDLE] = 0
     clock[case, TIME], clock[case, NEXT_STEP] = z[Z_T + lane], z[Z_NEXT + lane]
-    clock[case, LAST_ERROR] = math.log(z[Z_DAMP + lane]) / DAMPING
+    clock[case, LAST_ERROR] = z[Z_DAMP + lane] ** (1.0 / DAMPING)
     status[case, CONTACT] = int(z[Z_CONTACT + lane])
     status[case, TOUCHING] = int(z[Z_TOUCHING + lane])
     status[case, TAKEN] = int(z[Z_TAKEN + lane])
@@ -482,6 +483,15 @@ def fresh_rates(lane, z, case, home, p):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
 
 
+def next_step(lane, z, case, home, p, how, work):
+    """Let a lane's next step be a first one, as the loop chooses it."""
+    contact, scratch = int(z[Z_CONTACT + lane]), work[6]
+    z[Z_NEXT + lane] = first_step(
+        contact, z[Z_T + lane], home[2][case], home[3][case], p, ground_x(z, lane),
+        ground_y(z, lane), how[0], how[1], scratch[_W:_Y_NEW], scratch[_AFTER:_POWERS],
+    )  # fmt: skip
+
+
 @inlined
 def next_laws(lane, z, w, case, ground, fixed):
     """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
@@ -581,7 +591,7 @@ def ready(lane, z, w, home, ground, data, how, work):
                 fresh_rates(lane, z, case, home, data[0][case])
                 status[case, NEWS] = status[case, FRESH] = 0
             if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
-                z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
+                next_step(lane, z, case, home, data[0][case], how, work)
             return True
         if N_STATES == 2 and KINDS[int(z[Z_CONTACT + lane])][0] == UPLIFT:
             t = z[Z_T + lane]
@@ -593,7 +603,7 @@ def ready(lane, z, w, home, ground, data, how, work):
         elif z[Z_EQUAL + lane] == 0.0:
             if z[Z_NEXT + lane] == 0.0:
                 fresh_rates(lane, z, case, home, data[0][case])
-                z[Z_NEXT + lane] = first_step(home[2][case], home[3][case], how[0], how[1])
+                next_step(lane, z, case, home, data[0][case], how, work)
             until = end_of_step(lane, z, z[Z_NEXT + lane])
             alone(lane, z, w, home, ground, data, how, work, until)
             continue

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rockeom.contract import (
+    AMBIGUOUS,
     AT_SPEED,
     AT_THE_START,
     BY_FOOT,
@@ -59,6 +60,7 @@ if TYPE_CHECKING:  # joined before this text
         COARSE,
         ERROR_EXPONENT,
         GUARDS,
+        HELD,
         KINDS,
         N_ALL_STAGES,
         N_GUARDS,
@@ -81,13 +83,16 @@ if TYPE_CHECKING:  # joined before this text
         TARGETS,
         dense_output,
         energies,
+        fits_by_forces,
         guard_noise,
         guards,
+        held_guards,
         held_upright,
         is_closed,
         jump,
         kinematics,
         longest_turn,
+        nothing_moves,
         opening_acceleration,
         pass_on,
         rates,
@@ -509,22 +514,38 @@ def extrapolate(h, move, y, y_new, k):
         y_new[n + i] += part * (a1 + 0.5 * part * jerk) / h
 
 
-def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
-    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+@inlined
+def quintics_through_ends(h, y, y_new, k, quintics):
+    """Bernstein coefficients of the coordinates by value, rate and acceleration at both ends.
 
-    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    Those of coordinate i stand from 8 * i + 1 on; the first and the last stand there twice, so that
+    their differences know no end.
     """
     n = N_STATES // 2
     for i in range(n):
         v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
         a0, a1 = h * h * k[n + i] / 20.0, h * h * k[N_STAGES * N_STATES + n + i] / 20.0
-        at = 6 * i
-        quintics[at], quintics[at + 1], quintics[at + 2] = y[i], y[i] + v0, y[i] + 2.0 * v0 + a0
-        quintics[at + 5], quintics[at + 4] = y_new[i], y_new[i] - v1
-        quintics[at + 3] = y_new[i] - 2.0 * v1 + a1
+        at = 8 * i
+        quintics[at] = quintics[at + 1] = y[i]
+        quintics[at + 2], quintics[at + 3] = y[i] + v0, y[i] + 2.0 * v0 + a0
+        quintics[at + 4], quintics[at + 5] = y_new[i] - 2.0 * v1 + a1, y_new[i] - v1
+        quintics[at + 6] = quintics[at + 7] = y_new[i]
+
+
+def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
+    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+
+    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    """
+    if HELD >= 0:
+        quiet = gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
+        if contact == HELD and gx[2] == 0.0 and quiet:
+            return stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics)
+    n = N_STATES // 2
+    quintics_through_ends(h, y, y_new, k, quintics)
     for m in range(8):
         for i in range(n):
-            at = 6 * i
+            at = 8 * i + 1
             place = QUINTIC[m, 0] * quintics[at]
             slope = 0.0
             for j in range(5):
@@ -545,16 +566,34 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
     return True
 
 
-@inlined
-def stands_until(contact, t, end, y, rate, p, gx, gy, w, g):
-    """Whether a structure that cannot move on both its feet stays there while straight laws last.
+def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
+    """The same for guards that are sums of the state and of ground that moves in a straight line.
 
-    The accelerations with which its feet would lift are linear in those of the ground, so that
-    both ends decide.
+    The coefficients of such a sum are the sums of those of the quintics, and of their slopes.
     """
-    if N_STATES > 2 and N_POINTS == 0:
-        return False
-    if N_PARTS > 0 or SIDES[contact] != 0.0 or gx[2] != 0.0 or gy[2] != 0.0:
+    n = N_STATES // 2
+    quintics_through_ends(h, y, y_new, k, quintics)
+    rate, ground, change = 1.0 / h, shaking(gx, t), 0.2 * h * gx[4]
+    least, most = np.inf, 0.0
+    past, left = 0.0, 5.0
+    for j in range(6):
+        for i in range(n):
+            at = 8 * i + j
+            before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
+            w[i], w[n + i] = here, rate * (past * (here - before) + left * (behind - here))
+        held_guards(w, p, ground + past * change, g)
+        past, left = past + 1.0, left - 1.0
+        for n_g in range(N_GUARDS):
+            if not g[n_g] > 0.0:
+                return False
+            least, most = min(least, g[n_g]), max(most, g[n_g])
+    return 1e-3 * most < least
+
+
+@inlined
+def cannot_move(contact, rate, y, p):
+    """Whether a structure stands on both its feet, and has no state that could move there."""
+    if (N_STATES > 2 and N_POINTS == 0) or N_PARTS > 0 or SIDES[contact] != 0.0:
         return False
     for i in range(N_STATES):
         if rate[i] != 0.0:
@@ -563,8 +602,17 @@ def stands_until(contact, t, end, y, rate, p, gx, gy, w, g):
         kind = KINDS[contact][n]
         if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
             return False
-    held = True if N_POINTS == 0 else held_until(contact, end, y, p, gx, gy, w)
-    if not held:
+    return True if N_POINTS == 0 else nothing_moves(contact, y, p)
+
+
+@inlined
+def stands_until(contact, t, end, y, p, gx, gy, g):
+    """Whether a structure that cannot move stays on both its feet while straight laws last.
+
+    The accelerations with which its feet would lift are linear in those of the ground, so that
+    both ends decide.
+    """
+    if gx[2] != 0.0 or gy[2] != 0.0:
         return False
     for turn in range(2):
         tau = end if turn == 1 else t
@@ -576,15 +624,6 @@ def stands_until(contact, t, end, y, rate, p, gx, gy, w, g):
             if not g[n] > 1e-9 * size:
                 return False
     return True
-
-
-def held_until(contact, end, y, p, gx, gy, w):
-    """Whether nothing is accelerated at the end of straight laws: then nothing is before it."""
-    rates(contact, y, p, shaking(gx, end), shaking(gy, end), w)
-    moves = False
-    for i in range(N_STATES):
-        moves = moves or w[i] != 0.0
-    return not moves
 
 
 def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
@@ -826,6 +865,13 @@ def tabled_ratio(law, impact, y, p):
 # -- infinitely many impacts ---------------------------------------------------------------------
 
 
+@inlined
+def may_fade(side, y, rate, tolerance):
+    """Whether the flight after an impact is short enough for `time_to_rest` to be finite."""
+    a, v = -side * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+    return a > 0.0 and 4.0 * v * v <= 1.001 * tolerance * tolerance * a
+
+
 def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, kick):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
@@ -871,7 +917,9 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, 
             if i >= N_STATES // 2:
                 kick[i] += flight * (out[i] - smooth[i])
         w[ROTATION] = 0.0
-        alike = abs(a - a_before) <= 1e-13 * a and abs(loss - last_loss) <= 1e-13
+        # what is left of them counts by the speed that is left
+        small = 1e-13 * start
+        alike = abs(a - a_before) * v <= small * a and abs(loss - last_loss) * v <= small
         if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
             # what a constant loss leaves of the two series of flights
             left = (1.0 - loss) * (1.0 - (last_loss if law > AT_SPEED else loss))
@@ -917,16 +965,47 @@ def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
 # -- the loop ------------------------------------------------------------------------------------
 
 
-def first_step(y, rate, rtol, atol):
-    """A cautious first step, from the sizes of the state and of its rate."""
-    size = speed = 0.0
+def first_step(contact, t, y, rate, p, gx, gy, rtol, atol, w, later):
+    """A first step, from the sizes of the state, of its rate, and of the change of that.
+
+    A rocking structure tells how long it may be, by Hairer's estimate or a tenth of its own time;
+    elsewhere it is a cautious one. w, later (N,) : scratch.
+    """
+    size = speed = change = 0.0
     for i in range(N_STATES):
         scale = atol[i] + rtol * abs(y[i])
         size = max(size, abs(y[i]) / scale)
         speed = max(speed, abs(rate[i]) / scale)
-    if size < 1e-5 or speed < 1e-5:
-        return 1e-6
-    return 0.01 * size / speed
+    cautious = 1e-6 if size < 1e-5 or speed < 1e-5 else 0.01 * size / speed
+    longest = 0.1 * own_time(contact, y, p)
+    if NARROW or not rocking(contact) or not cautious < longest:
+        return cautious
+    for i in range(N_STATES):
+        w[i] = y[i] + cautious * rate[i]
+    rates(contact, w, p, shaking(gx, t + cautious), shaking(gy, t + cautious), later)
+    for i in range(N_STATES):
+        scale = cautious * (atol[i] + rtol * abs(y[i]))
+        change = max(change, abs(later[i] - rate[i]) / scale)
+    most = max(speed, change)
+    if not 0.0 < most < np.inf:
+        return cautious
+    return max(cautious, min(longest, (0.01 / most) ** -ERROR_EXPONENT))
+
+
+@inlined
+def power(x, exponent):
+    """x**exponent within 4 per cent, for x of at most 1 and an exponent of at most 0.2.
+
+    The control of steps asks for no more, and waits for it: Pade's approximation about 0.1.
+    """
+    factor = 0.1**exponent
+    while x < 0.01:
+        x *= 100.0
+        factor *= 0.01**exponent
+    z = 10.0 * x - 1.0
+    above = 12.0 + z * (6.0 * (2.0 + exponent) + z * ((1.0 + exponent) * (2.0 + exponent)))
+    below = 12.0 + z * (6.0 * (2.0 - exponent) + z * ((1.0 - exponent) * (2.0 - exponent)))
+    return factor * above / below
 
 
 @inlined
@@ -1042,7 +1121,8 @@ def integrate(
     for i in range(N_STATES):
         k[i] = rate[i]
     t, h_next = clock[TIME], clock[NEXT_STEP]
-    last_error, refined_to = clock[LAST_ERROR], clock[REFINED_TO]
+    last_error = clock[LAST_ERROR] if clock[LAST_ERROR] > 0.0 else 1.0
+    refined_to = clock[REFINED_TO]
     coarse = most_error(rtol)
     nx, gx = row_at(horizontal, 0, t)
     ny, gy = row_at(vertical, 0, t)
@@ -1055,6 +1135,11 @@ def integrate(
     turn = taken + TURN
     for i in range(noises.shape[0]):
         noises[i] = -1.0
+
+    if N_POINTS > 0:
+        begins = taken == 0 and impacts == 0 and fresh == 1
+        if begins and fits_by_forces(contact, y, p, shaking(gx, t), shaking(gy, t)) == AMBIGUOUS:
+            return SEVERAL_SOLUTIONS
 
     while True:
         # a call that ends where a law does must tell the next one of the jump
@@ -1087,7 +1172,7 @@ def integrate(
                 rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
                 fresh = news = 0
                 if h_next == 0.0:
-                    h_next = first_step(y, k, rtol, atol)
+                    h_next = first_step(contact, t, y, k, p, gx, gy, rtol, atol, w, after)
 
         if landed < 0:
             # -- step, cut where a law of the ground ends, and once more to the first event in it
@@ -1096,12 +1181,14 @@ def integrate(
             if equal:
                 h_next = span / fixed
             bound = coarse if equal else 1.0
-            h = min(h_next, h_max)
+            still = cannot_move(contact, k, y, p)
+            proposed = np.inf if still else h_next
+            h = min(proposed, h_max)
             if not rocks:
                 h = min(h, sampling_step(gx), sampling_step(gy))
             if N_POINTS > 0:
                 h = min(h, longest_turn(y))
-            longest = min(h_next, last - t)
+            longest = min(proposed, last - t)
             cut = t + 1.1 * h >= last
             if cut:
                 h = last - t
@@ -1109,12 +1196,14 @@ def integrate(
             slope = more = 0.0
             corrections = overlooked = 0
             beyond = turned = hops = False
-            stands = last - t <= h_max and stands_until(contact, t, last, y, k, p, gx, gy, w, g)
+            stands = still and last - t <= h_max
+            stands = stands and stands_until(contact, t, last, y, p, gx, gy, g)
             if stands:
-                # nothing moves: no step is needed to know the state at its end
                 taken += 1
                 h = last - t
                 cut = True
+            if still:
+                # nothing moves: the state is known without a step
                 for i in range(N_STATES):
                     y_new[i] = y[i]
                     k[N_STAGES * N_STATES + i] = 0.0
@@ -1130,7 +1219,9 @@ def integrate(
                     hops = True
             while not stands:
                 taken += 1
-                error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+                error = 0.0
+                if not still:
+                    error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
                 finite = math.isfinite(error) and finite_end(k)
                 if not finite or error > bound:
                     # refused: too inaccurate, or not finite
@@ -1187,10 +1278,11 @@ def integrate(
                         corrections = 0
                         continue
                     landed = target
-                elif not cut:
+                elif not (cut or still):
                     # proportional-integral control: the last error damps the answer to this one
-                    error = math.log(max(error, 1e-10))
-                    factor = math.exp(ERROR_EXPONENT * (0.7 * error - 0.4 * last_error))
+                    error = max(error, 1e-10)
+                    factor = power(error, 0.7 * ERROR_EXPONENT)
+                    factor *= power(last_error, -0.4 * ERROR_EXPONENT)
                     last_error = error
                     h_next = h * min(5.0, max(0.2, 0.9 * factor))
                 open_ = False
@@ -1202,7 +1294,7 @@ def integrate(
                         h *= place
                         cut = False
                         continue
-                elif landed < 0 and touching < 0:
+                elif landed < 0 and touching < 0 and not still:
                     if N_POINTS > 0:
                         for m in range(4):
                             tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
@@ -1216,7 +1308,8 @@ def integrate(
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
                 closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
-                if keep or turned or beyond or leaves or closes or not (open_ or landed >= 0):
+                asked = keep or turned or beyond or leaves or closes
+                if not still and (asked or not (open_ or landed >= 0)):
                     dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
                     if more != 0.0:
                         shorten(coefficients, 1.0 + more / h)
@@ -1380,6 +1473,11 @@ def integrate(
                 contact, touching, h_next = follows, -1, 0.0
         elif SIDES[contact] != 0.0:
             # -- the rest of infinitely many impacts at once
+            rates(contact, y, p, ax, ay, k)
+            if not may_fade(side, y, k, rest_tolerance):
+                if rocks and t < last and h_next != 0.0:
+                    fresh = news = 0  # the next step begins with these rates
+                continue
             rests, follows = time_to_rest(
                 contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
             )
@@ -1484,6 +1582,7 @@ def widen(peaks, y):
         peaks[1, i] = max(peaks[1, i], y[i])
 
 
+@inlined
 def widens(peaks, h, y, y_new, k):
     """Whether a state may turn back within a step, outside of the extremes known so far.
 
@@ -1516,22 +1615,30 @@ def widens(peaks, h, y, y_new, k):
 def widen_within(peaks, coefficients):
     """Take in the turning points of the states inside a step, from its dense output."""
     for i in range(N_STATES):
-        for end in range(2):
-            sign = 2.0 * end - 1.0
-            best, x = -np.inf, 0.0
-            for m in range(8):
-                value = sign * power_sum(coefficients, NODES[m], i)
-                if value > best:
-                    best, x = value, NODES[m]
-            low, high = max(x - 0.25, 0.0), min(x + 0.25, 1.0)
-            for _ in range(6):
-                slope, bend = slope_at(coefficients, x, i)
-                if sign * bend >= 0.0:
-                    break
-                x = min(max(x - slope / bend, low), high)
-            best = max(best, sign * power_sum(coefficients, x, i))
-            if best > sign * peaks[end, i]:
-                peaks[end, i] = sign * best
+        least, most = np.inf, -np.inf
+        low = high = 0.0
+        for m in range(8):
+            value = power_sum(coefficients, NODES[m], i)
+            if value < least:
+                least, low = value, NODES[m]
+            if value > most:
+                most, high = value, NODES[m]
+        peaks[0, i] = min(peaks[0, i], min(least, turning_point(coefficients, low, i, -1.0)))
+        peaks[1, i] = max(peaks[1, i], max(most, turning_point(coefficients, high, i, 1.0)))
+
+
+def turning_point(coefficients, x, i, sign):
+    """Value of state i at its maximum (sign 1) or minimum (-1) beside the node x of a step."""
+    low, high = max(x - 0.25, 0.0), min(x + 0.25, 1.0)
+    for _ in range(6):
+        slope, bend = slope_at(coefficients, x, i)
+        if sign * bend >= 0.0:
+            break
+        before = x
+        x = min(max(x - slope / bend, low), high)
+        if abs(x - before) < 1e-9:
+            break  # an extreme's error is of the order of the square of that
+    return power_sum(coefficients, x, i)
 
 
 def slope_at(coefficients, x, i):
@@ -1558,24 +1665,14 @@ def may_reach(bound, h, y, y_new, k):
 
 
 def bound_passed(coefficients, bound, b, stack):
-    """Place in a step at which the rotation's size reaches `bound`, or NEVER."""
-    if abs(power_sum(coefficients, 1.0, ROTATION)) < bound:
-        # there and back within the step
-        place = NEVER
-        for turn in range(2):
-            rotation_polynomial(1.0 - 2.0 * turn, coefficients, b, 0)
-            for i in range(8):
-                b[i] += bound
-            place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
-        return place
-    low, high = 0.0, 1.0
-    for _ in range(60):
-        x = 0.5 * (low + high)
-        if abs(power_sum(coefficients, x, ROTATION)) < bound:
-            low = x
-        else:
-            high = x
-    return high
+    """Place in a step at which the rotation's size first reaches `bound`, or NEVER."""
+    place = 1.0 if abs(power_sum(coefficients, 1.0, ROTATION)) >= bound else NEVER
+    for turn in range(2):
+        rotation_polynomial(1.0 - 2.0 * turn, coefficients, b, 0)
+        for i in range(8):
+            b[i] += bound
+        place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
+    return place
 
 
 def shorten(coefficients, x):

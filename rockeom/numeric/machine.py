@@ -22,14 +22,17 @@ linker does not know all.
 """
 
 
-def _machine() -> llvm.TargetMachine:
-    """What compiles for this processor; a linker that it is given to owns it, and frees it."""
+def _machine(level: int = 2) -> llvm.TargetMachine:
+    """What compiles for this processor; a linker that it is given to owns it, and frees it.
+
+    level : of LLVM's code generator, up to 3, which takes longer for a loop that is no faster.
+    """
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     return llvm.Target.from_default_triple().create_target_machine(
         cpu=llvm.get_host_cpu_name(),
         features=llvm.get_host_cpu_features().flatten(),
-        opt=3,
+        opt=level,
         reloc="pic" if LINKED else "default",
         codemodel="small" if LINKED else "jitdefault",
         jit=True,
@@ -68,7 +71,7 @@ def compiled(ir: str, lanes: bool = False) -> bytes:
 
     Straight lines are not: it would change the order of additions.
     """
-    machine = _machine()
+    machine = _machine(3 if lanes else 2)
     module = llvm.parse_assembly(ir)
     module.triple = llvm.get_process_triple()
     module.data_layout = str(machine.target_data)

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, wraps
+from typing import Any
 
 from rockeom.arguments import number, told, whole_number
 from rockeom.numeric.coefficients import PAIRS
@@ -27,13 +30,14 @@ class SolverOptions:
     rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
         own unit.
     max_step : largest step [s].
-    steps_per_law : 0 for steps controlled by the tolerances; n > 0 for n equal steps in each law of
-        the ground's motion: between two samples of a record, or over a whole pulse or quiet time.
+    steps_per_segment : 0 for steps controlled by the tolerances; n > 0 for n equal steps in each
+        segment of the ground's motion: between two samples of a record, or over a whole pulse or
+        quiet time. It was called steps_per_law, which is still understood.
         Impacts are landed on all the same. Where the estimated error of such a step exceeds 1e-7
         (1e-3 with Radau, whose estimate is of a much lower order than its error; or rtol, if that
-        is more) it is refused, and the rest of that law is integrated with steps controlled by the
-        tolerances; `statistics["refined"]` of a response counts these laws. Behind the end of the
-        motion steps are controlled.
+        is more) it is refused, and the rest of that segment is integrated with steps controlled by
+        the tolerances; `statistics["refined"]` of a response counts these segments. Behind the end
+        of the motion steps are controlled.
     rest_tolerance : impacts that will all happen within this time, in units of the rocking
         motion's own time 1/sqrt(acceleration), are completed at once by their closed-form sum.
     max_impacts, max_steps : where a motion is given up, with an outcome that says so.
@@ -45,7 +49,7 @@ class SolverOptions:
     rtol: float = 1e-10
     atol: float = 1e-12
     max_step: float = math.inf
-    steps_per_law: int = 0
+    steps_per_segment: int = 0
     rest_tolerance: float = 1e-6
     max_impacts: int = 100_000
     max_steps: int = 20_000_000
@@ -63,10 +67,16 @@ class SolverOptions:
             if not value > 0:
                 raise ValueError(f"{name} is {value}: it must be positive")
             object.__setattr__(self, name, value)
-        for name, least in (("max_impacts", 1), ("max_steps", 1), ("steps_per_law", 0)):
+        for name, least in (("max_impacts", 1), ("max_steps", 1), ("steps_per_segment", 0)):
             object.__setattr__(self, name, whole_number(name, getattr(self, name), least))
         if self.rtol < 1e-15:
             raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
+
+    @property
+    def steps_per_law(self) -> int:
+        """The former name of steps_per_segment."""
+        _say_new_name()
+        return self.steps_per_segment
 
     @classmethod
     def of(cls, options: SolverOptions | None) -> SolverOptions:
@@ -79,6 +89,26 @@ class SolverOptions:
             f"options is {told(options)}: give options of the solver, such as "
             "rk.SolverOptions(rtol=1e-8)"
         )
+
+
+def _say_new_name() -> None:
+    text = "SolverOptions: steps_per_law is now called steps_per_segment"
+    warnings.warn(text, DeprecationWarning, stacklevel=3)
+
+
+def _understanding_the_old_name(init: Callable[..., None]) -> Callable[..., None]:
+    @wraps(init)
+    def understanding(self: SolverOptions, *unnamed: Any, **named: Any) -> None:
+        if "steps_per_law" in named:
+            _say_new_name()
+            given = named.pop("steps_per_law")
+            named["steps_per_segment"] = whole_number("steps_per_law", given, 0)
+        init(self, *unnamed, **named)
+
+    return understanding
+
+
+setattr(SolverOptions, "__init__", _understanding_the_old_name(SolverOptions.__init__))  # noqa: B010
 
 
 @cache

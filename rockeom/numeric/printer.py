@@ -31,6 +31,8 @@ import ast
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
+from types import CodeType
 from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
@@ -135,13 +137,11 @@ class Program:
         self.declared: dict[str, str] = {}
         self.entries: dict[str, Entry] = {}
         for text in texts:
-            tree = ast.parse(text.source, text.name)
-            functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+            functions, rest = _parsed(text.source, text.name)
             for node in functions:
                 marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
                 self.definitions[node.name] = Definition(node, text, marks)
-            tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
-            exec(compile(tree, text.name, "exec"), self.names)
+            exec(rest, self.names)
         for name, definition in self.definitions.items():
             if "entry" in definition.marks and not definition.text.elsewhere:
                 self.entry(name, definition)
@@ -265,6 +265,15 @@ class Program:
         return "\n".join([*tables, *declared, *self.bodies]) + "\n"
 
 
+@lru_cache(maxsize=16)  # the loop and the steps are those of many structures
+def _parsed(source: str, name: str) -> tuple[list[ast.FunctionDef], CodeType]:
+    """The functions of a text, which stay as they are, and all else as code to be run."""
+    tree = ast.parse(source, name)
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
+    return functions, compile(tree, name, "exec")
+
+
 # -- one function --------------------------------------------------------------------------------
 
 
@@ -310,6 +319,7 @@ class _Function:
         self.types: dict[str, Type] = dict(zip(self.arguments, types, strict=True))
         self.returns: Type = NOTHING
         self.returned = False
+        self.unknown: set[ast.expr] = set()  # what was asked for in vain before
         while True:
             self._start()
             self._block(tree.body)
@@ -339,6 +349,8 @@ class _Function:
 
     def _known(self, node: ast.expr) -> Any:
         """The value of an expression of constants alone; raises _NotConstant for any other."""
+        if node in self.unknown:
+            raise _NotConstant
         match node:
             case ast.Constant():
                 return node.value
@@ -362,6 +374,7 @@ class _Function:
                 return tuple(map(self._known, node.elts))
             case ast.Call(func=ast.Name(id="len"), args=[of]):
                 return len(self._known(of))
+        self.unknown.add(node)
         raise _NotConstant
 
     def _maybe(self, node: ast.expr) -> Any:
@@ -849,19 +862,25 @@ def _is_place(value: Value) -> bool:
     return isinstance(value.type, Array) and value.type.dimensions == 0
 
 
-def _stored(statement: ast.stmt) -> set[str]:
+@lru_cache(maxsize=10_000)  # asked for by every statement that another one is within
+def _stored(statement: ast.stmt) -> frozenset[str]:
     """Names that are assigned somewhere in a statement."""
-    targets = [*getattr(statement, "targets", ()), getattr(statement, "target", None)]
+    match statement:
+        case ast.Assign(targets=targets):
+            pass
+        case ast.AugAssign(target=target) | ast.For(target=target):
+            targets = [target]
+        case _:
+            targets = []
     found = {
         node.id
         for target in targets
-        if target is not None
         for node in ast.walk(target)
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
     }
     for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
         found |= _stored(inner)
-    return found
+    return frozenset(found)
 
 
 _BUILT_IN: dict[str, Callable[..., Value]] = {

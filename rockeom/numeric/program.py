@@ -21,6 +21,7 @@ from importlib.resources import files
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from rockeom.numeric.contact_states import angles
 from rockeom.numeric.machine import Function, Loaded, compiled, target
 from rockeom.numeric.machine_types import NOTHING, Array, Entry
 from rockeom.numeric.store import kept
@@ -189,9 +190,7 @@ def _contacts(generated: ModuleType) -> str:
     """What finds the contact state that follows, where a structure does not declare it."""
     if not getattr(generated, "N_POINTS", 0):
         return "N_POINTS = 0\n"
-    units = generated.STATE_UNITS[: generated.N_STATES // 2]
-    angles = ", ".join("1.0" if unit == "rad" else "0.0" for unit in units)
-    return f"{_own('contacts.py')}\n\nANGLES = ({angles},)  # which coordinates are\n"
+    return f"{_own('contacts.py')}\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
 
 
 def _digest(*sources: str) -> str:

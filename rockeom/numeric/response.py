@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rockeom import hooks
 from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.contact_states import HAPPENED, subject
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
@@ -565,7 +565,7 @@ class Response:
 
     def plot(self, **kwargs):
         """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""
-        return importlib.import_module("rockeom.plots").plot_response(self, **kwargs)
+        return hooks.plot_response(self, **kwargs)
 
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts_in_words()}>"

@@ -60,7 +60,7 @@ def simulate(
             "steps": len(record.steps.span),
             "events": len(record.events[0]),
             "method": options.method,
-            **({"refined": record.refined} if options.steps_per_law else {}),
+            **({"refined": record.refined} if options.steps_per_segment else {}),
         },
         steps=record.steps,
         end=record.y,
@@ -74,7 +74,7 @@ def simulate(
 class Record:
     """What the compiled loop left of a motion: how it ended, its steps and its events.
 
-    refined : laws of the ground in which equal steps would have been too long.
+    refined : segments of the ground's motion in which equal steps would have been too long.
     """
 
     outcome: Outcome
@@ -140,7 +140,7 @@ class _Bench:
         integrate = self.integrate
         integrate["t_end"], integrate["h_max"] = q.end, options.max_step
         integrate["horizontal"], integrate["vertical"] = q.horizontal, q.vertical
-        integrate["fixed"] = options.steps_per_law
+        integrate["fixed"] = options.steps_per_segment
         for bound in (integrate, self.falls):
             bound["p"], bound["law"], bound["ratio"], bound["fallen"] = p, q.law, q.ratio, q.fallen
             bound["rtol"], bound["max_impacts"] = options.rtol, options.max_impacts

@@ -56,7 +56,8 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
     """(force, state) of a structure on points that may open: they stick, and give what they can."""
     m, p = structure.module, structure.vector
     n = m.N_STATES // 2
-    rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
+    if len(m.POINTS):
+        rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
     upright = structure.state({m.STATES[m.ROTATION]: rotation})
     held = _held(structure, upright)
     free = [i for i in range(n) if i != m.ROTATION and not np.any(held[:, i])]
@@ -75,7 +76,9 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
         along = -np.linalg.lstsq(rows[:, tied], rows[:, moving], rcond=None)[0]
         return lacking[moving] + along.T @ lacking[tied]
 
-    force, y = _balanced(state, statics, len(free))
+    forces = np.zeros(len(m.REACTIONS))
+    m.reactions(structure.contact(upright), upright, p, 0.0, 0.0, forces)
+    force, y = _balanced(state, statics, len(free), noise=1e-12 * np.abs(forces).sum())
     if not np.isfinite(force):
         raise ValueError(f"no equilibrium of {structure.model} at rotation {rotation}")
     return force, y
@@ -99,10 +102,19 @@ def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, 
         y[others] = unknown
         return y
 
-    def statics(y: np.ndarray, load: float) -> np.ndarray:
+    def every(y: np.ndarray, load: float) -> np.ndarray:
         lacking = np.empty(n)
         m.statics(contact, y, p, load, lacking)
-        return lacking[[m.ROTATION, *others]]
+        return lacking
+
+    upright = state(np.zeros(len(others)))
+    acts = every(upright, 1.0 + abs(every(upright, 0.0)[m.ROTATION])) - every(upright, 0.0)
+    # the equation that gives the load is one in which it stands
+    loaded = m.ROTATION if acts[m.ROTATION] else int(np.abs(acts).argmax())
+    rows = [loaded, *(i for i in range(n) if i != loaded)]
+
+    def statics(y: np.ndarray, load: float) -> np.ndarray:
+        return every(y, load)[rows]
 
     return _balanced(state, statics, len(others))
 
@@ -111,15 +123,17 @@ def _balanced(
     state: Callable[[np.ndarray], np.ndarray],
     statics: Callable[[np.ndarray, float], np.ndarray],
     unknowns: int,
+    noise: float = 0.0,
 ) -> tuple[float, np.ndarray]:
     """(force, state) in equilibrium; nan where none was found.
 
-    state : of the unknowns; statics : what the rotation, and then the unknowns, lack of equilibrium
-    in a state under a load.
+    state : of the unknowns; statics : what is lacking of equilibrium in a state under a load, first
+    in the equation that gives the load, which is that of the rotation where the load acts on it.
+    noise : what is left by rounding where large forces balance [N].
     """
 
     def lacking(unknown: np.ndarray) -> tuple[np.ndarray, float]:
-        """What the unknowns lack of equilibrium under the load that holds the rotation."""
+        """What the other equations lack under the load that satisfies the first."""
         y = state(unknown)
         none = statics(y, 0.0)
         load = 1.0 + abs(none[0])  # one newton might be lost beside the other forces
@@ -133,12 +147,13 @@ def _balanced(
     # a metre may be too much or next to nothing: each unknown is counted in the distance at which
     # its own stiffness would restore equilibrium, and each equation likewise
     missing = lacking(at)[0]
+    missing[np.abs(missing) <= noise] = 0.0
     small = 1e-6 * np.eye(unknowns)
     stiffness = [
         abs(lacking(e)[0][i] - lacking(-e)[0][i]) / 2e-6 or 1.0 for i, e in enumerate(small)
     ]
     length = np.abs(missing) / stiffness
-    length[length == 0.0] = length.max() or 1.0
+    length[length <= (1e-6 * length.max() if noise else 0.0)] = length.max() or 1.0
     found = optimize.root(
         lambda x: lacking(length * x)[0] / (stiffness * length),
         at,
@@ -146,7 +161,9 @@ def _balanced(
         options={"xtol": 1e-13},
     )
     at = length * found.x
-    return (lacking(at)[1] if np.abs(found.fun).max() <= 1e-8 else np.nan), state(at)
+    left = np.abs(found.fun)
+    done = (left <= 1e-8) | (left * stiffness * length <= noise)
+    return (lacking(at)[1] if done.all() else np.nan), state(at)
 
 
 def uplift_acceleration(structure: Structure) -> float:

@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transf
 
 import numpy as np
 
+from rockeom import hooks
 from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.contact_states import contact_of, has_points, named, standing
+from rockeom.numeric.contact_states import by_forces, contact_of, has_points, named, standing
 from rockeom.numeric.impact import (
     AngularMomentum,
     EnergyRatioAtSpeed,
@@ -189,6 +190,13 @@ class Structure:
             "correct the state"
         )
 
+    def _under(self, ground: tuple[float, float], y: np.ndarray, phase: str | None) -> int:
+        """Number of the contact state; where contacts may slide and open, forces decide, too."""
+        contact = self.contact(y, phase)
+        if phase is not None or not self.stands_on_points:
+            return contact
+        return by_forces(self.module, contact, y, self.vector, ground)
+
     def _margin(self, contact: int, y: np.ndarray) -> float:
         """The lowest margin of a contact state, but for uplift, which is up to the ground.
 
@@ -231,13 +239,16 @@ class Structure:
         vertical_ground_acceleration: float = 0.0,
         phase: str | None = None,
     ) -> dict[str, float]:
-        """Accelerations of the coordinates, by name [unit of the coordinate per s2]."""
+        """Accelerations of the coordinates, by name [unit of the coordinate per s2].
+
+        Where contacts may slide and open, and no phase is named, the contact state is that which
+        the forces lead to: a block at rest slides under an acceleration that its friction cannot
+        hold. Raises ValueError where they fit none, or several (Painleve).
+        """
         y = self.state(state)
         dy = np.zeros_like(y)
-        self.module.rates(
-            self.contact(y, phase), y, self.vector,
-            *_ground(ground_acceleration, vertical_ground_acceleration), dy,
-        )  # fmt: skip
+        ground = _ground(ground_acceleration, vertical_ground_acceleration)
+        self.module.rates(self._under(ground, y, phase), y, self.vector, *ground, dy)
         n = len(y) // 2
         return dict(zip(self.states[:n], dy[n:].tolist(), strict=True))
 
@@ -254,6 +265,11 @@ class Structure:
         Raises ValueError where the model has no impact in that phase.
         """
         m = self.module
+        if self.stands_on_points:
+            raise ValueError(
+                f"{self.model} has a law of impact for each of its points: simulate it, its events "
+                "tell the states before and after each landing"
+            )
         y = self.state(state)
         contact = self.contact(y, phase)
         if m.KINDS[contact][0] != IMPACT or m.GUARDS[contact] == 0:
@@ -273,6 +289,11 @@ class Structure:
         """
         m = self.module
         if not self.has_impacts:
+            if impact is not None and self.stands_on_points:
+                raise ValueError(
+                    f"{self.model} has a law of impact for each of its points, as it is declared; "
+                    "leave `impact` out"
+                )
             if impact is not None:
                 raise ValueError(
                     f"{self.model} has no impacts, forces take their place; leave `impact` out"
@@ -332,10 +353,8 @@ class Structure:
         """
         y = self.state(state)
         out = np.empty(len(self.module.REACTIONS))
-        self.module.reactions(
-            self.contact(y, phase), y, self.vector,
-            *_ground(ground_acceleration, vertical_ground_acceleration), out,
-        )  # fmt: skip
+        ground = _ground(ground_acceleration, vertical_ground_acceleration)
+        self.module.reactions(self._under(ground, y, phase), y, self.vector, *ground, out)
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
 
     @functools.cached_property
@@ -376,7 +395,9 @@ class Structure:
         >>> column.fixed_base().periods  # s
         array([0.09200...])
         """
-        return importlib.import_module("rockeom.numeric.fixed_base").FixedBase(self)
+        from rockeom.numeric.fixed_base import FixedBase
+
+        return FixedBase(self)
 
     def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
         """(force, state) at rest under the force at the load point that holds a rotation [N].
@@ -599,14 +620,113 @@ class SlidingBlock(RigidBlock):
     restitution: float
 
     def __post_init__(self) -> None:
-        if self.restitution > 1:
-            raise ValueError(
-                f"SlidingBlock: restitution is {self.restitution}: give the ratio of rates after "
-                "and before a landing, 0 to 1"
-            )
+        _check_restitution("SlidingBlock", self.restitution)
 
     def parameters(self) -> dict[str, float]:
         return super().parameters() | {"friction": self.friction, "restitution": self.restitution}
+
+
+def _of_blocks(cls: type[S]) -> type[S]:
+    """Lets a class of two blocks take each as a `RigidBlock`, too."""
+    plain: Any = cls.__init__
+
+    @functools.wraps(plain)
+    def init(
+        self: Structure,
+        *unnamed: Any,
+        lower: RigidBlock | None = None,
+        upper: RigidBlock | None = None,
+        **values: Any,
+    ) -> None:
+        for name, block in (("lower", lower), ("upper", upper)):
+            if block is None:
+                continue
+            if type(block) is not RigidBlock:
+                raise TypeError(f"{cls.__name__}: {name} is {told(block)}: give a RigidBlock")
+            if values.setdefault("gravity", block.gravity) != block.gravity:
+                raise ValueError(
+                    f"{cls.__name__}: gravity is {values['gravity']}, and {block.gravity} of the "
+                    f"{name} block: give both blocks the same"
+                )
+            for part in _OF_A_BLOCK:
+                if f"{name}_{part}" in values:
+                    raise ParameterError(
+                        f"{cls.__name__}: {name}_{part} is given, and so is {name}: leave one out"
+                    )
+                values[f"{name}_{part}"] = getattr(block, part)
+        plain(self, *unnamed, **values)
+
+    setattr(cls, "__init__", init)  # noqa: B010
+    return cls
+
+
+_OF_A_BLOCK = ("half_width", "half_height", "mass", "inertia")
+
+
+@_of_blocks
+@_structure_class
+class StackedBlocks(Structure):
+    """Two rigid blocks on one another, whose corners open and close; none of them slips.
+
+    lower, upper : two of `RigidBlock`, the upper no wider than the lower one, under one gravity; or
+    the parameters of each, such as lower_half_width. restitution : the ratio of the rates of a gap
+    after and before a corner lands, 0 to 1. States are x, y [m] and theta [rad] of the lower
+    block's base; xi and eta [m] of the upper block's base along and above the lower one's top, and
+    its rotation phi [rad]; and their rates.
+    """
+
+    model: ClassVar[str] = "stacked_blocks"
+    may_vanish = frozenset({"restitution", "lower_inertia", "upper_inertia"})
+    lower_half_width: float
+    lower_half_height: float
+    upper_half_width: float
+    upper_half_height: float
+    lower_mass: float = 1.0
+    upper_mass: float = 1.0
+    lower_inertia: float | None = None
+    upper_inertia: float | None = None
+    restitution: float = 0.0
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        _check_restitution("StackedBlocks", self.restitution)
+        if self.upper_half_width > self.lower_half_width:
+            raise ValueError(
+                f"StackedBlocks: upper_half_width is {self.upper_half_width} and lower_half_width "
+                f"{self.lower_half_width}: corners that hang over are not modelled, give an upper "
+                "block that is no wider"
+            )
+
+    def _block(self, which: str) -> RigidBlock:
+        parts = {part: getattr(self, f"{which}_{part}") for part in _OF_A_BLOCK}
+        return RigidBlock(gravity=self.gravity, **parts)
+
+    @property
+    def lower(self) -> RigidBlock:
+        return self._block("lower")
+
+    @property
+    def upper(self) -> RigidBlock:
+        return self._block("upper")
+
+    def parameters(self) -> dict[str, float]:
+        values = {"gravity": self.gravity, "restitution": self.restitution}
+        for which, block in (("lower", self.lower), ("upper", self.upper)):
+            of = block.parameters()
+            values |= {f"{which}_{n}": of[n] for n in ("mass", "half_width", "inertia")}
+            values[f"{which}_half_height"] = of["height"]
+        return values
+
+    def hints(self) -> tuple[str, ...]:
+        return (*self.lower.hints(), *self.upper.hints())
+
+
+def _check_restitution(what: str, restitution: float) -> None:
+    if restitution > 1:
+        raise ValueError(
+            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
+            "landing, 0 to 1"
+        )
 
 
 @_structure_class
@@ -713,15 +833,80 @@ class _TwoMasses(Structure):
     gravity: float = STANDARD_GRAVITY
 
 
+class Support:
+    """What the base of a structure stands on: how it may move, and what holds it.
+
+    Those that there are stand in `rockeom.composed`.
+    """
+
+    def parameters(self) -> dict[str, float]:
+        """Its parameters, by the names that they have in the generated module, in SI units."""
+        return {}
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        """The generated module of a superstructure that stands on it."""
+        raise NotImplementedError
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        """Raise ValueError where a base that this support leaves free has no mass or inertia."""
+
+
+def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
+    """Raise TypeError for what is no support, and ValueError for a base that it cannot carry.
+
+    mass [kg], inertia [kg m2] : of all that moves with the base as one body, about its sole's
+    middle.
+    """
+    if support is None:
+        return
+    if not isinstance(support, Support):
+        raise TypeError(
+            f"{what}: support is {told(support)}: give what the base stands on, such as rk.Pinned()"
+        )
+    support.check_base(what, mass, inertia)
+
+
 @_structure_class
-class LumpedMassStructure(_TwoMasses):
-    """Rigid structure of two lumped masses on rigid ground (thesis Model A).
+class _Supported(_TwoMasses):
+    """Two masses that stand on any support."""
+
+    not_numbers = frozenset({"support"})
+    support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
+
+    def __post_init__(self) -> None:
+        mass, inertia = self._of_base()
+        check_support(type(self).__name__, self.support, mass, inertia)
+
+    def _of_base(self) -> tuple[float, float]:
+        """(mass, inertia) of all that moves with the base as one body."""
+        inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
+        return self.base_mass, inertia
+
+    @functools.cached_property
+    def module(self) -> ModuleType:
+        """The generated module, of this support."""
+        return self.support.module(self.model) if self.support else super().module
+
+    def parameters(self) -> dict[str, float]:
+        values = super().parameters()
+        del values["support"]
+        return values | (self.support.parameters() if self.support else {})
+
+
+@_structure_class
+class LumpedMassStructure(_Supported):
+    """Rigid structure of two lumped masses (thesis Model A).
 
     mass, base_mass [kg] at height, base_height [m]; inertia, base_inertia about their own
     centroids [kg m2]; half_width [m] half of the distance between the feet; gravity [m/s2].
+    support : what the base stands on, rk.Pinned() on rigid ground if not given.
     """
 
     model: ClassVar[str] = "lumped_mass_structure"
+
+    def _of_base(self) -> tuple[float, float]:
+        mass, inertia = super()._of_base()
+        return mass + self.mass, inertia + self.mass * self.height**2
 
 
 @_structure_class
@@ -751,8 +936,8 @@ class TwoSpringCart(_TwoMasses):
 
 
 @_structure_class
-class FlexibleStructure(_TwoMasses):
-    """Flexible structure of two masses on rigid ground (thesis Model C).
+class FlexibleStructure(_Supported):
+    """Flexible structure of two masses (thesis Model C).
 
     As LumpedMassStructure, with the column's stiffness [N/m] and damping [N s/m].
     """
@@ -911,18 +1096,16 @@ class _ControlledWall(Structure):
 
     def _load(self, contact: int, y: np.ndarray) -> float:
         """The force with which the rotation of a state is in equilibrium [N]."""
-        zero, one = (self._lacking(contact, y, load)[self.module.ROTATION] for load in (0.0, 1.0))
-        return float(zero / (zero - one))
+        row = self.module.ROTATION
+        none = self._lacking(contact, y, 0.0)[row]
+        load = 1.0 + abs(none)  # the digits of one newton might be lost beside the other forces
+        return float(load * (none / (none - self._lacking(contact, y, load)[row])))
 
     def _lacking(self, contact: int, y: np.ndarray, load: float) -> np.ndarray:
         """What each coordinate lacks of equilibrium under a load [N]."""
         out = np.empty(len(y) // 2)
         self.module.statics(contact, y, self.vector, load, out)
         return out
-
-
-def _thesis_wall(initial_force: float) -> Wall:
-    return importlib.import_module("rockeom.analysis").Wall.thesis(initial_force)
 
 
 @_structure_class
@@ -976,7 +1159,7 @@ class ControlledWall(_ControlledWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> ControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force))
+        return cls.from_wall(hooks.thesis_wall(initial_force))
 
 
 @_structure_class
@@ -1033,7 +1216,7 @@ class FlexibleControlledWall(_ControlledWall):
         cls, initial_force: float = 75.6e3, damping_ratio: float = 0.0
     ) -> FlexibleControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force), damping_ratio=damping_ratio)
+        return cls.from_wall(hooks.thesis_wall(initial_force), damping_ratio=damping_ratio)
 
     def fixed_base(self) -> FixedBase:
         """The wall on a base that cannot turn: its mass at centroid_height on the elastic column.
@@ -1057,12 +1240,16 @@ class FlexibleControlledWall(_ControlledWall):
     def _load(self, contact: int, y: np.ndarray) -> float:
         """As for the rigid wall; u of the state is put to its own equilibrium."""
         u = self.states.index("u")
+        last = math.inf
         for _ in range(50):  # each time the error falls by about m g/(k H)
             load = super()._load(contact, y)
             change = self._lacking(contact, y, load)[u] / self.stiffness
             y[u] -= change
             if abs(change) <= 1e-14 * abs(y[u]):
                 return load
+            if abs(change) > last:  # where it does not fall, there is one kilometres away
+                break
+            last = abs(change)
         raise ValueError(
             f"no equilibrium of {self.model} at rotation {y[self.module.ROTATION]}: its stiffness, "
             f"{self.stiffness}, hardly holds its weight upright"
@@ -1095,7 +1282,7 @@ class SubstituteGravityWall(_ControlledWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force))
+        return cls.from_wall(hooks.thesis_wall(initial_force))
 
 
 @_structure_class
@@ -1176,7 +1363,7 @@ class ControlledWallOscillator(_ControlledWall):
         held: bool = True,
     ) -> ControlledWallOscillator:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(_thesis_wall(initial_force), energy_ratio, held)
+        return cls.from_wall(hooks.thesis_wall(initial_force), energy_ratio, held)
 
     def parameters(self) -> dict[str, float]:
         values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
@@ -1227,9 +1414,14 @@ class DeclaredStructure(Structure):
             name: number(f"{self.model}: {name}", value, "give a number in SI units")
             for name, value in (defaults | given).items()
         }
-        signs = zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True)
-        signed = frozenset(name for name, sign in signs if sign == "+-")
+        signs = dict(zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True))
+        signed = frozenset(name for name, sign in signs.items() if sign == "+-")
         check_values(self.model, values, frozenset(known), signed)
+        for name in (name for name, sign in signs.items() if sign == "n"):
+            if not (values[name] >= 1 and values[name] % 1 == 0):
+                raise ValueError(
+                    f"{self.model}: {name} is {values[name]:g}: give a whole number of at least 1"
+                )
         self.values = {name: values[name] for name in self.module.PARAMETERS}
         self._check_sizes()
 

@@ -193,7 +193,12 @@ def _moved(weights: np.ndarray, rate: str, start: str) -> str:
 
 
 def _stage(
-    method: Tableau, j: int, n: int, ground: str, accelerations: str = "accelerations"
+    method: Tableau,
+    j: int,
+    n: int,
+    ground: str,
+    accelerations: str = "accelerations",
+    contact: str = "contact",
 ) -> str:
     """Positions q, velocities v and accelerations a of a stage.
 
@@ -212,7 +217,7 @@ def _stage(
     states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
     found = ", ".join(f"a{j}_{i}" for i in range(n))
     return f"""{text}    ({found},) = {accelerations}(
-        contact, {states}, p, {ground}
+        {contact}, {states}, p, {ground}
     )
 """
 
@@ -284,11 +289,10 @@ def step_text(method: Tableau, n: int) -> str:
     start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
     known = "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
 
-    def stage(j: int) -> str:
+    def stage(j: int, contact: str = "contact") -> str:
         ground = f"k[GROUND_X + {j}], k[GROUND_Y + {j}]"
-        return _stage(method, j, n, ground)
+        return _stage(method, j, n, ground, contact=contact)
 
-    stages = "".join(stage(j) for j in range(1, s + 1))
     kept = "".join(
         f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
     )
@@ -318,6 +322,27 @@ def step_text(method: Tableau, n: int) -> str:
                 found = f"h * (\n        {terms}\n    )"
             powers += f"    coefficients[{j * size + i}] = {found}\n"
     header = method_header(method, s, total)
+
+    def step(contact: str) -> str:
+        stages = "".join(stage(j, contact) for j in range(1, s + 1))
+        return f"""    shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
+    shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+    hh = h * h
+{start}{known}{stages}{ends}{kept}{errors}    return error
+"""
+
+    on_both_feet, standing = "", ""
+    if n > 1:  # a structure of one coordinate takes no steps there
+        arguments = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
+        on_both_feet = f"""    if HELD >= 0:
+        if contact == HELD:
+            return standing_step({arguments})
+"""
+        standing = f'''
+
+def standing_step({arguments}):
+    """`take_step` on both feet, where little of the equations is left."""
+{step("HELD")}'''
     return f'''{header}
 # places behind the rates: the ground at each stage
 GROUND_X = N_ALL_STAGES * N_STATES
@@ -330,11 +355,7 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     The accelerations of stage 0 are known; those of stage N_STAGES are at the new state.
     Returns the norm of the estimated error, 1 at the tolerance.
     """
-    shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
-    shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
-    hh = h * h
-{start}{known}{stages}{ends}{kept}{errors}    return error
-
+{on_both_feet}{step("contact")}{standing}
 
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,6 +37,11 @@ def draw_structure(
     if "alpha" in values and "radius" in values:
         values["half_width"] = values["radius"] * math.sin(values["alpha"])
         values["height"] = values["radius"] * math.cos(values["alpha"])
+    floors = [values[name] for name in _numbered("height", values)]
+    if floors:
+        values["height"] = floors[-1]
+    if "columns" in values:
+        values["height"] = values["half_height"]
     if not {"half_width", "height"} <= set(values):
         raise ValueError(
             f"{structure.model} has no half_width and height to draw; plot its response instead"
@@ -45,23 +52,42 @@ def draw_structure(
     springs = "foundation_stiffness" in values
     pivot = 0.0 if springs else math.copysign(b, rotation)
     turn = Affine2D().rotate_around(pivot, 0.0, -rotation).transform
+    if "columns" in values:
+        _columns_and_beam(ax, values, rotation)
+        return style.parent_figure(ax)
     if "tendon_stiffness" in values:
         _wall(ax, values, turn)
+    elif floors:
+        _storeys(ax, values, floors, turn, deformation)
+    elif "frame_mass" in values:
+        _block(ax, values, turn)
+        _frame_beside(ax, values, turn, deformation)
     elif "base_mass" in values or "stiffness" in values:
         _lumped(ax, values, turn, deformation)
     else:
         _block(ax, values, turn)
-    feet = turn(np.array([[-b, 0.0], [b, 0.0]]))
     depth = 0.35 * b if springs else 0.0
-    for foot in feet:
-        if springs:  # from the foot, or from its place if it has lifted
-            top = min(float(foot[1]), 0.0)
-            free_body.spring(ax, (foot[0], top), (foot[0], -depth), 0.36 * depth)
-        ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
-    free_body.ground(ax, -1.9 * b, 1.9 * b, -depth, 0.09 * values["height"])
+    number = getattr(getattr(structure, "support", None), "springs", 2)
+    for x in np.linspace(-b, b, number if springs else 2):
+        ((x, y),) = turn(np.array([[x, 0.0]]))
+        if springs:  # from the sole, or from its place if it has lifted
+            free_body.spring(ax, (x, min(y, 0.0)), (x, -depth), 0.36 * depth)
+        ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
+    right = 4.4 * b if "frame_mass" in values else 1.9 * b
+    _on_ground(ax, -1.9 * b, right, depth, values)
+    return style.parent_figure(ax)
+
+
+def _on_ground(ax: Axes, left: float, right: float, depth: float, values: dict[str, float]) -> None:
+    free_body.ground(ax, left, right, -depth, 0.09 * values["height"])
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
-    return style.parent_figure(ax)
+
+
+def _numbered(name: str, values: dict[str, float]) -> list[str]:
+    """name_1, name_2, ..., as many as there are."""
+    found = itertools.takewhile(values.__contains__, (f"{name}_{i}" for i in itertools.count(1)))
+    return list(found)
 
 
 def _block(ax: Axes, values: dict[str, float], turn: Place) -> None:
@@ -93,6 +119,70 @@ def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float)
     _mass(ax, turn, (deformation, h), "mass", size=13)
     if "base_mass" in values:
         _mass(ax, turn, (0.0, low), "base")
+
+
+def _storeys(
+    ax: Axes, values: dict[str, float], floors: list[float], turn: Place, deformation: float
+) -> None:
+    """A base, columns at its edges and floors between them; the deformation is of the top floor."""
+    b, low, thick = values["half_width"], 2 * values["base_height"], 0.02 * floors[-1]
+    low = max(low, thick)
+    free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, low], [-b, low]])))
+    levels = np.array([low, *floors])
+    moved = deformation * (levels - low) / (levels[-1] - low)
+    for side in (-0.85 * b, 0.85 * b):
+        z = np.linspace(0.0, 1.0, 20)
+        bent = z**2 * (3.0 - 2.0 * z)  # a column between floors that stay parallel
+        for (x0, x1), (y0, y1) in zip(pairwise(moved), pairwise(levels), strict=True):
+            column = turn(np.column_stack([side + x0 + (x1 - x0) * bent, y0 + (y1 - y0) * z]))
+            ax.plot(*column.T, color=style.LINES[0], lw=1.3, solid_capstyle="butt")
+    for x, y in zip(moved[1:], levels[1:], strict=True):
+        corners = [[-b, -thick], [b, -thick], [b, thick], [-b, thick]]
+        free_body.body(ax, turn(np.add(corners, (x, y))))
+        _mass(ax, turn, (x, y), "", 9)
+
+
+def _frame_beside(ax: Axes, values: dict[str, float], turn: Place, deformation: float) -> None:
+    """A frame on columns of its own to the right of the wall, and the link between them."""
+    b, h = values["half_width"], values["link_height"]
+    floor = (3.2 * b + deformation, h)
+    for foot in (2.5 * b, 3.9 * b):
+        z = np.linspace(0.0, 1.0, 40)
+        bent = foot + deformation * z**2 * (3.0 - 2.0 * z)
+        ax.plot(bent, h * z, color=style.LINES[0], lw=1.3, solid_capstyle="butt")
+        ax.plot(foot, 0.0, "s", color=style.INK, ms=4, zorder=4)
+    ax.plot([floor[0] - 0.8 * b, floor[0] + 0.8 * b], [h, h], color=style.INK, lw=2.4)
+    ((x, y),) = turn(np.array([[0.0, h]]))
+    ax.plot(x, y, "o", color="white", mec=style.INK, ms=5, zorder=6)
+    free_body.spring(ax, (x, y), (floor[0] - 0.8 * b, y), 0.3 * b)
+    free_body.mass(ax, floor, "frame", (0, 8), 11)
+
+
+_MOST_COLUMNS = 6  # that are drawn
+
+
+def _columns_and_beam(ax: Axes, values: dict[str, float], rotation: float) -> None:
+    """Columns side by side, each about a foot of its own, and the beam that rides on them."""
+    b, h = values["half_width"], values["half_height"]
+    number = min(int(values["columns"]), _MOST_COLUMNS)
+    apart = max(6 * b, 1.2 * h)
+    places = apart * (np.arange(number) - (number - 1) / 2)
+    side = math.copysign(1.0, rotation)
+    corners = np.array([[-b, 0.0], [b, 0.0], [b, 2 * h], [-b, 2 * h]])
+    for place in places:
+        turn = Affine2D().rotate_around(side * b, 0.0, -rotation).transform
+        column = np.add(turn(corners), (place, 0.0))
+        free_body.body(ax, column)
+        for foot in column[:2]:
+            ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
+    # it stands on the corner opposite the pressed foot, which was at -side*b
+    ((x, y),) = turn(np.array([[-side * b, 2 * h]]))
+    x += side * b
+    end, thick = places[-1] + 2 * b, 0.25 * h
+    beam = [[-end, 0.0], [end, 0.0], [end, thick], [-end, thick]]
+    free_body.body(ax, np.add(beam, (x, y)))
+    free_body.mass(ax, (x, y + thick / 2), "beam", (9, 6), 11)
+    _on_ground(ax, -end - b, end + b, 0.0, values)
 
 
 def _mass(ax: Axes, turn: Place, at: tuple[float, float], name: str, size: float = 6.0) -> None:

@@ -1,4 +1,4 @@
-"""What all figures share: the figure itself, colours, units and contact phases."""
+"""What all figures share: the figure itself, colours, units and contact states."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ FEET = {"left": LINES[0], "right": LINES[1]}
 OTHERS = LINES[2:]
 """Colours of lines that belong to no foot."""
 PHASES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
-"""Colour of each contact phase, named by the feet on the ground: light shades of those of FEET."""
+"""Colour of each contact state, named by the feet on the ground: light shades of those of FEET."""
 PHASE_MEANINGS = {
     "left": "on the left foot",
     "right": "on the right foot",
@@ -152,7 +152,7 @@ def wrapped(text: str, width: int = 105) -> str:
     return "\n".join(textwrap.wrap(text, width))
 
 
-# --- contact phases
+# --- contact states
 
 
 def feet_of(contact: str) -> str:
@@ -161,7 +161,7 @@ def feet_of(contact: str) -> str:
 
 
 def contact_spans(run: Response) -> tuple[np.ndarray, list[str]]:
-    """Starts and ends (n, 2) of the contact phases, and the feet on the ground in each."""
+    """Starts and ends (n, 2) of the contact states, and the feet on the ground in each."""
     contacts = run.program.CONTACTS
     times, kinds, _ = run.passages
     edges = np.concatenate([[run.t[0]], times, [run.t[-1]]])

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from rockeom.symbolic import evaluate, typeset
 from rockeom.symbolic.contacts import Contact, Model, Rigid, Unilateral, feet
 from rockeom.symbolic.model import (
+    READERS,
     Body,
     Coordinate,
     Definition,
@@ -21,6 +23,13 @@ from rockeom.symbolic.model import (
     turned,
 )
 from rockeom.symbolic.registry import SHIPPED, derive, models
+
+READERS.update(
+    latex=typeset.latex_document,
+    markdown=typeset.markdown_page,
+    notebook=typeset.notebook_display,
+    lambdify=evaluate.numpy_functions,
+)
 
 
 def __getattr__(name: str) -> Any:

@@ -10,8 +10,8 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel
 
 
 def total_reaction(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
-    """(horizontal, vertical) force of the ground on the structure, by Newton's second law."""
-    horizontal = vertical = sp.Integer(0)
+    """(horizontal, vertical) force of the ground on all feet, by Newton's second law."""
+    horizontal, vertical = (-sp.sympify(force) for force in phase.beside_feet)
     for body in phase.bodies:
         place = [phase.approximated(e) for e in body.position]
         x, y = (rate(rate(e, phase.coordinates), phase.coordinates) for e in place)

@@ -16,7 +16,7 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.model import Body, Coordinate, Definition, Law, Parameter, Phase
+from rockeom.symbolic.model import READERS, Body, Coordinate, Definition, Law, Parameter, Phase
 
 if TYPE_CHECKING:
     from rockeom.symbolic.modes import Mechanism, Modes
@@ -37,6 +37,11 @@ class Rigid:
         friction = 0 if self.friction is None else self.friction
         valid.expressions("law Rigid", restitution=self.restitution, friction=friction)
         valid.not_negative("law Rigid", restitution=self.restitution, friction=friction)
+        if (1 - sp.sympify(self.restitution)).is_negative:
+            raise ValueError(
+                f"law Rigid: restitution is {self.restitution}: give the ratio of rates after and "
+                "before an impact, 0 to 1"
+            )
 
 
 @dataclass(frozen=True)
@@ -67,7 +72,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Unilateral:
-    """A spring and a damper that press and never pull: k d + c d' while d and that sum are positive.
+    """A spring and a damper that press, k d + c d', while d and that sum are positive.
 
     compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
     """
@@ -186,15 +191,11 @@ class Model:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; it has one form."""
-        from rockeom.symbolic.typeset import latex_document
-
-        return latex_document(self, form)
+        return READERS["latex"](self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        from rockeom.symbolic.typeset import markdown_page
-
-        return markdown_page(self)
+        return READERS["markdown"](self)
 
     # what is asked of a model whichever way it was declared
 

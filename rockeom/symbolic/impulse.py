@@ -1,7 +1,7 @@
 """Velocities after a sudden change of contact, by the impulsive form of Lagrange's equations.
 
 Over an impact positions stay and only impulses act. The impulse at a new support does no work
-in any motion of the phase that follows, so the momentum in the directions of that phase is
+in any motion of the mechanism that follows, so the momentum in the directions of that mechanism is
 conserved:
 
     M+ q'+ = sum_i (m_i J+_i^T v-_i + I_i w+_i^T w-_i)
@@ -13,6 +13,7 @@ full contact after the impact the impulses of both feet drop out.
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -98,7 +99,7 @@ def rigid_velocity_ratio(model: RockingModel, transition: Transition) -> sp.Expr
     All coordinates but the rotation are frozen at zero: what is left is the conservation of
     angular momentum about the new pivot, thesis 2-6 (its square root) and 5-14.
     """
-    full = derive_impulse_map(model, transition.source, transition.target)
+    full = model.impulse_map(transition.source, transition.target)
     frozen: dict[sp.Expr, int] = {}
     for c in model.coordinates:
         if c != model.rotation:
@@ -113,4 +114,18 @@ def rigid_velocity_ratio(model: RockingModel, transition: Transition) -> sp.Expr
 
 @lru_cache(maxsize=256)  # asked for again by the checks of a declaration, and for each side
 def _shortest(ratio: sp.Expr) -> sp.Expr:
-    return sp.factor(tidy(sp.cancel(ratio)))
+    ratio = sp.cancel(ratio)
+    parts = sp.fraction(ratio)
+    if not all(map(_has_no_factors, parts)):
+        return sp.factor(tidy(ratio))
+    # as `factor` writes it, which takes long to find nothing among many parameters
+    signs = [1 if sp.Poly(e).LC() > 0 else -1 for e in parts]
+    over, under = (s * e for s, e in zip(signs, parts, strict=True))
+    return sp.Mul(signs[0] * signs[1], over, 1 / under)
+
+
+def _has_no_factors(expr: sp.Expr) -> bool:
+    """Whether a sum of products cannot be factored: a symbol stands in it once, and by itself."""
+    counts = Counter(x for term in expr.args for x in term.free_symbols)
+    alone = (x for term in expr.args for x in (term, -term) if x.is_Symbol)
+    return expr.is_Add and expr.is_polynomial() and any(counts[x] == 1 for x in alone)

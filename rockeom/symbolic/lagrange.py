@@ -67,13 +67,15 @@ class Equations:
 
 def rate(expr: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
     """Time derivative of a function of coordinates and velocities."""
-    return sum(
-        (
-            sp.diff(expr, c.position) * c.velocity + sp.diff(expr, c.velocity) * c.acceleration
-            for c in coordinates
-        ),
-        sp.Integer(0),
-    )
+    pairs = [(c.position, c.velocity) for c in coordinates]
+    return _along(expr, pairs + [(c.velocity, c.acceleration) for c in coordinates])
+
+
+def _along(expr: sp.Expr, rates: list[tuple[sp.Symbol, sp.Symbol]]) -> sp.Expr:
+    """Rate of an expression, by those of some symbols; of many, few are in each expression."""
+    expr = sp.sympify(expr)
+    there = expr.free_symbols
+    return sum((sp.diff(expr, x) * x_dot for x, x_dot in rates if x in there), sp.Integer(0))
 
 
 def body_velocity(
@@ -112,9 +114,7 @@ def derive_equations(phase: Phase) -> Equations:
     # dp/dt without its acceleration terms, less dT/dq
     velocity = sp.Matrix(
         [
-            tidy(
-                sum(sp.diff(p, x) * v for x, v in zip(q, qd, strict=True)) - sp.diff(kinetic, q[i])
-            )
+            tidy(_along(p, list(zip(q, qd, strict=True))) - sp.diff(kinetic, q[i]))
             for i, p in enumerate(momenta)
         ]
     ).reshape(len(q), 1)

@@ -1,16 +1,16 @@
 """What a structure declares, and what follows from it.
 
-A structure is a set of bodies whose positions are known in each contact phase. It declares
-those positions, its springs and its dampers; the rest of this package derives equations of
-motion, impact maps, reactions and statics from them.
+A structure is a set of bodies whose positions are known in each phase, the mechanism of a contact
+state or of two that are mirror images. It declares those positions, its springs and its dampers;
+the rest of this package derives equations of motion, impact maps, reactions and statics from them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -18,6 +18,7 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
 if TYPE_CHECKING:
+    from rockeom.symbolic.evaluate import NumpyPhase
     from rockeom.symbolic.impulse import ImpulseMap
     from rockeom.symbolic.lagrange import Equations
 
@@ -155,6 +156,8 @@ class Phase:
         order, which gives the linearised equations. Impacts keep the exact geometry.
     quantities : what a response tells besides, by name: (unit, value) in "m" or "N". The names are
         the same in each phase.
+    beside_feet : (horizontal, vertical) force of the ground on the structure elsewhere than at its
+        feet, such as that of the columns of a frame beside a wall.
     """
 
     contacts: dict[str, int]
@@ -168,9 +171,11 @@ class Phase:
     small: tuple[sp.Symbol, ...] = ()
     forces: tuple[sp.Expr, ...] = ()
     quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
+    beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero)
 
     def __post_init__(self) -> None:
         what = f"phase {'/'.join(map(str, self.contacts))}"
+        valid.points(what, beside_feet=self.beside_feet)
         valid.texts(what, **{f"contact {c}": c for c in self.contacts})
         valid.symbols(what, **{f"small {x}": x for x in self.small})
         valid.expressions(
@@ -301,7 +306,14 @@ class RockingModel:
         """Velocities after the sudden passage from one contact state to another."""
         from rockeom.symbolic.impulse import derive_impulse_map
 
-        return derive_impulse_map(self, source, target)
+        if (source, target) not in self._impulse_maps:
+            self._impulse_maps[source, target] = derive_impulse_map(self, source, target)
+        return self._impulse_maps[source, target]
+
+    @cached_property
+    def _impulse_maps(self) -> dict[tuple[str, str], ImpulseMap]:
+        """Those that have been asked for."""
+        return {}
 
     @cached_property
     def velocity_ratio(self) -> sp.Expr | None:
@@ -327,26 +339,23 @@ class RockingModel:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
-        from rockeom.symbolic.typeset import latex_document
-
-        return latex_document(self, form)
+        return READERS["latex"](self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        from rockeom.symbolic.typeset import markdown_page
-
-        return markdown_page(self)
+        return READERS["markdown"](self)
 
     def _repr_latex_(self) -> str:
-        from rockeom.symbolic.typeset import equations_latex
+        return READERS["notebook"](self)
 
-        return "$$" + equations_latex(self.phases[0]) + "$$"
-
-    def lambdify(self):
+    def lambdify(self) -> dict[str, NumpyPhase]:
         """Vectorised NumPy functions of every contact state, see `numpy_functions`."""
-        from rockeom.symbolic.evaluate import numpy_functions
+        return READERS["lambdify"](self)
 
-        return numpy_functions(self)
+
+READERS: dict[str, Callable[..., Any]] = {}
+"""What reads a model that was derived, by the method that hands it on. A model is data and knows
+none of them: `rockeom.symbolic` puts them here."""
 
 
 @lru_cache(maxsize=4096)  # the same guards and energies are asked for in many contact states
@@ -410,6 +419,7 @@ def rocking_structure(
     elastic_energy: sp.Expr = sp.S.Zero,
     dissipation: sp.Expr = sp.S.Zero,
     load_on: str | None = None,
+    beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero),
     small: tuple[sp.Symbol, ...] = (),
     overturning: sp.Expr = sp.pi / 2,
     reference: str = "",
@@ -418,7 +428,7 @@ def rocking_structure(
 
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
-    same structure with the rotation held at zero.
+    same structure with the rotation held at zero. `beside_feet` is as in `Phase`.
     """
     from rockeom.symbolic.check import check_turning
 
@@ -431,6 +441,7 @@ def rocking_structure(
         str(name), half_width=half_width, gravity=gravity, rotation_angle=angle,
         elastic_energy=elastic_energy, dissipation=dissipation,
     )  # fmt: skip
+    valid.points(str(name), beside_feet=beside_feet)
     if sp.sympify(half_width).is_nonpositive:
         raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
@@ -444,6 +455,9 @@ def rocking_structure(
 
     def hold(expr) -> sp.Expr:
         return at_side(sp.sympify(expr).subs(held), 1)
+
+    def still(expr) -> sp.Expr:
+        return sp.sympify(expr).subs({rotation.velocity: 0, **held})
 
     standing = tuple(
         Body(
@@ -468,6 +482,7 @@ def rocking_structure(
         {k: Foot(turned(edge, pivot, angle)) for k, edge in edges.items()},
         load_point(turning),
         small,
+        beside_feet=beside_feet,
     )
     full = Phase(
         {"both": 0},
@@ -475,10 +490,11 @@ def rocking_structure(
         standing,
         gravity,
         sp.sympify(elastic_energy).subs(held),
-        sp.sympify(dissipation).subs({rotation.velocity: 0, **held}),
+        still(dissipation),
         {k: Foot(edge) for k, edge in edges.items()},
         load_point(standing),
         small,
+        beside_feet=(still(beside_feet[0]), still(beside_feet[1])),
     )
     theta = rotation.position
     return RockingModel(

@@ -71,9 +71,13 @@ class Arrangement:
 
 
 class Start(NamedTuple):
-    """Accelerations by their symbols, normal forces by point, friction by a group's first point."""
+    """What a mechanism begins with: accelerations and forces, or rates and impulses.
 
-    accelerations: dict[sp.Symbol, sp.Expr]
+    motion : by symbols of accelerations or rates. normal : by point; friction : of a group, by its
+    first point.
+    """
+
+    motion: dict[sp.Symbol, sp.Expr]
     normal: dict[int, sp.Expr]
     friction: dict[int, sp.Expr]
 
@@ -105,7 +109,7 @@ class Mechanism:
 
     @property
     def leaning(self) -> dict[sp.Symbol, sp.Expr]:
-        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
+        """Angles at which closed gaps hold it: equations keep their symbols, and are shorter."""
         return self._closing[1]
 
     @property
@@ -198,6 +202,8 @@ class Mechanism:
         left = self._motions(normal)[2]
         groups: list[list[int]] = []
         for i in self.closed:
+            if all(self._same(e) for e in self.slip_rows[i] * left):
+                raise self._undetermined()
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
                 if all(self._same(e) for e in difference):
@@ -268,7 +274,7 @@ class Mechanism:
         return dependent, independent, motions
 
     def _dependent(self, matrix: sp.Matrix) -> list[int]:
-        """Columns to eliminate: of coordinates whose place is known; then the simplest to divide by.
+        """Columns to eliminate: of coordinates whose place is known, and the simplest to divide by.
 
         Raises ValueError where the rows depend on one another.
         """
@@ -284,12 +290,15 @@ class Mechanism:
             if best is None or cost < best[0]:
                 best = cost, sorted(columns)
         if best is None:
-            names = ", ".join(self.model.contacts[i].name for i in self.closed)
-            raise ValueError(
-                f"{self.model.name}: how {names} share their forces when they are closed, statics "
-                "does not tell: let fewer points of one rigid body touch at once, or give springs"
-            )
+            raise self._undetermined()
         return best[1]
+
+    def _undetermined(self) -> ValueError:
+        names = ", ".join(self.model.contacts[i].name for i in self.closed)
+        return ValueError(
+            f"{self.model.name}: with {names} closed statics does not tell the friction: what "
+            "touches leaves no motion along it; give springs (Unilateral) where gaps hold a point"
+        )
 
     @cached_property
     def velocity(self) -> dict[sp.Symbol, sp.Expr]:
@@ -306,7 +315,7 @@ class Mechanism:
             return tau
         functions = [self._gaps[i] for i in self.closed]
         functions += [self._slips[g[0]] for g in self.sticking]
-        still = {x: 0 for x in self.qdd}
+        still = dict.fromkeys(self.qdd, 0)
         coordinates = self.model.coordinates
         bias = [rate(rate(f, coordinates), coordinates).subs(still) for f in functions]
         right = sp.Matrix([-self.here(b) for b in bias])
@@ -436,6 +445,68 @@ class Mechanism:
         if held and all(e == 0 for e in self.motions[coordinate, :]):
             return sp.S.Zero
         return self.qdd[coordinate]
+
+    @cached_property
+    def rebound(self) -> sp.Matrix:
+        """u of q'+ = T q_I'+ + u, (n, n), times q'-: each closed gap opens e times as it closed.
+
+        Only gaps that were closing rebound; of others the rate was zero.
+        """
+        found = sp.zeros(self.n, self.n)
+        if not self.dependent:
+            return found
+        rows = [
+            -sp.sympify(self.model.contacts[i].law.restitution) * row
+            for i, row in self.normal_rows.items()
+        ]
+        rows += [sp.zeros(1, self.n) for _ in self.sticking]
+        matrix = self._constraints[3][:, self.dependent]
+        solved = (_inverse(matrix) * sp.Matrix.vstack(*rows)).applyfunc(brief)
+        for k, d in enumerate(self.dependent):
+            found[d, :] = solved[k, :]
+        return found
+
+    @cached_property
+    def kept_momentum(self) -> sp.Matrix:
+        """K of L^T M T q_I'+ = K q'-, (m, n): what impulses at its points leave as it is.
+
+        They press as the points are closed and slip as they slip AFTER the impact, all at once.
+        """
+        matrix = self._free[0]
+        return (self.balances.T * matrix * (sp.eye(self.n) - self.rebound)).applyfunc(brief)
+
+    def landing(
+        self, before: Mapping[sp.Symbol, sp.Expr], place: Mapping[sp.Symbol, sp.Expr]
+    ) -> Start:
+        """Rates after an impact that ends in this mechanism, and the impulses of contact.
+
+        before : rates by their symbols, those not named zero. It is what follows where no normal
+        impulse pulls, friction stays within its cone, slips have their signs and gaps open.
+        """
+        put = {x: sp.sympify(before.get(x, 0)) for x in self.qd}
+        old = sp.Matrix([put[x] for x in self.qd])
+
+        def here(m: sp.Matrix) -> sp.Matrix:
+            return m.applyfunc(lambda e: brief(e.subs(place)))
+
+        free = here(self.kept_momentum) * old
+        matrix = here(self.mass_matrix)
+        new = here(self.rebound) * old
+        if matrix.rows:
+            new += here(self.motions) * _inverse(matrix) * free
+        pushes = here(self._free[0]) * (new - old)
+        impulses = sp.zeros(0, 1)
+        if self.dependent:
+            inverse = _inverse(here(self.pushes[self.dependent, :]))
+            impulses = inverse * pushes.extract(self.dependent, [0])
+        normal = dict(zip(self.closed, map(_together, impulses), strict=False))
+        stuck = [_together(e) for e in impulses[len(self.closed) :]]
+        friction = {g[0]: e for g, e in zip(self.sticking, stuck, strict=True)}
+        for group in self.slipping:
+            total = sum(self.friction(i) * normal[i] for i in group)
+            friction[group[0]] = -self.sigma(group[0]) * total
+        rates = dict(zip(self.qd, map(_together, new), strict=True))
+        return Start(rates, normal, friction)
 
     def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
         """What this mechanism begins with from rest at given positions, in closed form.
@@ -568,6 +639,7 @@ def derive_modes(model: Model) -> Modes:
             arrangement = _arrangement(model, tuple(pattern), groups, mirror, known, mechanisms)
             arrangements.append(arrangement)
             mechanism = mechanisms[arrangement.mechanism]
+            _ = mechanism.dependent  # raises where it cannot move or stand so
             states += _states(model, arrangement, mechanism, len(arrangements) - 1)
             if len(states) > MOST:
                 raise ValueError(
@@ -633,9 +705,14 @@ def _meet(mechanism: Mechanism) -> bool:
     slope = sp.lambdify(places, gaps.jacobian(places).subs(put), modules="math")
     x = rng.uniform(-0.1, 0.1, len(places))
     for _ in range(100):
-        x = x - np.linalg.lstsq(
-            np.array(slope(*x), dtype=float), np.array(value(*x), dtype=float).ravel(), rcond=None
-        )[0]
+        x = (
+            x
+            - np.linalg.lstsq(
+                np.array(slope(*x), dtype=float),
+                np.array(value(*x), dtype=float).ravel(),
+                rcond=None,
+            )[0]
+        )
     return bool(np.abs(np.array(value(*x), dtype=float)).max() < 1e-9)
 
 
@@ -672,32 +749,38 @@ def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> in
 def _states(
     model: Model, arrangement: Arrangement, mechanism: Mechanism, number: int
 ) -> Iterator[ContactState]:
-    groups = [tuple(arrangement.points[i] for i in g) for g in mechanism.slipping]
-    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(groups)):
+    groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
+    slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
+    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(slips)):
+        ways = dict(zip(slips, signs, strict=True))
         points = list(arrangement.states)
-        for sign, group in zip(signs, groups, strict=True):
+        for group, sign in ways.items():
             for i in group:
                 points[i] = sign
         for elements in product((1, 0), repeat=len(model.elements)):
-            name = _name(model, points, elements, groups, signs)
+            name = _name(model, {g: ways.get(g, STICK) for g in sorted(groups)}, elements)
             yield ContactState(name, tuple(points), elements, number)
 
 
-def _name(model: Model, points, elements, groups, signs) -> str:
+def _name(model: Model, groups: Mapping[tuple[int, ...], int], elements: tuple[int, ...]) -> str:
     """What a contact state is called: by what touches, and what slips where."""
-    every = [c.name for c in model.contacts] + [e.name for e in model.elements]
-    down = [c.name for c, state in zip(model.contacts, points, strict=True) if state != OPEN]
-    down += [e.name for e, on in zip(model.elements, elements, strict=True) if on]
-    if sorted(every) == ["left", "right"] and len(down) == 2:
-        name = "both"
-    else:
-        name = "_".join(down) or "flight"
-    closed = sum(state != OPEN for state in points)
-    for group, sign in zip(groups, signs, strict=True):
-        way = "right" if sign == SLIP_RIGHT else "left"
-        which = "" if len(group) == closed else f"_{model.contacts[group[0]].name}"
-        name += f"{which}_slides_{way}"
-    return name
+    slides = {STICK: "", SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
+    words = [
+        _both([model.contacts[i].name for i in group]) + slides[state]
+        for group, state in groups.items()
+    ]
+    pressed = [e.name for e, on in zip(model.elements, elements, strict=True) if on]
+    return "_".join([*words, *([_both(pressed)] if pressed else [])]) or "flight"
+
+
+def _both(names: list[str]) -> str:
+    """The names of points in one word, a left and a right one of one kind as both."""
+    if len(names) == 2:
+        left, right = names
+        kind = left.removesuffix("left")
+        if (left, right) == (f"{kind}left", f"{kind}right"):
+            return f"{kind}both"
+    return "_".join(names)
 
 
 # --- algebra
@@ -732,6 +815,11 @@ def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
         if above == sign * below:
             return sp.Integer(sign)
     return above / below if below.is_Add else sp.expand(above / below)
+
+
+def _together(expr: sp.Expr) -> sp.Expr:
+    above, below = sp.fraction(sp.together(expr))
+    return _positive_below(sp.cancel(brief(above) / brief(below)))
 
 
 def _positive_below(expr: sp.Expr) -> sp.Expr:

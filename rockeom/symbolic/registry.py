@@ -6,7 +6,8 @@ import importlib
 import math
 import pkgutil
 from collections.abc import Callable
-from functools import cache, partial
+from functools import lru_cache, partial
+from inspect import Signature, signature
 from typing import Any
 
 from rockeom.symbolic import structures
@@ -14,6 +15,8 @@ from rockeom.symbolic.model import RockingModel
 
 _PLACES: dict[str, float] = {}
 _DECLARED: dict[str, Callable[[], RockingModel]] = {}
+FAMILIES: dict[str, Callable[..., RockingModel]] = {}
+"""The functions that declare a structure for each set of their arguments, by name."""
 
 
 def shipped(declare: Any = None, /, *, place: float = math.inf) -> Any:
@@ -33,6 +36,15 @@ def shipped(declare: Any = None, /, *, place: float = math.inf) -> Any:
     return declare
 
 
+def family(declare: Callable[..., RockingModel]) -> Callable[..., RockingModel]:
+    """Mark a function that declares a structure for each set of its arguments.
+
+    Those are derived where they are used, and `derive` takes the arguments by name.
+    """
+    FAMILIES[declare.__name__] = declare
+    return declare
+
+
 def found() -> dict[str, Callable[[], RockingModel]]:
     """The functions that declare the shipped structures, by name and in order."""
     for module in pkgutil.iter_modules(structures.__path__, f"{structures.__name__}."):
@@ -48,16 +60,27 @@ def models() -> tuple[str, ...]:
     return tuple(SHIPPED)
 
 
-def derive(name: str) -> RockingModel:
+def derive(name: str, **arguments: str | int) -> RockingModel:
     """A shipped structure by its name, derived once in a session.
 
-    Raises KeyError, naming the shipped ones, if there is none of that name.
+    arguments : of a family, such as `derive("shear_frame", storeys=3)`.
+
+    Raises KeyError, naming the shipped ones, if there is none of that name, and TypeError for
+    arguments that it does not take.
     """
-    if name not in SHIPPED:
-        raise KeyError(f"no structure named {name!r}; shipped are {', '.join(SHIPPED)}")
-    return _derived(SHIPPED[name])
+    every = SHIPPED | FAMILIES
+    if name not in every:
+        raise KeyError(f"no structure named {name!r}; shipped are {', '.join(every)}")
+    taken = signature(every[name])
+    try:
+        taken.bind(**arguments)
+    except TypeError as error:
+        raise TypeError(
+            f"{name}{taken.replace(return_annotation=Signature.empty)}: {error}"
+        ) from None
+    return _derived(every[name], **arguments)
 
 
-@cache
-def _derived(structure: Callable[[], RockingModel]) -> RockingModel:
-    return structure()
+@lru_cache(maxsize=None, typed=True)  # True is not 1, which a declaration would take
+def _derived(structure: Callable[..., RockingModel], **arguments: str | int) -> RockingModel:
+    return structure(**arguments)

@@ -85,3 +85,10 @@ def laws(what: str, symbol: Any) -> None:
         raise ValueError(
             f"{what}: its symbol is {symbol}: give a symbol, or a function of one coordinate"
         )
+
+
+def counts(what: str, **items: Any) -> None:
+    """Each must be a whole number, from one up."""
+    for item, value in items.items():
+        if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+            raise ValueError(f"{what}: {item} is {value!r}: give a whole number of at least 1")

@@ -6,9 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+import rockeom.generated.controlled_wall_oscillator as oscillator
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
+import rockeom as rk
 from rockeom import analysis
 
 WALL = analysis.Wall.thesis()
@@ -175,6 +177,60 @@ def test_pushover_of_the_thesis():
     d = np.array([1e-3, 0.03])
     np.testing.assert_allclose(WALL.restoring_force(-d), -WALL.restoring_force(d), rtol=1e-15)
     assert WALL.restoring_force(0.0) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("function", "column", "method"),
+    [
+        ("statics", 0, "restoring_force"),
+        ("energies", 2, "gravity_energy"),
+        ("energies", 2, "elastic_energy"),
+        ("reactions", 1, "tendon_force"),
+        ("kinematics", 2, "tendon_extension"),
+    ],
+)
+def test_forces_and_energies_are_those_of_the_generated_functions(
+    monkeypatch, function, column, method
+):
+    """No second copy: what a generated function says more, the wall says more."""
+    before = float(getattr(WALL, method)(0.02))
+    written = getattr(oscillator, function)
+
+    def more(contact, y, p, *given):
+        written(contact, y, p, *given)
+        if method != "elastic_energy" or not oscillator.CONTACTS[contact].endswith("slack"):
+            given[-1][column] += 7.0
+
+    monkeypatch.setattr(oscillator, function, more)
+    assert float(getattr(WALL, method)(0.02)) - before == pytest.approx(7.0)
+
+
+@pytest.mark.parametrize("d", [-0.03, -2e-3, 4e-4, 0.01, 0.05])
+def test_forms_of_the_thesis_are_those_of_the_derived_geometry(d):
+    """Rotation centre and uplifts, which no generated function gives at every point of a base."""
+    for position in (-0.508, 0.0, 0.3):
+        tendon = dataclasses.replace(WALL.tendons[0], eccentricity=position)
+        wall = dataclasses.replace(WALL, tendons=(tendon,))
+        held = rk.ControlledWallOscillator.from_wall(wall, 1.0)
+        y = held.state({"u": d, "permanent_extension": 0.0})
+        out = np.empty(len(oscillator.KINEMATICS))
+        oscillator.kinematics(held.contact(y), y, held.vector, out)
+        _, centre, extension = out
+        assert WALL.rotation_centre.distance(d) == pytest.approx(centre, rel=1e-12)
+        along = extension * math.cos(WALL.rotation(d))
+        assert WALL.uplift(d, position) == pytest.approx(along, rel=1e-11)
+
+
+def test_several_tendons_add_up():
+    """Each with its own yield and eccentricity; the weight counts once."""
+    d = np.array([-0.06, -0.01, 0.004, 0.05])
+    alone = [dataclasses.replace(ECCENTRIC, tendons=(t,)) for t in ECCENTRIC.tendons]
+    bare = dataclasses.replace(ECCENTRIC, tendons=())
+    for method in ("restoring_force", "potential_energy"):
+        parts = [getattr(wall, method)(d) - getattr(bare, method)(d) for wall in alone]
+        whole = getattr(ECCENTRIC, method)(d) - getattr(bare, method)(d)
+        np.testing.assert_allclose(whole, sum(parts), rtol=1e-9)
+    np.testing.assert_array_equal(bare.elastic_energy(d), 0.0)
 
 
 def test_descent_of_the_centroid():

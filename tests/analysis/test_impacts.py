@@ -152,6 +152,24 @@ def test_restitution_is_recovered_within_its_stated_uncertainty():
         assert left.energy_ratio + left.half_width < right.energy_ratio - right.half_width
 
 
+def test_restitution_of_a_recorded_displacement_is_that_of_the_rotation():
+    """The centroid's place was measured, not the rotation: the same ratios, the same intervals."""
+    t, theta, _ = rocking()
+    sigma = np.radians(0.02)
+    place = analysis.displacement_from_rotation(theta, BLOCK.half_width, BLOCK.half_height)
+    noise = np.random.default_rng(0).normal(0.0, sigma, len(t))
+    turned = analysis.MeasuredRecord(t, {"theta": theta + noise})
+    moved = analysis.MeasuredRecord(t, {"top": place + BLOCK.half_height * noise})
+    found = analysis.Impacts.of_record(
+        moved, BLOCK, "top", quantity="displacement", threshold=6.5, smallest=1e-3
+    )
+    usual = analysis.Impacts.of_record(turned, BLOCK, threshold=6.5)
+    true = np.array([BY_FOOT[foot] for foot in found.foot])
+    assert np.all(np.abs(found.energy_ratio - true) < 2 * found.half_width)
+    np.testing.assert_allclose(found.half_width, usual.half_width, rtol=0.25)
+    np.testing.assert_allclose(found.speed, usual.speed, rtol=0.01)
+
+
 @pytest.mark.parametrize("rate", [200, 1000])
 def test_record_without_noise_that_comes_to_rest_needs_no_argument(rate):
     run = rk.simulate(

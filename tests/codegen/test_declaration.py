@@ -11,7 +11,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import declaration_digest
-from rockeom.codegen.declaration import sources
+from rockeom.sources import sources
 from rockeom.symbolic.structures.flexible import flexible_structure
 
 

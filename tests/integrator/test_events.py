@@ -11,7 +11,7 @@ import rockeom as rk
 
 from .models import CHAIN, point, thrown
 
-ONE_STEP = rk.SolverOptions(steps_per_law=1)
+ONE_STEP = rk.SolverOptions(steps_per_segment=1)
 STEPS = pytest.mark.parametrize("options", [ONE_STEP, None], ids=["one step", "many steps"])
 
 

@@ -33,6 +33,33 @@ def pulse(start, length, acceleration, duration):
     return rk.GroundMotion(laws)
 
 
+# -- how a motion begins
+
+
+def steps_in(run, phase):
+    """(n, 2) start and length of the steps in a contact phase."""
+    return run.steps.span[run.steps.contact == BLOCK.module.CONTACTS.index(phase)]
+
+
+def test_block_that_stands_under_a_sine_lifts_where_the_push_reaches_its_weight():
+    """In one step: nothing moves until then."""
+    amplitude, period = 4.0, 2.0
+    run = rk.simulate(BLOCK, rk.GroundMotion.single_sine(amplitude, period, 3.0))
+    lifts = math.asin(THRESHOLD / amplitude) * period / (2 * math.pi)
+    assert steps_in(run, "both").tolist() == [[0.0, pytest.approx(lifts, rel=1e-12)]]
+
+
+@pytest.mark.parametrize("rtol", [1e-5, 1e-8, 1e-11])
+@pytest.mark.parametrize("shaken", [True, False])
+def test_first_step_is_not_much_shorter_than_those_that_follow(rtol, shaken):
+    """Nor so long that the error refuses it again and again."""
+    motion = rk.GroundMotion.single_sine(4.0, 2.0, 3.0) if shaken else QUIET
+    initial = {} if shaken else {"theta": 0.2}
+    run = rk.simulate(BLOCK, motion, initial=initial, options=rk.SolverOptions(rtol=rtol))
+    spans = steps_in(run, "left" if shaken else "right")[:, 1]
+    assert spans[0] > 0.05 * np.median(spans)
+
+
 # -- bouncing without loss
 
 
@@ -400,7 +427,7 @@ def test_too_many_impacts_keep_what_was_done():
 
 
 def test_too_many_steps_are_a_stall_that_keeps_what_was_done():
-    run = rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, options=rk.SolverOptions(max_steps=10))
+    run = rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, options=rk.SolverOptions(max_steps=5))
     assert run.outcome is rk.Outcome.STALLED
     assert 0.0 < run.t[-1] < 100.0
     assert run.at(run.t[-1])["theta"] == pytest.approx(run.final["theta"], rel=1e-15)

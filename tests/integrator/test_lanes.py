@@ -16,7 +16,7 @@ from rockeom.numeric.machine import Loaded, compiled
 from rockeom.numeric.printer import Program as Printed
 from rockeom.numeric.program import GLUE, LOOP, VECTORS, joined_texts
 
-STEP = rk.SolverOptions(steps_per_law=1)
+STEP = rk.SolverOptions(steps_per_segment=1)
 
 
 def record(n=1200, seed=1, dt=0.005):
@@ -197,9 +197,9 @@ def test_every_argument_of_a_case():
 @pytest.mark.parametrize(
     "options",
     [
-        rk.SolverOptions(steps_per_law=3),
-        rk.SolverOptions(steps_per_law=1, max_step=0.002),
-        rk.SolverOptions(steps_per_law=2, method="RK45"),
+        rk.SolverOptions(steps_per_segment=3),
+        rk.SolverOptions(steps_per_segment=1, max_step=0.002),
+        rk.SolverOptions(steps_per_segment=2, method="RK45"),
     ],
     ids=["three steps", "max_step", "RK45"],
 )
@@ -234,7 +234,7 @@ MOTIONS = {
 )
 def test_every_law_of_the_ground_and_both_ways_of_stepping(make, steps):
     """Horizontal and vertical motions of every kind, side by side in the lanes."""
-    options = rk.SolverOptions(steps_per_law=steps)
+    options = rk.SolverOptions(steps_per_segment=steps)
     over = {"motion": list(MOTIONS), "vertical": [None, "harmonic", "wavelet"], "x": [0.18, 0.22]}
     lanes, scalar = both_ways(
         lambda motion, vertical, x: rk.Case(
@@ -262,7 +262,7 @@ def test_structures_on_springs(steps):
         vertical = MOTIONS["harmonic"] if width == 0.26 else None
         return rk.Case(sprung(width, damping=damping), motions[motion], vertical=vertical)
 
-    options = rk.SolverOptions(steps_per_law=20 * steps if steps else 0)
+    options = rk.SolverOptions(steps_per_segment=20 * steps if steps else 0)
     lanes, scalar = both_ways(case, over, options)
     np.testing.assert_array_equal(lanes.outcome, scalar.outcome)
     assert {"overturned", "completed"} <= set(lanes.outcome.values.ravel().tolist())
@@ -283,7 +283,7 @@ def test_structures_on_springs(steps):
 def test_blocks_that_rock_beyond_an_eighth_of_a_turn(steps):
     """Wide ones; lanes know no such angle, and the loop goes on with them at its own pace."""
     wide = {"alpha": [1.1, 1.3], "theta": [0.3, 0.7, 0.78, 0.79, 0.85]}
-    options = rk.SolverOptions(steps_per_law=steps, max_steps=3000)
+    options = rk.SolverOptions(steps_per_segment=steps, max_steps=3000)
     motion = record(n=800).scaled(3.0)
     lanes, scalar = both_ways(
         lambda alpha, theta: rk.Case(
@@ -326,12 +326,12 @@ def test_too_many_impacts_and_steps():
     def case(theta):
         return rk.Case(block(0.5, 0.2), quiet, initial={"theta": theta})
 
-    few = many(case, over, rk.SolverOptions(steps_per_law=1, max_impacts=5))
+    few = many(case, over, rk.SolverOptions(steps_per_segment=1, max_impacts=5))
     assert set(few.outcome.values.tolist()) == {"too many impacts"}
     assert (few.impacts == 6).all()
     assert np.isfinite(few.impact_time.values).sum(axis=1).tolist() == [6] * 18
     np.testing.assert_array_equal(few.final_time, few.impact_time[:, 5])
-    short = many(case, over, rk.SolverOptions(steps_per_law=1, max_steps=40))
+    short = many(case, over, rk.SolverOptions(steps_per_segment=1, max_steps=40))
     assert set(short.outcome.values.tolist()) == {"stalled"}
     assert (short.final_time < 0.21).all()
 

@@ -21,7 +21,7 @@ def noise(seed, n, dt, peak):
 
 
 def in_equal_steps(count):
-    return rk.SolverOptions(steps_per_law=count)
+    return rk.SolverOptions(steps_per_segment=count)
 
 
 # -- equal steps that are too long
@@ -50,7 +50,7 @@ def test_equal_step_refused_at_a_coarse_tolerance_is_refined_like_any_other():
         rk.RigidBlock(half_width=0.1, half_height=0.5),
         rk.GroundMotion.none(2.0),
         initial={"theta": 0.15},
-        options=rk.SolverOptions(steps_per_law=1, rtol=1e-6, atol=1e-8),
+        options=rk.SolverOptions(steps_per_segment=1, rtol=1e-6, atol=1e-8),
     )
     assert run.statistics["refined"] == 1
     assert np.diff(run.steps.span[:, 0])[0] < 0.3
@@ -107,7 +107,7 @@ def test_a_step_that_is_not_finite_ends_the_motion_within_max_steps():
         mass=10.7, height=0.415, inertia=0, base_mass=0, base_height=0.035, base_inertia=4.04,
         half_width=0.65, foundation_stiffness=3.63e6, foundation_damping=877,
     )  # fmt: skip
-    options = rk.SolverOptions(steps_per_law=2, max_steps=20)
+    options = rk.SolverOptions(steps_per_segment=2, max_steps=20)
     run = rk.simulate(
         structure,
         rk.GroundMotion.none(0.357),

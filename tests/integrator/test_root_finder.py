@@ -43,6 +43,14 @@ def of_gap(b: Floats, touching: int, out: Floats):
 @entry
 def of_samples(b: Floats) -> bool:
     return clearly_open(b, 0)
+
+@entry
+def the_bound(coefficients: Floats, bound: float, b: Floats, stack: Floats) -> float:
+    return bound_passed(coefficients, bound, b, stack)
+
+@entry
+def the_power(x: float, exponent: float) -> float:
+    return power(x, exponent)
 """
 NEVER = 2.0
 TO_BERNSTEIN = samples_to_bernstein()
@@ -325,3 +333,30 @@ def test_samples_stay_open_where_all_coefficients_of_their_polynomial_do():
         samples[random.integers(8)] = np.nan
         assert not loop()["of_samples"](samples)
     assert known == {False, True}
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("places", [(0.3, 0.4, 0.8), (0.55, 0.6, 0.9), (0.05, 0.6, 0.7)])
+def test_bound_is_passed_where_a_structure_first_reaches_it(places, side):
+    """Within a step it goes beyond the bound, comes back, and goes beyond it again."""
+    powers = 20.0 * np.polynomial.polynomial.polyfromroots(places)
+    powers[0] += 1.0
+    coefficients = np.zeros((8, 2))
+    coefficients[:4, 0] = side * powers
+    found = loop()["the_bound"](coefficients.ravel(), 1.0, np.empty(8), np.empty(640))
+    assert found == pytest.approx(min(places), abs=1e-12)
+
+
+def test_bound_that_only_the_end_of_a_step_reaches():
+    coefficients = np.zeros((8, 2))
+    coefficients[1, 0] = 1.0
+    for bound, place in ((1.0, 1.0), (1.0 + 1e-9, NEVER), (0.5, 0.5)):
+        found = loop()["the_bound"](coefficients.ravel(), bound, np.empty(8), np.empty(640))
+        assert found == pytest.approx(place, abs=1e-12)
+
+
+@pytest.mark.parametrize("order", [4, 5, 8])
+def test_powers_of_the_control_are_right_within_four_per_cent(order):
+    for exponent in (-0.7 / order, 0.4 / order):
+        for x in np.logspace(-10, 0, 101).tolist():
+            assert loop()["the_power"](x, exponent) == pytest.approx(x**exponent, rel=0.04)

@@ -91,7 +91,7 @@ def test_order_observed_through_impacts():
     assert len(exact[0]) == 7
 
     def found(n):
-        return of_impacts(shaken("Radau", rtol=1e-13, atol=1e-15, steps_per_law=n))
+        return of_impacts(shaken("Radau", rtol=1e-13, atol=1e-15, steps_per_segment=n))
 
     np.testing.assert_allclose(slopes(range(30, 120, 6), found, exact), 5, atol=0.3)
 
@@ -102,7 +102,7 @@ def test_dense_output_observed():
     exact = (np.array([*shaken("DOP853", rtol=1e-14, atol=1e-16).at(places).values()]),)
 
     def found(n):
-        run = shaken("Radau", rtol=1e-13, atol=1e-15, steps_per_law=n)
+        run = shaken("Radau", rtol=1e-13, atol=1e-15, steps_per_segment=n)
         return (np.array([*run.at(places).values()]),)
 
     np.testing.assert_allclose(slopes(range(30, 120, 6), found, exact), 4, atol=0.3)
@@ -126,7 +126,7 @@ def test_steps_in_which_newton_fails_are_cut(theta):
         rk.RigidBlock.from_frequency(p=p, alpha=alpha),
         rk.GroundMotion.none(duration),
         initial={"theta": theta},
-        options=options(1e-8, steps_per_law=1),
+        options=options(1e-8, steps_per_segment=1),
     )
     assert run.steps.span[0, 1] < duration
     c = radau().c[1:4]
@@ -272,6 +272,6 @@ def test_lanes_know_no_implicit_method():
         rk.simulate_many(
             lambda theta: rk.Case(block, motion, initial={"theta": theta}),
             over={"theta": [0.1]},
-            options=options(1e-8, steps_per_law=1),
+            options=options(1e-8, steps_per_segment=1),
             lanes=True,
         )

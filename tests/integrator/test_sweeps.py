@@ -355,7 +355,7 @@ def test_lanes_take_cases_made_at_once():
         block = rk.RigidBlock(half_width=size * slenderness, half_height=size)
         return Case(block, RECORD.scaled(5.0))
 
-    how = {"options": rk.SolverOptions(steps_per_law=1), "lanes": True, "impact_times": 5}
+    how = {"options": rk.SolverOptions(steps_per_segment=1), "lanes": True, "impact_times": 5}
     at_once = rk.simulate_many(case, over, arrays=True, **how)
     assert at_once.identical(rk.simulate_many(case, over, **how))
 

@@ -237,7 +237,7 @@ def test_order_observed_through_impacts(name):
     """Equal steps without error control, of which each impact cuts one."""
     exact = observed(shaken("DOP853", rtol=1e-14, atol=1e-16))
     assert len(exact[0]) == 7
-    orders = slopes(COUNTS[name], lambda n: observed(shaken(name, steps_per_law=n)), exact)
+    orders = slopes(COUNTS[name], lambda n: observed(shaken(name, steps_per_segment=n)), exact)
     np.testing.assert_allclose(orders, ORDER[name], atol=0.3)
 
 
@@ -260,7 +260,7 @@ def test_symmetric_flights_keep_energy_to_one_order_more():
                 rk.GroundMotion.none(exact[0][-1] + 0.05),
                 impact=rk.VelocityRatio(e),
                 initial={"theta": theta},
-                options=rk.SolverOptions(method="DOP853", steps_per_law=n),
+                options=rk.SolverOptions(method="DOP853", steps_per_segment=n),
             )
         )
 
@@ -286,7 +286,7 @@ def test_equal_steps_in_each_law_and_control_behind_the_motion(name):
     block = rk.RigidBlock.from_frequency(p=2.0, alpha=0.3)
     motion = rk.GroundMotion.from_array([0.0, 1.0, -2.0, 1.0, 0.5], dt=0.1)
     arguments = {"initial": {"theta": 0.2}, "duration": 4.0}
-    fixed = rk.SolverOptions(method=name, steps_per_law=5)
+    fixed = rk.SolverOptions(method=name, steps_per_segment=5)
     run = rk.simulate(block, motion, options=fixed, **arguments)
     first_impact = run.impacts[0].time
     assert first_impact > 0.4

@@ -146,7 +146,7 @@ def test_duration(duration):
         ({"max_impacts": 0}, ("max_impacts is 0", "whole number of at least 1")),
         ({"max_steps": 10.5}, ("max_steps is 10.5", "whole number of at least 1")),
         ({"max_steps": math.inf}, ("max_steps is inf", "whole number of at least 1")),
-        ({"steps_per_law": -1}, ("steps_per_law is -1", "whole number of at least 0")),
+        ({"steps_per_segment": -1}, ("steps_per_segment is -1", "whole number of at least 0")),
         ({"output_step": 0.0}, ("output_step", "positive")),
     ],
 )
@@ -157,8 +157,8 @@ def test_options(option, words):
 
 def test_options_are_kept_as_the_compiled_loop_takes_them():
     """Else a loop is compiled anew for each kind of number."""
-    options = rk.SolverOptions(rtol=np.float32(0.5), max_steps=1e6, steps_per_law=np.int8(2))
-    kept = options.rtol, options.max_steps, options.steps_per_law
+    options = rk.SolverOptions(rtol=np.float32(0.5), max_steps=1e6, steps_per_segment=np.int8(2))
+    kept = options.rtol, options.max_steps, options.steps_per_segment
     assert kept == (0.5, 1_000_000, 2)
     assert list(map(type, kept)) == [float, int, int]
 
@@ -337,7 +337,7 @@ def test_numbers_of_every_make_are_taken(value):
         "rest_tolerance",
         "max_impacts",
         "max_steps",
-        "steps_per_law",
+        "steps_per_segment",
         "output_step",
     ],
 )
@@ -345,6 +345,16 @@ def test_numbers_of_every_make_are_taken(value):
 def test_option_that_is_no_number(option, value):
     with raises(TypeError, f"{option} is ", "number"):
         rk.SolverOptions(**{option: value})
+
+
+def test_former_name_of_equal_steps_is_understood_and_says_the_new_one():
+    with pytest.warns(DeprecationWarning, match="steps_per_law is now called steps_per_segment"):
+        options = rk.SolverOptions(steps_per_law=2)
+    assert options == rk.SolverOptions(steps_per_segment=2)
+    with pytest.warns(DeprecationWarning, match="steps_per_segment"):
+        assert options.steps_per_law == 2
+    with pytest.warns(DeprecationWarning, match="now"), raises(ValueError, "steps_per_law is -1"):
+        rk.SolverOptions(steps_per_law=-1)
 
 
 METHODS = {

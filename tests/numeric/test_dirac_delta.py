@@ -177,7 +177,7 @@ def test_long_steps_without_error_control_do_not_leap_over_the_impact(method, n)
     for start in np.linspace(0.1, 0.9, 12):
         run = rk.simulate(
             block(n), still, initial={"x": start},
-            options=rk.SolverOptions(method=method, steps_per_law=1),
+            options=rk.SolverOptions(method=method, steps_per_segment=1),
         )  # fmt: skip
         enters = next(e for e in run.events if e.phase_before == "right")
         leaves = next(e for e in run.events if e.phase_after == "left")

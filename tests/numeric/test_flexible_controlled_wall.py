@@ -113,6 +113,12 @@ def test_pushover_is_that_of_two_springs_in_series(theta):
     assert displacement - place(rigid, 0.0, H)[0] == pytest.approx(u, rel=1e-3)
 
 
+def test_there_is_an_equilibrium_at_every_rotation():
+    """Also where the last digits of a load would be lost beside the other forces."""
+    for theta in np.random.default_rng(0).uniform(-0.05, 0.05, 200):
+        WALL.equilibrium(theta)
+
+
 def test_a_column_that_its_spring_does_not_hold_up_is_refused():
     with pytest.raises(ValueError, match="hardly holds its weight"):
         replace(WALL, stiffness=100.0).pushover(0.01)

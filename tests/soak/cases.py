@@ -164,7 +164,7 @@ def _options(dice: Dice, method: str) -> rk.SolverOptions:
         method=method,
         rtol=chosen,
         atol=chosen * dice.one_of(1e-2, 1e-2, 1e-4),
-        steps_per_law=dice.one_of(1, 2, 3, 5, 10) if dice.chance(0.25) else 0,
+        steps_per_segment=dice.one_of(1, 2, 3, 5, 10) if dice.chance(0.25) else 0,
         rest_tolerance=dice.one_of(1e-6, 1e-6, 1e-6, 1e-9, 1e-4),
         max_impacts=2000,
         max_steps=20_000,

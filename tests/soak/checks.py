@@ -150,7 +150,7 @@ class Record:
         """(n, N) what each of the states y (n, N) may be wrong by."""
         o = self.motion.options
         size = np.abs(y)
-        coarser = max(1.0, COARSE[o.method] / o.rtol) if o.steps_per_law else 1.0
+        coarser = max(1.0, COARSE[o.method] / o.rtol) if o.steps_per_segment else 1.0
         return self.slack * coarser * (o.atol + max(o.rtol, FINEST) * size)
 
     def energies(self, contact: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -621,7 +621,7 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
     run, m = r.run, r.program
     if run.outcome not in (rk.Outcome.COMPLETED, rk.Outcome.CAME_TO_REST):
         return "", None
-    if r.motion.options.steps_per_law:
+    if r.motion.options.steps_per_segment:
         return "", None  # another length of the laws, and so of the steps
     at = run.duration * dice.between(0.05, 0.95)
     first = rk.simulate(
@@ -757,7 +757,7 @@ def lanes(r: Record) -> Found:
 
 
 def _in_lanes(r: Record, steps: int, linear: bool) -> Found:
-    seed, options, kept = r.motion.seed, replace(r.motion.options, steps_per_law=steps), []
+    seed, options, kept = r.motion.seed, replace(r.motion.options, steps_per_segment=steps), []
     for sibling in range(9):
         motion = draw(seed, sibling, linear=linear)
         try:
@@ -774,13 +774,13 @@ def _in_lanes(r: Record, steps: int, linear: bool) -> Found:
         if not same.all():
             yield f"lanes: another order gives another {name}"
             return
-    controlled = replace(options, steps_per_law=0)
+    controlled = replace(options, steps_per_segment=0)
     for i, motion in enumerate(kept):
         outcome, free = str(fast.outcome.values[i]), replace(motion, options=controlled)
         adaptive = free.run().outcome
         if _another(outcome, adaptive, free):
             yield (
-                f"lanes: sibling {i} with {options.steps_per_law} steps is {outcome}, with "
+                f"lanes: sibling {i} with {options.steps_per_segment} steps is {outcome}, with "
                 f"controlled ones {adaptive}"
             )
     roomier = replace(
@@ -793,7 +793,7 @@ def _in_lanes(r: Record, steps: int, linear: bool) -> Found:
             again = _beside([kept[i]], _finer(options)).get(0)
             if again is None or (again[1] is not None and (again[1] <= 0.1 * off).all()):
                 continue  # errors of steps, which become smaller
-        yield f"lanes: sibling {i} with {options.steps_per_law} steps {line}"
+        yield f"lanes: sibling {i} with {options.steps_per_segment} steps {line}"
 
 
 def _undecided(motion: Motion, options: rk.SolverOptions) -> bool:
@@ -860,12 +860,12 @@ def nearly(motion: Motion, factor: float) -> Motion:
 def equal(r: Record) -> Found:
     """Equal steps have the outcome of controlled ones, where a millionth does not decide it."""
     options = r.motion.options
-    free = replace(r.motion, options=replace(options, steps_per_law=0))
-    if options.steps_per_law:
+    free = replace(r.motion, options=replace(options, steps_per_segment=0))
+    if options.steps_per_segment:
         fixed, adaptive = r.run.outcome, free.run().outcome
     else:
         steps = Dice(r.motion.seed, 0, 3).one_of(1, 2, 3, 5, 10)
-        fixed = replace(r.motion, options=replace(options, steps_per_law=steps)).run().outcome
+        fixed = replace(r.motion, options=replace(options, steps_per_segment=steps)).run().outcome
         adaptive = r.run.outcome
     if _another(str(fixed), adaptive, free):
         yield f"equal steps: {fixed}, with controlled ones {adaptive}"

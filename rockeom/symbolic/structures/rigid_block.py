@@ -12,10 +12,8 @@ from rockeom.symbolic.model import (
     rocking_structure,
     turned,
 )
+from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
-
-ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise about the right edge")
-GRAVITY = parameter("g", "gravity", "m/s2", "acceleration of gravity")
 
 
 @shipped(place=1)

@@ -2,25 +2,11 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from rockeom.symbolic.contacts import Model, Rigid, feet
-from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, turned
+from rockeom.symbolic.model import Body, parameter, turned
+from rockeom.symbolic.parts.superstructures import GRAVITY
+from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
-from rockeom.symbolic.structures.rigid_block import GRAVITY
-
-X = coordinate("x", "x", "m", "place of the base's centre, positive to the right")
-Y = coordinate("y", "y", "m", "height of the base's centre above the ground")
-THETA = coordinate("theta", "theta", "rad", "rotation, positive clockwise")
-FRICTION = Parameter(
-    sp.Symbol("mu", nonnegative=True), "friction", "-", "coefficient of friction at each foot"
-)
-RESTITUTION = Parameter(
-    sp.Symbol("e_n", nonnegative=True),
-    "restitution",
-    "-",
-    "ratio of the rates of a gap after and before an impact",
-)
 
 
 @shipped(place=3.5)
@@ -30,7 +16,7 @@ def sliding_block() -> Model:
     half_width = parameter("B", "half_width", "m", "half of the width of the base")
     height = parameter("H", "height", "m", "height of the centroid above the base")
     inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
-    x, y, theta = X.position, Y.position, THETA.position
+    x, y, theta = X.position, Y.position, FREE_ROTATION.position
     b, h = half_width.symbol, height.symbol
 
     def placed(point):
@@ -43,10 +29,10 @@ def sliding_block() -> Model:
         name="sliding_block",
         title="Rigid block that slides, bounces and flies",
         parameters=(mass, half_width, height, inertia, GRAVITY, FRICTION, RESTITUTION),
-        coordinates=(X, Y, THETA),
+        coordinates=(X, Y, FREE_ROTATION),
         bodies=(block,),
         gravity=GRAVITY.symbol,
-        rotation=THETA,
+        rotation=FREE_ROTATION,
         contacts=feet(
             gap=lambda s: placed((s * b, 0))[1],
             slip=lambda s: placed((s * b, 0))[0],

@@ -17,25 +17,22 @@ from rockeom.symbolic.model import (
     RockingModel,
     Transition,
     coordinate,
-    parameter,
+    turned,
 )
-from rockeom.symbolic.registry import shipped
-from rockeom.symbolic.statics import holding_force
-from rockeom.symbolic.structures.lumped_mass import (
+from rockeom.symbolic.parts.superstructures import (
     BASE_MASS,
+    GRAVITY,
     HALF_WIDTH,
     HEIGHT,
     MASS,
-    PARAMETERS,
-    base,
-    lumped_mass_structure,
-    superstructure,
+    ROTATION,
+    Point,
+    rigid,
 )
-from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION
-
-FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
-FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
-HEAVE = coordinate("v", "heave", "m", "rise of the base's centre above its settled position")
+from rockeom.symbolic.parts.supports import FOUNDATION_DAMPING, FOUNDATION_STIFFNESS, HEAVE
+from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.statics import holding_force
+from rockeom.symbolic.structures.lumped_mass import lumped_mass_structure
 
 
 @shipped(place=6)
@@ -51,13 +48,12 @@ def two_spring_structure() -> RockingModel:
     settlement = weight / (2 * k)  # thesis 5-16
     centre = (sp.Integer(0), v - settlement)
 
-    def place(body: Body) -> Body:
-        """The body of the structure that turns about the centre of its base."""
-        x, y = body.position
-        return Body(body.name, body.mass, (x, y + centre[1]), body.inertia, body.rotation)
+    def place(point: Point) -> Point:
+        """Where a point is when the base has turned about its centre."""
+        x, y = turned(point, (sp.Integer(0), sp.Integer(0)), theta)
+        return x, y + centre[1]
 
-    origin = (sp.Integer(0), sp.Integer(0))
-    bodies = tuple(place(b_) for b_ in (superstructure(origin, theta), base(origin, theta)))
+    bodies = rigid().about_the_middle(place, theta)
     sole = {
         "left": (-b * sp.cos(theta), centre[1] + b * sp.sin(theta)),
         "right": (b * sp.cos(theta), centre[1] - b * sp.sin(theta)),
@@ -91,7 +87,7 @@ def two_spring_structure() -> RockingModel:
     return RockingModel(
         name="two_spring_structure",
         title="Rigid lumped-mass structure on two compression-only springs (Model B)",
-        parameters=(*PARAMETERS, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
+        parameters=(*rigid().parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE),
         phases=(
             phase({"both": 0}, [*compression.values()], **force),
@@ -192,7 +188,7 @@ def two_spring_cart() -> RockingModel:
     return RockingModel(
         name="two_spring_cart",
         title="Equivalent cart of the structure on two springs (Model B as printed)",
-        parameters=(*PARAMETERS, FOUNDATION_STIFFNESS),
+        parameters=(*rigid().parameters, FOUNDATION_STIFFNESS),
         coordinates=(u,),
         phases=(
             phase({"both_left": -1, "both_right": 1}, k0 * x**2 / 2),

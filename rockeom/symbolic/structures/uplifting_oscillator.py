@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from rockeom.symbolic.algebra import truncated
 from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
+from rockeom.symbolic.parts.superstructures import (
+    DAMPING,
+    DEFORMATION,
+    GRAVITY,
+    HALF_WIDTH,
+    ROTATION,
+    STIFFNESS,
+)
 from rockeom.symbolic.registry import shipped
-from rockeom.symbolic.structures.flexible import DAMPING, DEFORMATION, STIFFNESS
-from rockeom.symbolic.structures.lumped_mass import HALF_WIDTH
-from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION
 
 MASS = parameter("m", "mass", "kg", "mass, a point")
 HEIGHT = parameter("H", "height", "m", "height of the mass above the base")

@@ -335,18 +335,18 @@ def figure_5_14() -> Drawn:
     )
 
 
-def frequencies(phase: str) -> list[float]:
-    """Frequencies of vibration of the flexible column in a contact phase [Hz], if they are real.
+def frequencies(contact: str) -> list[float]:
+    """Frequencies of vibration of the flexible column in a contact state [Hz], if they are real.
 
     Those of its equations linearised about upright, without damping.
     """
-    free = ("theta", "u") if phase != "both" else ("u",)
+    free = ("theta", "u") if contact != "both" else ("u",)
     still = rk.FlexibleStructure(**COLUMN_VALUES, stiffness=571.8e3, damping=0.0)
-    start, h = {"theta": 1e-6 if phase != "both" else 0.0}, 1e-7
+    start, h = {"theta": 1e-6 if contact != "both" else 0.0}, 1e-7
     rows = []
     for name in free:
         above, below = (
-            still.accelerations({**start, name: start.get(name, 0.0) + s * h}, phase=phase)
+            still.accelerations({**start, name: start.get(name, 0.0) + s * h}, phase=contact)
             for s in (1, -1)
         )
         rows.append([(above[n] - below[n]) / (2 * h) for n in free])

@@ -1,0 +1,149 @@
+"""Energies of any structure, by its own: those of the functions that a simulation integrates.
+
+    from rockeom import analysis
+
+    analysis.static_energy(column, [0.01, 0.02])  # J, held at these rotations, above that upright
+    analysis.static_energy(column, [0.012, 0.023], quantity="displacement")  # held at these metres
+
+A structure in a free test is taken to pass through the states in which a force at its load point
+would hold it: a rigid one has no others, and a column that bends has little energy besides.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import numbers
+from rockeom.arguments import near
+from rockeom.numeric.states import at_states
+
+if TYPE_CHECKING:
+    from rockeom.numeric.structures import Structure
+
+
+class Energies(NamedTuple):
+    """Of gravity, of springs and tendons, and of the motion [J]."""
+
+    gravity: np.ndarray
+    elastic: np.ndarray
+    kinetic: np.ndarray
+
+    @property
+    def total(self) -> np.ndarray:
+        """Their sum [J]."""
+        return self.gravity + self.elastic + self.kinetic
+
+
+def static_energy(
+    structure: Structure, rotation: ArrayLike, quantity: str | None = None
+) -> np.ndarray:
+    """Energy of a structure held at rest at a rotation, above that upright [J].
+
+    rotation : the structure's own coordinate, any shape. Gravitational and elastic energy as they
+    are derived; its other coordinates are in equilibrium under the load of a pushover. What a
+    tendon loses by yielding is not stored, and the weight by which a `SubstituteGravityWall` has
+    its tendon is no energy of it.
+    quantity : a name of what has the values given, "displacement" or another of a response that
+    grows with the rotation; the rotation if not given.
+    Raises ValueError where there is no equilibrium or no such quantity.
+    """
+    (given,) = numbers("static_energy", rotation=rotation)
+    y = held_states(structure, given.ravel(), quantity)
+    return energies_of_states(structure, y).total.reshape(given.shape)
+
+
+def energies_of_states(
+    structure: Structure, y: np.ndarray, contact: np.ndarray | None = None
+) -> Energies:
+    """Energies of a structure in states, above those upright and at rest, (n,) each [J].
+
+    y (n, N) : the states; contact (n,) : numbers of their contact states, which follow from them
+    if not given.
+    """
+    if contact is None:
+        contact = np.array([structure.contact(state) for state in y], dtype=int)
+    upright = np.zeros((1, structure.module.N_STATES))
+    still = at_states(structure, "energies", np.array([structure.contact(upright[0])]), upright)
+    found = at_states(structure, "energies", contact, y)
+    kinetic, gravity, elastic = (found[name] - still[name] for name in structure.module.ENERGIES)
+    return Energies(gravity, elastic, kinetic)
+
+
+def held_states(structure: Structure, given: ArrayLike, quantity: str | None = None) -> np.ndarray:
+    """(n, N) states in which a force at the load point holds a structure.
+
+    given (n,) : rotations of the structure, or values of the quantity named, as in
+    `static_energy`. A value smaller than that at which the structure lifts is one of full contact:
+    what bends then does so in proportion.
+    """
+    (wanted,) = numbers("held_states", given=given)
+    m = structure.module
+    if quantity in (None, m.STATES[m.ROTATION]):
+        return np.array([_equilibrium(structure, x) for x in wanted]).reshape(-1, m.N_STATES)
+    path = _Path(structure, quantity or "")
+    return np.array([path.at(x) for x in wanted]).reshape(-1, m.N_STATES)
+
+
+def _equilibrium(structure: Structure, rotation: float) -> np.ndarray:
+    return structure.equilibrium(float(rotation))[1]
+
+
+_LIFTS, _LIFTED = 1e-12, 1e-6
+"""Parts of the rotation at which a structure has fallen: of one that has just lifted, and of one
+that lifts so little that all grows in proportion."""
+
+
+class _Path:
+    """The states in which a load holds a structure, found by one of its quantities."""
+
+    def __init__(self, structure: Structure, quantity: str) -> None:
+        self._structure, self._quantity = structure, quantity
+        m = structure.module
+        self._names = (*m.STATES[: m.N_STATES // 2], *m.KINEMATICS)
+        if quantity not in self._names:
+            raise ValueError(
+                f"no quantity {quantity!r}{near(quantity, self._names)} says where "
+                f"{structure.model} is; those that do are {', '.join(self._names)}"
+            )
+        fallen = structure.overturning_rotation
+        self._fallen = fallen if np.isfinite(fallen) else 1.0
+
+    def at(self, value: float) -> np.ndarray:
+        from scipy.optimize import brentq  # takes long to import
+
+        side, size = (1.0 if value > 0 else -1.0), abs(value)
+        low = _LIFTS * self._fallen
+        lifting = self._state(side * low)
+        least = side * self._of(lifting)
+        if size <= least:
+            return lifting * (size / least)
+
+        def beyond(rotation: float) -> float:
+            return side * self._of(self._state(side * rotation)) - size
+
+        little = _LIFTED * self._fallen
+        slope = (beyond(little) + size - least) / little
+        high = 1.1 * (size - least) / slope + little if slope > 0 else self._fallen
+        while not beyond(min(high, self._fallen)) > 0:
+            if high >= self._fallen:
+                raise ValueError(
+                    f"{self._structure.model} has fallen before its {self._quantity} is {value}: "
+                    "give a smaller one, in SI units"
+                )
+            high *= 2
+        root = brentq(beyond, low, min(high, self._fallen), xtol=1e-16, rtol=1e-13)
+        return self._state(side * root)
+
+    def _state(self, rotation: float) -> np.ndarray:
+        return _equilibrium(self._structure, rotation)
+
+    def _of(self, y: np.ndarray) -> float:
+        m = self._structure.module
+        if self._quantity in m.STATES:
+            return float(y[m.STATES.index(self._quantity)])
+        out = np.empty(len(m.KINEMATICS))
+        m.kinematics(self._structure.contact(y), y, self._structure.vector, out)
+        return float(out[m.KINEMATICS.index(self._quantity)])

@@ -1,0 +1,164 @@
+"""What stands on a rigid base: masses as a function of how the base moves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import sympy as sp
+
+from rockeom.symbolic.model import Body, Coordinate, Parameter, coordinate, parameter
+
+Point = tuple[sp.Expr, sp.Expr]
+Place = Callable[[Point], Point]
+"""Where a point of the base is, which is given from the middle between the feet."""
+
+ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise about the right edge")
+GRAVITY = parameter("g", "gravity", "m/s2", "acceleration of gravity")
+HALF_WIDTH = parameter("B", "half_width", "m", "half of the distance between the feet")
+BASE_MASS = parameter("m_b", "base_mass", "kg", "mass of the base structure")
+BASE_HEIGHT = parameter("H_b", "base_height", "m", "height of the base's centroid")
+BASE_INERTIA = parameter(
+    "I_bg", "base_inertia", "kg m2", "its moment of inertia about its centroid"
+)
+MASS = parameter("m_e", "mass", "kg", "mass of the superstructure")
+HEIGHT = parameter("H_e", "height", "m", "height of the superstructure's centroid")
+INERTIA = parameter("I_eg", "inertia", "kg m2", "its moment of inertia about its centroid")
+DEFORMATION = coordinate("u", "u", "m", "deformation of the column, at right angles to its axis")
+STIFFNESS = parameter("k", "stiffness", "N/m", "flexural stiffness of the column")
+DAMPING = parameter("c", "damping", "N s/m", "viscous damping coefficient of the column")
+
+
+@dataclass(frozen=True)
+class Superstructure:
+    """Masses on a rigid base, the base among them.
+
+    coordinates : its own, beside those of the base. bodies(place, angle) : when the base has turned
+    clockwise through the angle; the first carries the load of a pushover. dissipation : Rayleigh's
+    function, half the power lost.
+    """
+
+    name: str
+    title: str
+    parameters: tuple[Parameter, ...]
+    coordinates: tuple[Coordinate, ...]
+    bodies: Callable[[Place, sp.Expr], list[Body]]
+    elastic_energy: sp.Expr = sp.S.Zero
+    dissipation: sp.Expr = sp.S.Zero
+
+    def about_the_middle(self, place: Place, angle: sp.Expr) -> tuple[Body, ...]:
+        """The bodies on a base that turns about no foot: R and alpha would tell nothing of them."""
+        return tuple(replace(b, polar=None) for b in self.bodies(place, angle))
+
+    @property
+    def weight(self) -> sp.Expr:
+        """Of all its masses."""
+        bodies = self.bodies(lambda point: point, sp.S.Zero)
+        return sum((b.mass for b in bodies), sp.S.Zero) * GRAVITY.symbol
+
+
+def lumped(
+    name: str,
+    index: str,
+    mass: Parameter,
+    height: Parameter,
+    inertia: Parameter,
+    place: Place,
+    angle: sp.Expr,
+    deformation: sp.Expr = sp.S.Zero,
+) -> Body:
+    """A mass on the axis of the base, displaced by `deformation` at right angles to it."""
+    polar = (
+        HALF_WIDTH.symbol,
+        height.symbol,
+        sp.Symbol(f"R_{index}", positive=True),
+        sp.Symbol(f"alpha_{index}", positive=True),
+    )
+    at = place((deformation, height.symbol))
+    return Body(name, mass.symbol, at, inertia.symbol, angle, polar)
+
+
+def base(place: Place, angle: sp.Expr) -> Body:
+    """The base that turns."""
+    return lumped("base", "b", BASE_MASS, BASE_HEIGHT, BASE_INERTIA, place, angle)
+
+
+def _two_masses(place: Place, angle: sp.Expr, deformation: sp.Expr = sp.S.Zero) -> list[Body]:
+    top = lumped("superstructure", "e", MASS, HEIGHT, INERTIA, place, angle, deformation)
+    return [top, base(place, angle)]
+
+
+def rigid() -> Superstructure:
+    """A rigid superstructure and a base, both lumped."""
+    return Superstructure(
+        "lumped_mass_structure",
+        "Rigid lumped-mass structure",
+        (MASS, HEIGHT, INERTIA, BASE_MASS, BASE_HEIGHT, BASE_INERTIA, HALF_WIDTH, GRAVITY),
+        (),
+        _two_masses,
+    )
+
+
+def elastic_column() -> Superstructure:
+    """A superstructure on an elastic, damped column that stands on a rigid base."""
+    u = DEFORMATION
+    return Superstructure(
+        "flexible_structure",
+        "Flexible structure",
+        (*rigid().parameters, STIFFNESS, DAMPING),
+        (u,),
+        lambda place, angle: _two_masses(place, angle, u.position),
+        STIFFNESS.symbol * u.position**2 / 2,
+        DAMPING.symbol * u.velocity**2 / 2,
+    )
+
+
+def shear_frame(storeys: int) -> Superstructure:
+    """Floors one above the other on a rigid base, springs and dampers between neighbours.
+
+    Floor i moves by u_i relative to the base, at right angles to the turned axis.
+    """
+    floors = range(1, storeys + 1)
+
+    def each(symbol: str, name: str, unit: str, meaning: str) -> list[Parameter]:
+        return [parameter(f"{symbol}_{i}", f"{name}_{i}", unit, f"{meaning} {i}") for i in floors]
+
+    masses = each("m", "mass", "kg", "mass of floor")
+    heights = each("h", "height", "m", "height above the feet of floor")
+    inertias = each("I", "inertia", "kg m2", "moment of inertia about its centroid of floor")
+    stiffnesses = each("k", "stiffness", "N/m", "lateral stiffness of storey")
+    dampings = each("c", "damping", "N s/m", "viscous damping coefficient of storey")
+    moved = [
+        coordinate(f"u_{i}", f"u_{i}", "m", f"displacement of floor {i} relative to the base")
+        for i in floors
+    ]
+    drifts = _differences([u.position for u in moved])
+    rates = _differences([u.velocity for u in moved])
+
+    def bodies(place: Place, angle: sp.Expr) -> list[Body]:
+        found = [
+            lumped(f"floor {i}", str(i), mass, height, inertia, place, angle, u.position)
+            for i, mass, height, inertia, u in zip(
+                floors, masses, heights, inertias, moved, strict=True
+            )
+        ]
+        return [*reversed(found), base(place, angle)]
+
+    return Superstructure(
+        f"shear_frame_{storeys}",
+        f"Shear frame of {storeys} storeys" if storeys > 1 else "Shear frame of one storey",
+        (
+            *masses, *heights, *inertias, BASE_MASS, BASE_HEIGHT, BASE_INERTIA, HALF_WIDTH, GRAVITY,
+            *stiffnesses, *dampings,
+        ),
+        tuple(moved),
+        bodies,
+        sum((k.symbol * d**2 / 2 for k, d in zip(stiffnesses, drifts, strict=True)), sp.S.Zero),
+        sum((c.symbol * d**2 / 2 for c, d in zip(dampings, rates, strict=True)), sp.S.Zero),
+    )  # fmt: skip
+
+
+def _differences(values: list[sp.Symbol]) -> list[sp.Expr]:
+    """The first, and of each other by how much it is more than the one before."""
+    return [values[0], *(b - a for a, b in pairwise(values))]

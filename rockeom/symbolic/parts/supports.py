@@ -1,0 +1,253 @@
+"""What a base stands on: how it may move, and what holds it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from inspect import signature
+from typing import Any
+
+import sympy as sp
+
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.contacts import Model, Rigid, Unilateral, feet
+from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.model import (
+    Foot,
+    Parameter,
+    Phase,
+    RockingModel,
+    Transition,
+    coordinate,
+    parameter,
+    rocking_structure,
+    turned,
+)
+from rockeom.symbolic.parts.superstructures import (
+    GRAVITY,
+    HALF_WIDTH,
+    ROTATION,
+    Place,
+    Point,
+    Superstructure,
+)
+
+FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
+FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
+FREE_ROTATION = replace(ROTATION, meaning="rotation, positive clockwise")
+HEAVE = coordinate("v", "heave", "m", "rise of the base's centre above its settled position")
+X = coordinate("x", "x", "m", "place of the base's centre, positive to the right")
+Y = coordinate("y", "y", "m", "height of the base's centre above the ground")
+FRICTION = Parameter(
+    sp.Symbol("mu", nonnegative=True), "friction", "-", "coefficient of friction at each foot"
+)
+RESTITUTION = Parameter(
+    sp.Symbol("e_n", nonnegative=True),
+    "restitution",
+    "-",
+    "ratio of the rates of a gap after and before an impact",
+)
+
+
+def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingModel:
+    """On feet that may lift, and neither slide nor bounce."""
+    theta = ROTATION.position
+    return rocking_structure(
+        name=of.name,
+        title=title or f"{of.title} on rigid ground",
+        parameters=of.parameters,
+        coordinates=(ROTATION, *of.coordinates),
+        bodies=lambda pivot: of.bodies(lambda point: turned(point, pivot, theta), theta),
+        half_width=HALF_WIDTH.symbol,
+        gravity=GRAVITY.symbol,
+        elastic_energy=of.elastic_energy,
+        dissipation=of.dissipation,
+        reference=reference,
+    )
+
+
+def two_springs(of: Superstructure, guided: str = "centre") -> Model | RockingModel:
+    """On a spring and a damper under each foot, which press and never pull.
+
+    guided : what moves up and down alone, the base's "centre", or the "foot" to whose side it
+    leans.
+    """
+    valid.known(of.name, "guided", guided, ("centre", "foot"))
+    if guided == "foot":
+        return _guided_at_the_foot(of)
+    return replace(
+        winkler(of, 2), name=f"{of.name}_on_two_springs", title=f"{of.title} on two springs"
+    )
+
+
+def winkler(of: Superstructure, springs: int) -> Model:
+    """On a bed of equal springs and dampers, equally far apart, which press and never pull.
+
+    The outer two stand at the feet, and the base's centre is guided vertically.
+    """
+    valid.counts(of.name, springs=springs)
+    if springs < 2:
+        raise ValueError(f"{of.name}: springs is {springs}: give two or more")
+    theta, level = ROTATION.position, _level(of, springs)
+    place = _moved((sp.S.Zero, level))
+    last = springs - 1
+    names = ["left", *(f"spring_{i}" for i in range(2, springs)), "right"]
+    places = [HALF_WIDTH.symbol * sp.Rational(2 * i - last, last) for i in range(springs)]
+    bodies = of.about_the_middle(place, theta)
+    return Model(
+        name=f"{of.name}_on_{springs}_springs",
+        title=f"{of.title} on a bed of {springs} springs",
+        parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
+        coordinates=(ROTATION, HEAVE, *of.coordinates),
+        bodies=bodies,
+        gravity=GRAVITY.symbol,
+        rotation=ROTATION,
+        elements=tuple(
+            Unilateral(
+                name, -place((x, sp.S.Zero))[1],
+                FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol,
+            )
+            for name, x in zip(names, places, strict=True)
+        ),
+        elastic_energy=of.elastic_energy,
+        dissipation=of.dissipation,
+        load_point=bodies[0].position,
+    )  # fmt: skip
+
+
+def sliding(of: Superstructure) -> Model:
+    """On feet that open, stick, slip and bounce on rigid ground."""
+    place = _moved((X.position, Y.position))
+    bodies = of.about_the_middle(place, ROTATION.position)
+    return Model(
+        name=f"sliding_{of.name}",
+        title=f"{of.title} on feet that slide",
+        parameters=(*of.parameters, FRICTION, RESTITUTION),
+        coordinates=(X, Y, FREE_ROTATION, *of.coordinates),
+        bodies=bodies,
+        gravity=GRAVITY.symbol,
+        rotation=FREE_ROTATION,
+        contacts=feet(
+            gap=lambda s: place((s * HALF_WIDTH.symbol, sp.S.Zero))[1],
+            slip=lambda s: place((s * HALF_WIDTH.symbol, sp.S.Zero))[0],
+            law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol),
+        ),
+        elastic_energy=of.elastic_energy,
+        dissipation=of.dissipation,
+        load_point=bodies[0].position,
+    )
+
+
+SUPPORTS: Mapping[str, Callable[..., Model | RockingModel]] = {
+    "pinned": pinned,
+    "two_springs": two_springs,
+    "winkler": winkler,
+    "sliding": sliding,
+}
+
+
+def standing(of: Superstructure, support: str, **details: Any) -> Model | RockingModel:
+    """A superstructure on a support by its name, the details those of the support's function."""
+    valid.known(of.name, "support", support, SUPPORTS)
+    try:
+        signature(SUPPORTS[support]).bind(of, **details)
+    except TypeError as error:
+        raise TypeError(f"{of.name} on the support {support!r}: {error}") from None
+    return SUPPORTS[support](of, **details)
+
+
+def _moved(centre: Point) -> Place:
+    """Where points of the base are when it has turned and its centre has moved."""
+
+    def place(point: Point) -> Point:
+        x, y = turned(point, (sp.S.Zero, sp.S.Zero), ROTATION.position)
+        return x + centre[0], y + centre[1]
+
+    return place
+
+
+def _level(of: Superstructure, springs: int) -> sp.Expr:
+    """Height of the base's centre above the tops of the unloaded springs."""
+    return HEAVE.position - of.weight / (springs * FOUNDATION_STIFFNESS.symbol)
+
+
+def _guided_at_the_foot(of: Superstructure) -> RockingModel:
+    """Two springs, and the foot to whose side the base leans moves up and down alone.
+
+    Where the base comes upright the guide changes its foot: no velocity jumps there.
+    """
+    theta, b = ROTATION.position, HALF_WIDTH.symbol
+    k, c = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol
+    coordinates = (ROTATION, HEAVE, *of.coordinates)
+    place = _moved((SIDE * b * (1 - sp.cos(theta)), _level(of, 2)))
+    bodies = of.about_the_middle(place, theta)
+    sole = {foot: place((s * b, sp.S.Zero)) for foot, s in _FEET.items()}
+    # under the foot on the side to which it leans, and under the other
+    near, far = (-place((s * b, sp.S.Zero))[1] for s in (SIDE, -SIDE))
+
+    def press(compression: sp.Expr) -> sp.Expr:
+        return k * compression + c * rate(compression, coordinates)
+
+    def phase(contacts: dict[str, int], *pressed: sp.Expr) -> Phase:
+        forces = [press(e) if e in pressed else sp.S.Zero for e in (near, far)]
+        of_feet = {
+            foot: forces[0] * (1 + s * SIDE) / 2 + forces[1] * (1 - s * SIDE) / 2
+            for foot, s in _FEET.items()
+        }
+        return Phase(
+            contacts,
+            coordinates,
+            bodies,
+            GRAVITY.symbol,
+            of.elastic_energy + sum((k * d**2 / 2 for d in pressed), sp.S.Zero),
+            of.dissipation + sum((c * rate(d, coordinates) ** 2 / 2 for d in pressed), sp.S.Zero),
+            {foot: Foot(sole[foot], of_feet[foot]) for foot in _FEET},
+            bodies[0].position,
+        )
+
+    def passages(foot: str, other: str, side: int) -> list[Transition]:
+        both, none, raised = f"both_{foot}", f"flight_{foot}", f"{other}_leaning_{foot}"
+        inside, leaning = (at_side(e, side) for e in (near, far))
+
+        def ways(down: str, up: str, compression: sp.Expr) -> list[Transition]:
+            force = press(compression)
+            return [
+                Transition(down, up, "switch", force),
+                Transition(up, down, "switch", sp.Max(-k * compression, -force)),
+            ]
+
+        upright = {
+            both: f"both_{other}",
+            foot: f"{foot}_leaning_{other}",
+            none: f"flight_{other}",
+            raised: other,
+        }
+        return [
+            *ways(both, foot, leaning),
+            *ways(both, raised, inside),
+            *ways(foot, none, inside),
+            *ways(raised, none, leaning),
+            *(Transition(a, z, "switch", side * theta) for a, z in upright.items()),
+        ]
+
+    def on_both_sides(left: str, right: str) -> dict[str, int]:
+        return {left: -1, right: 1}
+
+    return RockingModel(
+        name=f"{of.name}_on_two_foot_guided_springs",
+        title=f"{of.title} on two springs, guided at the foot",
+        parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
+        coordinates=coordinates,
+        phases=(
+            phase(on_both_sides("both_left", "both_right"), near, far),
+            phase(on_both_sides("left", "right"), near),
+            phase(on_both_sides("right_leaning_left", "left_leaning_right"), far),
+            phase(on_both_sides("flight_left", "flight_right")),
+        ),
+        transitions=(*passages("left", "right", -1), *passages("right", "left", 1)),
+        rotation=ROTATION,
+    )
+
+
+_FEET = {"left": -1, "right": 1}

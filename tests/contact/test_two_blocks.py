@@ -1,0 +1,142 @@
+"""Two blocks on one another that do not slip: their impacts, by hand and by the reference."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings, strategies as st
+
+import rockeom as rk
+
+from .reference import OPEN, STICK, UndecidedError, one
+from .two_blocks import Stack, lower_begins_to_rock
+
+STILL = rk.GroundMotion.none(1.0)
+STACK = Stack(0.5, 0.4, 0.45, 0.6, 2.0, 1.5)
+
+
+def structure(stack: Stack) -> rk.Structure:
+    return rk.StackedBlocks(
+        lower=rk.RigidBlock(half_width=stack.b1, half_height=stack.h1, mass=stack.m1),
+        upper=rk.RigidBlock(half_width=stack.b2, half_height=stack.h2, mass=stack.m2),
+    )
+
+
+def moved(stack: Stack, state: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
+    """(q, v) of the mass centres, from the base of the lower block and what is seen from it.
+
+    xi and eta are the place of the upper block's base on the lower one's top, along and across.
+    """
+    x, y, theta, xi, eta, phi = (state[n] for n in ("x", "y", "theta", "xi", "eta", "phi"))
+    u, w, turn, u2, w2, turn2 = (state[f"{n}_dot"] for n in ("x", "y", "theta", "xi", "eta", "phi"))
+    along, across = (
+        np.array([math.cos(theta), -math.sin(theta)]),
+        np.array([math.sin(theta), math.cos(theta)]),
+    )
+    own = np.array([math.sin(phi), math.cos(phi)])
+    own_turned = np.array([math.cos(phi), -math.sin(phi)])
+    base, moves = np.array([x, y]), np.array([u, w])
+    top = xi * along + (2 * stack.h1 + eta) * across
+    top_moves = u2 * along + w2 * across
+    top_moves = top_moves + turn * (-xi * across + (2 * stack.h1 + eta) * along)
+    lower = base + stack.h1 * across, moves + turn * stack.h1 * along
+    upper = base + top + stack.h2 * own, moves + top_moves + turn2 * stack.h2 * own_turned
+    return (
+        np.array([*lower[0], theta, *upper[0], phi]),
+        np.array([*lower[1], turn, *upper[1], turn2]),
+    )
+
+
+@settings(max_examples=15)
+@given(
+    b1=st.floats(0.2, 2.0), narrow=st.floats(0.1, 1.0), h1=st.floats(0.2, 2.0),
+    slender=st.floats(0.8, 5.0), m1=st.floats(0.2, 5.0), m2=st.floats(0.2, 5.0),
+)  # fmt: skip
+def test_an_upper_block_that_lands_sets_the_lower_one_rocking_as_by_hand(
+    b1, narrow, h1, slender, m1, m2
+):
+    """The lower block stands at rest until then; a foot of the upper one lands."""
+    b2 = narrow * b1
+    stack = Stack(b1, h1, b2, slender * b2, m1, m2)
+    start = {"theta": 0.0, "theta_dot": 0.0, "phi": 1e-4, "phi_dot": -0.5}
+    run = rk.simulate(structure(stack), STILL, initial=start, duration=0.001)
+    first = run.events[0]
+    assume(first.kind == "landing")  # else the lower block already rocks by the upper one's weight
+    assert first.contact == "upper_left"
+    assert first.before["theta"] == first.before["theta_dot"] == 0.0
+    rocks = lower_begins_to_rock(stack)
+    assert (abs(first.after["theta_dot"]) > 1e-9 * abs(first.after["phi_dot"])) == rocks
+    if not rocks:
+        s = b2 / math.hypot(b2, stack.h2)
+        ratio = first.after["phi_dot"] / first.before["phi_dot"]
+        assert ratio == pytest.approx(1 - 1.5 * s * s, rel=1e-9)
+
+
+def test_rotations_that_are_not_named_are_zero():
+    """Heights and places follow from which corners touch; a rotation does not."""
+    start = structure(STACK).state({"phi": 0.02, "phi_dot": -0.5})
+    names = structure(STACK).states
+    named = dict(zip(names, start, strict=True))
+    assert named["theta"] == named["theta_dot"] == 0.0
+    assert named["phi"] == 0.02
+
+
+@pytest.mark.parametrize(
+    "initial",
+    [
+        {"theta": 0.0, "phi": 0.1},
+        {"theta": 0.05, "phi": 0.0},
+        {"theta": 0.05, "phi": 0.05},
+        {"theta": 0.05, "phi": -0.05},
+    ],
+)
+def test_every_impact_is_that_of_the_reference(initial):
+    run = rk.simulate(structure(STACK), STILL, initial=initial, duration=0.6)
+    assembly = STACK.assembly
+    checked = 0
+    for event in [e for e in run.events if e.kind == "landing"][:12]:
+        (q, v), (_, after) = moved(STACK, event.before), moved(STACK, event.after)
+        try:
+            found = one(assembly.impulses(q, v))
+        except UndecidedError:
+            continue
+        checked += 1
+        np.testing.assert_allclose(after, found.motion, atol=1e-9)
+        assert after @ assembly.mass @ after <= v @ assembly.mass @ v * (1 + 1e-12)
+    assert checked or not any(e.kind == "landing" for e in run.events)
+
+
+def test_the_bounces_of_the_lower_block_end_under_the_rocking_upper_one():
+    """One contact state follows at the end of infinitely many landings of the lower block."""
+    run = rk.simulate(structure(STACK), STILL, initial={"theta": 0.0, "phi": 0.1}, duration=0.6)
+    assert str(run.outcome) not in ("several solutions", "no solution", "chatter")
+
+
+def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():
+    state = {"theta": 0.1, "phi": -0.05, "theta_dot": 0.2, "phi_dot": 0.4}
+    run = rk.simulate(structure(STACK), STILL, initial=state, duration=1e-6)
+    assert set(run.phase) == {"right_upper_left"}
+    q, v = moved(STACK, {name: float(run[name][0]) for name in run.states})
+    found = one(STACK.assembly.motions(q, v))
+    assert found.pattern == (OPEN, STICK, STICK, OPEN)
+    turns = structure(STACK).accelerations(state, phase="right_upper_left")
+    assert turns["theta"] == pytest.approx(found.motion[2], rel=1e-10)
+    assert turns["phi"] == pytest.approx(found.motion[5], rel=1e-10)
+
+
+def test_where_not_to_slip_needs_a_normal_force_that_pulls_there_is_no_motion():
+    """A foot that never slips is held by friction until its normal force is zero.
+
+    Here it needs friction still, at a normal force that falls through zero; opened, it would sink
+    into the lower block: its gap would close with 0.67 m/s2.
+    """
+    start = {"theta": 0.05, "phi": -0.05}
+    run = rk.simulate(structure(STACK), STILL, initial=start, duration=0.6)
+    q, v = moved(STACK, run.final)
+    held = STACK.assembly.forces(q, v, (OPEN, STICK, STICK, OPEN), (0.0, 0.0))
+    assert held.normal[2] == pytest.approx(0.0, abs=1e-6)
+    assert abs(held.friction[2]) > 1.0
+    opened = STACK.assembly.forces(q, v, (OPEN, STICK, OPEN, OPEN), (0.0, 0.0))
+    foot = STACK.assembly.seen(STACK.assembly.points[2], q, v)
+    assert (foot.rows @ opened.motion + foot.bias)[1] < -0.5
+    assert str(run.outcome) == "no solution"
