@@ -535,12 +535,14 @@ after = arriving + inverse @ rows.T @ pushes
 weights = np.diag(np.linalg.inv(inverse))
 assert math.isclose(gain, weights @ after**2 / (weights @ arriving**2), rel_tol=1e-6)
 assert gain > 1.2
+assert math.isclose(dropped.impact_energy_gains[0], (1 - 1 / gain) * kinetic(impact.after))
 print(f"kinetic energy after / before: {gain:.3f}")
 
 # %% [markdown]
-# No real impact does this. It is the price of a law with two numbers, it cannot happen with
-# $e_n = 0$, and where it happens another law is wanted: one that follows slip and force *through*
-# the impact (Routh), which has other weaknesses and needs more to be known.
+# No real impact does this. It is the price of a law with two numbers. It cannot happen with
+# $e_n = 0$; where it happens the summary of the response says so. Then another law is wanted: one
+# that follows slip and force *through* the impact (Routh), which has other weaknesses and needs
+# more to be known.
 #
 # ## 6. Bounces, and no solution
 #
@@ -589,15 +591,41 @@ plt.show()
 #
 # And the pole of (6)? A block slides to the right with $\mu > (4b^2 + h^2)/(3bh)$. Friction on its
 # right corner turns it forwards and presses that corner down, and the more it is pressed the more
-# friction there is. No force fits. Rigid bodies with Coulomb's friction just have no motion there
-# (Painleve 1895), and the engine says so instead of making one up.
+# friction there is. At the place $(r_x, r_y)$ from the centroid, with the force $N$ and the
+# friction $-\mu N$, the corner has the acceleration upwards
+#
+# $$\ddot y = A\,N + \beta, \qquad A = \frac1m + \frac{r_x\,(r_x + \mu r_y)}{I}, \qquad
+#   \beta = -g - \dot\theta^2 r_y. \tag{10}$$
+#
+# On the ground $\ddot y = 0$ with $N \ge 0$, or $\ddot y \ge 0$ with $N = 0$. While $A > 0$ there
+# is just one of the two. But $r_y < 0$: with enough friction $A < 0$, and then slow blocks,
+# $\beta < 0$, have *none*, and fast ones, $\beta > 0$, have *both*. Rigid bodies with Coulomb's
+# friction just are like that (Painleve 1895), and the engine says so instead of making one up.
+
 
 # %%
+def corner_of(block, theta, theta_dot):
+    """A (times the mass) and beta of (10), of the right corner."""
+    b, h = block.half_width, block.half_height
+    ((r_x, r_y),) = fb.turned([(b, -h)], (0, 0), theta)
+    return 1 + 3 * r_x * (r_x + block.friction * r_y) / (b**2 + h**2), -gravity - theta_dot**2 * r_y
+
+
 bound = (4 * half_width**2 + half_height**2) / (3 * half_width * half_height)
 for friction, outcome in [(1.01 * bound, "no solution"), (0.99 * bound, "completed")]:
     thrown = rk.simulate(sliding(friction), still, initial={"x_dot": 0.2}, duration=0.01)
+    A, beta = corner_of(sliding(friction), 0.0, 0.0)
+    assert (A < 0) == (friction > bound)
+    assert beta < 0
     assert str(thrown.outcome) == outcome
-print(f"for this block from mu = {bound:.2f} on: {rk.Outcome.NO_SOLUTION.sentence}")
+
+stocky = rk.SlidingBlock(half_width=0.5, half_height=1.0, friction=1.5, restitution=0.0)
+spins = {"theta": 0.1, "theta_dot": 4.0, "x_dot": 8.0}
+A, beta = corner_of(stocky, 0.1, 4.0)
+assert A < 0 < beta
+assert str(rk.simulate(stocky, still, initial=spins).outcome) == "several solutions"
+print(f"for the block of this notebook from mu = {bound:.2f} on")
+print(rk.Outcome.NO_SOLUTION.sentence, rk.Outcome.SEVERAL_SOLUTIONS.sentence, sep="\n")
 
 # %% [markdown]
 # ## 7. When does it matter?

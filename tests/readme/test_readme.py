@@ -3,6 +3,7 @@
 import re
 import shlex
 
+import numpy as np
 import pytest
 
 import rockeom as rk
@@ -49,6 +50,22 @@ def test_example_of_a_record_is_survived(examples):
     names, _ = examples
     assert names["first"].kind == "impact"
     assert names["stiff_feet"].outcome is rk.Outcome.COMPLETED
+
+
+def test_example_of_feet_that_slide_names_no_passage_and_slides(examples):
+    (declaration,) = (block for block in blocks("python") if "lopsided = " in block)
+    assert not {"Phase", "Transition", "Impact"} & set(re.findall(r"\w+", declaration))
+    names, _ = examples
+    run = names["run"]
+    assert run.structure is names["statue"]
+    assert {"lifting", "landing", "slip begins", "slip ends"} <= {e.kind for e in run.events}
+    assert abs(run.final["x"]) > 0.01
+    weight = 900 * 9.81
+    for foot in ("left", "right"):
+        friction, normal = run[f"{foot}_friction"], run[f"{foot}_reaction"]
+        assert normal.min() > -1e-9 * weight
+        assert np.all(np.abs(friction) <= 0.3 * normal + 1e-9 * weight)
+        assert run[f"{foot}_uplift"].min() > -1e-9
 
 
 @pytest.mark.parametrize("line", [line for block in blocks("sh") for line in block.splitlines()])
