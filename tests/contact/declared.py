@@ -72,6 +72,27 @@ def unequal_feet() -> Model:
 
 
 @cache
+def on_a_step() -> Model:
+    """The right foot is as much shorter as the step under it is high: friction at two heights."""
+    b = parameter("b", "half_width", "m", "half of the distance of the feet")
+    step = parameter("d", "step", "m", "height of the step")
+    left, right = placed((-b.symbol, 0)), placed((b.symbol, step.symbol))
+    return Model(
+        name="on_a_step",
+        title="A block on a step",
+        parameters=(*BLOCK, b, step),
+        coordinates=(X, Y, THETA),
+        bodies=(block(),),
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        contacts=(
+            Contact("left", gap=left[1], slip=left[0], law=LAW),
+            Contact("right", gap=right[1] - step.symbol, slip=right[0], law=LAW),
+        ),
+    )
+
+
+@cache
 def four_feet() -> Model:
     """Feet at different heights: any two of them may stand together, no three; and a pad."""
     places = {

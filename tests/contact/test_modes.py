@@ -26,6 +26,7 @@ DECLARED = {
     "sliding_block": lambda: rk.derive("sliding_block"),
     "unequal_feet": declared.unequal_feet,
     "four_feet": declared.four_feet,
+    "on_a_step": declared.on_a_step,
     "stacked_blocks": lambda: rk.derive("stacked_blocks"),
 }
 EACH = pytest.mark.parametrize("name", DECLARED)
