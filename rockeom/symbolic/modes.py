@@ -28,6 +28,7 @@ import sympy as sp
 
 from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
 from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
+from rockeom.symbolic.check import repeated
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.lagrange import rate
 
@@ -99,6 +100,11 @@ class Mechanism:
         both = [c.at(side) for c, side in zip(model.contacts, sides, strict=True)]
         self._gaps = [gap for gap, _ in both]
         self._slips = [slip for _, slip in both]
+
+    def __repr__(self) -> str:
+        points = zip(self.model.contacts, self.states, strict=True)
+        told = [f"{c.name} {'sticks' if x == STICK else 'slips'}" for c, x in points if x != OPEN]
+        return f"<Mechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
 
     # -- the closed configuration ------------------------------------------------------------
 
@@ -416,9 +422,10 @@ class Mechanism:
             for i, row in apart.items()
         }
         alike = len({self.model.contacts[i].law.friction for i in group}) == 1
-        if not alike or not all(
-            self._same(sum((c[j] for j in group), sp.S.Zero)) for c in shares.values()
-        ):
+        lacking = [sum((c[j] for j in group), sp.S.Zero) for c in shares.values()]
+        # what would press on points that slip would change the motion, too
+        lacking += [c[j] for c in shares.values() for j in self.closed if self.sigma(j) != 0]
+        if not alike or not all(map(self._same, lacking)):
             names = ", ".join(self.model.contacts[i].name for i in group)
             raise ValueError(
                 f"{self.model.name}: how {names} share their friction follows neither from statics "
@@ -624,6 +631,7 @@ def derive_modes(model: Model) -> Modes:
     states: list[ContactState] = []
     known: dict[tuple[int, ...], int] = {}
     mirror = _mirror(model)
+    _are_few(model, 2 ** len(model.elements))
     for closed in _closed_sets(model):
         groups = Mechanism(model, _stuck(model, closed), False).groups
         for kinds in product((STICK, SLIP), repeat=len(groups)):
@@ -640,13 +648,23 @@ def derive_modes(model: Model) -> Modes:
             arrangements.append(arrangement)
             mechanism = mechanisms[arrangement.mechanism]
             _ = mechanism.dependent  # raises where it cannot move or stand so
+            _are_few(model, len(states) + 2 ** (len(mechanism.slipping) + len(model.elements)))
             states += _states(model, arrangement, mechanism, len(arrangements) - 1)
-            if len(states) > MOST:
-                raise ValueError(
-                    f"{model.name}: its {len(model.contacts)} contacts and {len(model.elements)} "
-                    f"elements have more than {MOST} contact states: declare fewer of them"
-                )
+    twice = repeated(state.name for state in states)
+    if twice:
+        raise ValueError(
+            f"{model.name}: two contact states would be called {twice[0]!r}: choose names of "
+            "contacts and elements that do not make one another's"
+        )
     return Modes(tuple(states), tuple(arrangements), tuple(mechanisms))
+
+
+def _are_few(model: Model, contact_states: int) -> None:
+    if contact_states > MOST:
+        raise ValueError(
+            f"{model.name}: its {len(model.contacts)} contacts and {len(model.elements)} elements "
+            f"have more than {MOST} contact states: declare fewer of them"
+        )
 
 
 def _stuck(model: Model, closed: tuple[int, ...]) -> tuple[int, ...]:
@@ -666,13 +684,20 @@ def _mirror(model: Model) -> list[int]:
     return found
 
 
-def _closed_sets(model: Model) -> Iterator[tuple[int, ...]]:
-    """Sets of points that may be closed together, the largest first."""
-    points = range(len(model.contacts))
-    for k in reversed(range(len(model.contacts) + 1)):
-        for closed in combinations(points, k):
-            if _may_close(model, closed):
-                yield closed
+def _closed_sets(model: Model) -> list[tuple[int, ...]]:
+    """Sets of points that may be closed together, the largest first, made of those of one less."""
+    sets: list[list[tuple[int, ...]]] = [[()]]
+    while sets[-1]:
+        smaller = set(sets[-1])
+        larger = [
+            (*closed, i)
+            for closed in sets[-1]
+            for i in range(max(closed, default=-1) + 1, len(model.contacts))
+            if all((*closed[:k], *closed[k + 1 :], i) in smaller for k in range(len(closed)))
+        ]
+        sets.append([closed for closed in larger if _may_close(model, closed)])
+        _are_few(model, sum(map(len, sets)))
+    return [closed for some in reversed(sets) for closed in some]
 
 
 def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
@@ -705,14 +730,8 @@ def _meet(mechanism: Mechanism) -> bool:
     slope = sp.lambdify(places, gaps.jacobian(places).subs(put), modules="math")
     x = rng.uniform(-0.1, 0.1, len(places))
     for _ in range(100):
-        x = (
-            x
-            - np.linalg.lstsq(
-                np.array(slope(*x), dtype=float),
-                np.array(value(*x), dtype=float).ravel(),
-                rcond=None,
-            )[0]
-        )
+        slopes = np.array(slope(*x), dtype=float)
+        x = x - np.linalg.lstsq(slopes, np.array(value(*x), dtype=float).ravel(), rcond=None)[0]
     return bool(np.abs(np.array(value(*x), dtype=float)).max() < 1e-9)
 
 

@@ -40,8 +40,9 @@ def block() -> Body:
     return Body("block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position)
 
 
-def on_points(name: str, points: dict[str, tuple], *more) -> Model:
-    """A block on points of any place on it, by name."""
+def on_points(name: str, points: dict[str, tuple], *more, elements=(), laws=None) -> Model:
+    """A block on points of any place on it, by name; laws : of those with one of their own."""
+    laws = laws or {}
     found = (placed(point) for point in points.values())
     return Model(
         name=name,
@@ -52,25 +53,48 @@ def on_points(name: str, points: dict[str, tuple], *more) -> Model:
         gravity=GRAVITY.symbol,
         rotation=THETA,
         contacts=tuple(
-            Contact(of, gap=place[1], slip=place[0], law=LAW)
+            Contact(of, gap=place[1], slip=place[0], law=laws.get(of, LAW))
             for of, place in zip(points, found, strict=True)
         ),
+        elements=elements,
         load_point=block().position,
     )
 
 
 @cache
 def unequal_feet() -> Model:
-    """Feet of different distances and heights: standing on both, it leans."""
+    """Feet of different distances, heights and frictions: standing on both, it leans."""
     left, right = (parameter(f"b_{i}", f"{i}_width", "m", "distance") for i in ("left", "right"))
     leg = parameter("d", "leg", "m", "length of the right foot's leg")
     places = {"left": (-left.symbol, 0), "right": (right.symbol, -leg.symbol)}
-    return on_points("unequal_feet", places, left, right, leg)
+    rough = Rigid(restitution=RESTITUTION.symbol / 2, friction=2 * FRICTION.symbol)
+    return on_points("unequal_feet", places, left, right, leg, laws={"right": rough})
+
+
+@cache
+def on_a_step() -> Model:
+    """The right foot is as much shorter as the step under it is high: friction at two heights."""
+    b = parameter("b", "half_width", "m", "half of the distance of the feet")
+    step = parameter("d", "step", "m", "height of the step")
+    left, right = placed((-b.symbol, 0)), placed((b.symbol, step.symbol))
+    return Model(
+        name="on_a_step",
+        title="A block on a step",
+        parameters=(*BLOCK, b, step),
+        coordinates=(X, Y, THETA),
+        bodies=(block(),),
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        contacts=(
+            Contact("left", gap=left[1], slip=left[0], law=LAW),
+            Contact("right", gap=right[1] - step.symbol, slip=right[0], law=LAW),
+        ),
+    )
 
 
 @cache
 def four_feet() -> Model:
-    """Feet at different heights: any two of them may stand together, no three."""
+    """Feet at different heights: any two of them may stand together, no three; and a pad."""
     places = {
         "a": (-sp.Rational(3, 2), sp.Rational(1, 5)),
         "b": (-sp.Rational(1, 2), 0),
@@ -78,9 +102,13 @@ def four_feet() -> Model:
         "d": (sp.Rational(7, 5), sp.Rational(3, 10)),
     }
     b = parameter("b", "half_width", "m", "unit of length of the base")
-    return on_points(
-        "four_feet", {k: (x * b.symbol, y * b.symbol) for k, (x, y) in places.items()}, b
+    k = parameter("k", "stiffness", "N/m", "stiffness of the pad")
+    c = parameter("c", "damping", "N s/m", "damping of the pad")
+    pad = Unilateral(
+        "pad", -placed((b.symbol, -b.symbol / 20))[1], stiffness=k.symbol, damping=c.symbol
     )
+    points = {name: (x * b.symbol, y * b.symbol) for name, (x, y) in places.items()}
+    return on_points("four_feet", points, b, k, c, elements=(pad,))
 
 
 @cache
