@@ -8,6 +8,7 @@ SHIPPED = {
     "slender_block": "SlenderBlock",
     "nondimensional_block": "NondimensionalBlock",
     "sliding_block": "SlidingBlock",
+    "stacked_blocks": "StackedBlocks",
     "dirac_delta_block": "DiracDeltaBlock",
     "lumped_mass_structure": "LumpedMassStructure",
     "two_spring_structure": "TwoSpringStructure",

@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "81fc5e24f78ff99f"
+SOURCE_HASH = "83a6d94f11919186"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -116,7 +116,7 @@ GUARDS = (
     3,  # right_slides_left
     2,  # flight
 )
-POINT_STATES = (  # of each point; 0 open, 1 sticks, 2 slips to the right, 3 to the left
+POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left
     (1, 1,),  # both
     (2, 2,),  # both_slides_right
     (3, 3,),  # both_slides_left
@@ -719,7 +719,7 @@ def free_motion(y, p, ax, ay, contact, matrix, forces):
 
 
 def points(y, p, out):
-    """Of each point from out[i * 11]: gap, its rate, rate of slip, biases of gap and slip, rows.
+    """Of each point from out[i * 11]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).
     """
@@ -797,7 +797,7 @@ def energies(contact, y, p, out):
 def reactions(contact, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
-    Where only the sum of frictions is determined, each has its share in proportion to its largest.
+    Where only the sum of frictions is determined, each has the same part of its largest.
     """
     found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     x_ddot = found[0]

@@ -34,3 +34,12 @@ def plain(name: str, size: Callable[[], float] | None = None) -> dict[str, float
         else:
             return values
     raise ValueError(f"no parameters about 1 make a {name}, give it some by hand: {said}")
+
+
+def stands_on_points(name: str) -> bool:
+    """Whether the contacts of a shipped structure were declared, and its modes derived."""
+    return hasattr(importlib.import_module(f"rockeom.generated.{name}"), "POINTS")
+
+
+PINNED = tuple(name for name in SHIPPED if not stands_on_points(name))
+"""Those that were declared phase by phase: their feet do not slip, nor bounce."""

@@ -81,7 +81,7 @@ def _explain(structure: type[Structure]) -> str:
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
         ("contact phases", ", ".join(module.CONTACTS)),
-        ("impact laws", laws if _has_impacts(module) else "none: the contacts are springs"),
+        ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
     ]
     return "\n".join(
         [_title(module), "", *_aligned(facts), "", *_aligned(_parameters(structure, module))]
@@ -107,6 +107,12 @@ def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[st
 
 def _has_impacts(module: ModuleType) -> bool:
     return any(kind == "impact" for _, _, kind in module.TRANSITIONS)
+
+
+def _without_a_law(module: ModuleType) -> str:
+    if getattr(module, "POINTS", ()):
+        return "none: each point has its restitution, and its friction if it may slip"
+    return "none: the contacts are springs"
 
 
 def _module(structure: type[Structure]) -> ModuleType:

@@ -120,9 +120,9 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     return columns
 
 
-def _every(text: Text, name: str, targets: Mapping[str, sp.Expr], **how: bool) -> list[str]:
+def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
     """Lines of a function that is the same in every contact state."""
-    return text.evaluate(name, targets, "    ", **how) or ["    pass"]
+    return text.evaluate(name, targets, "    ") or ["    pass"]
 
 
 def _chosen(name: str, branches: Sequence[list[str]]) -> list[str]:
@@ -379,7 +379,7 @@ def _points(text: Text) -> None:
             targets[f"out[{size * i + j}]"] = tidy(e)
     text.function(
         "points(y, p, out)",
-        f"""Of each point from out[i * {size}]: gap, its rate, rate of slip, biases of gap and slip, rows.
+        f"""Of each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
         _every(text, "points", targets),
@@ -461,7 +461,7 @@ def _reactions(written: Written) -> Columns:
         "reactions(contact, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
-    Where only the sum of frictions is determined, each has its share in proportion to its largest.""",
+    Where only the sum of frictions is determined, each has the same part of its largest.""",
         body if arrangements else ["    pass"],
     )
     return tuple(columns)

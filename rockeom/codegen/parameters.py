@@ -7,6 +7,7 @@ import sympy as sp
 from rockeom.codegen.printer import statements
 from rockeom.codegen.text import Text
 from rockeom.symbolic.check import Size, sizes
+from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import RockingModel
 
 
@@ -18,7 +19,7 @@ def functions_of_parameters(text: Text) -> None:
     _prepare(text)
 
 
-def sizes_to_check(model: RockingModel) -> list[Size]:
+def sizes_to_check(model: RockingModel | Model) -> list[Size]:
     """Those that the signs of the parameters do not settle."""
     return [size for size in sizes(model) if not (size.may_vanish and size.value.is_nonnegative)]
 

@@ -53,7 +53,7 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         f"N_ELEMENTS = {len(model.elements)}",
         f"ROTATION = {text.index(model.rotation.position)}",
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
-        *_column("SIDES = (", {name: "0.0" for name in written}),
+        *_column("SIDES = (", dict.fromkeys(written, "0.0")),
         *_column("GUARDS = (", {name: str(len(row)) for name, row in rows.items()}),
         *_states_of_contact(modes, slips),
         *_of_derived_guards(model, modes, rows, longest_row),
@@ -69,7 +69,7 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
     written = {state: modes.arrangements[state.arrangement] for state in modes.states}
     return [
         *_rows(
-            "POINT_STATES = (  # of each point; 0 open, 1 sticks, 2 slips to the right, 3 to the left",
+            "POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left",
             {state.name: state.points for state in written},
         ),
         *_rows("ELEMENT_STATES = (  # 0 off, 1 on", {s.name: s.elements for s in written}),
@@ -247,7 +247,7 @@ def _sign(parameter: Parameter) -> str:
     return "+" if parameter.symbol.is_nonnegative else "+-"
 
 
-def _of_sizes(model: RockingModel) -> list[str]:
+def _of_sizes(model: RockingModel | Model) -> list[str]:
     """What is told where `sizes` gives a number that no structure has."""
     rows = sizes_to_check(model)
     if not rows:

@@ -599,14 +599,113 @@ class SlidingBlock(RigidBlock):
     restitution: float
 
     def __post_init__(self) -> None:
-        if self.restitution > 1:
-            raise ValueError(
-                f"SlidingBlock: restitution is {self.restitution}: give the ratio of rates after "
-                "and before a landing, 0 to 1"
-            )
+        _check_restitution("SlidingBlock", self.restitution)
 
     def parameters(self) -> dict[str, float]:
         return super().parameters() | {"friction": self.friction, "restitution": self.restitution}
+
+
+def _of_blocks(cls: type[S]) -> type[S]:
+    """Lets a class of two blocks take each as a `RigidBlock`, too."""
+    plain: Any = cls.__init__
+
+    @functools.wraps(plain)
+    def init(
+        self: Structure,
+        *unnamed: Any,
+        lower: RigidBlock | None = None,
+        upper: RigidBlock | None = None,
+        **values: Any,
+    ) -> None:
+        for name, block in (("lower", lower), ("upper", upper)):
+            if block is None:
+                continue
+            if type(block) is not RigidBlock:
+                raise TypeError(f"{cls.__name__}: {name} is {told(block)}: give a RigidBlock")
+            if values.setdefault("gravity", block.gravity) != block.gravity:
+                raise ValueError(
+                    f"{cls.__name__}: gravity is {values['gravity']}, and {block.gravity} of the "
+                    f"{name} block: give both blocks the same"
+                )
+            for part in _OF_A_BLOCK:
+                if f"{name}_{part}" in values:
+                    raise ParameterError(
+                        f"{cls.__name__}: {name}_{part} is given, and so is {name}: leave one out"
+                    )
+                values[f"{name}_{part}"] = getattr(block, part)
+        plain(self, *unnamed, **values)
+
+    setattr(cls, "__init__", init)  # noqa: B010
+    return cls
+
+
+_OF_A_BLOCK = ("half_width", "half_height", "mass", "inertia")
+
+
+@_of_blocks
+@_structure_class
+class StackedBlocks(Structure):
+    """Two rigid blocks on one another, whose corners open and close; none of them slips.
+
+    lower, upper : two of `RigidBlock`, the upper no wider than the lower one, under one gravity; or
+    the parameters of each, such as lower_half_width. restitution : the ratio of the rates of a gap
+    after and before a corner lands, 0 to 1. States are x, y [m] and theta [rad] of the lower
+    block's base; xi and eta [m] of the upper block's base along and above the lower one's top, and
+    its rotation phi [rad]; and their rates.
+    """
+
+    model: ClassVar[str] = "stacked_blocks"
+    may_vanish = frozenset({"restitution", "lower_inertia", "upper_inertia"})
+    lower_half_width: float
+    lower_half_height: float
+    upper_half_width: float
+    upper_half_height: float
+    lower_mass: float = 1.0
+    upper_mass: float = 1.0
+    lower_inertia: float | None = None
+    upper_inertia: float | None = None
+    restitution: float = 0.0
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        _check_restitution("StackedBlocks", self.restitution)
+        if self.upper_half_width > self.lower_half_width:
+            raise ValueError(
+                f"StackedBlocks: upper_half_width is {self.upper_half_width} and lower_half_width "
+                f"{self.lower_half_width}: corners that hang over are not modelled, give an upper "
+                "block that is no wider"
+            )
+
+    def _block(self, which: str) -> RigidBlock:
+        parts = {part: getattr(self, f"{which}_{part}") for part in _OF_A_BLOCK}
+        return RigidBlock(gravity=self.gravity, **parts)
+
+    @property
+    def lower(self) -> RigidBlock:
+        return self._block("lower")
+
+    @property
+    def upper(self) -> RigidBlock:
+        return self._block("upper")
+
+    def parameters(self) -> dict[str, float]:
+        values = {"gravity": self.gravity, "restitution": self.restitution}
+        for which, block in (("lower", self.lower), ("upper", self.upper)):
+            of = block.parameters()
+            values |= {f"{which}_{n}": of[n] for n in ("mass", "half_width", "inertia")}
+            values[f"{which}_half_height"] = of["height"]
+        return values
+
+    def hints(self) -> tuple[str, ...]:
+        return (*self.lower.hints(), *self.upper.hints())
+
+
+def _check_restitution(what: str, restitution: float) -> None:
+    if restitution > 1:
+        raise ValueError(
+            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
+            "landing, 0 to 1"
+        )
 
 
 @_structure_class

@@ -52,7 +52,7 @@ def check(model: RockingModel) -> None:
     _grounded(model)
 
 
-def _fail(model: RockingModel, what: str) -> NoReturn:
+def _fail(model: RockingModel | Model, what: str) -> NoReturn:
     raise ValueError(f"{model.name}: {what}")
 
 
@@ -88,7 +88,7 @@ def _quantities(model: RockingModel) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for phase in model.phases for name in phase.quantities))
 
 
-def distinct_symbols(model: RockingModel) -> None:
+def distinct_symbols(model: RockingModel | Model) -> None:
     """Each symbol stands for one thing."""
     from rockeom.symbolic.model import GROUND_X, GROUND_Y
     from rockeom.symbolic.statics import LOAD
@@ -204,7 +204,7 @@ _WORDS = {
 }
 
 
-def declared_kinds(model: RockingModel) -> dict[sp.Basic, str]:
+def declared_kinds(model: RockingModel | Model) -> dict[sp.Basic, str]:
     """What each symbol and function of a declaration is; "" for constants."""
     from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
@@ -267,7 +267,7 @@ def _called(t: Transition) -> str:
 
 
 def contents(
-    model: RockingModel, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
+    model: RockingModel | Model, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
 ) -> None:
     for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef, sp.Piecewise):
         try:
@@ -453,7 +453,7 @@ def check_derived(model: RockingModel) -> None:
 class Sample:
     """Random values of all symbols, by which expressions become arrays (k, n)."""
 
-    def __init__(self, model: RockingModel) -> None:
+    def __init__(self, model: RockingModel | Model) -> None:
         from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
         rng = np.random.default_rng(1)
@@ -496,7 +496,7 @@ def _contact_of(phase: Phase) -> str:
     return next(iter(phase.contacts))
 
 
-def invertible(model: RockingModel, phase: Phase, sample: Sample) -> None:
+def invertible(model: RockingModel | Model, phase: Phase, sample: Sample) -> None:
     """Each free coordinate moves a mass of its own."""
     n = len(phase.coordinates)
     if n == 0:
@@ -634,7 +634,7 @@ def _energies_are_even(model: RockingModel, sample: Sample) -> None:
 # --- the values of its parameters
 
 
-def check_values(model: RockingModel, values: Mapping[str, float]) -> None:
+def check_values(model: RockingModel | Model, values: Mapping[str, float]) -> None:
     """Masses must not be negative, and the left foot stands to the left of the right one."""
     put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
     for size in sizes(model):

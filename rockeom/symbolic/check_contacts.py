@@ -82,7 +82,7 @@ def _names(model: Model) -> None:
         valid.name(f"{model.name}: parameter {p.symbol}", p.name)
     for c in model.coordinates:
         valid.name(f"{model.name}: coordinate {c.position}", c.name)
-    touching = [x.name for x in (*model.contacts, *model.elements)]
+    touching = [c.name for c in model.contacts] + [e.name for e in model.elements]
     for name in touching:
         valid.name(f"{model.name}: contact or element", name)
     outputs = outputs_of(model)

@@ -37,6 +37,11 @@ class Rigid:
         friction = 0 if self.friction is None else self.friction
         valid.expressions("law Rigid", restitution=self.restitution, friction=friction)
         valid.not_negative("law Rigid", restitution=self.restitution, friction=friction)
+        if (1 - sp.sympify(self.restitution)).is_negative:
+            raise ValueError(
+                f"law Rigid: restitution is {self.restitution}: give the ratio of rates after and "
+                "before an impact, 0 to 1"
+            )
 
 
 @dataclass(frozen=True)
@@ -67,7 +72,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Unilateral:
-    """A spring and a damper that press and never pull: k d + c d' while d and that sum are positive.
+    """A spring and a damper that press, k d + c d', while d and that sum are positive.
 
     compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
     """

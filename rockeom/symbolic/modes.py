@@ -109,7 +109,7 @@ class Mechanism:
 
     @property
     def leaning(self) -> dict[sp.Symbol, sp.Expr]:
-        """Angles at which the closed gaps hold it: equations keep their symbols, and are shorter."""
+        """Angles at which closed gaps hold it: equations keep their symbols, and are shorter."""
         return self._closing[1]
 
     @property
@@ -202,6 +202,8 @@ class Mechanism:
         left = self._motions(normal)[2]
         groups: list[list[int]] = []
         for i in self.closed:
+            if all(self._same(e) for e in self.slip_rows[i] * left):
+                raise self._undetermined()
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
                 if all(self._same(e) for e in difference):
@@ -272,7 +274,7 @@ class Mechanism:
         return dependent, independent, motions
 
     def _dependent(self, matrix: sp.Matrix) -> list[int]:
-        """Columns to eliminate: of coordinates whose place is known; then the simplest to divide by.
+        """Columns to eliminate: of coordinates whose place is known, and the simplest to divide by.
 
         Raises ValueError where the rows depend on one another.
         """
@@ -288,12 +290,15 @@ class Mechanism:
             if best is None or cost < best[0]:
                 best = cost, sorted(columns)
         if best is None:
-            names = ", ".join(self.model.contacts[i].name for i in self.closed)
-            raise ValueError(
-                f"{self.model.name}: how {names} share their forces when they are closed, statics "
-                "does not tell: let fewer points of one rigid body touch at once, or give springs"
-            )
+            raise self._undetermined()
         return best[1]
+
+    def _undetermined(self) -> ValueError:
+        names = ", ".join(self.model.contacts[i].name for i in self.closed)
+        return ValueError(
+            f"{self.model.name}: with {names} closed statics does not tell the friction: what "
+            "touches leaves no motion along it; give springs (Unilateral) where gaps hold a point"
+        )
 
     @cached_property
     def velocity(self) -> dict[sp.Symbol, sp.Expr]:
@@ -310,7 +315,7 @@ class Mechanism:
             return tau
         functions = [self._gaps[i] for i in self.closed]
         functions += [self._slips[g[0]] for g in self.sticking]
-        still = {x: 0 for x in self.qdd}
+        still = dict.fromkeys(self.qdd, 0)
         coordinates = self.model.coordinates
         bias = [rate(rate(f, coordinates), coordinates).subs(still) for f in functions]
         right = sp.Matrix([-self.here(b) for b in bias])
@@ -634,6 +639,7 @@ def derive_modes(model: Model) -> Modes:
             arrangement = _arrangement(model, tuple(pattern), groups, mirror, known, mechanisms)
             arrangements.append(arrangement)
             mechanism = mechanisms[arrangement.mechanism]
+            _ = mechanism.dependent  # raises where it cannot move or stand so
             states += _states(model, arrangement, mechanism, len(arrangements) - 1)
             if len(states) > MOST:
                 raise ValueError(
@@ -743,32 +749,38 @@ def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> in
 def _states(
     model: Model, arrangement: Arrangement, mechanism: Mechanism, number: int
 ) -> Iterator[ContactState]:
-    groups = [tuple(arrangement.points[i] for i in g) for g in mechanism.slipping]
-    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(groups)):
+    groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
+    slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
+    for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(slips)):
+        ways = dict(zip(slips, signs, strict=True))
         points = list(arrangement.states)
-        for sign, group in zip(signs, groups, strict=True):
+        for group, sign in ways.items():
             for i in group:
                 points[i] = sign
         for elements in product((1, 0), repeat=len(model.elements)):
-            name = _name(model, points, elements, groups, signs)
+            name = _name(model, {g: ways.get(g, STICK) for g in sorted(groups)}, elements)
             yield ContactState(name, tuple(points), elements, number)
 
 
-def _name(model: Model, points, elements, groups, signs) -> str:
+def _name(model: Model, groups: Mapping[tuple[int, ...], int], elements: tuple[int, ...]) -> str:
     """What a contact state is called: by what touches, and what slips where."""
-    every = [c.name for c in model.contacts] + [e.name for e in model.elements]
-    down = [c.name for c, state in zip(model.contacts, points, strict=True) if state != OPEN]
-    down += [e.name for e, on in zip(model.elements, elements, strict=True) if on]
-    if sorted(every) == ["left", "right"] and len(down) == 2:
-        name = "both"
-    else:
-        name = "_".join(down) or "flight"
-    closed = sum(state != OPEN for state in points)
-    for group, sign in zip(groups, signs, strict=True):
-        way = "right" if sign == SLIP_RIGHT else "left"
-        which = "" if len(group) == closed else f"_{model.contacts[group[0]].name}"
-        name += f"{which}_slides_{way}"
-    return name
+    slides = {STICK: "", SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
+    words = [
+        _both([model.contacts[i].name for i in group]) + slides[state]
+        for group, state in groups.items()
+    ]
+    pressed = [e.name for e, on in zip(model.elements, elements, strict=True) if on]
+    return "_".join([*words, *([_both(pressed)] if pressed else [])]) or "flight"
+
+
+def _both(names: list[str]) -> str:
+    """The names of points in one word, a left and a right one of one kind as both."""
+    if len(names) == 2:
+        left, right = names
+        kind = left.removesuffix("left")
+        if (left, right) == (f"{kind}left", f"{kind}right"):
+            return f"{kind}both"
+    return "_".join(names)
 
 
 # --- algebra

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 import sympy as sp
 
@@ -20,7 +20,6 @@ from rockeom.symbolic.model import (
     RockingModel,
     Transition,
 )
-from rockeom.symbolic.modes import OPEN, Mechanism, press_of, sign_of_slip, switch_of
 from rockeom.symbolic.notation import AFTER, BEFORE, Notation, at_impact
 from rockeom.symbolic.page import (
     LINE,
@@ -100,19 +99,21 @@ def content(model: RockingModel | Model, form: str) -> list[Block]:
     """All that was derived of a structure."""
     _check(form)
     if isinstance(model, Model):
+        from rockeom.symbolic.contact_page import contact_content
+
         return contact_content(model)
     polar = form == "polar" and any(has_polar_form(phase) for phase in model.phases)
     shown = polar_model(model) if polar else model
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
-    blocks += _symbols(model, polar)
+    blocks += symbols_of(model, polar)
     for phase, original in zip(shown.phases, model.phases, strict=True):
         # where no body is placed by R and alpha, the geometry left is that of B and H
         blocks += _phase(model, phase if has_polar_form(phase) else original)
     return [*blocks, *_transitions(shown), *_pushover(shown)]
 
 
-def _symbols(
+def symbols_of(
     model: RockingModel | Model, polar: bool, signs: Iterable[tuple[sp.Symbol, str]] = ()
 ) -> list[Block]:
     notation = Notation(model.phases[0], model)
@@ -195,7 +196,7 @@ def _in_terms_of(known: dict[sp.Symbol, sp.Expr], expr: sp.Expr) -> sp.Expr:
     return expr
 
 
-def _list(names: Iterable[str]) -> str:
+def listed(names: Iterable[str]) -> str:
     return ", ".join(f"`{name}`" for name in names)
 
 
@@ -205,7 +206,7 @@ def _sides(phase: Phase) -> str:
 
 def _phase(model: RockingModel, phase: Phase) -> list[Block]:
     notation, equations = Notation(phase, model), phase.equations
-    blocks: list[Block] = [Heading(2, f"Contact {_list(phase.contacts)}")]
+    blocks: list[Block] = [Heading(2, f"Contact {listed(phase.contacts)}")]
     blocks += [f"One form for both sides: {_sides(phase)}."] if phase.has_side else []
     if phase.small:
         small = ", ".join(f"${notation.plain(x)}$" for x in phase.small)
@@ -249,223 +250,6 @@ def _reactions(model: RockingModel, phase: Phase, notation: Notation) -> list[Bl
             lines.append(rf"N_{{\mathrm{{{foot}}}}} = {force}")
         text += " (sum over both feet), vertical $N$ at each foot."
     return [text if text.endswith(".") else text + ".", Display(tuple(lines))]
-
-
-# --- a structure whose contacts are declared
-
-
-def contact_content(model: Model) -> list[Block]:
-    """All that was derived of a structure whose modes follow from its contacts."""
-    modes = model.modes
-    signs: list[tuple[sp.Symbol, str]] = []
-    if any(m.sided for m in modes.mechanisms):
-        signs.append((SIDE, "side: $+1$ right, $-1$ left"))
-    slips = max(len(m.slipping) for m in modes.mechanisms)
-    signs += [
-        (sign_of_slip(i), "sign of the slip: $+1$ to the right, $-1$ to the left")
-        for i in range(slips)
-    ]
-    signs += [
-        (switch_of(i), f"1 while `{e.name}` presses, else 0") for i, e in enumerate(model.elements)
-    ]
-    blocks: list[Block] = [Heading(1, model.title)]
-    blocks += [f"Reference: {model.reference}."] if model.reference else []
-    blocks += _symbols(model, False, signs)
-    blocks += _declared(model)
-    for mechanism in modes.mechanisms:
-        blocks += _mechanism(model, mechanism)
-    return blocks
-
-
-def _declared(model: Model) -> list[Block]:
-    """What touches, by which law, and the energies of the free structure."""
-    notation, equations = Notation(model.free, model), model.free.equations
-    blocks: list[Block] = [Heading(2, "What touches")]
-    for contact in model.contacts:
-        gap, slip = contact.at(contact.side)
-        friction = contact.law.friction
-        law = (
-            f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
-        )
-        law += (
-            ", it never slips" if friction is None else f", friction ${notation.plain(friction)}$"
-        )
-        lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
-        blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
-    for i, element in enumerate(model.elements):
-        press = f"N_{{\\mathrm{{{element.name}}}}} = {notation.write(press_of(model, i))}"
-        blocks += [
-            f"`{element.name}` presses with this force, while it and the compression are positive:",
-            Display((press,)),
-        ]
-    energies = [
-        f"T = {notation.write(equations.kinetic_energy)}",
-        f"V_g = {notation.write(equations.gravitational_energy)}",
-        f"V_e = {notation.plain(equations.elastic_energy)}",
-        f"D = {notation.plain(model.free.dissipation)}",
-    ]
-    return [
-        *blocks,
-        Heading(2, "Energies"),
-        "Kinetic energy $T$, potential energies of gravity $V_g$ and of springs that always act "
-        "$V_e$, half the power lost to their damping $D$; what is not shown is zero.",
-        Display(tuple(line for line in energies if not line.endswith(" = 0"))),
-    ]
-
-
-def _mechanism(model: Model, mechanism: Mechanism) -> list[Block]:
-    modes = model.modes
-    number = modes.mechanisms.index(mechanism)
-    served = [
-        state for state in modes.states if modes.arrangements[state.arrangement].mechanism == number
-    ]
-    alike = {state.name: modes.signs(state) for state in served if all(state.elements)}
-    notation = Notation(model.free, model)
-    blocks: list[Block] = [Heading(2, f"Contact {_list(alike)}")]
-    told = [
-        f"{', '.join(f'${notation.plain(x)} = {v:+d}$' for x, v in signs.items())} in `{name}`"
-        for name, signs in alike.items()
-        if signs
-    ]
-    blocks += [f"One form for all: {'; '.join(told)}."] if told else []
-    held = [f"{notation.plain(x)} = {notation.write(e)}" for x, e in mechanism.place.items()]
-    held += [f"{notation.plain(x)} = {notation.plain(e)}" for x, e in mechanism.leaning.items()]
-    held += [
-        f"{notation.plain(mechanism.qd[d])} = {notation.write(mechanism.velocity[mechanism.qd[d]])}"
-        for d in mechanism.dependent
-    ]
-    if held:
-        blocks += ["The contact prescribes", Display(tuple(held))]
-    blocks.append(Heading(3, "Equations of motion"))
-    lines = _mechanism_lines(mechanism, notation)
-    if lines:
-        blocks.append(Display(tuple(lines)))
-    else:
-        blocks.append("No coordinate is free: the structure stands still.")
-    return [*blocks, *_mechanism_forces(model, mechanism, notation)]
-
-
-def _mechanism_lines(mechanism: Mechanism, notation: Notation) -> list[str]:
-    """Accelerations and what does not depend on the ground left, the ground's right."""
-    lines = []
-    for k in range(len(mechanism.independent)):
-        accelerations = [
-            notation.write(mechanism.mass_matrix[k, j] * mechanism.qdd[i])
-            for j, i in enumerate(mechanism.independent)
-            if mechanism.mass_matrix[k, j] != 0
-        ]
-        forcing = sp.expand(mechanism.forcing[k])
-        still = forcing.subs({GROUND_X: 0, GROUND_Y: 0})
-        left = [*accelerations, *([notation.write(-still)] if still != 0 else [])]
-        shaken = sp.expand(forcing - still)
-        right = notation.write(shaken) if shaken != 0 else "0"
-        lines.append(f"{notation.sum(left)} = {right}")
-    tied = []
-    for d in mechanism.dependent:
-        terms = [
-            mechanism.motions[d, j] * mechanism.qdd[i] for j, i in enumerate(mechanism.independent)
-        ]
-        total = sp.expand(sum(terms, mechanism.drift[d]))
-        if total != 0:
-            tied.append(f"{notation.plain(mechanism.qdd[d])} = {notation.write(total)}")
-    return [*lines, *tied]
-
-
-def _mechanism_forces(model: Model, mechanism: Mechanism, notation: Notation) -> list[Block]:
-    """Normal forces, the friction with them, and how long it lasts."""
-    if not mechanism.closed:
-        return []
-
-    def called(letter: str, points: Iterable[int]) -> str:
-        if mechanism.sided and len(mechanism.closed) == 1:
-            return letter
-        return rf"{letter}_{{\mathrm{{{'+'.join(model.contacts[i].name for i in points)}}}}}"
-
-    normal, friction = mechanism.forces
-    lines = [f"{called('N', [i])} = {notation.write(e)}" for i, e in normal.items()]
-    ends = [f"${called('N', [i])}$ falls to zero (lifting)" for i in normal]
-    text = "Normal force $N$" + (" of each point" if len(normal) > 1 else "")
-    for group in mechanism.groups:
-        name, force = called("F", group), friction[group[0]]
-        free = all(model.contacts[i].law.friction is not None for i in group)
-        bound = " + ".join(
-            f"{notation.plain(mechanism.friction(i))} {called('N', [i])}" for i in group
-        )
-        if group in mechanism.slipping:
-            sigma = notation.plain(mechanism.sigma(group[0]))
-            lines.append(
-                f"{name} = -{sigma} ({bound})" if len(group) > 1 else f"{name} = -{sigma} {bound}"
-            )
-            rate = notation.write(mechanism.sigma(group[0]) * mechanism.slip_rate(group))
-            ends.append(f"${rate}$ falls to zero (the slip ends)")
-        else:
-            lines.append(f"{name} = {notation.write(force)}")
-            if free:
-                ends.append(f"$|{name}|$ reaches ${bound}$ (slip begins)")
-    together = any(len(g) > 1 for g in mechanism.groups)
-    text += ", and friction $F$, positive to the right"
-    text += "; of points that share it only the sum is determined" if together else ""
-    blocks: list[Block] = [Heading(3, "Forces of contact"), f"{text}:", Display(tuple(lines))]
-    opens = [i for i, state in enumerate(mechanism.states) if state == OPEN]
-    for i in opens:
-        ends.append(f"the gap ${notation.write(mechanism.gap(i))}$ closes (landing)")
-    blocks.append(f"It ends when {', or '.join(ends)}.")
-    blocks += _landing(mechanism, notation)
-    return [*blocks, *_from_rest(mechanism, notation, called)]
-
-
-def _landing(mechanism: Mechanism, notation: Notation) -> list[Block]:
-    """Rates after an impact that ends in a mechanism."""
-    coordinates = mechanism.model.coordinates
-    old = sp.Matrix([at_impact(c, BEFORE) for c in coordinates])
-    new = [at_impact(c, AFTER) for c in coordinates]
-    lines = []
-    for k, momentum in enumerate(mechanism.kept_momentum * old):
-        row = [mechanism.mass_matrix[k, j] * new[i] for j, i in enumerate(mechanism.independent)]
-        left = notation.sum([notation.write(e) for e in row if e != 0])
-        lines.append(f"{left} = {notation.write(momentum)}")
-    for d in mechanism.dependent:
-        tied = [mechanism.motions[d, j] * new[i] for j, i in enumerate(mechanism.independent)]
-        total = sp.expand(sum(tied, (mechanism.rebound[d, :] * old)[0]))
-        lines.append(f"{notation.plain(new[d])} = {notation.write(total)}")
-    return [
-        Heading(3, "Impact"),
-        "Rates after an impact in which these points are pressed, and stick or slip as here; $-$ "
-        "is just before, $+$ just after. It is what happens where no impulse pulls, friction is "
-        "within its bound, slips after it have their sign, and no other gap closes:",
-        Display(tuple(lines)),
-    ]
-
-
-LONGEST_FROM_REST = 3
-"""Free coordinates of a mechanism whose beginning from rest has a closed form worth reading."""
-
-
-def _from_rest(
-    mechanism: Mechanism, notation: Notation, called: Callable[[str, Iterable[int]], str]
-) -> list[Block]:
-    """How a mechanism begins from standing at rest, and the friction that it needs then."""
-    model = mechanism.model
-    if not 0 < len(mechanism.independent) <= LONGEST_FROM_REST:
-        return []
-    start = mechanism.from_rest(model.modes.standing)
-    lines = [
-        f"{notation.plain(a)} = {notation.quotient(e)}"
-        for a, e in start.motion.items()
-        if e != 0
-    ]
-    lines += [f"{called('N', [i])} = {notation.quotient(e)}" for i, e in start.normal.items()]
-    for group in mechanism.sticking:
-        needed = start.friction[group[0]] / sum(start.normal[i] for i in group)
-        sum_of = " + ".join(called("N", [i]) for i in group)
-        name = rf"\frac{{{called('F', group)}}}{{{sum_of}}}"
-        lines.append(f"{name} = {notation.quotient(sp.cancel(needed))}")
-    needs = ", and the friction that it needs" if mechanism.sticking else ""
-    return [
-        Heading(3, "From rest"),
-        f"Standing still, the accelerations and normal forces with which it begins{needs}:",
-        Display(tuple(lines)),
-    ]
 
 
 # --- transitions and statics

@@ -13,7 +13,6 @@ from rockeom.symbolic import (
     Rigid,
     Unilateral,
     coordinate,
-    feet,
     parameter,
     turned,
 )
@@ -38,9 +37,7 @@ def placed(point, x=X.position, y=Y.position, theta=THETA.position):
 
 
 def block() -> Body:
-    return Body(
-        "block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position
-    )
+    return Body("block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position)
 
 
 def on_points(name: str, points: dict[str, tuple], *more) -> Model:
@@ -114,67 +111,4 @@ def two_springs() -> Model:
             for name, s in (("left", -1), ("right", 1))
         ),
         load_point=body.position,
-    )
-
-
-@cache
-def two_blocks(friction: bool = False) -> Model:
-    """A block on another one, which stands on the ground."""
-    lower = [
-        parameter(s, f"lower_{n}", u, n)
-        for s, n, u in (("m_1", "mass", "kg"), ("b_1", "half_width", "m"),
-                        ("h_1", "half_height", "m"), ("I_1", "inertia", "kg m2"))
-    ]  # fmt: skip
-    upper = [
-        parameter(s, f"upper_{n}", u, n)
-        for s, n, u in (("m_2", "mass", "kg"), ("b_2", "half_width", "m"),
-                        ("h_2", "half_height", "m"), ("I_2", "inertia", "kg m2"))
-    ]  # fmt: skip
-    m1, b1, h1, i1 = (p.symbol for p in lower)
-    m2, b2, h2, i2 = (p.symbol for p in upper)
-    xi = coordinate("xi", "xi", "m", "place of the upper block along the lower one's top")
-    eta = coordinate("eta", "eta", "m", "height of the upper block above the lower one's top")
-    phi = coordinate("phi", "phi", "rad", "rotation of the upper block")
-    turn = phi.position
-    # the upper block's base in axes that turn with the lower one
-    across, up = xi.position, 2 * h1 + eta.position
-    base = placed((across, up))
-
-    def of_upper(point):
-        return placed(point, base[0], base[1], turn)
-
-    relative = turn - THETA.position
-
-    def corner(s):
-        dx, dy = turned((s * b2, 0), (0, 0), relative)
-        return across + dx, eta.position + dy
-
-    law = Rigid(
-        restitution=RESTITUTION.symbol, friction=FRICTION.symbol if friction else None
-    )
-    return Model(
-        name="two_blocks",
-        title="Two blocks on one another",
-        parameters=(*lower, *upper, GRAVITY, FRICTION, RESTITUTION),
-        coordinates=(X, Y, THETA, xi, eta, phi),
-        bodies=(
-            Body("lower", m1, placed((0, h1)), i1, THETA.position),
-            Body("upper", m2, of_upper((0, h2)), i2, turn),
-        ),
-        gravity=GRAVITY.symbol,
-        rotation=THETA,
-        contacts=(
-            *feet(
-                gap=lambda s: placed((s * b1, 0))[1],
-                slip=lambda s: placed((s * b1, 0))[0],
-                law=law,
-            ),
-            *feet(
-                gap=lambda s: corner(s)[1],
-                slip=lambda s: corner(s)[0],
-                law=law,
-                names=("upper_left", "upper_right"),
-            ),
-        ),
-        load_point=of_upper((0, h2)),
     )

@@ -27,7 +27,11 @@ MU_C = (A * (4 * B**2 + H**2) + 3 * WEIGHT * B * H) / (WEIGHT * (4 * H**2 + B**2
 
 def of_rectangle(expr) -> sp.Expr:
     to_the_left = {SIDE: -1, sign_of_slip(0): -1}
-    expr = sp.sympify(expr).subs(to_the_left).subs({INERTIA: RECTANGLE, GROUND_X: A, GROUND_Y: WEIGHT - G})
+    expr = (
+        sp.sympify(expr)
+        .subs(to_the_left)
+        .subs({INERTIA: RECTANGLE, GROUND_X: A, GROUND_Y: WEIGHT - G})
+    )
     return sp.cancel(sp.together(expr))
 
 

@@ -1,0 +1,80 @@
+"""Two rigid blocks on one another (Psycharis 1990; Spanos, Roussis and Politis 2001)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from rockeom.symbolic.contacts import Model, Rigid, feet
+from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, turned
+from rockeom.symbolic.parts.supports import FREE_ROTATION as THETA, RESTITUTION, X, Y
+from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.structures.rigid_block import GRAVITY
+
+XI = coordinate("xi", "xi", "m", "place of the upper base's centre along the lower block's top")
+ETA = coordinate("eta", "eta", "m", "height of the upper base's centre above the lower block's top")
+PHI = coordinate("phi", "phi", "rad", "rotation of the upper block, positive clockwise")
+
+
+def _parameters(index: int, which: str) -> tuple[Parameter, ...]:
+    return tuple(
+        parameter(f"{symbol}_{index}", f"{which}_{name}", unit, f"{meaning} of the {which} block")
+        for symbol, name, unit, meaning in (
+            ("m", "mass", "kg", "mass"),
+            ("b", "half_width", "m", "half of the width"),
+            ("h", "half_height", "m", "half of the height"),
+            ("I", "inertia", "kg m2", "moment of inertia about the centroid"),
+        )
+    )
+
+
+@shipped(place=3.6)
+def stacked_blocks() -> Model:
+    """The upper block's corners touch the top of the lower one, whose corners touch the ground.
+
+    No point slips: the friction that it needs is its friction over its normal force.
+    """
+    lower, upper = _parameters(1, "lower"), _parameters(2, "upper")
+    m_1, b_1, h_1, i_1 = (p.symbol for p in lower)
+    m_2, b_2, h_2, i_2 = (p.symbol for p in upper)
+    theta, phi = THETA.position, PHI.position
+
+    def on_lower(point):
+        """A point that turns with the lower block, whose base's centre is at (x, y)."""
+        across, up = turned(point, (0, 0), theta)
+        return X.position + across, Y.position + up
+
+    foot = on_lower((XI.position, 2 * h_1 + ETA.position))
+    across, up = turned((0, h_2), (0, 0), phi)
+
+    def corner(s):
+        """Of the upper block, in axes that turn with the lower one's top."""
+        dx, dy = turned((s * b_2, 0), (0, 0), phi - theta)
+        return XI.position + dx, ETA.position + dy
+
+    law = Rigid(restitution=RESTITUTION.symbol, friction=None)
+    top = Body("upper", m_2, (foot[0] + across, foot[1] + up), i_2, phi)
+    return Model(
+        name="stacked_blocks",
+        title="Two rigid blocks on one another",
+        parameters=(*lower, *upper, GRAVITY, RESTITUTION),
+        coordinates=(X, Y, THETA, XI, ETA, PHI),
+        bodies=(Body("lower", m_1, on_lower((0, h_1)), i_1, theta), top),
+        gravity=GRAVITY.symbol,
+        rotation=PHI,
+        contacts=(
+            *feet(
+                gap=lambda s: on_lower((s * b_1, 0))[1],
+                slip=lambda s: on_lower((s * b_1, 0))[0],
+                law=law,
+            ),
+            *feet(
+                gap=lambda s: corner(s)[1],
+                slip=lambda s: corner(s)[0],
+                law=law,
+                names=("upper_left", "upper_right"),
+            ),
+        ),
+        overturning=sp.pi / 2,
+        load_point=top.position,
+        reference="Psycharis (1990)",
+    )

@@ -1,0 +1,130 @@
+"""Springs and dampers that press and never pull: their states, forces and guards."""
+
+from __future__ import annotations
+
+import importlib
+from functools import cache
+from itertools import product
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from rockeom.codegen import module_text
+from rockeom.contract import SWITCH
+from rockeom.numeric.program import load_text
+from rockeom.symbolic import Model, Unilateral
+from tests.contact import declared
+
+SHIPPED = importlib.import_module("rockeom.generated.two_spring_structure")
+NAMES = ("mass", "height", "inertia", "gravity", "stiffness", "damping", "half_width")
+
+
+@cache
+def on_two_springs():
+    return load_text("two_springs", module_text(declared.two_springs()))
+
+
+def parameters(rng):
+    """(of the declared structure, of the shipped one), prepared: the same block."""
+    values = dict(zip(NAMES, rng.uniform(0.5, 2.0, len(NAMES)), strict=True))
+    mine = on_two_springs()
+    shipped = {
+        "mass": values["mass"], "height": values["height"], "inertia": values["inertia"],
+        "base_mass": 0.0, "base_height": 0.0, "base_inertia": 0.0,
+        "half_width": values["half_width"], "gravity": values["gravity"],
+        "foundation_stiffness": values["stiffness"], "foundation_damping": values["damping"],
+    }  # fmt: skip
+    return (
+        mine.prepare(np.array([values[n] for n in mine.PARAMETERS])),
+        SHIPPED.prepare(np.array([shipped[n] for n in SHIPPED.PARAMETERS])),
+    )
+
+
+def test_two_springs_have_the_contact_states_of_the_shipped_structure():
+    assert sorted(on_two_springs().CONTACTS) == sorted(SHIPPED.CONTACTS)
+
+
+@pytest.mark.parametrize("contact", SHIPPED.CONTACTS)
+def test_two_springs_move_as_the_shipped_structure(contact):
+    """Rates, energies, reactions and guards, at random states: one was declared phase by phase."""
+    rng, mine = np.random.default_rng(1), on_two_springs()
+    here, there = mine.CONTACTS.index(contact), SHIPPED.CONTACTS.index(contact)
+    for _ in range(20):
+        p, q = parameters(rng)
+        y, ground = rng.normal(0, 0.3, 4), rng.normal(0, 1, 2)
+        for name, size, given in (("rates", 4, ground), ("reactions", 3, ground),
+                                  ("energies", 3, ()), ("kinematics", 3, ())):  # fmt: skip
+            found, wanted = np.zeros(size), np.zeros(size)
+            getattr(mine, name)(here, y, p, *given, found)
+            getattr(SHIPPED, name)(there, y, q, *given, wanted)
+            if name == "kinematics":  # theirs count from rest, ours from the springs' ends
+                at_rest = np.zeros(size)
+                mine.kinematics(here, np.zeros(4), p, at_rest)
+                found -= at_rest
+            assert found == pytest.approx(wanted, rel=1e-12, abs=1e-12), name
+
+
+def _led_to(m, contact, y, p, ground):
+    """Each guard's value and parts by the contact state to which it leads."""
+    g, number = np.zeros(m.N_GUARDS + m.N_PARTS), m.CONTACTS.index(contact)
+    m.guards(number, y, p, *ground, g)
+    found = {}
+    for k in range(m.GUARDS[number]):
+        assert m.KINDS[number][k] == SWITCH
+        part = m.PARTS[number][k]
+        parts = sorted(g[part : part + 2]) if part >= 0 else []
+        found[m.CONTACTS[m.TARGETS[number][k]]] = [g[k], *parts]
+    return found
+
+
+@pytest.mark.parametrize("contact", SHIPPED.CONTACTS)
+def test_two_springs_switch_as_the_shipped_structure(contact):
+    rng, mine = np.random.default_rng(2), on_two_springs()
+    for _ in range(20):
+        p, q = parameters(rng)
+        y, ground = rng.normal(0, 0.3, 4), rng.normal(0, 1, 2)
+        found = _led_to(mine, contact, y, p, ground)
+        wanted = _led_to(SHIPPED, contact, y, q, ground)
+        assert found.keys() == wanted.keys()
+        for target, values in wanted.items():
+            assert found[target] == pytest.approx(values, rel=1e-12, abs=1e-12)
+
+
+def test_the_guard_that_leads_back_is_that_of_the_same_element():
+    m = on_two_springs()
+    for contact, targets in enumerate(m.TARGETS):
+        for k, target in enumerate(targets):
+            back = m.CLOSED[contact][k]
+            assert m.TARGETS[target][back] == contact
+            assert m.SUBJECTS[target][back] == m.SUBJECTS[contact][k]
+
+
+def bed(springs: int) -> Model:
+    """A block on a row of equal springs and dampers, the outer two at its feet."""
+    of = declared.two_springs()
+    k, c, b = (p.symbol for p in of.parameters[-3:])
+    theta = of.rotation.position
+    centre = -sp.sympify(of.elements[0].compression).subs(theta, 0)
+    return Model(
+        name="bed", title="A block on a bed of springs", parameters=of.parameters,
+        coordinates=of.coordinates, bodies=of.bodies, gravity=of.gravity, rotation=of.rotation,
+        elements=[
+            Unilateral(
+                f"spring_{i}",
+                -centre + (sp.Rational(2 * i, springs - 1) - 1) * b * sp.sin(theta), k, c,
+            )
+            for i in range(springs)
+        ],
+    )  # fmt: skip
+
+
+def test_a_bed_of_springs_has_every_combination():
+    states = bed(4).modes.states
+    assert {s.elements for s in states} == set(product((0, 1), repeat=4))
+    assert len(bed(4).modes.mechanisms) == 1  # elements add forces, and no mechanism
+
+
+def test_too_many_elements_are_refused():
+    with pytest.raises(ValueError, match="13 elements have more than 4096 contact states"):
+        _ = bed(13).modes
