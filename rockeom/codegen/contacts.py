@@ -6,7 +6,7 @@ of each element as numbers. Which one moves in a contact state stands in tables.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -105,6 +105,8 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     _motions(written)
     _forces(written)
     _guards(written)
+    if not text.model.contacts:
+        _jump(text)
     _free_motion(written)
     _points(text)
     _point_laws(text)
@@ -115,8 +117,6 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     }
     _momentum(text)
     _statics(written)
-    if not text.model.contacts:
-        _jump(text)
     return columns
 
 
@@ -125,15 +125,14 @@ def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
     return text.evaluate(name, targets, "    ") or ["    pass"]
 
 
-def _chosen(name: str, branches: Sequence[list[str]]) -> list[str]:
-    """Lines that go the way of a contact state's number in the table of that name."""
+def _chosen(name: str, branches: list[list[str]]) -> list[str]:
+    """Lines of the branch of a contact state's mechanism or arrangement; of one alone, its own."""
     if len(branches) == 1:
-        return [line.removeprefix("    ") for line in branches[0]]
+        return [line[4:] for line in branches[0]]
     lines = [f"    {name} = {name.upper()}S[contact]"]
-    for number, branch in enumerate(branches):
-        last = number == len(branches) - 1
-        lines.append("    else:" if last else f"    {'elif' if number else 'if'} {name} == {number}:")
-        lines += branch
+    for i, branch in enumerate(branches):
+        test = f"{'elif' if i else 'if'} {name} == {i}"
+        lines += [f"    {'else' if i == len(branches) - 1 else test}:", *branch]
     return lines
 
 
@@ -161,9 +160,7 @@ def _motions(written: Written) -> None:
     branches = []
     for i, mechanism in enumerate(mechanisms):
         written.rates.append(_motion_of(written, i, mechanism))
-        branches.append(
-            [*written.read(mechanism, " " * 8), f"        return {written.rates[-1]}"]
-        )
+        branches.append([*written.read(mechanism, " " * 8), f"        return {written.rates[-1]}"])
     n, states = text.n, ", ".join(text.states)
     text.function(
         f"rates_of_states(contact, {states}, p, ax, ay)",
@@ -298,17 +295,14 @@ def guards_of(model: Model, arrangement: Arrangement) -> list[Guard]:
 
 def _guards(written: Written) -> None:
     text, arrangements = written.text, written.modes.arrangements
-    model = text.model
-    body = _chosen("arrangement", [_guards_of(written, a) for a in arrangements])
-    if not any(guards_of(model, a) for a in arrangements):
-        body = ["    pass"]
+    branches = [_guards_of(written, arrangement) for arrangement in arrangements]
     text.function(
         "guards(contact, y, p, ax, ay, g)",
         """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.""",
-        body,
+        _chosen("arrangement", branches),
         "@inlined",
     )
 
@@ -352,6 +346,19 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             f"else max({pressed}, {force})",
         ]
     return lines
+
+
+def _jump(text: Text) -> None:
+    """Where nothing but springs touches, each passage has its target, and nothing jumps."""
+    text.function(
+        "jump(contact, guard, law, ratio, y, p, out)",
+        "The state goes on into out (N,); returns the contact state that follows a guard's fall.",
+        [
+            "    for i in range(N_STATES):",
+            "        out[i] = y[i]",
+            "    return TARGETS[contact][guard]",
+        ],
+    )
 
 
 def _free_motion(written: Written) -> None:
@@ -448,21 +455,18 @@ def _reactions(written: Written) -> Columns:
     }
     body += written.read_switches("    ")
     body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
-    first = 1 + len(points) + len(elements)
     if points:
-        body += _chosen(
-            "arrangement",
-            [
-                [*written.found_forces(a, " " * 8), *_shares(written, a, first)]
-                for a in arrangements
-            ],
-        )
+        behind = 1 + len(points) + len(elements)
+        branches = [
+            [*written.found_forces(a, " " * 8), *_shares(written, a, behind)] for a in arrangements
+        ]
+        body += _chosen("arrangement", branches)
     text.function(
         "reactions(contact, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
     Where only the sum of frictions is determined, each has the same part of its largest.""",
-        body if arrangements else ["    pass"],
+        body,
     )
     return tuple(columns)
 
@@ -538,19 +542,6 @@ def _momentum(text: Text) -> None:
         "momentum(contact, y, p, out)",
         "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
         _every(text, "momentum", {f"out[{i}]": e for i, e in enumerate(total)}),
-    )
-
-
-def _jump(text: Text) -> None:
-    """Where nothing lands, elements switch, and the states go on unchanged."""
-    text.function(
-        "jump(contact, guard, law, ratio, y, p, out)",
-        "Pass through the switch whose guard fell: y into out (N,), the contact state returned.",
-        [
-            "    for i in range(N_STATES):",
-            "        out[i] = y[i]",
-            "    return TARGETS[contact][guard]",
-        ],
     )
 
 

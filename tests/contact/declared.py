@@ -40,7 +40,7 @@ def block() -> Body:
     return Body("block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position)
 
 
-def on_points(name: str, points: dict[str, tuple], *more) -> Model:
+def on_points(name: str, points: dict[str, tuple], *more, elements=()) -> Model:
     """A block on points of any place on it, by name."""
     found = (placed(point) for point in points.values())
     return Model(
@@ -55,6 +55,7 @@ def on_points(name: str, points: dict[str, tuple], *more) -> Model:
             Contact(of, gap=place[1], slip=place[0], law=LAW)
             for of, place in zip(points, found, strict=True)
         ),
+        elements=elements,
         load_point=block().position,
     )
 
@@ -70,7 +71,7 @@ def unequal_feet() -> Model:
 
 @cache
 def four_feet() -> Model:
-    """Feet at different heights: any two of them may stand together, no three."""
+    """Feet at different heights: any two of them may stand together, no three; and a pad."""
     places = {
         "a": (-sp.Rational(3, 2), sp.Rational(1, 5)),
         "b": (-sp.Rational(1, 2), 0),
@@ -78,9 +79,13 @@ def four_feet() -> Model:
         "d": (sp.Rational(7, 5), sp.Rational(3, 10)),
     }
     b = parameter("b", "half_width", "m", "unit of length of the base")
-    return on_points(
-        "four_feet", {k: (x * b.symbol, y * b.symbol) for k, (x, y) in places.items()}, b
+    k = parameter("k", "stiffness", "N/m", "stiffness of the pad")
+    c = parameter("c", "damping", "N s/m", "damping of the pad")
+    pad = Unilateral(
+        "pad", -placed((b.symbol, -b.symbol / 20))[1], stiffness=k.symbol, damping=c.symbol
     )
+    points = {name: (x * b.symbol, y * b.symbol) for name, (x, y) in places.items()}
+    return on_points("four_feet", points, b, k, c, elements=(pad,))
 
 
 @cache

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.contract import SWITCH
 from rockeom.numeric.program import load_text
@@ -128,3 +129,20 @@ def test_a_bed_of_springs_has_every_combination():
 def test_too_many_elements_are_refused():
     with pytest.raises(ValueError, match="13 elements have more than 4096 contact states"):
         _ = bed(13).modes
+
+
+def test_a_motion_on_springs_is_that_of_the_shipped_structure():
+    block = {"mass": 1.0, "height": 1.0, "inertia": 0.4, "half_width": 0.3}
+    mine = rk.structure(declared.two_springs(), **block, stiffness=2000.0, damping=20.0)
+    shipped = rk.TwoSpringStructure(
+        **block, base_mass=1e-12, base_height=1e-9, base_inertia=0.0, foundation_stiffness=2000.0,
+        foundation_damping=20.0,
+    )  # fmt: skip
+    runs = [
+        rk.simulate(s, rk.GroundMotion.none(2.0), initial={"theta": 0.2}) for s in (mine, shipped)
+    ]
+    found, wanted = ([(e.time, e.phase_before, e.phase_after) for e in run.events] for run in runs)
+    assert len(found) >= 8
+    assert [e[1:] for e in found] == [e[1:] for e in wanted]
+    assert [e[0] for e in found] == pytest.approx([e[0] for e in wanted], rel=1e-8)
+    assert runs[0]["theta"][-1] == pytest.approx(runs[1]["theta"][-1], rel=1e-7)

@@ -15,7 +15,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING
+from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
 from rockeom.numeric.program import load_text
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
@@ -123,11 +123,35 @@ def test_guards_are_gaps_forces_and_slip_rates(name):
             elif many and laws[2 * i + 1] < 1e300:
                 cone = sum(laws[2 * j + 1] * found.normal[j] for j in many)
                 wanted += [(SLIPPING, i, cone - way * found.friction[i]) for way in (1, -1)]
+        parts = []
+        for e, on in enumerate(m.ELEMENT_STATES[contact]):
+            compression, press = pressed(m, e, y, p)
+            two = [-p[m.PARAMETERS.index("stiffness")] * compression, -press]
+            wanted.append((SWITCH, m.N_POINTS + e, press if on else max(two)))
+            parts += two
+        assert g[m.N_GUARDS :] == pytest.approx(parts, rel=1e-6, abs=1e-6)
         count = m.GUARDS[contact]
         assert [(kind, i) for kind, i, _ in wanted] == [
             (m.KINDS[contact][k], m.SUBJECTS[contact][k]) for k in range(count)
         ]
-        assert small(g[:count] - np.array([value for *_, value in wanted]), found.normal, y)
+        differences = g[:count] - np.array([value for *_, value in wanted])
+        differences[m.GUARDS[contact] - m.N_ELEMENTS :] *= 1e-3  # by differences, see above
+        assert small(differences, found.normal, y)
+
+
+def pressed(m, element: int, y, p) -> tuple[float, float]:
+    """(compression, k d + c d') of an element, the rate by differences."""
+    column, n, step = m.KINEMATICS.index(f"{m.ELEMENTS[element]}_uplift"), m.N_STATES // 2, 1e-4
+
+    def compression(t: float) -> float:
+        out, moved = np.zeros(len(m.KINEMATICS)), y.copy()
+        moved[:n] += t * y[n:]
+        m.kinematics(0, moved, p, out)
+        return -float(out[column])
+
+    rate = (compression(step) - compression(-step)) / (2 * step)
+    k, c = (p[m.PARAMETERS.index(name)] for name in ("stiffness", "damping"))
+    return compression(0.0), k * compression(0.0) + c * rate
 
 
 def test_a_block_on_two_feet_has_shentons_modes_on_either_side():
