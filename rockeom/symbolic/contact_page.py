@@ -95,7 +95,7 @@ def _equation(
 
 def _force(letter: str, names: Iterable[str]) -> str:
     """A force with the names of its points, which hold no underscores in mathematics."""
-    words = "+".join(name.replace("_", r"\;") for name in names)
+    words = "+".join(name.replace("_", r"\thinspace ") for name in names)
     return rf"{letter}_{{\mathrm{{{words}}}}}"
 
 

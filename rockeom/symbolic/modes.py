@@ -28,6 +28,7 @@ import sympy as sp
 
 from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
 from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
+from rockeom.symbolic.check import repeated
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.lagrange import rate
 
@@ -99,6 +100,11 @@ class Mechanism:
         both = [c.at(side) for c, side in zip(model.contacts, sides, strict=True)]
         self._gaps = [gap for gap, _ in both]
         self._slips = [slip for _, slip in both]
+
+    def __repr__(self) -> str:
+        points = zip(self.model.contacts, self.states, strict=True)
+        told = [f"{c.name} {'sticks' if x == STICK else 'slips'}" for c, x in points if x != OPEN]
+        return f"<Mechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
 
     # -- the closed configuration ------------------------------------------------------------
 
@@ -646,6 +652,12 @@ def derive_modes(model: Model) -> Modes:
                     f"{model.name}: its {len(model.contacts)} contacts and {len(model.elements)} "
                     f"elements have more than {MOST} contact states: declare fewer of them"
                 )
+    twice = repeated(state.name for state in states)
+    if twice:
+        raise ValueError(
+            f"{model.name}: two contact states would be called {twice[0]!r}: choose names of "
+            "contacts and elements that do not make one another's"
+        )
     return Modes(tuple(states), tuple(arrangements), tuple(mechanisms))
 
 

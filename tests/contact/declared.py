@@ -40,8 +40,9 @@ def block() -> Body:
     return Body("block", MASS.symbol, placed((0, HEIGHT.symbol)), INERTIA.symbol, THETA.position)
 
 
-def on_points(name: str, points: dict[str, tuple], *more, elements=()) -> Model:
-    """A block on points of any place on it, by name."""
+def on_points(name: str, points: dict[str, tuple], *more, elements=(), laws=None) -> Model:
+    """A block on points of any place on it, by name; laws : of those with one of their own."""
+    laws = laws or {}
     found = (placed(point) for point in points.values())
     return Model(
         name=name,
@@ -52,7 +53,7 @@ def on_points(name: str, points: dict[str, tuple], *more, elements=()) -> Model:
         gravity=GRAVITY.symbol,
         rotation=THETA,
         contacts=tuple(
-            Contact(of, gap=place[1], slip=place[0], law=LAW)
+            Contact(of, gap=place[1], slip=place[0], law=laws.get(of, LAW))
             for of, place in zip(points, found, strict=True)
         ),
         elements=elements,
@@ -62,11 +63,12 @@ def on_points(name: str, points: dict[str, tuple], *more, elements=()) -> Model:
 
 @cache
 def unequal_feet() -> Model:
-    """Feet of different distances and heights: standing on both, it leans."""
+    """Feet of different distances, heights and frictions: standing on both, it leans."""
     left, right = (parameter(f"b_{i}", f"{i}_width", "m", "distance") for i in ("left", "right"))
     leg = parameter("d", "leg", "m", "length of the right foot's leg")
     places = {"left": (-left.symbol, 0), "right": (right.symbol, -leg.symbol)}
-    return on_points("unequal_feet", places, left, right, leg)
+    rough = Rigid(restitution=RESTITUTION.symbol / 2, friction=2 * FRICTION.symbol)
+    return on_points("unequal_feet", places, left, right, leg, laws={"right": rough})
 
 
 @cache

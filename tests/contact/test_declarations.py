@@ -137,9 +137,20 @@ def test_three_feet_in_line_are_refused():
         _ = block(contacts=(ON_LEFT, ON_RIGHT, between)).modes
     # a little shorter it never touches with both of the others
     shorter = point("middle", 0, WIDTH / 10)
-    names = block(contacts=(ON_LEFT, ON_RIGHT, shorter)).modes.names
-    assert {"left_right", "left_middle", "middle", "flight"} <= {*names} | {"left_right"}
-    assert not any(all(x in name for x in ("left_", "right_", "middle")) for name in names)
+    closed = {
+        tuple(map(bool, s.points))
+        for s in block(contacts=(ON_LEFT, ON_RIGHT, shorter)).modes.states
+    }
+    assert {(True, True, False), (True, False, True), (False, False, True)} <= closed
+    assert (True, True, True) not in closed
+
+
+def test_names_that_make_one_another_s_are_refused():
+    points = (point("a", -WIDTH, 0), point("b", WIDTH, 0), point("a_b", 0, WIDTH / 10))
+    with pytest.raises(ValueError, match="two contact states would be called 'a_b'"):
+        _ = block(contacts=points).modes
+    with pytest.raises(ValueError, match="two contact states would be called 'flight'"):
+        _ = block(contacts=(replace(ON_LEFT, name="flight"), ON_RIGHT)).modes
 
 
 def test_a_point_between_two_walls_is_refused():

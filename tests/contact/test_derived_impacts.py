@@ -68,3 +68,30 @@ def test_no_impulse_without_an_impact():
     found = landing("right", about)
     assert {sp.simplify(e.subs(SIDE, 1)) for e in found.normal.values()} == {0}
     assert simple(found.motion[THETA] - W) == 0
+
+
+# --- two blocks on one another
+
+STACK = rk.derive("stacked_blocks")
+OF = {p.name: p.symbol for p in STACK.parameters}
+RATE = {c.name: c.velocity for c in STACK.coordinates}
+BELOW, LOW = OF["lower_half_width"], OF["lower_half_height"]
+UPPER = {
+    OF["upper_half_width"]: RADIUS * S,
+    OF["upper_half_height"]: RADIUS * C,
+    OF["upper_inertia"]: OF["upper_mass"] * RADIUS**2 / 3,
+    SIDE: 1,
+}
+
+
+def test_an_upper_corner_that_lands_lifts_the_lower_block_s_far_foot_if_that_is_near():
+    """If and only if b_1 - b_2 < 6 s c h_1/(4 - 3 s^2): the ground would have to pull it."""
+    across = {x.position: 0 for x in STACK.coordinates if x.name == "xi"}
+    falling = {RATE["phi"]: W, RATE["eta"]: -OF["upper_half_width"] * W}
+    found = STACK.mode("both_upper_right").landing(falling, STACK.modes.standing | across)
+    left = sp.fraction(sp.together(found.normal[0].subs(UPPER)))[0]
+    bound = RADIUS * S + 6 * S * C * LOW / (4 - 3 * S**2)
+    (border,) = sp.solve(left, BELOW)
+    assert sp.simplify(sp.trigsimp(border - bound)) == 0
+    far = left.subs(BELOW, bound + 1).subs({ALPHA: 0.3, RADIUS: 1, LOW: 1, W: 1, E: 0})
+    assert far.subs(OF["upper_mass"], 1) > 0
