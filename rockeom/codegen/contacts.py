@@ -6,7 +6,7 @@ of each element as numbers. Which one moves in a contact state stands in tables.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -117,8 +117,6 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     }
     _momentum(text)
     _statics(written)
-    if not text.model.contacts:
-        _jump(text)
     return columns
 
 
@@ -544,19 +542,6 @@ def _momentum(text: Text) -> None:
         "momentum(contact, y, p, out)",
         "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
         _every(text, "momentum", {f"out[{i}]": e for i, e in enumerate(total)}),
-    )
-
-
-def _jump(text: Text) -> None:
-    """Where nothing lands, elements switch, and the states go on unchanged."""
-    text.function(
-        "jump(contact, guard, law, ratio, y, p, out)",
-        "Pass through the switch whose guard fell: y into out (N,), the contact state returned.",
-        [
-            "    for i in range(N_STATES):",
-            "        out[i] = y[i]",
-            "    return TARGETS[contact][guard]",
-        ],
     )
 
 

@@ -25,7 +25,7 @@ Place = Callable[[np.ndarray], np.ndarray]
 def draw_structure(
     structure: Structure, *, rotation: float = 0.0, deformation: float = 0.0, ax: Axes | None = None
 ) -> Figure:
-    """The masses, the feet and the ground of a shipped structure.
+    """The masses, the feet and the ground of a structure.
 
     rotation : at which it is drawn, clockwise, about the foot on the ground [rad].
     deformation : of a flexible column, to the right [m].
@@ -40,7 +40,8 @@ def draw_structure(
     floors = [values[name] for name in _numbered("height", values)]
     if floors:
         values["height"] = floors[-1]
-    if "columns" in values:
+    columns = {"columns", "half_height"} <= set(values)
+    if columns:
         values["height"] = values["half_height"]
     if not {"half_width", "height"} <= set(values):
         raise ValueError(
@@ -50,16 +51,17 @@ def draw_structure(
         ax = style.new_figure(2.6, 3.4).add_subplot()
     b = values["half_width"]
     springs = "foundation_stiffness" in values
+    beside = {"frame_mass", "link_height"} <= set(values)
     pivot = 0.0 if springs else math.copysign(b, rotation)
     turn = Affine2D().rotate_around(pivot, 0.0, -rotation).transform
-    if "columns" in values:
+    if columns:
         _columns_and_beam(ax, values, rotation)
         return style.parent_figure(ax)
     if "tendon_stiffness" in values:
         _wall(ax, values, turn)
     elif floors:
         _storeys(ax, values, floors, turn, deformation)
-    elif "frame_mass" in values:
+    elif beside:
         _block(ax, values, turn)
         _frame_beside(ax, values, turn, deformation)
     elif "base_mass" in values or "stiffness" in values:
@@ -73,8 +75,7 @@ def draw_structure(
         if springs:  # from the sole, or from its place if it has lifted
             free_body.spring(ax, (x, min(y, 0.0)), (x, -depth), 0.36 * depth)
         ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
-    right = 4.4 * b if "frame_mass" in values else 1.9 * b
-    _on_ground(ax, -1.9 * b, right, depth, values)
+    _on_ground(ax, -1.9 * b, (4.4 if beside else 1.9) * b, depth, values)
     return style.parent_figure(ax)
 
 
@@ -125,8 +126,8 @@ def _storeys(
     ax: Axes, values: dict[str, float], floors: list[float], turn: Place, deformation: float
 ) -> None:
     """A base, columns at its edges and floors between them; the deformation is of the top floor."""
-    b, low, thick = values["half_width"], 2 * values["base_height"], 0.02 * floors[-1]
-    low = max(low, thick)
+    b, thick = values["half_width"], 0.02 * floors[-1]
+    low = max(2 * values.get("base_height", 0.0), thick)
     free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, low], [-b, low]])))
     levels = np.array([low, *floors])
     moved = deformation * (levels - low) / (levels[-1] - low)

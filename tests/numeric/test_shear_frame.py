@@ -200,6 +200,11 @@ frame = rk.ShearFrame(
     masses=[20e3] * n, heights=3.5 * np.arange(1, n + 1), stiffnesses=[60e6] * n,
     dampings=[3e5] * n, half_width=4.0, base_mass=30e3,
 )
+stiffness = 60e6 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
+stiffness[-1, -1] = 60e6
+squares = np.linalg.eigvals(stiffness / 20e3)
+found = (2 * np.pi / frame.fixed_base().periods) ** 2
+np.testing.assert_allclose(np.sort(found), np.sort(squares), rtol=2e-10)
 record = rk.GroundMotion.from_library("El Centro 1940 180")
 run = rk.simulate(frame, record, impact=rk.Impulsive())
 assert run.outcome.name == "COMPLETED" and len(run.impacts) > 10

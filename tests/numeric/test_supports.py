@@ -1,5 +1,7 @@
 """Any superstructure on any support: the limits in which one is another, and matrices by hand."""
 
+import re
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -360,3 +362,28 @@ def test_a_base_without_inertia_stands_on_pinned_feet():
     """There its mass at the edges' level turns about them."""
     bare = two_storeys(rk.Pinned(), inertias=None, base_inertia=0.0, base_height=0.0)
     assert np.isfinite(bare.accelerations({"theta": 0.01})["theta"])
+
+
+# -- what was derived, to read
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [
+        ("shear_frame", {"storeys": 2}),
+        ("flexible_structure", {"support": "sliding"}),
+        ("flexible_structure", {"support": "winkler", "springs": 3}),
+        ("lumped_mass_structure", {"support": "two_springs", "guided": "foot"}),
+    ],
+)
+def test_each_has_a_page_and_a_document(name, arguments):
+    """With every coordinate's acceleration, and every parameter by its name."""
+    model = rk.derive(name, **arguments)
+    page, document = model.markdown(), model.latex()
+    assert f"# {model.title}" in page
+    for c in model.coordinates:
+        shown = re.sub(r"_\{(\d)\}", r"_\1", sp.latex(c.acceleration))
+        assert shown in page
+        assert shown in document
+    for p in model.parameters:
+        assert f"`{p.name}`" in page

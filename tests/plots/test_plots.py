@@ -4,6 +4,7 @@ import functools
 import subprocess
 import sys
 import warnings
+from dataclasses import replace
 from itertools import pairwise
 
 import matplotlib as mpl
@@ -302,6 +303,52 @@ def test_sketch_stands_on_one_foot_and_lifts_the_other(structure, rotation):
     half_width = values.get("half_width") or values["radius"] * np.sin(values["alpha"])
     assert heights[0] == pytest.approx(0.0, abs=1e-12)
     assert heights[1] == pytest.approx(2 * half_width * np.sin(0.2))
+
+
+FRAME = rk.ShearFrame(
+    masses=[2e4, 2e4], heights=[3.0, 6.0], stiffnesses=[2e7, 2e7], dampings=[0.0, 0.0],
+    half_width=2.0, base_mass=3e4, base_height=0.3, base_inertia=1e4,
+)  # fmt: skip
+COLUMNS = rk.RockingFrame(
+    columns=3, column_mass=1e4, half_width=0.6, half_height=3.0, beam_mass=5e4
+)
+
+
+@pytest.mark.parametrize(
+    ("structure", "top"),
+    [(FRAME, "u_2"), (replace(FRAME, support=rk.Pinned()), "u_2"), (COLUMNS, None)],
+)
+@pytest.mark.parametrize("rotation", [0.1, -0.1])
+def test_sketch_puts_the_highest_mass_where_the_generated_module_has_it(structure, top, rotation):
+    bent = 0.2 if top else 0.0
+    (ax,) = draw_structure(structure, rotation=rotation, deformation=bent).axes
+    masses = [line for line in ax.lines if line.get_marker() == "o" and line.get_markersize() > 8]
+    highest = max(masses, key=lambda line: line.get_ydata()[0])
+    y = structure.state({"theta": rotation} | ({top: bent} if top else {}))
+    out = np.zeros(len(structure.module.KINEMATICS))
+    structure.module.kinematics(structure.contact(y), y, structure.vector, out)
+    moved = out[structure.module.KINEMATICS.index("displacement")]
+    assert highest.get_xdata()[0] == pytest.approx(moved, rel=1e-12)
+
+
+def test_sketch_of_a_bed_has_all_its_springs():
+    bed = replace(FRAME, support=rk.Winkler(springs=5, stiffness=1e8, damping=0.0))
+    (ax,) = draw_structure(bed).axes
+    springs = [line for line in ax.lines if len(line.get_xdata()) == 11]
+    assert len(springs) == 5
+
+
+def test_sketch_of_a_wall_and_its_frame():
+    linked = rk.WallWithFrame(
+        mass=2e4, half_width=1.0, height=4.5, inertia=1.5e5, frame_mass=5e4, frame_stiffness=3e6,
+        frame_damping=0.0, link_height=7.0, link_stiffness=5e7, link_damping=0.0,
+    )  # fmt: skip
+    places = []
+    for bent in (0.0, 0.3):
+        (ax,) = draw_structure(linked, rotation=0.05, deformation=bent).axes
+        (floor,) = (line for line in ax.lines if line.get_markersize() == 11)
+        places.append((floor.get_xdata()[0], floor.get_ydata()[0]))
+    assert places[1] == pytest.approx((places[0][0] + 0.3, 7.0))
 
 
 def test_sketch_of_an_unknown_shape():
