@@ -121,13 +121,13 @@ def _declared(model: Model) -> list[Block]:
             Display((press,)),
         ]
     if model.forces:
-        lines = tuple(
+        works = tuple(
             rf"{_force('Q', [f.name])} = {notation.write(f.value)},"
             rf"\quad {_force('w', [f.name])} = {notation.write(f.displacement)}"
             for f in model.forces
         )
         told = "Forces $Q$ that always act, each by its work $Q\\,dw$ along a displacement $w$:"
-        blocks += [told, Display(lines)]
+        blocks += [told, Display(works)]
     energies = [
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",
