@@ -200,8 +200,9 @@ def _motion_of(written: Written, number: int, mechanism: Mechanism) -> str:
     text = written.text
     name = text.function_name(f"rates_{_suffix(mechanism)}", f"rates_{number}")
     names = [text.name(a) for a in mechanism.qdd]
+    internal = {text.name(z.rate): mechanism.here(e) for z, e in text.model.rates.items()}
     rates = list(text.states[text.n :])
-    entries: dict[str, sp.Expr] = {}
+    entries: dict[str, sp.Expr] = dict(internal)
     tied: list[str] = []
     for d in mechanism.dependent:
         speed, drift = mechanism.velocity[mechanism.qd[d]], mechanism.drift[d]
@@ -228,7 +229,7 @@ def _motion_of(written: Written, number: int, mechanism: Mechanism) -> str:
     text.function(
         call,
         f"Rates of all states where {_told(mechanism)}.",
-        [*body, *solved, *tied, f"    return ({', '.join([*rates, *names])},)"],
+        [*body, *solved, *tied, f"    return ({', '.join([*rates, *names, *internal])},)"],
         "@inlined",
     )
     return call
@@ -364,13 +365,19 @@ def _jump(text: Text) -> None:
 def _free_motion(written: Written) -> None:
     text, n = written.text, written.text.n
     matrix, forces = free_motion(text.model)
-    targets = {f"matrix[{n * i + j}]": matrix[i, j] for i in range(n) for j in range(n)}
-    targets |= {f"forces[{i}]": forces[i] for i in range(n)}
+    inertia = sp.diag(matrix, *([0] * len(text.model.rates)))  # internal variables have none
+    targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
+    targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(text.model)])}
     text.function(
         "free_motion(y, p, ax, ay, contact, matrix, forces)",
         "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
         written.read_switches("    ") + text.evaluate("free_motion", targets, "    "),
     )
+
+
+def _still(model: Model) -> list[sp.Expr]:
+    """A zero for the integral of each internal variable: no force, no gap knows of it."""
+    return [sp.S.Zero] * len(model.rates)
 
 
 def _points(text: Text) -> None:
@@ -381,7 +388,11 @@ def _points(text: Text) -> None:
         gap, slip = contact.at(contact.side)
         rates = [rate(e, coordinates) for e in (gap, slip)]
         biases = [rate(e, coordinates).subs(still) for e in rates]
-        slopes = [sp.diff(e, c.position) for e in (gap, slip) for c in coordinates]
+        slopes = [
+            slope
+            for e in (gap, slip)
+            for slope in (*(sp.diff(e, c.position) for c in coordinates), *_still(text.model))
+        ]
         for j, e in enumerate([gap, *rates, *biases, *slopes]):
             targets[f"out[{size * i + j}]"] = tidy(e)
     text.function(
@@ -552,7 +563,7 @@ def _statics(written: Written) -> None:
         for j, c in enumerate(text.model.coordinates):
             press = switch_of(i) * e.stiffness * e.compression
             lacking[j] += press * sp.diff(e.compression, c.position)
-    targets = {f"out[{i}]": tidy(e) for i, e in enumerate(lacking)}
+    targets = {f"out[{i}]": tidy(e) for i, e in enumerate([*lacking, *_still(text.model)])}
     text.function(
         "statics(contact, y, p, load, out)",
         "Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,).",

@@ -52,6 +52,7 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         f"N_PARTS = {2 * len(model.elements)}",
         f"N_POINTS = {len(model.contacts)}",
         f"N_ELEMENTS = {len(model.elements)}",
+        *_internal(model),
         f"ROTATION = {text.index(model.rotation.position)}",
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
         *_column("SIDES = (", dict.fromkeys(written, "0.0")),
@@ -64,6 +65,11 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
         *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),
     ]
+
+
+def _internal(model: Model) -> list[str]:
+    """How many of the states, the last ones, have no coordinate behind them."""
+    return [f"N_INTERNAL = {len(model.rates)}"] if model.rates else []
 
 
 def _states_of_contact(modes: Modes, slips: int) -> list[str]:
@@ -150,11 +156,15 @@ def _words(
 ) -> list[str]:
     """What is called how, in which unit."""
     units = [c.unit for c in model.coordinates]
+    rates = [_rate_unit(unit) for unit in units]
+    if isinstance(model, Model):
+        units += [c.unit for c in model.integrals]
+        rates += [z.unit for z in model.rates]
     return [
         f"NAME = {string(model.name)}",
         f"CLASS = {string(class_name(model.name))}",
         *_table("STATES", model.states),
-        *_table("STATE_UNITS", units + [_rate_unit(unit) for unit in units]),
+        *_table("STATE_UNITS", units + rates),
         *_table("PARAMETERS", [p.name for p in model.parameters]),
         *_table("PARAMETER_UNITS", [p.unit for p in model.parameters]),
         *_table("PARAMETER_MEANINGS", [p.meaning for p in model.parameters]),

@@ -30,7 +30,8 @@ def contact_names(model: RockingModel | Model) -> tuple[str, ...]:
 class Text:
     """The functions of one model; every symbol is renamed to its Python name here.
 
-    model : what is written; n, its number of coordinates.
+    model : what is written; n, its number of coordinates, the integrals of internal variables
+        among them, behind the others.
     contacts, states, parameters : their Python names, contacts by the model's.
     lines : the functions so far. operations : (before, after) common subexpressions were shared,
         by function.
@@ -38,7 +39,10 @@ class Text:
 
     def __init__(self, model: RockingModel | Model) -> None:
         self.model: Any = model
-        self.n = len(model.coordinates)
+        coordinates = model.coordinates
+        if isinstance(model, Model):
+            coordinates += model.integrals
+        self.n = len(coordinates)
         given = Names()
         self.contacts = {c: given.of_contact(c) for c in contact_names(model)}
         self.states = [given.of(name) for name in model.states]
@@ -52,7 +56,7 @@ class Text:
         }
         for p, name in zip(model.parameters, self.parameters, strict=True):
             self.names[p.symbol] = sp.Symbol(name)
-        for i, c in enumerate(model.coordinates):
+        for i, c in enumerate(coordinates):
             self.names[c.position] = sp.Symbol(self.states[i])
             self.names[c.velocity] = sp.Symbol(self.states[self.n + i])
             self.names[c.acceleration] = sp.Symbol(f"{self.states[i]}_ddot")

@@ -60,8 +60,9 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
         rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
     upright = structure.state({m.STATES[m.ROTATION]: rotation})
     held = _held(structure, upright)
-    free = [i for i in range(n) if i != m.ROTATION and not np.any(held[:, i])]
-    tied = [i for i in range(n) if i != m.ROTATION and i not in free]
+    places = [i for i in range(n - getattr(m, "N_INTERNAL", 0)) if i != m.ROTATION]
+    free = [i for i in places if not np.any(held[:, i])]
+    tied = [i for i in places if i not in free]
 
     def state(unknown: np.ndarray) -> np.ndarray:
         named = {m.STATES[i]: x for i, x in zip(free, unknown, strict=True)}

@@ -5,19 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from rockeom.symbolic import evaluate, typeset
-from rockeom.symbolic.contacts import Contact, Model, Rigid, Unilateral, feet
+from rockeom.symbolic.contacts import Contact, Force, Model, Rigid, Unilateral, feet
 from rockeom.symbolic.model import (
     READERS,
     Body,
     Coordinate,
     Definition,
     Foot,
+    InternalVariable,
     Law,
     Parameter,
     Phase,
     RockingModel,
     Transition,
     coordinate,
+    internal_variable,
     parameter,
     rocking_structure,
     turned,
@@ -46,6 +48,8 @@ __all__ = [
     "Coordinate",
     "Definition",
     "Foot",
+    "Force",
+    "InternalVariable",
     "Law",
     "Model",
     "Parameter",
@@ -57,6 +61,7 @@ __all__ = [
     "coordinate",
     "derive",
     "feet",
+    "internal_variable",
     "models",
     "parameter",
     "rocking_structure",

@@ -88,20 +88,20 @@ def _quantities(model: RockingModel) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for phase in model.phases for name in phase.quantities))
 
 
-def distinct_symbols(model: RockingModel | Model) -> None:
+def distinct_symbols(model: RockingModel | Model, others: Iterable[sp.Symbol] = ()) -> None:
     """Each symbol stands for one thing."""
     from rockeom.symbolic.model import GROUND_X, GROUND_Y
     from rockeom.symbolic.statics import LOAD
 
     symbols = [p.symbol for p in model.parameters] + [d.symbol for d in model.definitions]
     symbols += [s for c in model.coordinates for s in (c.position, c.velocity, c.acceleration)]
-    symbols += [law.symbol for law in model.laws]
+    symbols += [*(law.symbol for law in model.laws), *others]
     twice = repeated(symbols)
     if twice:
         _fail(
             model,
             f"the symbol {', '.join(twice)} is declared twice, and stands for two things: "
-            "give each parameter and coordinate a symbol of its own",
+            "give each parameter, coordinate and internal variable a symbol of its own",
         )
     kept = {
         SIDE: "the side, sgn(theta)",
@@ -194,13 +194,14 @@ def _same_outputs(model: RockingModel) -> None:
 
 
 # What may stand where
-_PLACES, _RATES, _ACCELERATIONS, _SIDED, _GROUND = "qvasg"
+_PLACES, _RATES, _ACCELERATIONS, _SIDED, _GROUND, INTERNAL = "qvasgz"
 _WORDS = {
     _PLACES: "the coordinate",
     _RATES: "the velocity",
     _ACCELERATIONS: "the acceleration",
     _SIDED: "the side",
     _GROUND: "the ground's acceleration",
+    INTERNAL: "the internal variable",
 }
 
 

@@ -6,7 +6,7 @@ at names, symbols and expressions, when a model is made; `check_derived` at what
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -14,7 +14,14 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
-from rockeom.symbolic.check import RESPONSE, contents, declared_kinds, distinct_symbols, repeated
+from rockeom.symbolic.check import (
+    INTERNAL,
+    RESPONSE,
+    contents,
+    declared_kinds,
+    distinct_symbols,
+    repeated,
+)
 
 if TYPE_CHECKING:
     from rockeom.symbolic.contacts import Contact, Model
@@ -23,13 +30,15 @@ if TYPE_CHECKING:
 
 def check(model: Model) -> None:
     """Names, symbols and expressions of a declaration."""
-    from rockeom.symbolic.contacts import Contact, Unilateral
+    from rockeom.symbolic.contacts import Contact, Force, Unilateral
 
     _are(model, "bodies", _body_type())
     _are(model, "contacts", Contact)
     _are(model, "elements", Unilateral)
+    _are(model, "forces", Force)
+    _rates(model)
     _names(model)
-    distinct_symbols(model)
+    distinct_symbols(model, [x for z in model.rates for x in (z.symbol, z.rate)])
     _signs_are_kept(model)
     if model.rotation not in model.coordinates:
         _fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
@@ -39,7 +48,7 @@ def check(model: Model) -> None:
         _fail(model, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in model.contacts:
         _side(model, contact)
-    known = declared_kinds(model)
+    known = declared_kinds(model) | {z.symbol: INTERNAL for z in model.rates}
     for item, expr, kinds in _expressions(model):
         contents(model, known, item, sp.sympify(expr), kinds)
     _moves(model)
@@ -73,6 +82,24 @@ def _are(model: Model, item: str, kind: type) -> None:
             _fail(model, f"{item} holds {x!r}: give objects of {kind.__name__}")
 
 
+def _rates(model: Model) -> None:
+    """A rate for each internal variable."""
+    from rockeom.symbolic.model import Coordinate, InternalVariable
+
+    if not isinstance(model.rates, Mapping):
+        _fail(model, f"rates is {model.rates!r}: give a mapping, {{z: its rate}}")
+    for z, expr in model.rates.items():
+        if isinstance(z, Coordinate):
+            _fail(
+                model,
+                f"rates holds the coordinate {z.name!r}, whose acceleration follows from masses "
+                "and forces: declare these, or a state of its own by `internal_variable(...)`",
+            )
+        if not isinstance(z, InternalVariable):
+            _fail(model, f"rates holds {z!r}: give what `internal_variable(...)` returns")
+        valid.expressions(f"{model.name}: rates", **{f"the rate of {z.name!r}": expr})
+
+
 def _names(model: Model) -> None:
     valid.name("model", model.name)
     if not model.name.isascii():
@@ -82,6 +109,8 @@ def _names(model: Model) -> None:
         valid.name(f"{model.name}: parameter {p.symbol}", p.name)
     for c in model.coordinates:
         valid.name(f"{model.name}: coordinate {c.position}", c.name)
+    for z in model.rates:
+        valid.name(f"{model.name}: internal variable {z.symbol}", z.name)
     touching = [c.name for c in model.contacts] + [e.name for e in model.elements]
     for name in touching:
         valid.name(f"{model.name}: contact or element", name)
@@ -91,6 +120,7 @@ def _names(model: Model) -> None:
         [*model.states, *outputs],
         touching,
         [b.name for b in model.bodies],
+        [f.name for f in model.forces],
     ):
         if repeated(names):
             _fail(
@@ -115,6 +145,7 @@ def outputs_of(model: Model) -> tuple[str, ...]:
 def _signs_are_kept(model: Model) -> None:
     given = [p.symbol for p in model.parameters]
     given += [x for c in model.coordinates for x in (c.position, c.velocity, c.acceleration)]
+    given += [z.symbol for z in model.rates]
     for symbol in given:
         if str(symbol).startswith((r"\sigma", r"\chi_")):
             _fail(
@@ -150,7 +181,7 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
     """(item, expression, what it may contain besides constants)."""
     yield "gravity", model.gravity, ""
     yield "overturning", model.overturning, ""
-    yield "elastic energy", model.elastic_energy, "q"
+    yield "elastic energy", model.elastic_energy, "qz"
     yield "dissipation", model.dissipation, "qv"
     for b in model.bodies:
         of = f" of body {b.name!r}"
@@ -170,6 +201,11 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
         yield f"compression{of}", element.compression, "q"
         yield f"stiffness{of}", element.stiffness, ""
         yield f"damping{of}", element.damping, ""
+    for f in model.forces:
+        yield f"value of force {f.name!r}", f.value, "qvz"
+        yield f"displacement of force {f.name!r}", f.displacement, "q"
+    for z, rate in model.rates.items():
+        yield f"rate of {z.name!r}", rate, "qvz"
     for axis, e in zip("xy", model.load_point or (), strict=False):
         yield f"{axis} of the load point", e, "q"
 
@@ -198,6 +234,13 @@ def _moves(model: Model) -> None:
                 model,
                 f"the compression of element {element.name!r} is {element.compression}, which no "
                 "coordinate changes",
+            )
+    for f in model.forces:
+        if not sp.sympify(f.displacement).free_symbols & q:
+            _fail(
+                model,
+                f"the displacement of force {f.name!r} is {f.displacement}, which no coordinate "
+                "changes: the force does no work",
             )
 
 

@@ -39,7 +39,7 @@ def contact_content(model: Model) -> list[Block]:
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
     blocks += symbols_of(model, False, signs)
-    blocks += _declared(model)
+    blocks += [*_declared(model), *_internal(model)]
     blocks += [] if _is_short(model) else _free_equations(model)
     for mechanism in modes.mechanisms:
         blocks += _mechanism(model, mechanism)
@@ -120,6 +120,14 @@ def _declared(model: Model) -> list[Block]:
             f"`{element.name}` presses with this force, while it and the compression are positive:",
             Display((press,)),
         ]
+    if model.forces:
+        works = tuple(
+            rf"{_force('Q', [f.name])} = {notation.write(f.value)},"
+            rf"\quad {_force('w', [f.name])} = {notation.write(f.displacement)}"
+            for f in model.forces
+        )
+        told = "Forces $Q$ that always act, each by its work $Q\\,dw$ along a displacement $w$:"
+        blocks += [told, Display(works)]
     energies = [
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",
@@ -132,6 +140,19 @@ def _declared(model: Model) -> list[Block]:
         "Kinetic energy $T$, potential energies of gravity $V_g$ and of springs that always act "
         "$V_e$, half the power lost to their damping $D$; what is not shown is zero.",
         Display(tuple(line for line in energies if not line.endswith(" = 0"))),
+    ]
+
+
+def _internal(model: Model) -> list[Block]:
+    """The rates of internal variables, the same in each contact state."""
+    if not model.rates:
+        return []
+    notation = Notation(model.free, model)
+    lines = (f"{notation.plain(z.rate)} = {notation.write(e)}" for z, e in model.rates.items())
+    return [
+        Heading(2, "Internal variables"),
+        "States of first order, in all contact states; an impact leaves them as they are:",
+        Display(tuple(lines)),
     ]
 
 

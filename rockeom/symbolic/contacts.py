@@ -8,7 +8,7 @@ modes or of what leads from one to another.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,16 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.model import READERS, Body, Coordinate, Definition, Law, Parameter, Phase
+from rockeom.symbolic.model import (
+    READERS,
+    Body,
+    Coordinate,
+    Definition,
+    InternalVariable,
+    Law,
+    Parameter,
+    Phase,
+)
 
 if TYPE_CHECKING:
     from rockeom.symbolic.modes import Mechanism, Modes
@@ -91,6 +100,24 @@ class Unilateral:
         valid.not_negative(what, stiffness=self.stiffness, damping=self.damping)
 
 
+@dataclass(frozen=True)
+class Force:
+    """A force that always acts, along a displacement: its work is that of value * d(displacement).
+
+    value : a function of coordinates, velocities and internal variables, positive where it pushes
+        the displacement, a function of the coordinates, to grow.
+    """
+
+    name: str
+    value: sp.Expr
+    displacement: sp.Expr
+
+    def __post_init__(self) -> None:
+        what = f"force {self.name!r}"
+        valid.texts(what, name=self.name)
+        valid.expressions(what, value=self.value, displacement=self.displacement)
+
+
 def feet(
     *,
     gap: Callable[[sp.Expr], sp.Expr],
@@ -113,6 +140,11 @@ class Model:
     contacts, elements : what touches, and what carries forces.
     rotation : the coordinate that overturns, positive clockwise, at `overturning`.
     elastic_energy, dissipation : of springs and dampers that always act.
+    forces : others that always act, each by its work along a displacement.
+    rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
+        variables. These may stand in forces and in the elastic energy, whose slope by a coordinate
+        is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
+        Beside z a response tells of its integral over time, `z_integral`, which acts on nothing.
     load_point : place of a pushover's force, whose displacement a response tells.
 
     Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
@@ -129,6 +161,8 @@ class Model:
     elements: tuple[Unilateral, ...] = ()
     elastic_energy: sp.Expr = sp.S.Zero
     dissipation: sp.Expr = sp.S.Zero
+    forces: tuple[Force, ...] = ()
+    rates: Mapping[InternalVariable, sp.Expr] = field(default_factory=dict, hash=False)
     overturning: sp.Expr = sp.pi / 2
     load_point: tuple[sp.Expr, sp.Expr] | None = None
     reference: str = ""
@@ -136,7 +170,7 @@ class Model:
     def __post_init__(self) -> None:
         from rockeom.symbolic.check_contacts import check
 
-        for name in ("parameters", "coordinates", "bodies", "contacts", "elements"):
+        for name in ("parameters", "coordinates", "bodies", "contacts", "elements", "forces"):
             object.__setattr__(self, name, tuple(getattr(self, name)))
         check(self)
 
@@ -151,7 +185,30 @@ class Model:
             self.elastic_energy,
             self.dissipation,
             load_point=self.load_point,
+            forces=self._generalised_forces,
         )
+
+    @property
+    def _generalised_forces(self) -> tuple[sp.Expr, ...]:
+        """That on each coordinate, by virtual work."""
+        return tuple(
+            sum((f.value * sp.diff(f.displacement, c.position) for f in self.forces), sp.S.Zero)
+            for c in self.coordinates
+        )
+
+    @cached_property
+    def integrals(self) -> tuple[Coordinate, ...]:
+        """Of each internal variable: its integral, as whose velocity it is integrated.
+
+        So all states are places and velocities, and the integrator knows no others.
+        """
+        return tuple(
+            Coordinate(
+                sp.Dummy(real=True), z.symbol, z.rate, f"{z.name}_integral",
+                "s" if z.unit == "-" else f"{z.unit} s", f"integral over time of {z.name}",
+            )
+            for z in self.rates
+        )  # fmt: skip
 
     @cached_property
     def modes(self) -> Modes:
@@ -175,7 +232,8 @@ class Model:
     @property
     def states(self) -> tuple[str, ...]:
         names = [c.name for c in self.coordinates]
-        return (*names, *(f"{n}_dot" for n in names))
+        integrals = [c.name for c in self.integrals]
+        return (*names, *integrals, *(f"{n}_dot" for n in names), *(z.name for z in self.rates))
 
     def check_derived(self) -> None:
         """Raise ValueError where what follows from the declaration cannot be simulated."""

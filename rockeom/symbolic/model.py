@@ -100,6 +100,29 @@ class Coordinate:
 
 
 @dataclass(frozen=True)
+class InternalVariable:
+    """A state of first order, with no coordinate behind it: its rate is a function of the states.
+
+    Such as the force of a Maxwell element, or the place between its spring and its damper.
+    """
+
+    symbol: sp.Symbol
+    name: str
+    unit: str
+    meaning: str
+
+    def __post_init__(self) -> None:
+        what = f"internal variable {self.name!r}"
+        valid.symbols(what, symbol=self.symbol)
+        valid.texts(what, unit=self.unit, meaning=self.meaning)
+
+    @property
+    def rate(self) -> sp.Symbol:
+        """The symbol of its rate."""
+        return sp.Symbol(rf"\dot{{{_tex(str(self.symbol))}}}", real=True)
+
+
+@dataclass(frozen=True)
 class Body:
     """A rigid body: `mass` at `position` (x, y), with rotary `inertia` about its centroid.
 
@@ -386,6 +409,11 @@ def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
         unit,
         meaning,
     )
+
+
+def internal_variable(symbol: str, name: str, unit: str, meaning: str) -> InternalVariable:
+    """An internal variable, of either sign."""
+    return InternalVariable(sp.Symbol(symbol, real=True), name, unit, meaning)
 
 
 def parameter(symbol: str, name: str, unit: str, meaning: str) -> Parameter:

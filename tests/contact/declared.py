@@ -9,13 +9,17 @@ import sympy as sp
 from rockeom.symbolic import (
     Body,
     Contact,
+    Force,
     Model,
     Rigid,
     Unilateral,
     coordinate,
+    feet,
+    internal_variable,
     parameter,
     turned,
 )
+from rockeom.symbolic.lagrange import rate
 
 X = coordinate("x", "x", "m", "place of the base's centre")
 Y = coordinate("y", "y", "m", "height of the base's centre")
@@ -139,4 +143,36 @@ def two_springs() -> Model:
             for name, s in (("left", -1), ("right", 1))
         ),
         load_point=body.position,
+    )
+
+
+@cache
+def braced_block() -> Model:
+    """A block that slides, bounces and flies, held to a wall by a Maxwell element at some height.
+
+    The element's force is an internal variable: a spring and a damper in a row.
+    """
+    b = parameter("b", "half_width", "m", "half of the width of the base")
+    k = parameter("k", "stiffness", "N/m", "stiffness of the element's spring")
+    tau = parameter("tau", "relaxation", "s", "damping over stiffness of the element")
+    at = parameter("a", "attached", "m", "height of the element above the base")
+    force = internal_variable("z", "pull", "N", "force of the element, positive in tension")
+    elongation = placed((0, at.symbol))[0]
+    coordinates = (X, Y, THETA)
+    return Model(
+        name="braced_block",
+        title="A block that a Maxwell element holds to a wall",
+        parameters=(*BLOCK, b, k, tau, at),
+        coordinates=coordinates,
+        bodies=(block(),),
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        contacts=feet(
+            gap=lambda s: placed((s * b.symbol, 0))[1],
+            slip=lambda s: placed((s * b.symbol, 0))[0],
+            law=LAW,
+        ),
+        forces=(Force("element", -force.symbol, elongation),),
+        rates={force: k.symbol * rate(elongation, coordinates) - force.symbol / tau.symbol},
+        load_point=block().position,
     )
