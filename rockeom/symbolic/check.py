@@ -537,7 +537,8 @@ def _one_ratio(model: RockingModel, sample: Sample) -> None:
                 model,
                 f"the ratio of the rates of rotation differs between {_called(first)} and "
                 f"{_called(t)}: the feet are not equally far from the masses, which is not "
-                "modelled; make both sides alike, or give `rigid_velocity_ratio`",
+                "modelled; make both sides alike, or give `rigid_velocity_ratio`, or declare a "
+                "Model whose feet have the law Rigid(restitution=0, friction=None)",
             )
 
 
@@ -716,6 +717,7 @@ def check_turning(name: str, rocking: Phase, rotation: Coordinate) -> None:
         return at_side(sp.sympify(expr).subs(upright_at), 1)
 
     left, right = (rocking.feet[foot].position for foot in ("left", "right"))
+    # what the left foot rises by, as a part of their distance
     turns = sp.cancel(upright(sp.diff(left[1], turn)) / upright(right[0] - left[0]))
     if turns.is_negative:
         raise ValueError(
@@ -729,8 +731,9 @@ def check_turning(name: str, rocking: Phase, rotation: Coordinate) -> None:
         if sp.simplify(vx - y * turns) == 0 and sp.simplify(vy + (x - pivot) * turns) == 0:
             return
     raise ValueError(
-        f"{name}: no body turns about the edges with {turn}: put the rotation first in "
-        "`coordinates`, and place bodies by `turned(point, pivot, rotation)`"
+        f"{name}: no body turns about the edges with {turn}, the first of `coordinates` or the "
+        "`rotation` of a Model: put the rotation first, or name it, and place bodies and feet by "
+        "`turned(point, pivot, rotation)`"
     )
 
 

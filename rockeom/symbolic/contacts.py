@@ -8,7 +8,7 @@ modes or of what leads from one to another.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,16 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.model import READERS, Body, Coordinate, Definition, Law, Parameter, Phase
+from rockeom.symbolic.model import (
+    READERS,
+    Body,
+    Coordinate,
+    Definition,
+    Law,
+    Parameter,
+    Phase,
+    RockingModel,
+)
 
 if TYPE_CHECKING:
     from rockeom.symbolic.modes import Mechanism, Modes
@@ -45,6 +54,19 @@ class Rigid:
 
 
 @dataclass(frozen=True)
+class Pinned(Rigid):
+    """The law of a pair of feet that open, and neither slip nor bounce, whatever happens.
+
+    A model on them is a rocking structure: the place of its base is no state, contact states are
+    "left", "both" and "right", and laws of impact are those by a ratio of rates, such as
+    `AngularMomentum`. See `Model.reduced`.
+    """
+
+    restitution: sp.Expr = field(default=sp.S.Zero, init=False, repr=False)
+    friction: sp.Expr | None = field(default=None, init=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Contact:
     """A point that may touch.
 
@@ -63,7 +85,10 @@ class Contact:
         valid.texts(what, name=self.name)
         valid.expressions(what, gap=self.gap, slip=self.slip)
         if not isinstance(self.law, Rigid):
-            raise ValueError(f"{what}: its law is {self.law!r}: give Rigid(restitution, friction)")
+            raise ValueError(
+                f"{what}: its law is {self.law!r}: give Rigid(restitution, friction) or Pinned(), "
+                "both of rockeom.symbolic"
+            )
 
     def at(self, side: sp.Expr | int) -> tuple[sp.Expr, sp.Expr]:
         """(gap, slip), the side put in."""
@@ -115,6 +140,8 @@ class Model:
     elastic_energy, dissipation : of springs and dampers that always act.
     load_point : place of a pushover's force, whose displacement a response tells.
 
+    On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.
+
     Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
 
@@ -139,6 +166,20 @@ class Model:
         for name in ("parameters", "coordinates", "bodies", "contacts", "elements"):
             object.__setattr__(self, name, tuple(getattr(self, name)))
         check(self)
+        _ = self.reduced
+
+    @cached_property
+    def reduced(self) -> Model | RockingModel:
+        """What is generated and simulated: the model itself, or with pinned feet what is left.
+
+        That is a RockingModel, whose coordinates are those that a pinned foot leaves free. It tells
+        of its own equations, such as `model.reduced.equations("right")`.
+        """
+        if not any(isinstance(c.law, Pinned) for c in self.contacts):
+            return self
+        from rockeom.symbolic.pinned import reduced
+
+        return reduced(self)
 
     @cached_property
     def free(self) -> Phase:
@@ -181,21 +222,24 @@ class Model:
         """Raise ValueError where what follows from the declaration cannot be simulated."""
         from rockeom.symbolic.check_contacts import check_derived
 
-        check_derived(self)
+        if isinstance(self.reduced, RockingModel):
+            self.reduced.check_derived()
+        else:
+            check_derived(self)
 
     def check_values(self, values: Mapping[str, float]) -> None:
         """Raise ValueError where these parameters, by name, give a body or a base no size."""
         from rockeom.symbolic.check import check_values
 
-        check_values(self, values)
+        check_values(self.reduced, values)
 
     def latex(self, form: str = "width") -> str:
-        """A LaTeX document of the whole model; it has one form."""
-        return READERS["latex"](self, form)
+        """A LaTeX document of the whole model; in two forms where feet are pinned."""
+        return READERS["latex"](self.reduced, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        return READERS["markdown"](self)
+        return READERS["markdown"](self.reduced)
 
     # what is asked of a model whichever way it was declared
 

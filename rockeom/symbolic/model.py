@@ -261,6 +261,11 @@ class RockingModel:
         check(self)
 
     @property
+    def reduced(self) -> RockingModel:
+        """Itself: what a `Model` on pinned feet becomes."""
+        return self
+
+    @property
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
         """Derived constants, each in terms of the parameters."""
         return {d.symbol: d.value for d in self.definitions}
