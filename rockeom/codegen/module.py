@@ -54,6 +54,7 @@ def module_text(model: RockingModel | Model) -> str:
 
     Raises ValueError where what follows from the declaration cannot be simulated.
     """
+    model = model.reduced
     model.check_derived()
     text = Text(model)
     if isinstance(model, Model):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rockeom.symbolic import evaluate, typeset
-from rockeom.symbolic.contacts import Contact, Force, Model, Rigid, Unilateral, feet
+from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, Unilateral, feet
 from rockeom.symbolic.model import (
     READERS,
     Body,
@@ -54,6 +54,7 @@ __all__ = [
     "Model",
     "Parameter",
     "Phase",
+    "Pinned",
     "Rigid",
     "RockingModel",
     "Transition",

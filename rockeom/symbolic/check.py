@@ -20,7 +20,7 @@ from rockeom.symbolic.algebra import SIDE, at_side
 
 if TYPE_CHECKING:
     from rockeom.symbolic.contacts import Contact, Model, Unilateral
-    from rockeom.symbolic.model import Body, Phase, RockingModel, Transition
+    from rockeom.symbolic.model import Coordinate, Phase, RockingModel, Transition
 
 KINDS = ("impact", "uplift", "switch")
 
@@ -538,7 +538,8 @@ def _one_ratio(model: RockingModel, sample: Sample) -> None:
                 model,
                 f"the ratio of the rates of rotation differs between {_called(first)} and "
                 f"{_called(t)}: the feet are not equally far from the masses, which is not "
-                "modelled; make both sides alike, or give `rigid_velocity_ratio`",
+                "modelled; make both sides alike, or give `rigid_velocity_ratio`, or declare a "
+                "Model whose feet have the law Rigid(restitution=0, friction=None)",
             )
 
 
@@ -705,24 +706,35 @@ def sizes(model: RockingModel | Model) -> tuple[Size, ...]:
 # --- a structure that rocks about the edges of its base
 
 
-def check_turning(
-    name: str, bodies: tuple[Body, ...], held: Mapping[sp.Symbol, Any],
-    rotation: sp.Symbol, angle: sp.Expr, half_width: sp.Expr,
-) -> None:  # fmt: skip
-    """At least one body turns clockwise about the right edge with the first coordinate."""
+def check_turning(name: str, rocking: Phase, rotation: Coordinate) -> None:
+    """The feet turn clockwise about the right one as the rotation grows, and a body with them.
+
+    Raises ValueError where they do not.
+    """
+    turn = rotation.position
+    upright_at = {c.position: 0 for c in rocking.coordinates}
 
     def upright(expr: Any) -> sp.Expr:
-        return at_side(sp.sympify(expr).subs(held), 1)
+        return at_side(sp.sympify(expr).subs(upright_at), 1)
 
-    turns = upright(sp.diff(angle, rotation))
-    for b in bodies:
+    left, right = (rocking.feet[foot].position for foot in ("left", "right"))
+    # what the left foot rises by, as a part of their distance
+    turns = sp.cancel(upright(sp.diff(left[1], turn)) / upright(right[0] - left[0]))
+    if turns.is_negative:
+        raise ValueError(
+            f"{name}: as {turn} grows from zero the structure turns counterclockwise, and its left "
+            "foot into the ground: give the rotation its other sign"
+        )
+    pivot = upright(right[0])
+    for b in () if turns == 0 else rocking.bodies:
         x, y = (upright(e) for e in b.position)
-        vx, vy = (upright(sp.diff(e, rotation)) for e in b.position)
-        if sp.simplify(vx - y * turns) == 0 and sp.simplify(vy + (x - half_width) * turns) == 0:
+        vx, vy = (upright(sp.diff(e, turn)) for e in b.position)
+        if sp.simplify(vx - y * turns) == 0 and sp.simplify(vy + (x - pivot) * turns) == 0:
             return
     raise ValueError(
-        f"{name}: no body turns about the edges with {rotation}, the first of `coordinates`: put "
-        "the rotation first, and place bodies by `turned(point, pivot, rotation)`"
+        f"{name}: no body turns about the edges with {turn}, the first of `coordinates` or the "
+        "`rotation` of a Model: put the rotation first, or name it, and place bodies and feet by "
+        "`turned(point, pivot, rotation)`"
     )
 
 

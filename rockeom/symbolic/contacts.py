@@ -25,6 +25,7 @@ from rockeom.symbolic.model import (
     Law,
     Parameter,
     Phase,
+    RockingModel,
 )
 
 if TYPE_CHECKING:
@@ -54,6 +55,19 @@ class Rigid:
 
 
 @dataclass(frozen=True)
+class Pinned(Rigid):
+    """The law of a pair of feet that open, and neither slip nor bounce, whatever happens.
+
+    A model on them is a rocking structure: the place of its base is no state, contact states are
+    "left", "both" and "right", and laws of impact are those by a ratio of rates, such as
+    `AngularMomentum`. See `Model.reduced`.
+    """
+
+    restitution: sp.Expr = field(default=sp.S.Zero, init=False, repr=False)
+    friction: sp.Expr | None = field(default=None, init=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Contact:
     """A point that may touch.
 
@@ -72,7 +86,10 @@ class Contact:
         valid.texts(what, name=self.name)
         valid.expressions(what, gap=self.gap, slip=self.slip)
         if not isinstance(self.law, Rigid):
-            raise ValueError(f"{what}: its law is {self.law!r}: give Rigid(restitution, friction)")
+            raise ValueError(
+                f"{what}: its law is {self.law!r}: give Rigid(restitution, friction) or Pinned(), "
+                "both of rockeom.symbolic"
+            )
 
     def at(self, side: sp.Expr | int) -> tuple[sp.Expr, sp.Expr]:
         """(gap, slip), the side put in."""
@@ -147,6 +164,8 @@ class Model:
         Beside z a response tells of its integral over time, `z_integral`, which acts on nothing.
     load_point : place of a pushover's force, whose displacement a response tells.
 
+    On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.
+
     Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
 
@@ -173,6 +192,20 @@ class Model:
         for name in ("parameters", "coordinates", "bodies", "contacts", "elements", "forces"):
             object.__setattr__(self, name, tuple(getattr(self, name)))
         check(self)
+        _ = self.reduced
+
+    @cached_property
+    def reduced(self) -> Model | RockingModel:
+        """What is generated and simulated: the model itself, or with pinned feet what is left.
+
+        That is a RockingModel, whose coordinates are those that a pinned foot leaves free. It tells
+        of its own equations, such as `model.reduced.equations("right")`.
+        """
+        if not any(isinstance(c.law, Pinned) for c in self.contacts):
+            return self
+        from rockeom.symbolic.pinned import reduced
+
+        return reduced(self)
 
     @cached_property
     def free(self) -> Phase:
@@ -239,21 +272,24 @@ class Model:
         """Raise ValueError where what follows from the declaration cannot be simulated."""
         from rockeom.symbolic.check_contacts import check_derived
 
-        check_derived(self)
+        if isinstance(self.reduced, RockingModel):
+            self.reduced.check_derived()
+        else:
+            check_derived(self)
 
     def check_values(self, values: Mapping[str, float]) -> None:
         """Raise ValueError where these parameters, by name, give a body or a base no size."""
         from rockeom.symbolic.check import check_values
 
-        check_values(self, values)
+        check_values(self.reduced, values)
 
     def latex(self, form: str = "width") -> str:
-        """A LaTeX document of the whole model; it has one form."""
-        return READERS["latex"](self, form)
+        """A LaTeX document of the whole model; in two forms where feet are pinned."""
+        return READERS["latex"](self.reduced, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        return READERS["markdown"](self)
+        return READERS["markdown"](self.reduced)
 
     # what is asked of a model whichever way it was declared
 

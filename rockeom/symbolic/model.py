@@ -284,6 +284,11 @@ class RockingModel:
         check(self)
 
     @property
+    def reduced(self) -> RockingModel:
+        """Itself: what a `Model` on pinned feet becomes."""
+        return self
+
+    @property
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
         """Derived constants, each in terms of the parameters."""
         return {d.symbol: d.value for d in self.definitions}
@@ -458,12 +463,10 @@ def rocking_structure(
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
     same structure with the rotation held at zero. `beside_feet` is as in `Phase`.
     """
-    from rockeom.symbolic.check import check_turning
-
     coordinates = tuple(coordinates)
     if not coordinates:
         raise ValueError(f"{name}: it has no coordinates: declare the rotation, first")
-    rotation, *others = coordinates
+    rotation = coordinates[0]
     angle = rotation.position if rotation_angle is None else rotation_angle
     valid.expressions(
         str(name), half_width=half_width, gravity=gravity, rotation_angle=angle,
@@ -476,9 +479,68 @@ def rocking_structure(
     turning = tuple(bodies(pivot))
     if not turning:
         raise ValueError(f"{name}: it has no bodies: declare the masses")
-    check_turning(
-        name, turning, {c.position: 0 for c in coordinates}, rotation.position, angle, half_width
+    load = turning[0].name if load_on is None else load_on
+    valid.known(str(name), "load_on", load, [b.name for b in turning])
+    edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
+    return on_pinned_feet(
+        Phase(
+            dict(SIDES),
+            coordinates,
+            turning,
+            gravity,
+            sp.sympify(elastic_energy),
+            sp.sympify(dissipation),
+            {k: Foot(turned(edge, pivot, angle)) for k, edge in edges.items()},
+            next(b.position for b in turning if b.name == load),
+            small,
+            beside_feet=beside_feet,
+        ),
+        rotation,
+        name=name,
+        title=title,
+        parameters=tuple(parameters),
+        overturning=overturning,
+        reference=reference,
     )
+
+
+SIDES = {"left": -1, "right": 1}
+"""The side of the foot about which a structure rocks, by its name."""
+
+
+def on_pinned_feet(rocking: Phase, rotation: Coordinate, **described: Any) -> RockingModel:
+    """A structure on two feet that neither slip nor bounce, by its mechanism on one of them.
+
+    rocking : about the foot of the side s; the places of both feet are in it. As it leans to the
+    side on which it stands the other foot rises, and where it comes upright both feet are on the
+    ground: that is the impact, and what holds then is the same mechanism, the rotation at zero.
+    Either foot may lift from there.
+
+    Raises ValueError where the feet do not rise and land so.
+    """
+    from rockeom.symbolic.check import check_turning
+
+    check_turning(described["name"], rocking, rotation)
+    full = _upright(rocking, rotation)
+    (both,) = full.contacts
+    opposite = dict(zip(SIDES, reversed(SIDES), strict=True))
+    return RockingModel(
+        coordinates=rocking.coordinates,
+        phases=(rocking, full),
+        transitions=(
+            *(
+                Transition(foot, opposite[foot], "impact", side * rotation.position, both)
+                for foot, side in SIDES.items()
+            ),
+            *(Transition(both, foot, "uplift") for foot in SIDES),
+        ),
+        rotation=rotation,
+        **described,
+    )
+
+
+def _upright(rocking: Phase, rotation: Coordinate) -> Phase:
+    """The mechanism on both feet: that on one of them, the rotation held at zero."""
     held = {rotation.position: 0}
 
     def hold(expr) -> sp.Expr:
@@ -487,57 +549,22 @@ def rocking_structure(
     def still(expr) -> sp.Expr:
         return sp.sympify(expr).subs({rotation.velocity: 0, **held})
 
-    standing = tuple(
-        Body(
-            b.name, b.mass, (hold(b.position[0]), hold(b.position[1])), b.inertia, hold(b.rotation)
-        )
-        for b in turning
-    )
-    edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
-    load = turning[0].name if load_on is None else load_on
-    valid.known(str(name), "load_on", load, [b.name for b in turning])
+    def point(place: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
+        return hold(place[0]), hold(place[1])
 
-    def load_point(of: tuple[Body, ...]) -> tuple[sp.Expr, sp.Expr]:
-        return next(b.position for b in of if b.name == load)
-
-    rocking = Phase(
-        {"left": -1, "right": 1},
-        coordinates,
-        turning,
-        gravity,
-        sp.sympify(elastic_energy),
-        sp.sympify(dissipation),
-        {k: Foot(turned(edge, pivot, angle)) for k, edge in edges.items()},
-        load_point(turning),
-        small,
-        beside_feet=beside_feet,
-    )
-    full = Phase(
+    load = rocking.load_point
+    return Phase(
         {"both": 0},
-        tuple(others),
-        standing,
-        gravity,
-        sp.sympify(elastic_energy).subs(held),
-        still(dissipation),
-        {k: Foot(edge) for k, edge in edges.items()},
-        load_point(standing),
-        small,
-        beside_feet=(still(beside_feet[0]), still(beside_feet[1])),
-    )
-    theta = rotation.position
-    return RockingModel(
-        name=name,
-        title=title,
-        parameters=tuple(parameters),
-        coordinates=coordinates,
-        phases=(rocking, full),
-        transitions=(
-            Transition("left", "right", "impact", -theta, "both"),
-            Transition("right", "left", "impact", theta, "both"),
-            Transition("both", "left", "uplift"),
-            Transition("both", "right", "uplift"),
+        tuple(c for c in rocking.coordinates if c != rotation),
+        tuple(
+            Body(b.name, b.mass, point(b.position), b.inertia, hold(b.rotation))
+            for b in rocking.bodies
         ),
-        rotation=rotation,
-        overturning=overturning,
-        reference=reference,
+        rocking.gravity,
+        rocking.elastic_energy.subs(held),
+        still(rocking.dissipation),
+        {name: Foot(point(foot.position)) for name, foot in rocking.feet.items()},
+        None if load is None else point(load),
+        rocking.small,
+        beside_feet=(still(rocking.beside_feet[0]), still(rocking.beside_feet[1])),
     )

@@ -83,4 +83,4 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
 
 @lru_cache(maxsize=None, typed=True)  # True is not 1, which a declaration would take
 def _derived(structure: Callable[..., RockingModel], **arguments: str | int) -> RockingModel:
-    return structure(**arguments)
+    return structure(**arguments).reduced
