@@ -857,7 +857,9 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         if fastest <= max(1e-7 * start, 1e-8 * whole):  # behind that are the digits of the others
             break
         if total + flight > limit:
-            # some have come to their end, others fly on
+            # where the last flights were nothing, some have come to their end and others fly on
+            if not last < 1e-6 * total:
+                return np.inf, contact
             ended = False
             for i in range(N_POINTS):
                 if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
