@@ -247,11 +247,17 @@ class Model:
     def modes(self) -> Modes:
         """The contact states and their mechanisms, derived.
 
-        Raises ValueError where statics does not tell how closed points share their forces, and
-        where there are too many contact states.
+        Raises ValueError where statics does not tell how closed points share their forces, where
+        there are too many contact states, and where feet are pinned: see `reduced`.
         """
         from rockeom.symbolic.modes import derive_modes
 
+        if isinstance(self.reduced, RockingModel):
+            raise ValueError(
+                f"{self.name}: with pinned feet its contact states are "
+                f"{', '.join(self.reduced.contacts)}: see `model.reduced`, such as "
+                '`model.reduced.equations("right")`'
+            )
         return derive_modes(self)
 
     def mode(self, name: str) -> Mechanism:
@@ -285,11 +291,11 @@ class Model:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; in two forms where feet are pinned."""
-        return READERS["latex"](self.reduced, form)
+        return READERS["latex"](self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        return READERS["markdown"](self.reduced)
+        return READERS["markdown"](self)
 
     # what is asked of a model whichever way it was declared
 

@@ -52,26 +52,17 @@ def reduced(model: Model) -> RockingModel:
     """
     _a_pair(model)
     closed = _closed(model)
-    feet = {c.name: closed.point((c.at(c.side)[1], c.at(c.side)[0])) for c in model.contacts}
+    places = {c.name: c.at(c.side) for c in model.contacts}
+    feet = {name: closed.point((slip, gap)) for name, (gap, slip) in places.items()}
     _stand(model, closed, feet)
     _follow(model, closed)
-    free = model.free
     rocking = Phase(
         dict(SIDES),
         closed.left,
-        tuple(
-            replace(
-                b,
-                mass=closed(b.mass),
-                position=closed.point(b.position),
-                inertia=closed(b.inertia),
-                rotation=closed(b.rotation),
-            )
-            for b in model.bodies
-        ),
+        tuple(replace(b, position=closed.point(b.position)) for b in model.bodies),
         model.gravity,
-        closed(free.elastic_energy),
-        closed(free.dissipation),
+        closed(model.elastic_energy),
+        closed(model.dissipation),
         {name: Foot(feet[name]) for name in SIDES},
         None if model.load_point is None else closed.point(model.load_point),
         beside_feet=_beside(model, closed),
@@ -164,8 +155,8 @@ def _stand(model: Model, closed: _Closed, feet: Mapping[str, Point]) -> None:
             "slip must be their place along the ground, which grows to the right",
         )
     for c in model.contacts:
-        where = (c.at(c.side)[1].subs(upright), sp.S.Zero)
-        for item, place, stood in zip(("slip", "gap"), feet[c.name], where, strict=True):
+        there = (c.at(c.side)[1].subs(upright), sp.S.Zero)
+        for item, place, stood in zip(("slip", "gap"), feet[c.name], there, strict=True):
             here = at_side(place, -c.side)
             others = [x for x in closed.left if x != model.rotation]
             moved = [x.name for x in others if here.has(x.position)]
@@ -203,11 +194,10 @@ def _follow(model: Model, closed: _Closed) -> None:
 
 def _beside(model: Model, closed: _Closed) -> Point:
     """Force of the ground where springs and dampers reach it, beside the feet."""
-    free = model.free
     slopes = sp.Matrix(
         1, 2,
         [
-            sp.diff(free.elastic_energy, c.position) + sp.diff(free.dissipation, c.velocity)
+            sp.diff(model.elastic_energy, c.position) + sp.diff(model.dissipation, c.velocity)
             for c in closed.coordinates
         ],
     )  # fmt: skip

@@ -103,6 +103,7 @@ def _equation_lines(
 def content(model: RockingModel | Model, form: str) -> list[Block]:
     """All that was derived of a structure."""
     _check(form)
+    model = model.reduced
     if isinstance(model, Model):
         from rockeom.symbolic.contact_page import contact_content
 

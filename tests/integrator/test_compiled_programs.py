@@ -151,7 +151,8 @@ def test_threads_that_want_one_program_compile_it_once(tmp_path, monkeypatch):
     assert (len(found), len(made)) == (1, 1)
 
 
-def test_lanes_compile_no_loop_that_is_there(monkeypatch):
+def test_lanes_compile_no_loop_that_is_there(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
     text = Path(rk.RigidBlock(half_width=0.1, half_height=0.4).module.__file__).read_text()
     module, made = load_text("with_lanes", text + "\n# known to nobody\n"), []
 
@@ -265,8 +266,8 @@ print(*sorted(imported - hashed))
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
     # the module's own text is hashed as such; marks are read where they stand, and do nothing;
-    # hooks come with the package
+    # hooks come with the package; what contact states add to a text is in the text
     assert done.stdout.split() == [
         "rockeom.generated", "rockeom.generated.rigid_block", "rockeom.hooks", "rockeom.marks",
-        "rockeom.numeric", "rockeom.numeric.store",
+        "rockeom.numeric", "rockeom.numeric.contact_states", "rockeom.numeric.store",
     ]  # fmt: skip

@@ -345,6 +345,13 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         lambda: tower(coordinates=(U, THETA)),
         ("tower", "u, the first", "rotation first"),
     ),
+    "a rotation to the other side": (
+        lambda: tower(
+            rotation_angle=-theta,
+            bodies=lambda pivot: [Body("top", m, turned((u, h), pivot, -theta))],
+        ),
+        ("tower", "theta", "counterclockwise", "its other sign"),
+    ),
     "no coordinate": (lambda: tower(coordinates=()), ("tower", "no coordinates")),
     "a rotation that is no coordinate": (
         lambda: replace(TOWER, coordinates=(U,)),
