@@ -294,4 +294,5 @@ def test_a_simulation_with_ugly_names_is_the_same():
         coordinate, dot, _ = name.partition("_dot")
         other = names.get(coordinate, coordinate) + dot
         size = np.abs(expected[name]).max()
-        np.testing.assert_allclose(found[other], expected[name], rtol=0, atol=1e-12 * size)
+        # sums are written in the order of their names, and impacts enlarge what rounding leaves
+        np.testing.assert_allclose(found[other], expected[name], rtol=0, atol=2e-11 * size)

@@ -192,7 +192,7 @@ def test_state_that_is_not_overturned_is_noticed():
     span = block().run.steps.span[:5]
     early = tampered(
         block(), span=span, contact=block().contact[:5], powers=block().run.steps.powers[:5],
-        times=np.empty(0), kinds=np.empty((0, 3), int), states=np.empty((0, 2, 2)),
+        times=np.empty(0), kinds=np.empty((0, 4), int), states=np.empty((0, 2, 2)),
         end=block().last[4], outcome=Outcome.OVERTURNED,
     )  # fmt: skip
     assert "end" in words(early)
