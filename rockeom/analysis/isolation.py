@@ -150,10 +150,13 @@ def energy_balance(run: Response) -> EnergyBalance:
     the error tells how well the motion was integrated. The damping is that of one
     column, the parameter `damping` [N s/m] on the state `u`.
 
-    Raises ValueError for a structure with other dampers, or one that knows no momentum.
+    Raises ValueError for a structure with other dampers or with internal variables, whose losses
+    are not known, or one that knows no momentum.
     """
     parameters = run.structure.parameters()
     others = [n for n, v in parameters.items() if "damping" in n and n != "damping" and v]
+    coordinates_and_rates = len(run.states) - getattr(run.program, "N_INTERNAL", 0)
+    others += run.states[coordinates_and_rates:]
     if others or not hasattr(run.program, "momentum") or len(run.program.ENERGIES) != 3:
         raise ValueError(
             f"the energy balance of {run.structure.model} is not known: it is for structures on "

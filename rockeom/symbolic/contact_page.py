@@ -126,8 +126,10 @@ def _declared(model: Model) -> list[Block]:
             rf"\quad {_force('w', [f.name])} = {notation.write(f.displacement)}"
             for f in model.forces
         )
-        told = "Forces $Q$ that always act, each by its work $Q\\,dw$ along a displacement $w$:"
-        blocks += [told, Display(works)]
+        blocks += [
+            "Forces $Q$ that always act, each along a displacement $w$:",
+            Display(works),
+        ]
     energies = [
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",

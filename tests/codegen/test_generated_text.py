@@ -12,10 +12,11 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.codegen import check_generated, write_generated
+from rockeom.codegen import check_generated, module_text, write_generated
 from rockeom.codegen.names import WORDS, Names, is_own, names_in
 from rockeom.codegen.printer import python
 from rockeom.symbolic import SHIPPED
+from tests.contact.declared import pulled_block
 
 STRUCTURES = pytest.mark.parametrize("name", rk.models())
 
@@ -78,7 +79,8 @@ def test_all_that_a_module_binds_is_kept_from_users_names(name):
 
 
 def test_no_name_is_kept_from_users_that_is_never_written():
-    written = set().union(*(names_in(text_of(name)) for name in rk.models()))
+    texts = [*map(text_of, rk.models()), module_text(pulled_block())]
+    written = set().union(*map(names_in, texts))
     x = sp.Symbol("x")
     for declared in (sp.Min(x, 1), -sp.oo):
         written |= names_in(python(declared))

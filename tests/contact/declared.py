@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import sympy as sp
@@ -146,33 +147,34 @@ def two_springs() -> Model:
     )
 
 
+K = parameter("k", "stiffness", "N/m", "stiffness of a Maxwell element's spring")
+TAU = parameter("tau", "relaxation", "s", "damping over stiffness of a Maxwell element")
+PULL = internal_variable("z", "pull", "N", "force of a Maxwell element, positive in tension")
+LIFT = block().position[1]
+
+
+def maxwell(elongation: sp.Expr) -> dict:
+    """A spring and a damper in a row, whose force is an internal variable."""
+    force = Force("element", -PULL.symbol, elongation)
+    stretched = K.symbol * rate(elongation, (X, Y, THETA))
+    return {"forces": [force], "rates": {PULL: stretched - PULL.symbol / TAU.symbol}}
+
+
+@cache
+def pulled_block() -> Model:
+    """A block on one point that a Maxwell element draws downwards."""
+    return replace(on_points("pulled_block", {"tip": (0, 0)}, K, TAU), **maxwell(LIFT))
+
+
 @cache
 def braced_block() -> Model:
-    """A block that slides, bounces and flies, held to a wall by a Maxwell element at some height.
-
-    The element's force is an internal variable: a spring and a damper in a row.
-    """
+    """A block that slides, bounces and flies, held to a wall by a Maxwell element."""
     b = parameter("b", "half_width", "m", "half of the width of the base")
-    k = parameter("k", "stiffness", "N/m", "stiffness of the element's spring")
-    tau = parameter("tau", "relaxation", "s", "damping over stiffness of the element")
     at = parameter("a", "attached", "m", "height of the element above the base")
-    force = internal_variable("z", "pull", "N", "force of the element, positive in tension")
-    elongation = placed((0, at.symbol))[0]
-    coordinates = (X, Y, THETA)
-    return Model(
-        name="braced_block",
-        title="A block that a Maxwell element holds to a wall",
-        parameters=(*BLOCK, b, k, tau, at),
-        coordinates=coordinates,
-        bodies=(block(),),
-        gravity=GRAVITY.symbol,
-        rotation=THETA,
-        contacts=feet(
-            gap=lambda s: placed((s * b.symbol, 0))[1],
-            slip=lambda s: placed((s * b.symbol, 0))[0],
-            law=LAW,
-        ),
-        forces=(Force("element", -force.symbol, elongation),),
-        rates={force: k.symbol * rate(elongation, coordinates) - force.symbol / tau.symbol},
-        load_point=block().position,
+    of = on_points("braced_block", {"middle": (0, 0)}, b, K, TAU, at)
+    on_feet = feet(
+        gap=lambda s: placed((s * b.symbol, 0))[1],
+        slip=lambda s: placed((s * b.symbol, 0))[0],
+        law=LAW,
     )
+    return replace(of, contacts=on_feet, **maxwell(placed((0, at.symbol))[0]))

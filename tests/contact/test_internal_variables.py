@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -22,8 +21,7 @@ import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.contract import OPEN, STICK
 from rockeom.numeric.program import load_text
-from rockeom.symbolic import Force, internal_variable, parameter
-from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic import Force, internal_variable
 from tests.contact import declared
 
 MASS, HEIGHT, INERTIA, GRAVITY, WIDTH = 2.0, 1.0, 0.7, 9.81, 0.3
@@ -154,6 +152,11 @@ def test_energy_goes_into_the_spring_and_the_damper_and_a_landing_asks_neither()
         assert event.after["theta_dot"] != event.before["theta_dot"]
 
 
+def test_an_energy_balance_that_knows_no_loss_of_the_element_is_refused():
+    with pytest.raises(ValueError, match=r"braced_block is not known.* and not pull"):
+        rk.analysis.energy_balance(rocking())
+
+
 def test_statics_leaves_an_internal_variable_as_it_is():
     """At no force of the element the pushover is the rigid block's."""
     turned = np.array([0.05, 0.1, 0.2])
@@ -165,29 +168,14 @@ def test_statics_leaves_an_internal_variable_as_it_is():
 
 # -- in what way it is declared ---------------------------------------------------------------
 
-K = parameter("k", "stiffness", "N/m", "stiffness of the spring")
-TAU = parameter("tau", "relaxation", "s", "damping over stiffness")
-PULL = internal_variable("z", "pull", "N", "force of the element")
+K, TAU, PULL, LIFT = declared.K, declared.TAU, declared.PULL, declared.LIFT
 PLACE = internal_variable("zeta", "place", "m", "what the damper has moved")
+COORDINATES = (declared.X, declared.Y, declared.THETA)
 
 
 def on_a_tip(**changes):
-    """A block on one point."""
-    of = declared.on_points("on_a_tip", {"tip": (0, 0)}, K, TAU)
-    return replace(of, **changes)
-
-
-LIFT, MOVING = declared.block().position[1], (declared.X, declared.Y, declared.THETA)
-
-
-@cache
-def by_force():
-    """The element's force is z, whose rate is k w' - z/tau."""
-    pull = PULL.symbol
-    return on_a_tip(
-        forces=[Force("element", -pull, LIFT)],
-        rates={PULL: K.symbol * rate(LIFT, MOVING) - pull / TAU.symbol},
-    )
+    """The block on one point, nothing but its weight acting, and what is changed."""
+    return replace(declared.pulled_block(), **({"forces": (), "rates": {}} | changes))
 
 
 def test_a_maxwell_element_is_one_by_its_force_and_by_the_place_of_its_damper():
@@ -197,9 +185,10 @@ def test_a_maxwell_element_is_one_by_its_force_and_by_the_place_of_its_damper():
         elastic_energy=K.symbol * spring**2 / 2, rates={PLACE: spring / TAU.symbol}
     )
     assert (by_energy.states[3], by_energy.states[-1]) == ("place_integral", "place")
-    force, energy = (load_text("on_a_tip", module_text(m)) for m in (by_force(), by_energy))
+    models = declared.pulled_block(), by_energy
+    force, energy = (load_text(m.name, module_text(m)) for m in models)
     assert (*energy.STATE_UNITS[3::4], *force.STATE_UNITS[3::4]) == ("m s", "m", "N s", "N")
-    rng, symbols = np.random.default_rng(5), [c.position for c in MOVING]
+    rng, symbols = np.random.default_rng(5), [c.position for c in COORDINATES]
     at = sp.lambdify([*symbols, *(p.symbol for p in by_energy.parameters)], LIFT)
     for contact in range(len(force.CONTACTS)):
         values = rng.uniform(0.5, 1.5, len(force.PARAMETERS))
@@ -223,7 +212,7 @@ def test_a_maxwell_element_is_one_by_its_force_and_by_the_place_of_its_damper():
 
 
 def test_the_page_shows_the_rate_and_the_force():
-    text = by_force().markdown()
+    text = declared.pulled_block().markdown()
     assert "| $z$ | `pull` | N |" in text
     assert r"Q_{\mathrm{element}} &= -z,\quad w_{\mathrm{element}} = h \cos\theta + y" in text
     _, _, rates = text.partition("## Internal variables")
