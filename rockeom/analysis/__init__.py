@@ -102,7 +102,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         swings,
     )
     from rockeom.analysis.foundation import (
-        TwoSprings,
+        FoundationSprings,
         circular_mat,
         rectangular_mat,
         rigid_moment,
@@ -229,6 +229,7 @@ __all__ = [
     "FemaEstimate",
     "Fit",
     "FlagRule",
+    "FoundationSprings",
     "FreeVibration",
     "GrantFactors",
     "HysteresisLoop",
@@ -263,7 +264,6 @@ __all__ = [
     "TangentDamping",
     "Tendon",
     "TendonPath",
-    "TwoSprings",
     "Velocities",
     "ViscousDamping",
     "Wall",
@@ -381,6 +381,8 @@ _HOMES = (
     "noise", "points_of_interest", "records", "slips", "windows",
 )  # fmt: skip
 
+_RENAMED = {"TwoSprings": "FoundationSprings"}
+
 
 def __getattr__(name: str) -> Any:
     """Import no more than it takes to find a name: who simulates a wall wants only `Wall`."""
@@ -391,6 +393,8 @@ def __getattr__(name: str) -> Any:
             if hasattr(home, name):
                 globals()[name] = getattr(home, name)
                 return globals()[name]
+    if name in _RENAMED:
+        raise AttributeError(f"rockeom.analysis.{name} is called {_RENAMED[name]} now")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

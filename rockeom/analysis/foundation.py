@@ -18,7 +18,7 @@ from rockeom.analysis.arguments import numbers, positive, require
 
 
 @dataclass(frozen=True)
-class TwoSprings:
+class FoundationSprings:
     """Two springs with dampers that stand for an elastic half-space under a mat; Table 2-2.
 
     vertical_stiffness K_z [N/m], vertical_damping C_z [N s/m] : of the mat on the half-space.
@@ -46,7 +46,7 @@ class TwoSprings:
 
 def circular_mat(
     radius: ArrayLike, shear_modulus: ArrayLike, poisson_ratio: ArrayLike, density: ArrayLike
-) -> TwoSprings:
+) -> FoundationSprings:
     """Springs of a circular mat on an elastic half-space; thesis Table 2-2.
 
     radius [m]; shear_modulus [Pa], poisson_ratio, density [kg/m3] of the ground; any shapes,
@@ -60,7 +60,7 @@ def circular_mat(
     )
     stiffness = 4 * modulus * radius / (1 - _poisson(where, poisson_ratio))
     damping = 0.85 * stiffness * radius * np.sqrt(density / modulus)
-    return TwoSprings(stiffness, damping, np.sqrt(2 / 3) * radius)
+    return FoundationSprings(stiffness, damping, np.sqrt(2 / 3) * radius)
 
 
 def rectangular_mat(
@@ -70,7 +70,7 @@ def rectangular_mat(
     shear_modulus: ArrayLike,
     poisson_ratio: ArrayLike,
     density: ArrayLike,
-) -> TwoSprings:
+) -> FoundationSprings:
     """Springs of a rectangular mat on an elastic half-space; thesis Table 2-2, put right.
 
     half_width [m] at right angles to the axis of rotation, half_length [m] along it;
@@ -97,7 +97,7 @@ def rectangular_mat(
     rest = 1 - _poisson(where, poisson_ratio)
     stiffness = modulus / rest * factor * np.sqrt(4 * half_width * half_length)
     damping = 13.6 * half_width * half_length / (np.pi * rest) * np.sqrt(density * modulus)
-    return TwoSprings(stiffness, damping, half_width / np.sqrt(3))
+    return FoundationSprings(stiffness, damping, half_width / np.sqrt(3))
 
 
 def _poisson(where: str, value: ArrayLike) -> np.ndarray:

