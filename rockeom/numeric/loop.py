@@ -1133,6 +1133,7 @@ def integrate(
     outcome = COMPLETED
     h = 0.0
     turn = taken + TURN
+    sampled = False  # whether the guards at the end of the step before are known
     for i in range(noises.shape[0]):
         noises[i] = -1.0
 
@@ -1163,6 +1164,7 @@ def integrate(
 
         landed = -1  # the guard that ends this contact state now
         if fresh == 1:
+            sampled = False
             if news == 1 and not rocks:
                 h = min(h_next, last - t)  # at rest the next step may be of any length
                 landed = settle(
@@ -1194,6 +1196,7 @@ def integrate(
                 h = last - t
             target = -1
             slope = more = 0.0
+            sampled = sampled and touching < 0 and not still
             corrections = overlooked = 0
             beyond = turned = hops = False
             stands = still and last - t <= h_max
@@ -1299,8 +1302,8 @@ def integrate(
                         for m in range(4):
                             tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
                             stack[2 * m], stack[2 * m + 1] = shaking(gx, tau), shaking(gy, tau)
-                        open_ = stays_within(
-                            contact, h, y, y_new, k, N_STAGES * N_STATES, p, stack, w, g, b
+                        open_ = sampled = stays_within(
+                            contact, h, y, y_new, k, N_STAGES * N_STATES, p, stack, w, g, b, sampled
                         )
                     if not open_:
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
@@ -1363,6 +1366,7 @@ def integrate(
                 cut = False
             if outcome != COMPLETED:
                 break
+            sampled = sampled and not beyond
 
             # -- fallen over: the step ends where it passed the bound
             x = NEVER
