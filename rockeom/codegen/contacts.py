@@ -27,6 +27,7 @@ from rockeom.symbolic.modes import (
     STICK,
     Arrangement,
     Mechanism,
+    Modes,
     free_motion,
     press_of,
     sign_of_slip,

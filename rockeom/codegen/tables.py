@@ -82,7 +82,7 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
         *_column("ARRANGEMENTS = (", {s.name: str(s.arrangement) for s in written}),
         *_column("MECHANISMS = (", {s.name: str(a.mechanism) for s, a in written.items()}),
         f"QUICK = ({''.join(f'({i}, {moves}), ' for i, moves in quick(modes)).rstrip()})"
-        "  # mechanisms with functions of their own, and their only coordinate that moves by itself",
+        "  # mechanisms with a step of their own, and the coordinate that the others follow",
         *_column(
             "IMAGES = (  # the side s with which its mechanism is written",
             {state.name: f"{a.side}.0" for state, a in written.items()},

@@ -48,6 +48,7 @@ if TYPE_CHECKING:  # joined before this text
         point_laws,
         points,
         rates,
+        shaking,
     )
 
 N_COORDINATES = N_STATES // 2
@@ -87,6 +88,7 @@ def is_closed(touching, i):
 # -- steps ---------------------------------------------------------------------------------------
 
 
+@inlined
 def longest_turn(y):
     """The longest step in which angles change so little that eight samples follow a gap."""
     fastest = 1e-300
@@ -95,15 +97,14 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples, sampled):
+def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled):
     """Whether all guards of a contact state stay far from zero in a step.
 
     They are straight lines, all but a fiftieth, through three samples on the quintics through both
     ends, and above half of their size; or parabolas, all but a tenth, through four samples, and
     above a quarter. k : the rates at the start, and from `end` on those at the end.
-    ground (8,) : its accelerations at the samples: the start, the middle, three quarters, the end.
-    samples (4 * guards,) : those of each guard; sampled : whether they are of the step before, whose
-    last are the first of this one.
+    gx, gy : laws of the ground. samples (4 * guards,) : those of each guard. sampled : whether they are those of the step before,
+    whose last are the first of this one.
     """
     for i in range(GUARDS[contact] if sampled else 0):
         samples[4 * i] = samples[4 * i + 3]
@@ -114,7 +115,8 @@ def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples, sampled
         else:
             for i in range(N_STATES):
                 w[i] = y[i] if m == 0 else y_new[i]
-        guards(contact, w, p, ground[2 * m], ground[2 * m + 1], g)
+        tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
+        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
         for i in range(GUARDS[contact]):
             samples[4 * i + m] = g[i]
         if turn == 2 and are_straight(GUARDS[contact], samples):
@@ -133,6 +135,14 @@ def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples, sampled
         if abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) > 0.1 * least:
             return False
     return True
+
+
+def end_closed(contact, samples):
+    """Whether a guard is closed at the end of a step, by the samples of `stays_within`."""
+    closed = False
+    for i in range(GUARDS[contact]):
+        closed = closed or samples[4 * i + 3] < 0.0
+    return closed
 
 
 def are_straight(size, samples):
