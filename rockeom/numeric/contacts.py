@@ -97,12 +97,12 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled):
+def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled, touching):
     """Whether all guards of a contact state stay far from zero in a step.
 
     They are straight lines, all but a fiftieth, through three samples on the quintics through both
     ends, and above half of their size; or parabolas, all but a tenth, through four samples, and
-    above a quarter. k : the rates at the start, and from `end` on those at the end.
+    above a quarter. Those that are closed at the start, see `is_closed`, open as clearly. k : the rates at the start, and from `end` on those at the end.
     gx, gy : laws of the ground. samples (4 * guards,) : those of each guard. sampled : whether they are those of the step before,
     whose last are the first of this one.
     """
@@ -119,7 +119,7 @@ def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, samp
         guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
         for i in range(GUARDS[contact]):
             samples[4 * i + m] = g[i]
-        if turn == 2 and are_straight(GUARDS[contact], samples):
+        if turn == 2 and touching < 0 and are_straight(GUARDS[contact], samples):
             return True
     for i in range(GUARDS[contact]):
         first, middle, later, last = (
@@ -128,11 +128,14 @@ def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, samp
             samples[4 * i + 2],
             samples[4 * i + 3],
         )
+        opens = is_closed(touching, i)
+        first = 0.0 if opens else first
         bend = 2.0 * middle - 0.5 * (first + last)
-        least = min(first, min(bend, last))
+        least = min(bend, last) if opens else min(first, min(bend, last))
         if not least > 0.25 * max(first, max(abs(bend), last)):
             return False
-        if abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) > 0.1 * least:
+        most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
+        if not abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least:
             return False
     return True
 
@@ -399,48 +402,43 @@ def may_follow(candidate, contact, near, sliding):
     return True
 
 
-def impulses_of(candidate, arriving, laws, coupling, fractions, impulse):
+def impulses_of(candidate, wanted, laws, coupling, fractions, impulse):
     """The impulses with which points come to be as a contact state says, into impulse (ROWS,).
 
-    arriving (ROWS,) : velocities before. fractions (N_POINTS,) : where sticking points share their
+    wanted (ROWS,) : changes of the velocities where points are closed. fractions (N_POINTS,) : where sticking points share their
     friction, the part of the normal impulse that it is; not a number where it is to be found.
     """
     a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
-    ties = np.empty(N_POINTS)  # friction in parts of the normal impulse
+    ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
     order = 0
     for i in range(N_POINTS):
         state, normal = POINT_STATES[candidate][i], 2 * i
-        impulse[normal] = impulse[normal + 1] = ties[i] = 0.0
+        impulse[normal] = impulse[normal + 1] = 0.0
         if state == OPEN:
             continue
-        unknown[order] = normal
+        unknown[order], ties[order] = normal, 0.0
         order += 1
         if state != STICK:
-            ties[i] = -laws[normal + 1] * SIGN_OF[state]
+            ties[order - 1] = -laws[normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
-            ties[i] = fractions[i]
+            ties[order - 1] = fractions[i]
         elif SHARED[candidate][i] == i:
-            unknown[order] = normal + 1
+            unknown[order], ties[order] = normal + 1, 0.0
             order += 1
     width = order + 1
     for m in range(order):
-        r = unknown[m]
-        point = int(r * 0.5)
+        row = unknown[m] * ROWS
         for s in range(order):
-            other = int(unknown[s] * 0.5)
-            value = coupling[r * ROWS + unknown[s]]
-            if unknown[s] == 2 * other:
-                value += ties[other] * coupling[r * ROWS + unknown[s] + 1]
+            value = coupling[row + unknown[s]]
+            if ties[s] != 0.0:
+                value += ties[s] * coupling[row + unknown[s] + 1]
             a[m * width + s] = value
-        a[m * width + order] = -arriving[r]
-        if r == 2 * point and arriving[r] <= 0.0:
-            a[m * width + order] -= laws[r] * arriving[r]
+        a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
     for m in range(order):
         impulse[unknown[m]] = a[m * width + order]
-    for i in range(N_POINTS):
-        if ties[i] != 0.0:
-            impulse[2 * i + 1] = ties[i] * impulse[2 * i]
+        if ties[m] != 0.0:
+            impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
 
 
 def impulses_fit(candidate, near, arriving, leaving, sizes, laws, impulse):
@@ -484,19 +482,22 @@ def collide(contact, near, y, laws, told, spread, coupling, out):
     n = N_COORDINATES
     arriving, leaving, sizes = np.empty(ROWS), np.empty(ROWS), np.empty(ROWS)
     impulse, after = np.empty(ROWS), np.empty(N_COORDINATES)
-    fractions = np.empty(N_POINTS)
+    fractions, wanted = np.empty(N_POINTS), np.empty(ROWS)
     sliding = np.zeros(N_POINTS)
     for r in range(ROWS):
         arriving[r], sizes[r] = rate_of(told, r, y, n)
+        wanted[r] = -arriving[r]
+    for i in range(N_POINTS):
+        wanted[2 * i] -= laws[2 * i] * min(arriving[2 * i], 0.0)
     found = IMPOSSIBLE
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
         for i in range(N_POINTS):
             fractions[i] = np.nan
-        impulses_of(candidate, arriving, laws, coupling, fractions, impulse)
+        impulses_of(candidate, wanted, laws, coupling, fractions, impulse)
         if share(candidate, told, impulse, fractions):
-            impulses_of(candidate, arriving, laws, coupling, fractions, impulse)
+            impulses_of(candidate, wanted, laws, coupling, fractions, impulse)
         for r in range(ROWS):
             leaving[r] = arriving[r]
             for s in range(ROWS):

@@ -1299,15 +1299,15 @@ def integrate(
                         h *= place
                         cut = False
                         continue
-                elif landed < 0 and touching < 0 and not still:
+                elif landed < 0 and (touching < 0 or N_POINTS > 0) and not still:
                     ends = False
                     if N_POINTS > 0:
                         open_ = sampled = stays_within(
                             contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
-                            sampled,
+                            sampled, touching,
                         )  # fmt: skip
                         ends = not open_ and end_closed(contact, b)
-                    if not (open_ or ends):
+                    if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
