@@ -102,9 +102,11 @@ def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, samp
 
     They are straight lines, all but a fiftieth, through three samples on the quintics through both
     ends, and above half of their size; or parabolas, all but a tenth, through four samples, and
-    above a quarter. Those that are closed at the start, see `is_closed`, open as clearly. k : the rates at the start, and from `end` on those at the end.
-    gx, gy : laws of the ground. samples (4 * guards,) : those of each guard. sampled : whether they are those of the step before,
-    whose last are the first of this one.
+    above a quarter. Those that are closed at the start, see `is_closed`, open as clearly.
+
+    k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
+    samples (4 * guards,) : those of each guard. sampled : whether they are those of the step
+    before, whose last are the first of this one.
     """
     for i in range(GUARDS[contact] if sampled else 0):
         samples[4 * i] = samples[4 * i + 3]
@@ -405,8 +407,9 @@ def may_follow(candidate, contact, near, sliding):
 def impulses_of(candidate, wanted, laws, coupling, fractions, impulse):
     """The impulses with which points come to be as a contact state says, into impulse (ROWS,).
 
-    wanted (ROWS,) : changes of the velocities where points are closed. fractions (N_POINTS,) : where sticking points share their
-    friction, the part of the normal impulse that it is; not a number where it is to be found.
+    wanted (ROWS,) : changes of the velocities where points are closed. fractions (N_POINTS,) :
+    where sticking points share their friction, the part of the normal impulse that it is; not a
+    number where it is to be found.
     """
     a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
     ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
