@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "ba7f86f4adec43c4"
+SOURCE_HASH = "25e71ad5c43ab729"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -176,7 +176,7 @@ MECHANISMS = (
     3,  # right_slides_left
     4,  # flight
 )
-QUICK = ((2, 2),)  # mechanisms with functions of their own, and their only coordinate that moves by itself
+QUICK = ((2, 2),)  # mechanisms with a step of their own, and the coordinate that the others follow
 IMAGES = (  # the side s with which its mechanism is written
     1.0,  # both
     1.0,  # both_slides_right

@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "957430c13ca3c3d7"
+SOURCE_HASH = "48bcd65d9c4173ac"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -272,7 +272,7 @@ MECHANISMS = (
     8,  # upper_right
     9,  # flight
 )
-QUICK = ((1, 5), (2, 5),)  # mechanisms with functions of their own, and their only coordinate that moves by itself
+QUICK = ((1, 5), (2, 5),)  # mechanisms with a step of their own, and the coordinate that the others follow
 IMAGES = (  # the side s with which its mechanism is written
     1.0,  # both_upper_both
     -1.0,  # both_upper_left

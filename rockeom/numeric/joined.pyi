@@ -68,11 +68,11 @@ def guard_noise(
 def longest_turn(y: Floats) -> float: ...
 def stays_within(
     contact: Int, t: Float, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
-    gx: tuple[float, ...], gy: tuple[float, ...], w: Floats, g: Floats, samples: Floats,
+    gx: Row, gy: Row, w: Floats, g: Floats, samples: Floats,
     sampled: bool, touching: Int,
 ) -> bool: ...  # fmt: skip
 def end_closed(contact: Int, samples: Floats) -> bool: ...
-def shaking(row: tuple[float, ...], t: Float) -> float: ...
+def shaking(row: Row, t: Float) -> float: ...
 def pass_on(
     contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
     later_x: Float, later_y: Float, tau: Float, out: Floats,
