@@ -217,6 +217,7 @@ def others(quick: bool) -> list[dict]:
         }
         for way in ("at once", "one by one")
     ]
+    rows.append(sliding(quick))
     if (os.cpu_count() or 1) < 2:
         rows.append({"what": "two threads", "how": "", "measured": "one core only", "goal": ""})
     else:
@@ -236,6 +237,24 @@ def others(quick: bool) -> list[dict]:
             }
         )
     return rows
+
+
+def sliding(quick: bool) -> dict:
+    """A step of the block on feet that may slip, beside one of the block on pinned feet."""
+    progress("the sliding block and the pinned one")
+    solver, motion = with_rockeom.options(1e-10), w.record()
+    cases = {"pinned": w.Case(w.BLOCK, motion), "sliding": w.Case(w.SLIDING_BLOCK, motion)}
+    measured = timing.in_turns(
+        {name: with_rockeom.loop(case, solver) for name, case in cases.items()}, 3 if quick else 7
+    )
+    steps = {name: with_rockeom.steps(case, solver) for name, case in cases.items()}
+    ratio = measured["sliding"].ratio_to(measured["pinned"]) * steps["pinned"] / steps["sliding"]
+    return {
+        "what": "a step of the sliding block against one of the pinned block",
+        "how": f"W2, friction {w.SLIDING_BLOCK.friction:g}, {steps['sliding']} steps",
+        "measured": report.times(ratio),
+        "goal": "2",
+    }
 
 
 def main() -> None:

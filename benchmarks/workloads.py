@@ -30,6 +30,7 @@ GRAVITY = 9.81
 WORKLOADS = ("W1", "W2", "W3", "W4", "W5")
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
+SLIDING_BLOCK = rk.SlidingBlock(half_width=0.095, half_height=0.45, friction=0.4, restitution=0.0)
 COLUMN = rk.FlexibleStructure(
     mass=122.6,
     height=1.05,

@@ -34,9 +34,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "7c1cd8336a323796"
+SOURCE_HASH = "25e71ad5c43ab729"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -176,6 +176,7 @@ MECHANISMS = (
     3,  # right_slides_left
     4,  # flight
 )
+QUICK = ((2, 2),)  # mechanisms with a step of their own, and the coordinate that the others follow
 IMAGES = (  # the side s with which its mechanism is written
     1.0,  # both
     1.0,  # both_slides_right
@@ -477,6 +478,14 @@ def rates_of_states(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
 def accelerations(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     found = rates_of_states(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
+    return (found[3], found[4], found[5],)
+
+
+@everywhere
+def accelerations_2(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
+    """The same where right sticks, or its mirror image."""
+    s = IMAGES[contact]
+    found = rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     return (found[3], found[4], found[5],)
 
 

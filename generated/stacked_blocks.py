@@ -37,9 +37,9 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "7e1088711ac187a6"
+SOURCE_HASH = "48bcd65d9c4173ac"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -272,6 +272,7 @@ MECHANISMS = (
     8,  # upper_right
     9,  # flight
 )
+QUICK = ((1, 5), (2, 5),)  # mechanisms with a step of their own, and the coordinate that the others follow
 IMAGES = (  # the side s with which its mechanism is written
     1.0,  # both_upper_both
     -1.0,  # both_upper_left
@@ -1289,6 +1290,22 @@ def rates_of_states(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot
 def accelerations(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
     found = rates_of_states(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
+    return (found[6], found[7], found[8], found[9], found[10], found[11],)
+
+
+@everywhere
+def accelerations_1(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
+    """The same where left sticks, right sticks, upper_right sticks, or its mirror image."""
+    s = IMAGES[contact]
+    found = rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
+    return (found[6], found[7], found[8], found[9], found[10], found[11],)
+
+
+@everywhere
+def accelerations_2(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
+    """The same where right sticks, upper_left sticks, upper_right sticks, or its mirror image."""
+    s = IMAGES[contact]
+    found = rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     return (found[6], found[7], found[8], found[9], found[10], found[11],)
 
 

@@ -20,6 +20,11 @@ def inlined(function: _F) -> _F:
     return function
 
 
+def everywhere(function: _F) -> _F:
+    """To be written out wherever it is called, however long the program grows by it."""
+    return function
+
+
 def apart(function: _F) -> _F:
     """To be called, not written out where it is called."""
     return function

@@ -27,6 +27,7 @@ from rockeom.symbolic.modes import (
     STICK,
     Arrangement,
     Mechanism,
+    Modes,
     free_motion,
     press_of,
     sign_of_slip,
@@ -34,6 +35,8 @@ from rockeom.symbolic.modes import (
 )
 from rockeom.symbolic.statics import equilibrium
 
+MOST_QUICK = 2
+"""So many mechanisms have functions of their own: each makes the program longer."""
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never slips."""
 
@@ -178,6 +181,17 @@ def _motions(written: Written) -> None:
         ],
         "@inlined",
     )
+    for i, _ in quick(written.modes):
+        text.function(
+            f"accelerations_{i}(contact, {states}, p, ax, ay)",
+            f"The same where {_told(mechanisms[i])}.",
+            [
+                *written.read(mechanisms[i], "    "),
+                f"    found = {written.rates[i]}",
+                f"    return ({found},)",
+            ],
+            "@everywhere",
+        )
     given = ", ".join(f"y[{i}]" for i in range(2 * n))
     text.function(
         "rates(contact, y, p, ax, ay, dy)",
@@ -193,6 +207,15 @@ def _motions(written: Written) -> None:
         ["    return 0.0"],
         "@inlined",
     )
+
+
+def quick(modes: Modes) -> list[tuple[int, int]]:
+    """The mechanisms of one coordinate, that the others follow, where nothing slips; and which."""
+    return [
+        (i, m.independent[0])
+        for i, m in enumerate(modes.mechanisms)
+        if len(m.independent) == 1 and not m.slipping
+    ][:MOST_QUICK]
 
 
 def _motion_of(written: Written, number: int, mechanism: Mechanism) -> str:

@@ -39,7 +39,7 @@ Operations before and after common subexpressions were shared:
 
 IMPORTS = """
 
-{imports}from rockeom.marks import fused, inlined
+{imports}from rockeom.marks import {marks}
 
 SOURCE_HASH = "{digest}"
 """
@@ -93,7 +93,13 @@ def _header(text: Text, body: str) -> str:
         ),
     )
     digest = hashlib.sha256(body.encode()).hexdigest()[:16]
-    return docstring(told) + IMPORTS.format(imports=_imports(body), digest=digest)
+    return docstring(told) + IMPORTS.format(
+        imports=_imports(body), marks=_marks(body), digest=digest
+    )
+
+
+def _marks(body: str) -> str:
+    return ", ".join(m for m in ("everywhere", "fused", "inlined") if f"@{m}" in body)
 
 
 def _imports(body: str) -> str:

@@ -17,6 +17,7 @@ abs float max min np math range __debug__
 
 accelerations energies guards held_guards jump kinematics momentum opening_acceleration overturning
 prepare rates reactions sine_cosine sizes statics velocity_ratio fused inlined
+everywhere
 
 free_motion points point_laws
 
@@ -29,7 +30,7 @@ REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UN
 TRANSITIONS
 
 ARRANGEMENTS ELEMENTS ELEMENT_STATES IMAGES MECHANISMS N_ELEMENTS N_INTERNAL N_POINTS POINTS
-POINT_STATES SHARED SIGMAS SUBJECTS
+POINT_STATES QUICK SHARED SIGMAS SUBJECTS
 """
 """What the text uses of Python and its libraries, its functions, their arguments, its tables."""
 WORDS = frozenset(_PROGRAM.split())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from rockeom.codegen.contacts import Guard, guards_of
+from rockeom.codegen.contacts import Guard, guards_of, quick
 from rockeom.codegen.guards import longest, outgoing, parts
 from rockeom.codegen.jump import impulsive
 from rockeom.codegen.names import string
@@ -87,6 +87,8 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
         ),
         *_column("ARRANGEMENTS = (", {s.name: str(s.arrangement) for s in written}),
         *_column("MECHANISMS = (", {s.name: str(a.mechanism) for s, a in written.items()}),
+        f"QUICK = ({''.join(f'({i}, {moves}), ' for i, moves in quick(modes)).rstrip()})"
+        "  # mechanisms with a step of their own, and the coordinate that the others follow",
         *_column(
             "IMAGES = (  # the side s with which its mechanism is written",
             {state.name: f"{a.side}.0" for state, a in written.items()},

@@ -25,6 +25,7 @@ from rockeom.contract import (
     STICKING,
     SWITCH,
 )
+from rockeom.marks import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
@@ -47,6 +48,7 @@ if TYPE_CHECKING:  # joined before this text
         point_laws,
         points,
         rates,
+        shaking,
     )
 
 N_COORDINATES = N_STATES // 2
@@ -58,6 +60,13 @@ FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
 SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
 ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
+INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope
+    (0.5, 0.15625, -0.15625, 0.015625, 0.015625, 1.875, -0.4375, -0.4375, -0.03125, 0.03125),
+    (
+        459 / 512, 39 / 1024, -189 / 1024, 9 / 2048, 27 / 2048, 135 / 128, -95 / 256, 81 / 256,
+        -21 / 512, -27 / 512,
+    ),
+)  # fmt: skip
 SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
 HALVES = (
     1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125,
@@ -79,6 +88,7 @@ def is_closed(touching, i):
 # -- steps ---------------------------------------------------------------------------------------
 
 
+@inlined
 def longest_turn(y):
     """The longest step in which angles change so little that eight samples follow a gap."""
     fastest = 1e-300
@@ -87,23 +97,32 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples):
+def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled, touching):
     """Whether all guards of a contact state stay far from zero in a step.
 
-    They are parabolas, all but a tenth, through four samples on the quintics through both ends, and
-    above a quarter of their size. k : the rates at the start, and from `end` on those at the end.
-    ground (8,) : its accelerations at the samples: the start, the middle, three quarters, the end.
+    They are straight lines, all but a fiftieth, through three samples on the quintics through both
+    ends, and above half of their size; or parabolas, all but a tenth, through four samples, and
+    above a quarter. Those that are closed at the start, see `is_closed`, open as clearly.
+
+    k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
+    samples (4 * guards,) : those of each guard. sampled : whether they are those of the step
+    before, whose last are the first of this one.
     """
-    for m in range(4):
-        if m == 0:
-            guards(contact, y, p, ground[0], ground[1], g)
-        elif m == 3:
-            guards(contact, y_new, p, ground[6], ground[7], g)
+    for i in range(GUARDS[contact] if sampled else 0):
+        samples[4 * i] = samples[4 * i + 3]
+    for turn in range(1 if sampled else 0, 4):
+        m = turn if turn < 2 else 5 - turn  # both ends and the middle first
+        if m == 1 or m == 2:
+            between(h, m - 1, y, y_new, k, end, w)
         else:
-            between(h, 0.5 if m == 1 else 0.75, y, y_new, k, end, w)
-            guards(contact, w, p, ground[2 * m], ground[2 * m + 1], g)
+            for i in range(N_STATES):
+                w[i] = y[i] if m == 0 else y_new[i]
+        tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
+        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
         for i in range(GUARDS[contact]):
             samples[4 * i + m] = g[i]
+        if turn == 2 and touching < 0 and are_straight(GUARDS[contact], samples):
+            return True
     for i in range(GUARDS[contact]):
         first, middle, later, last = (
             samples[4 * i],
@@ -111,30 +130,55 @@ def stays_within(contact, h, y, y_new, k, end, p, ground, w, g, samples):
             samples[4 * i + 2],
             samples[4 * i + 3],
         )
+        opens = is_closed(touching, i)
+        first = 0.0 if opens else first
         bend = 2.0 * middle - 0.5 * (first + last)
-        least = min(first, min(bend, last))
+        least = min(bend, last) if opens else min(first, min(bend, last))
         if not least > 0.25 * max(first, max(abs(bend), last)):
             return False
-        if abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) > 0.1 * least:
+        most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
+        if not abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least:
             return False
     return True
 
 
-def between(h, x, y, y_new, k, end, w):
-    """The state at x in [0, 1] of a step, on the quintics through both ends, into w (N,)."""
-    n = N_COORDINATES
-    u = 1.0 - x
+def end_closed(contact, samples):
+    """Whether a guard is closed at the end of a step, by the samples of `stays_within`."""
+    closed = False
+    for i in range(GUARDS[contact]):
+        closed = closed or samples[4 * i + 3] < 0.0
+    return closed
+
+
+def are_straight(size, samples):
+    """Whether guards are straight lines, see `stays_within`, by their samples at 0, 1/2 and 1."""
+    for i in range(size):
+        first, middle, last = samples[4 * i], samples[4 * i + 1], samples[4 * i + 3]
+        least = min(first, last)
+        if not least > 0.5 * max(first, last):
+            return False
+        if not abs(middle - 0.5 * (first + last)) <= 0.02 * least:
+            return False
+    return True
+
+
+def between(h, place, y, y_new, k, end, w):
+    """The state in the middle of a step, or at three quarters, on the quintics through both ends.
+
+    place : the row of INSIDE. w (N,) : the state.
+    """
+    n, rate, hh = N_COORDINATES, 1.0 / h, h * h
     for i in range(n):
-        q0, q1, v0, v1 = y[i], y_new[i], h * y[n + i], h * y_new[n + i]
-        a0, a1 = h * h * k[n + i], h * h * k[end + n + i]
-        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
-        c0, c1, c2, c3 = u * q0 + x * b1, u * b1 + x * b2, u * b2 + x * b3, u * b3 + x * b4
-        c4 = u * b4 + x * q1
-        c0, c1, c2, c3 = u * c0 + x * c1, u * c1 + x * c2, u * c2 + x * c3, u * c3 + x * c4
-        c0, c1, c2 = u * c0 + x * c1, u * c1 + x * c2, u * c2 + x * c3
-        c0, c1 = u * c0 + x * c1, u * c1 + x * c2
-        w[i], w[n + i] = u * c0 + x * c1, 5.0 * (c1 - c0) / h
+        way, v0, v1 = y_new[i] - y[i], h * y[n + i], h * y_new[n + i]
+        a0, a1 = hh * k[n + i], hh * k[end + n + i]
+        w[i] = y[i] + (
+            INSIDE[place][0] * way + INSIDE[place][1] * v0 + INSIDE[place][2] * v1
+            + INSIDE[place][3] * a0 + INSIDE[place][4] * a1
+        )  # fmt: skip
+        w[n + i] = rate * (
+            INSIDE[place][5] * way + INSIDE[place][6] * v0 + INSIDE[place][7] * v1
+            + INSIDE[place][8] * a0 + INSIDE[place][9] * a1
+        )  # fmt: skip
 
 
 def guard_noise(contact, index, y, p, b, stride):
@@ -165,10 +209,12 @@ def guard_noise(contact, index, y, p, b, stride):
 def eliminate(a, order, width):
     """Solve a x = b in place, by Gauss and Jordan with complete pivoting; b stands behind a.
 
-    a (order, width) row by row, of which the first `order` columns are the matrix. Unknowns that
-    the equations do not determine are zero. Returns the number of those that they do.
+    a (order, width) row by row, of which the first `order` columns are the matrix; order is at most
+    ROWS, width one more. Unknowns that the equations do not determine are zero.
     """
-    column = np.empty(ROWS + N_COORDINATES, np.int64)
+    if order == 0 or solved_at_once(a, order):
+        return
+    column = np.empty(ROWS, np.int64)
     for i in range(order):
         column[i] = i
     largest = 0.0
@@ -185,17 +231,19 @@ def eliminate(a, order, width):
         if best <= 1e-12 * largest:
             rank = n
             break
-        for j in range(width):
-            swapped = a[n * width + j]
-            a[n * width + j] = a[row * width + j]
-            a[row * width + j] = swapped
-        for i in range(order):
-            swapped = a[i * width + n]
-            a[i * width + n] = a[i * width + col]
-            a[i * width + col] = swapped
-        kept = column[n]
-        column[n] = column[col]
-        column[col] = kept
+        if row != n:
+            for j in range(n, width):
+                swapped = a[n * width + j]
+                a[n * width + j] = a[row * width + j]
+                a[row * width + j] = swapped
+        if col != n:
+            for i in range(order):
+                swapped = a[i * width + n]
+                a[i * width + n] = a[i * width + col]
+                a[i * width + col] = swapped
+            kept = column[n]
+            column[n] = column[col]
+            column[col] = kept
         pivot = 1.0 / a[n * width + n]
         for j in range(n, width):
             a[n * width + j] *= pivot
@@ -205,16 +253,57 @@ def eliminate(a, order, width):
                 for j in range(n, width):
                     a[i * width + j] -= factor * a[n * width + j]
     # back to the order of the unknowns
-    found = np.empty((ROWS + N_COORDINATES) * (ROWS + 1))
-    behind = width - order
+    found = np.empty(ROWS)
     for n in range(order):
-        for j in range(behind):
-            value = a[n * width + order + j] if n < rank else 0.0
-            found[column[n] * behind + j] = value
+        found[column[n]] = a[n * width + order] if n < rank else 0.0
     for n in range(order):
-        for j in range(behind):
-            a[n * width + order + j] = found[n * behind + j]
-    return rank
+        a[n * width + order] = found[n]
+
+
+def solved_at_once(a, order):
+    """Whether it was one equation, or two that are far from saying the same: then they are solved.
+
+    Most of those at an event are; arguments as of `eliminate`.
+    """
+    if order == 1:
+        a[1] = a[1] / a[0] if a[0] != 0.0 else 0.0
+        return True
+    if order > 2:
+        return False
+    largest = max(max(abs(a[0]), abs(a[1])), max(abs(a[3]), abs(a[4])))
+    determinant = a[0] * a[4] - a[1] * a[3]
+    if not abs(determinant) > 1e-6 * largest * largest:
+        return False
+    inverse = 1.0 / determinant
+    a[2], a[5] = (a[2] * a[4] - a[1] * a[5]) * inverse, (a[0] * a[5] - a[2] * a[3]) * inverse
+    return True
+
+
+def through_mass(matrix, b, width):
+    """Solve M x = b in place, b (n, width), by Gauss without a search for pivots: M is positive.
+
+    matrix (n, n) : M, which is kept. What has no inertia does not move.
+    """
+    n = N_COORDINATES
+    a, inverse = np.empty(N_COORDINATES * N_COORDINATES), np.empty(N_COORDINATES)
+    for i in range(n * n):
+        a[i] = matrix[i]
+    for i in range(n):
+        pivot = a[i * n + i]
+        inverse[i] = 1.0 / pivot if pivot > 1e-13 * matrix[i * n + i] else 0.0
+        for j in range(i + 1, n):
+            factor = a[i * n + j] * inverse[i]
+            for m in range(j, n):
+                a[j * n + m] -= factor * a[i * n + m]
+            for m in range(width):
+                b[j * width + m] -= factor * b[i * width + m]
+    for back in range(n):
+        i = n - 1 - back
+        for m in range(width):
+            value = b[i * width + m]
+            for j in range(i + 1, n):
+                value -= a[i * n + j] * b[j * width + m]
+            b[i * width + m] = value * inverse[i]
 
 
 def response_to_impulses(y, p, ax, ay, contact, told, spread, coupling):
@@ -223,26 +312,21 @@ def response_to_impulses(y, p, ax, ay, contact, told, spread, coupling):
     told : of `points`. spread (n, ROWS) : M^-1 J'; coupling (ROWS, ROWS) : J M^-1 J'.
     Returns the inertia that the rotation has.
     """
-    n, width = N_COORDINATES, N_COORDINATES + ROWS
+    n = N_COORDINATES
     matrix, forces = np.empty(N_COORDINATES * N_COORDINATES), np.empty(N_COORDINATES)
     free_motion(y, p, ax, ay, contact, matrix, forces)
-    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
     for i in range(n):
-        for j in range(n):
-            a[i * width + j] = matrix[i * n + j]
         for r in range(N_POINTS):
-            a[i * width + n + 2 * r] = told[r * POINT + 5 + i]
-            a[i * width + n + 2 * r + 1] = told[r * POINT + 5 + n + i]
-    eliminate(a, n, width)
-    for i in range(n):
-        for r in range(ROWS):
-            spread[i * ROWS + r] = a[i * width + n + r]
+            spread[i * ROWS + 2 * r] = told[r * POINT + 5 + i]
+            spread[i * ROWS + 2 * r + 1] = told[r * POINT + 5 + n + i]
+    through_mass(matrix, spread, ROWS)
     for r in range(ROWS):
-        for s in range(ROWS):
-            coupling[r * ROWS + s] = along(told, r, spread, s)
+        for s in range(r, ROWS):
+            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(told, r, spread, s)
     return matrix[ROTATION * n + ROTATION]
 
 
+@inlined
 def along(told, row, spread, s):
     """J of a row times column s of `spread`."""
     start = row_of_point(row)
@@ -252,6 +336,7 @@ def along(told, row, spread, s):
     return total
 
 
+@inlined
 def row_of_point(row):
     """Where the Jacobian of a row begins in what `points` tells."""
     point = int(row * 0.5)
@@ -274,18 +359,22 @@ def put_on(rows, wanted, first, told, spread, coupling, y):
 
     rows (ROWS,) : 1 where a row is held.
     """
-    width = ROWS + 1
-    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
+    a, held = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
+    order = 0
     for r in range(ROWS):
-        for s in range(ROWS):
-            held = rows[r] == 1 and rows[s] == 1
-            a[r * width + s] = coupling[r * ROWS + s] if held else 0.0
-        a[r * width + ROWS] = wanted[r] if rows[r] == 1 else 0.0
-    eliminate(a, ROWS, width)
+        if rows[r] == 1:
+            held[order] = r
+            order += 1
+    width = order + 1
+    for r in range(order):
+        for s in range(order):
+            a[r * width + s] = coupling[held[r] * ROWS + held[s]]
+        a[r * width + order] = wanted[held[r]]
+    eliminate(a, order, width)
     for i in range(N_COORDINATES):
         value, size = y[first + i], abs(y[first + i])
-        for r in range(ROWS):
-            change = spread[i * ROWS + r] * a[r * width + ROWS]
+        for r in range(order):
+            change = spread[i * ROWS + held[r]] * a[r * width + order]
             value += change
             size += abs(change)
         y[first + i] = value if abs(value) > 1e-14 * size else 0.0  # but for rounding
@@ -294,6 +383,7 @@ def put_on(rows, wanted, first, told, spread, coupling, y):
 # -- candidates ----------------------------------------------------------------------------------
 
 
+@inlined
 def may_follow(candidate, contact, near, sliding):
     """Whether a contact state has the elements of another, and its points can be as it says.
 
@@ -314,42 +404,44 @@ def may_follow(candidate, contact, near, sliding):
     return True
 
 
-def impulses_of(candidate, arriving, laws, coupling, fractions, impulse):
+def impulses_of(candidate, wanted, laws, coupling, fractions, impulse):
     """The impulses with which points come to be as a contact state says, into impulse (ROWS,).
 
-    arriving (ROWS,) : velocities before. fractions (N_POINTS,) : where sticking points share their
-    friction, the part of the normal impulse that it is; not a number where it is to be found.
+    wanted (ROWS,) : changes of the velocities where points are closed. fractions (N_POINTS,) :
+    where sticking points share their friction, the part of the normal impulse that it is; not a
+    number where it is to be found.
     """
-    width = ROWS + 1
-    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
-    unit = 0.0  # of equations that only say what an impulse is, as large as the others
-    for r in range(ROWS):
-        unit = max(unit, coupling[r * ROWS + r])
-    for r in range(ROWS):
-        for s in range(width):
-            a[r * width + s] = 0.0
-        a[r * width + r] = unit
+    a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
+    ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
+    order = 0
     for i in range(N_POINTS):
-        state = POINT_STATES[candidate][i]
+        state, normal = POINT_STATES[candidate][i], 2 * i
+        impulse[normal] = impulse[normal + 1] = 0.0
         if state == OPEN:
             continue
-        normal = 2 * i
-        for j in range(ROWS):
-            a[normal * width + j] = coupling[normal * ROWS + j]
-        a[normal * width + ROWS] = -(1.0 + laws[normal]) * min(arriving[normal], 0.0)
-        if arriving[normal] > 0.0:
-            a[normal * width + ROWS] = -arriving[normal]
-        if state == STICK and SHARED[candidate][i] == i and fractions[i] != fractions[i]:
-            for j in range(ROWS):
-                a[(normal + 1) * width + j] = coupling[(normal + 1) * ROWS + j]
-            a[(normal + 1) * width + ROWS] = -arriving[normal + 1]
-        elif state == STICK and fractions[i] == fractions[i]:
-            a[(normal + 1) * width + normal] = -unit * fractions[i]
-        elif state != STICK:
-            a[(normal + 1) * width + normal] = unit * laws[normal + 1] * SIGN_OF[state]
-    eliminate(a, ROWS, width)
-    for r in range(ROWS):
-        impulse[r] = a[r * width + ROWS]
+        unknown[order], ties[order] = normal, 0.0
+        order += 1
+        if state != STICK:
+            ties[order - 1] = -laws[normal + 1] * SIGN_OF[state]
+        elif fractions[i] == fractions[i]:
+            ties[order - 1] = fractions[i]
+        elif SHARED[candidate][i] == i:
+            unknown[order], ties[order] = normal + 1, 0.0
+            order += 1
+    width = order + 1
+    for m in range(order):
+        row = unknown[m] * ROWS
+        for s in range(order):
+            value = coupling[row + unknown[s]]
+            if ties[s] != 0.0:
+                value += ties[s] * coupling[row + unknown[s] + 1]
+            a[m * width + s] = value
+        a[m * width + order] = wanted[unknown[m]]
+    eliminate(a, order, width)
+    for m in range(order):
+        impulse[unknown[m]] = a[m * width + order]
+        if ties[m] != 0.0:
+            impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
 
 
 def impulses_fit(candidate, near, arriving, leaving, laws, impulse, sizes):
@@ -396,15 +488,17 @@ def collide(contact, near, y, p, laws, told, spread, coupling, out):
     chosen, forces = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     matrix = np.empty(N_COORDINATES * N_COORDINATES)
     free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
-    fractions = np.empty(N_POINTS)
+    fractions, wanted = np.empty(N_POINTS), np.empty(ROWS)
     sliding = np.zeros(N_POINTS)
     for i in range(n):
         apart[i] = y[n + i]
     whole = squared(matrix, apart)
     for r in range(ROWS):
         arriving[r], _ = rate_of(told, r, y, n)
+        wanted[r] = -arriving[r]
         sizes[r] = math.sqrt(coupling[r * ROWS + r] * whole) + 1e-300
     for i in range(N_POINTS):
+        wanted[2 * i] -= laws[2 * i] * min(arriving[2 * i], 0.0)
         sizes[ROWS + i] = math.sqrt(whole / coupling[2 * i * ROWS + 2 * i]) + 1e-300
     found, best = IMPOSSIBLE, -np.inf
     for candidate in range(len(POINT_STATES)):
@@ -412,9 +506,9 @@ def collide(contact, near, y, p, laws, told, spread, coupling, out):
             continue
         for i in range(N_POINTS):
             fractions[i] = np.nan
-        impulses_of(candidate, arriving, laws, coupling, fractions, impulse)
+        impulses_of(candidate, wanted, laws, coupling, fractions, impulse)
         if share(candidate, told, impulse, fractions):
-            impulses_of(candidate, arriving, laws, coupling, fractions, impulse)
+            impulses_of(candidate, wanted, laws, coupling, fractions, impulse)
         for r in range(ROWS):
             leaving[r] = arriving[r]
             for s in range(ROWS):
@@ -467,7 +561,10 @@ def fits_by_forces(contact, y, p, ax, ay):
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
     touching_points(contact, y, p, told, near, sliding)
     response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
-    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, told, coupling)
+    scales = np.empty(ROWS + N_POINTS)
+    return go_on_as(
+        contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, told, coupling, scales
+    )
 
 
 def share(candidate, told, force, fractions):
@@ -530,19 +627,20 @@ def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
     return least
 
 
-def go_on_as(contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told, coupling):
+def go_on_as(
+    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told, coupling, scales
+):  # fmt: skip
     """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `contact` has come to its end, so that it follows only where nothing else does.
     later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
-    move alike decide between them.
+    move alike decide between them. scales (ROWS + N_POINTS,) : of `sizes_of`, found here.
     """
     n = N_COORDINATES
     dy, g, first = np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS), np.empty(N_COORDINATES)
     w = np.empty(N_STATES)
     later, apart = np.empty(POINT * N_POINTS), np.empty(N_COORDINATES)
     matrix = np.empty(N_COORDINATES * N_COORDINATES)
-    scales = np.empty(ROWS + N_POINTS)
     free = sizes_of(y, p, ax, ay, contact, coupling, matrix, scales)
     found, several = IMPOSSIBLE, 0
     for candidate in range(len(POINT_STATES)):
@@ -594,29 +692,24 @@ def sizes_of(y, p, ax, ay, contact, coupling, matrix, scales):
     vanish with the weight. scales (ROWS + N_POINTS,) : of the accelerations of points, and of the
     normal forces.
     """
-    free = max(free_motion_squared(y, p, ax, ay, contact, matrix),
-               free_motion_squared(y, p, 0.0, 0.0, contact, matrix))  # fmt: skip
+    n = N_COORDINATES
+    forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
+    both = np.empty(2 * N_COORDINATES)
+    free_motion(y, p, ax, ay, contact, matrix, forces)
+    free_motion(y, p, 0.0, 0.0, contact, matrix, at_rest)
+    for i in range(n):
+        both[2 * i], both[2 * i + 1] = forces[i], at_rest[i]
+    through_mass(matrix, both, 2)
+    moved = quiet = 0.0
+    for i in range(n):
+        moved += forces[i] * both[2 * i]
+        quiet += at_rest[i] * both[2 * i + 1]
+    free = max(moved, quiet)
     for r in range(ROWS):
         scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
     for i in range(N_POINTS):
         scales[ROWS + i] = math.sqrt(free / coupling[2 * i * ROWS + 2 * i]) + 1e-300
     return free
-
-
-def free_motion_squared(y, p, ax, ay, contact, matrix):
-    n, width = N_COORDINATES, N_COORDINATES + 1
-    forces = np.empty(N_COORDINATES)
-    a = np.empty((ROWS + N_COORDINATES) * (ROWS + N_COORDINATES))
-    free_motion(y, p, ax, ay, contact, matrix, forces)
-    for i in range(n):
-        for j in range(n):
-            a[i * width + j] = matrix[i * n + j]
-        a[i * width + n] = forces[i]
-    eliminate(a, n, width)
-    total = 0.0
-    for i in range(n):
-        total += forces[i] * a[i * width + n]
-    return total
 
 
 def squared(matrix, x):
@@ -714,22 +807,21 @@ def meet(
     put_on(rows, wanted, n, told, spread, coupling, out)
     points(out, p, told)
     ends = kind in (LIFTING, SLIPPING)
+    scales = np.empty(ROWS + N_POINTS)
     follows = go_on_as(
-        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, told, coupling
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, told, coupling, scales
     )
     if follows < 0:
         return follows, -1
     return follows, closed_guards(
-        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, coupling
+        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, scales
     )
 
 
-def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, coupling):
+def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, scales):
     """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
-    g, scales = np.empty(N_GUARDS + N_PARTS), np.empty(ROWS + N_POINTS)
-    matrix = np.empty(N_COORDINATES * N_COORDINATES)
+    g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, y, p, ax, ay, g)
-    sizes_of(y, p, ax, ay, follows, coupling, matrix, scales)
     touching = 0
     for i in range(GUARDS[follows]):
         kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
@@ -932,7 +1024,10 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
     put_on(rows, wanted, n, told, spread, coupling, out)
     points(out, p, told)
-    follows = go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, told, coupling)
+    scales = np.empty(ROWS + N_POINTS)
+    follows = go_on_as(
+        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, told, coupling, scales
+    )
     if follows < 0:
         return np.inf, contact
     for i in range(N_POINTS):

@@ -67,9 +67,12 @@ def guard_noise(
 ) -> float: ...
 def longest_turn(y: Floats) -> float: ...
 def stays_within(
-    contact: Int, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
-    ground: Floats, w: Floats, g: Floats, samples: Floats,
+    contact: Int, t: Float, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
+    gx: Row, gy: Row, w: Floats, g: Floats, samples: Floats,
+    sampled: bool, touching: Int,
 ) -> bool: ...  # fmt: skip
+def end_closed(contact: Int, samples: Floats) -> bool: ...
+def shaking(row: Row, t: Float) -> float: ...
 def pass_on(
     contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
     later_x: Float, later_y: Float, tau: Float, out: Floats,

@@ -82,6 +82,7 @@ if TYPE_CHECKING:  # joined before this text
         STAGE_TIMES,
         TARGETS,
         dense_output,
+        end_closed,
         energies,
         fits_by_forces,
         guard_noise,
@@ -1133,6 +1134,8 @@ def integrate(
     outcome = COMPLETED
     h = 0.0
     turn = taken + TURN
+    sampled = False  # whether the guards at the end of the step before are known
+    still = False  # whether nothing moved in it, and no event was at its end
     for i in range(noises.shape[0]):
         noises[i] = -1.0
 
@@ -1163,6 +1166,7 @@ def integrate(
 
         landed = -1  # the guard that ends this contact state now
         if fresh == 1:
+            sampled = still = False
             if news == 1 and not rocks:
                 h = min(h_next, last - t)  # at rest the next step may be of any length
                 landed = settle(
@@ -1181,7 +1185,7 @@ def integrate(
             if equal:
                 h_next = span / fixed
             bound = coarse if equal else 1.0
-            still = cannot_move(contact, k, y, p)
+            still = still or cannot_move(contact, k, y, p)
             proposed = np.inf if still else h_next
             h = min(proposed, h_max)
             if not rocks:
@@ -1194,6 +1198,7 @@ def integrate(
                 h = last - t
             target = -1
             slope = more = 0.0
+            sampled = sampled and touching < 0 and not still
             corrections = overlooked = 0
             beyond = turned = hops = False
             stands = still and last - t <= h_max
@@ -1236,8 +1241,8 @@ def integrate(
                     h *= max(0.1, shrink)
                     h_next = h
                     if h <= 4.0 * EPS * t or h < 1e-290 or taken >= max_steps:
-                        ends = error == error and finite_end(k)  # else no step is short enough
-                        outcome = STALLED if ends else NOT_FINITE
+                        finite = error == error and finite_end(k)  # else no step is short enough
+                        outcome = STALLED if finite else NOT_FINITE
                         break
                     continue
                 gap = gap_at_ends(side, h, y, y_new, k)
@@ -1294,15 +1299,15 @@ def integrate(
                         h *= place
                         cut = False
                         continue
-                elif landed < 0 and touching < 0 and not still:
+                elif landed < 0 and (touching < 0 or N_POINTS > 0) and not still:
+                    ends = False
                     if N_POINTS > 0:
-                        for m in range(4):
-                            tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
-                            stack[2 * m], stack[2 * m + 1] = shaking(gx, tau), shaking(gy, tau)
-                        open_ = stays_within(
-                            contact, h, y, y_new, k, N_STAGES * N_STATES, p, stack, w, g, b
-                        )
-                    if not open_:
+                        open_ = sampled = stays_within(
+                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
+                            sampled, touching,
+                        )  # fmt: skip
+                        ends = not open_ and end_closed(contact, b)
+                    if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
                 beyond = may_reach(fallen, h, y, y_new, k)
                 turned = follow and widens(peaks, h, y, y_new, k)
@@ -1363,6 +1368,7 @@ def integrate(
                 cut = False
             if outcome != COMPLETED:
                 break
+            sampled = sampled and not beyond
 
             # -- fallen over: the step ends where it passed the bound
             x = NEVER

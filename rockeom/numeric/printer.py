@@ -223,9 +223,10 @@ class Program:
                 self.printed[key] = symbol, self.elsewhere(name, symbol, definition)
                 return self.function(name, types, node, caller)
             function = _Function(self, definition, types)
-            if "inlined" in definition.marks:
+            if definition.marks & {"inlined", "everywhere"}:
                 self.sizes[symbol] = function.size
-                if function.size * (self.calls(name) - 1) <= self.growth:
+                grows = function.size * (self.calls(name) - 1)
+                if grows <= self.growth or "everywhere" in definition.marks:
                     self.written_out.add(symbol)
             self.bodies.append(function.body(symbol))
             self.printed[key] = symbol, function.returns

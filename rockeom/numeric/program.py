@@ -170,7 +170,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
 
         step = implicit_step_text(n)
     else:
-        step = step_text(tableau(method), n)
+        step = step_text(tableau(method), n, getattr(generated, "QUICK", ()))
     parts = [
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),

@@ -6,6 +6,7 @@ lets the compiler drop zero coefficients and keep the rest as constants.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
@@ -241,8 +242,10 @@ QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by 
 '''
 
 
-def error_text(method: Tableau, n: int) -> str:
+def error_text(method: Tableau, n: int, of: Sequence[int] | None = None) -> str:
     """Lines that find `error`, the norm of the estimates of the error.
+
+    of : the coordinates that have one; None for all n.
 
     Both estimates of DOP853 make one (Hairer's combination of the fifth and the third order). The
     fifth has a zero of its own: for a mode that decays with h lambda = -5.65, well within the
@@ -255,7 +258,9 @@ def error_text(method: Tableau, n: int) -> str:
     lines = "".join(f"    s{m} = 0.0\n" for m in range(len(method.errors)))
     lines += "    d_rate = d_state = 0.0\n" if two else ""
     by_accelerations = [product(e[None], method.a[: s + 1, : s + 1])[0] for e in method.errors]
-    for i in range(2 * n):
+    chosen = range(n) if of is None else of
+    size = "N_STATES" if of is None else str(2.0 * len(of))
+    for i in [*chosen, *(n + i for i in chosen)]:
         place, rate = (
             (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
         )
@@ -267,31 +272,35 @@ def error_text(method: Tableau, n: int) -> str:
             lines += f"    e = {unit} * (\n        {found}\n    )\n"
             lines += f"    s{m} += e * e\n"
         if two and i >= n:
-            for name, of in (("d_rate", rate), ("d_state", place)):
-                lines += f"    e = scale * ({of.format(s)} - {of.format(s - 1)})\n"
+            for name, what in (("d_rate", rate), ("d_state", place)):
+                lines += f"    e = scale * ({what.format(s)} - {what.format(s - 1)})\n"
                 lines += f"    {name} += e * e\n"
     if not two:
-        return lines + "    error = abs(h) * math.sqrt(s0 / N_STATES)\n"
-    return f"""{lines}    both = (s0 + 0.01 * s1) * N_STATES
+        return lines + f"    error = abs(h) * math.sqrt(s0 / {size})\n"
+    return f"""{lines}    both = (s0 + 0.01 * s1) * {size}
     error = abs(h) * s0 / math.sqrt(both) if s0 != 0.0 else 0.0
     stiff = h * h * d_rate > {5.3**2!r} * d_state and d_state > 0.01 * h * h * s1
-    error = max(error, 0.5 * abs(h) * math.sqrt(s1 / N_STATES)) if stiff else error
+    error = max(error, 0.5 * abs(h) * math.sqrt(s1 / {size})) if stiff else error
 """
 
 
-def step_text(method: Tableau, n: int) -> str:
+def step_text(method: Tableau, n: int, quick: Sequence[tuple[int, int]] = ()) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
 
     Everything stands in plain numbers, stage by stage, each written out; the rates of all stages
     are left in an array only for the dense output.
+
+    quick : mechanisms of the structure that have steps of their own, each with the coordinate that
+    the others follow: nothing is worked out that its acceleration does not ask for, and the error
+    is that of this coordinate.
     """
     s, size = method.stages, 2 * n
     start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
     known = "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
 
-    def stage(j: int, contact: str = "contact") -> str:
+    def stage(j: int, contact: str = "contact", function: str = "accelerations") -> str:
         ground = f"k[GROUND_X + {j}], k[GROUND_Y + {j}]"
-        return _stage(method, j, n, ground, contact=contact)
+        return _stage(method, j, n, ground, function, contact)
 
     kept = "".join(
         f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
@@ -323,22 +332,31 @@ def step_text(method: Tableau, n: int) -> str:
             powers += f"    coefficients[{j * size + i}] = {found}\n"
     header = method_header(method, s, total)
 
-    def step(contact: str) -> str:
-        stages = "".join(stage(j, contact) for j in range(1, s + 1))
+    def step(contact: str, function: str = "accelerations", errors: str = errors) -> str:
+        stages = "".join(stage(j, contact, function) for j in range(1, s + 1))
         return f"""    shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
     shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
     hh = h * h
 {start}{known}{stages}{ends}{kept}{errors}    return error
 """
 
-    on_both_feet, standing = "", ""
+    apart, others = "", ""
+    arguments = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
+    for m, moves in quick:
+        apart += f"""    if MECHANISMS[contact] == {m}:
+        return quick_step_{m}(contact, {arguments})
+"""
+        others += f'''
+
+def quick_step_{m}(contact, {arguments}):
+    """`take_step` by one mechanism."""
+{step("contact", f"accelerations_{m}", error_text(method, n, [moves]))}'''
     if n > 1:  # a structure of one coordinate takes no steps there
-        arguments = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
-        on_both_feet = f"""    if HELD >= 0:
+        apart += f"""    if HELD >= 0:
         if contact == HELD:
             return standing_step({arguments})
 """
-        standing = f'''
+        others += f'''
 
 def standing_step({arguments}):
     """`take_step` on both feet, where little of the equations is left."""
@@ -355,7 +373,7 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     The accelerations of stage 0 are known; those of stage N_STAGES are at the new state.
     Returns the norm of the estimated error, 1 at the tolerance.
     """
-{on_both_feet}{step("contact")}{standing}
+{apart}{step("contact")}{others}
 
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
