@@ -98,7 +98,7 @@ def on_a_step() -> Model:
 
 
 @cache
-def four_feet() -> Model:
+def four_feet(pad: bool = True) -> Model:
     """Feet at different heights: any two of them may stand together, no three; and a pad."""
     places = {
         "a": (-sp.Rational(3, 2), sp.Rational(1, 5)),
@@ -107,13 +107,15 @@ def four_feet() -> Model:
         "d": (sp.Rational(7, 5), sp.Rational(3, 10)),
     }
     b = parameter("b", "half_width", "m", "unit of length of the base")
+    points = {name: (x * b.symbol, y * b.symbol) for name, (x, y) in places.items()}
+    if not pad:
+        return on_points("bare_four_feet", points, b)
     k = parameter("k", "stiffness", "N/m", "stiffness of the pad")
     c = parameter("c", "damping", "N s/m", "damping of the pad")
-    pad = Unilateral(
+    rubber = Unilateral(
         "pad", -placed((b.symbol, -b.symbol / 20))[1], stiffness=k.symbol, damping=c.symbol
     )
-    points = {name: (x * b.symbol, y * b.symbol) for name, (x, y) in places.items()}
-    return on_points("four_feet", points, b, k, c, elements=(pad,))
+    return on_points("four_feet", points, b, k, c, elements=(rubber,))
 
 
 @cache

@@ -69,6 +69,22 @@ def test_no_foot_sinks_pulls_or_holds_more_than_friction(seed):
                 assert gain < 1e-9 * scale
 
 
+def test_a_sweep_has_the_motions_of_single_cases():
+    def case(friction, amplitude):
+        block = rk.SlidingBlock(half_width=0.3, half_height=1.0, friction=friction, restitution=0.2)
+        return rk.Case(block, rk.GroundMotion.single_sine(amplitude, 0.8, duration=3.0))
+
+    over = {"friction": [0.1, 0.35, 0.6], "amplitude": [2.0, 5.0]}
+    together = rk.simulate_many(case, over, arrays=True)
+    for friction in over["friction"]:
+        for amplitude in over["amplitude"]:
+            one = case(friction, amplitude)
+            run = rk.simulate(one.structure, one.motion)
+            found = together.sel(friction=friction, amplitude=amplitude)
+            assert str(found.outcome.item()) == str(run.outcome)
+            assert found.final.values.tolist() == list(run.final.values())
+
+
 @pytest.mark.parametrize("seed", range(1, 40, 3))
 def test_a_mirrored_motion_is_the_mirror_of_the_motion(seed):
     block, motion, vertical, start = _start(seed)
