@@ -100,9 +100,9 @@ def longest_turn(y):
 def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled, touching):
     """Whether all guards of a contact state stay far from zero in a step.
 
-    They are straight lines, all but a fiftieth, through three samples on the quintics through both
-    ends, and above half of their size; or parabolas, all but a tenth, through four samples, and
-    above a quarter. Those that are closed at the start, see `is_closed`, open as clearly.
+    They are parabolas, all but a tenth, through four samples on the quintics through both ends, and
+    above a quarter of their size. Those that are closed at the start, see `is_closed`, open as
+    clearly.
 
     k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
     samples (4 * guards,) : those of each guard. sampled : whether they are those of the step
@@ -110,8 +110,7 @@ def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, samp
     """
     for i in range(GUARDS[contact] if sampled else 0):
         samples[4 * i] = samples[4 * i + 3]
-    for turn in range(1 if sampled else 0, 4):
-        m = turn if turn < 2 else 5 - turn  # both ends and the middle first
+    for m in range(1 if sampled else 0, 4):
         if m == 1 or m == 2:
             between(h, m - 1, y, y_new, k, end, w)
         else:
@@ -121,8 +120,6 @@ def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, samp
         guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
         for i in range(GUARDS[contact]):
             samples[4 * i + m] = g[i]
-        if turn == 2 and touching < 0 and are_straight(GUARDS[contact], samples):
-            return True
     for i in range(GUARDS[contact]):
         first, middle, later, last = (
             samples[4 * i],
@@ -148,18 +145,6 @@ def end_closed(contact, samples):
     for i in range(GUARDS[contact]):
         closed = closed or samples[4 * i + 3] < 0.0
     return closed
-
-
-def are_straight(size, samples):
-    """Whether guards are straight lines, see `stays_within`, by their samples at 0, 1/2 and 1."""
-    for i in range(size):
-        first, middle, last = samples[4 * i], samples[4 * i + 1], samples[4 * i + 3]
-        least = min(first, last)
-        if not least > 0.5 * max(first, last):
-            return False
-        if not abs(middle - 0.5 * (first + last)) <= 0.02 * least:
-            return False
-    return True
 
 
 def between(h, place, y, y_new, k, end, w):
