@@ -34,7 +34,8 @@ def potential(foot: str, theta: float) -> float:
 
 def on_ground(friction: float) -> rk.Structure:
     return rk.structure(
-        four_feet(pad=False), mass=MASS, height=HEIGHT, inertia=INERTIA, gravity=G, friction=friction,
+        four_feet(pad=False),
+        mass=MASS, height=HEIGHT, inertia=INERTIA, gravity=G, friction=friction,
         restitution=0.0, half_width=1.0,
     )  # fmt: skip
 

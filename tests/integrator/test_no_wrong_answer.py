@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from rockeom.contract import FULL
 from rockeom.numeric.program import program
 from tests.numeric.structures import S1
 
@@ -222,8 +223,8 @@ def test_a_loop_that_stops_to_empty_its_records_goes_on_to_the_last_bit(room):
     for steps in (1000, room):
         status = np.array([1, -1, 0, 0, 0, 1, 1, 0, 0, 0])
         clock, y, rate = np.zeros(4), np.zeros(2), np.zeros(2)
-        code = 7
-        while code == 7:
+        code = FULL
+        while code == FULL:
             status[7:9] = 0
             code = compiled.integrate(
                 status, clock, y, rate, 1.5, table, table[:0], structure.vector, 0, 0.8, 1e-10,
