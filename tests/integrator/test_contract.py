@@ -22,11 +22,13 @@ TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAs
 OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
     "points", "point_laws", "guard_noise", "longest_turn", "stays_within", "pass_on", "is_closed",
-    "nothing_moves", "held_upright", "time_of_bounces", "fits_by_forces",
+    "nothing_moves", "held_upright", "time_of_bounces", "fits_by_forces", "end_closed",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
+OF_LOOP = {"shaking"}
+"""What contacts ask of the loop behind them."""
 
 
 @pytest.mark.parametrize("method", ["DOP853", "RK45", "Radau"])
@@ -39,7 +41,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
         if text.name not in ("loop.py", "lanes.py"):
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
-    elsewhere = OF_TABLES if joined["N_POINTS"] else OF_POINTS
+    elsewhere = OF_LOOP | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
     for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
     tables = {"LANES", "N_PARAMETERS", "PLACES", "STAGE_PLACES", "NODE_PLACES", "DAMPING"}
