@@ -15,6 +15,7 @@ from rockeom.numeric.structures import (
     Structure,
     Support,
     _structure_class,
+    check_restitution,
     check_support,
     check_values,
 )
@@ -37,14 +38,26 @@ def _turns(what: str, inertia: float) -> None:
         )
 
 
-def _foundation(of: Support, stiffness: float, damping: float) -> None:
-    """Raise TypeError or ValueError for what springs and dampers cannot have."""
-    values = {"stiffness": stiffness, "damping": damping}
-    check_values(type(of).__name__, values, frozenset({"damping"}))
+@dataclass(frozen=True, kw_only=True)
+class _Springs(Support):
+    """What supports on springs and dampers share: stiffness [N/m] and damping [N s/m] of each."""
+
+    stiffness: float
+    damping: float
+
+    def __post_init__(self) -> None:
+        values = {"stiffness": self.stiffness, "damping": self.damping}
+        check_values(type(self).__name__, values, frozenset({"damping"}))
+
+    def parameters(self) -> dict[str, float]:
+        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        _turns(what, inertia)
 
 
 @dataclass(frozen=True, kw_only=True)
-class TwoSprings(Support):
+class TwoSprings(_Springs):
     """A spring and a damper under each foot, which press and never pull.
 
     stiffness [N/m] and damping [N s/m] of each. guided : what moves up and down alone, the base's
@@ -56,27 +69,19 @@ class TwoSprings(Support):
     `heave` [m] counts from the settled position.
     """
 
-    stiffness: float
-    damping: float
     guided: str = "centre"
 
     def __post_init__(self) -> None:
-        _foundation(self, self.stiffness, self.damping)
+        super().__post_init__()
         if self.guided not in ("centre", "foot"):
             raise ValueError(f'TwoSprings: guided is {told(self.guided)}: give "centre" or "foot"')
-
-    def parameters(self) -> dict[str, float]:
-        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
-
-    def check_base(self, what: str, mass: float, inertia: float) -> None:
-        _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Winkler(Support):
+class Winkler(_Springs):
     """A bed of equal springs and dampers, equally far apart, which press and never pull.
 
     springs : how many, two or more, the outer two at the feet; stiffness [N/m] and damping [N s/m]
@@ -84,18 +89,10 @@ class Winkler(Support):
     """
 
     springs: int
-    stiffness: float
-    damping: float
 
     def __post_init__(self) -> None:
-        _foundation(self, self.stiffness, self.damping)
+        super().__post_init__()
         object.__setattr__(self, "springs", whole_number("Winkler: springs", self.springs, 2))
-
-    def parameters(self) -> dict[str, float]:
-        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
-
-    def check_base(self, what: str, mass: float, inertia: float) -> None:
-        _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
@@ -116,11 +113,7 @@ class Sliding(Support):
     def __post_init__(self) -> None:
         values = self.parameters()
         check_values("Sliding", values, frozenset(values))
-        if self.restitution > 1:
-            raise ValueError(
-                f"Sliding: restitution is {self.restitution}: give the ratio of rates after and "
-                "before a landing, 0 to 1"
-            )
+        check_restitution("Sliding", self.restitution)
 
     def parameters(self) -> dict[str, float]:
         return {"friction": self.friction, "restitution": self.restitution}

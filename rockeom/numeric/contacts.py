@@ -339,6 +339,14 @@ def rate_of(told, row, y, first):
     return total, size
 
 
+@inlined
+def acceleration_of(told, row, dy):
+    """Of a gap or a slip, from the rates (N,) of the state."""
+    total, _ = rate_of(told, row, dy, N_COORDINATES)
+    point = int(row * 0.5)
+    return total + told[point * POINT + 3 + row - 2 * point]
+
+
 def put_on(rows, wanted, first, told, spread, coupling, y):
     """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
 
@@ -591,7 +599,6 @@ def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
 
     A margin is relative to scales, see `sizes_of`. dy (N,), g : rates and guards found.
     """
-    n = N_COORDINATES
     rates(candidate, y, p, ax, ay, dy)
     guards(candidate, y, p, ax, ay, g)
     least = np.inf
@@ -603,11 +610,9 @@ def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
             continue
         state = POINT_STATES[candidate][i]
         if state == OPEN:
-            pushed, _ = rate_of(told, 2 * i, dy, n)
-            least = min(least, (pushed + told[i * POINT + 3]) / scales[2 * i])
+            least = min(least, acceleration_of(told, 2 * i, dy) / scales[2 * i])
         elif state != STICK and sliding[i] == 0.0:
-            pushed, _ = rate_of(told, 2 * i + 1, dy, n)
-            pushed = SIGN_OF[state] * (pushed + told[i * POINT + 4])
+            pushed = SIGN_OF[state] * acceleration_of(told, 2 * i + 1, dy)
             least = min(least, pushed / scales[2 * i + 1])
     return least
 
@@ -628,12 +633,14 @@ def go_on_as(
     matrix = np.empty(N_COORDINATES * N_COORDINATES)
     free = sizes_of(y, p, ax, ay, contact, coupling, matrix, scales)
     found, several = IMPOSSIBLE, 0
+    fitting = np.empty(len(POINT_STATES), np.int64)  # the first `several` of it
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
         fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
         if not fit >= -NEARLY:
             continue
+        fitting[several] = candidate
         several += 1
         if found < 0:
             found = candidate
@@ -652,12 +659,8 @@ def go_on_as(
         w[n + i] = y[n + i] + tau * first[i]
     points(w, p, later)
     best = -np.inf
-    for candidate in range(len(POINT_STATES)):
-        if not may_follow(candidate, contact, near, sliding):
-            continue
-        fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
-        if not fit >= -NEARLY:
-            continue
+    for i in range(several):
+        candidate = fitting[i]
         margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
         if candidate == contact and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
@@ -878,8 +881,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         _, size = rate_of(told, 2 * i, y, 0)
         if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
             continue
-        push, _ = rate_of(told, 2 * i, dy, n)
-        a = -(push + told[i * POINT + 3])
+        a = -acceleration_of(told, 2 * i, dy)
         if not a > 0.0:
             return np.inf, contact
         bouncing[i] = 1
@@ -902,8 +904,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         # others that are in flight, and land as soon
         gap, rate = told[i * POINT], told[i * POINT + 1]
         if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
-            push, _ = rate_of(told, 2 * i, dy, n)
-            a = -(push + told[i * POINT + 3])
+            a = -acceleration_of(told, 2 * i, dy)
             if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bouncing[i], heights[i] = 1, gap
     near, met = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
@@ -918,8 +919,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
             if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
                 continue
             rate = told[i * POINT + 1]
-            push, _ = rate_of(told, 2 * i, dy, n)
-            a = -(push + told[i * POINT + 3])
+            a = -acceleration_of(told, 2 * i, dy)
             if not a > 0.0:
                 return np.inf, contact
             lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
@@ -951,9 +951,8 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         for i in range(N_POINTS):
             near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
             if bouncing[i] == 1 and near[i] == 0:
-                push, _ = rate_of(told, 2 * i, dy, n)
                 rise = told[i * POINT + 1] * flight
-                drop = -0.5 * (push + told[i * POINT + 3]) * flight * flight
+                drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
                 heights[i] += rise - drop
                 if i == which or heights[i] <= 1e-9 * drop:
                     heights[i], near[i] = 0.0, 1

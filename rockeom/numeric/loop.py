@@ -770,6 +770,12 @@ def rounding(contact, index, h, y, p, ax, ay, b):
     return max(1e-11 * scale, 1e-10 * acceleration * h * h)
 
 
+@inlined
+def is_known(touching, i):
+    """Whether a guard is known to be closed: the one that `touching` is, or one of several."""
+    return touching == i if N_POINTS == 0 else is_closed(touching, i)
+
+
 def first_event(
     contact, t, h, instant, landed, touching, y, p, gx, gy, fallen, noises, w, g, b, stack
 ):  # fmt: skip
@@ -784,7 +790,7 @@ def first_event(
     from_closed = unclear = False
     rocks = rocking(contact)
     for i in range(GUARDS[contact]):
-        known = touching == i if N_POINTS == 0 else is_closed(touching, i)
+        known = is_known(touching, i)
         if i == landed or (landed >= 0 and known):
             continue
         closed = known
@@ -1028,7 +1034,7 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
     moved = False
     guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
     for i in range(GUARDS[contact]):
-        known = touching == i if N_POINTS == 0 else is_closed(touching, i)
+        known = is_known(touching, i)
         kind = KINDS[contact][i]
         if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue

@@ -620,7 +620,7 @@ class SlidingBlock(RigidBlock):
     restitution: float
 
     def __post_init__(self) -> None:
-        _check_restitution("SlidingBlock", self.restitution)
+        check_restitution("SlidingBlock", self.restitution)
 
     def parameters(self) -> dict[str, float]:
         return super().parameters() | {"friction": self.friction, "restitution": self.restitution}
@@ -689,7 +689,7 @@ class StackedBlocks(Structure):
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        _check_restitution("StackedBlocks", self.restitution)
+        check_restitution("StackedBlocks", self.restitution)
         if self.upper_half_width > self.lower_half_width:
             raise ValueError(
                 f"StackedBlocks: upper_half_width is {self.upper_half_width} and lower_half_width "
@@ -721,7 +721,8 @@ class StackedBlocks(Structure):
         return (*self.lower.hints(), *self.upper.hints())
 
 
-def _check_restitution(what: str, restitution: float) -> None:
+def check_restitution(what: str, restitution: float) -> None:
+    """Raise ValueError for a ratio of rates above one, which would give energy."""
     if restitution > 1:
         raise ValueError(
             f"{what}: restitution is {restitution}: give the ratio of rates after and before a "

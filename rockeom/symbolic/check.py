@@ -52,19 +52,24 @@ def check(model: RockingModel) -> None:
     _grounded(model)
 
 
-def _fail(model: RockingModel | Model, what: str) -> NoReturn:
+def fail(model: RockingModel | Model, what: str) -> NoReturn:
     raise ValueError(f"{model.name}: {what}")
 
 
-def _names(model: RockingModel) -> None:
+def common_names(model: RockingModel | Model) -> None:
+    """Refuse what may not be the name of a model, a parameter or a coordinate."""
     valid.name("model", model.name)
     if not model.name.isascii():
-        _fail(model, "a file is called by the model's name: write it in ASCII")
+        fail(model, "a file is called by the model's name: write it in ASCII")
     valid.texts(model.name, title=model.title, reference=model.reference)
     for p in model.parameters:
         valid.name(f"{model.name}: parameter {p.symbol}", p.name)
     for c in model.coordinates:
         valid.name(f"{model.name}: coordinate {c.position}", c.name)
+
+
+def _names(model: RockingModel) -> None:
+    common_names(model)
     for contact in model.contacts:
         valid.name(f"{model.name}: contact state", contact)
     outputs = _quantities(model)
@@ -73,10 +78,10 @@ def _names(model: RockingModel) -> None:
     names = [p.name for p in model.parameters] + list(model.states)
     twice = repeated(names) or repeated([*model.states, *outputs]) or repeated(model.contacts)
     if twice:
-        _fail(model, f"declared twice: {', '.join(twice)}; give each a name of its own")
+        fail(model, f"declared twice: {', '.join(twice)}; give each a name of its own")
     taken = sorted(RESPONSE & {*model.states, *outputs})
     if taken:
-        _fail(model, f"every response calls something else {', '.join(taken)}: choose another name")
+        fail(model, f"every response calls something else {', '.join(taken)}: choose another name")
 
 
 def repeated(names: Iterable[Any]) -> list[str]:
@@ -98,7 +103,7 @@ def distinct_symbols(model: RockingModel | Model, others: Iterable[sp.Symbol] = 
     symbols += [*(law.symbol for law in model.laws), *others]
     twice = repeated(symbols)
     if twice:
-        _fail(
+        fail(
             model,
             f"the symbol {', '.join(twice)} is declared twice, and stands for two things: "
             "give each parameter, coordinate and internal variable a symbol of its own",
@@ -110,16 +115,16 @@ def distinct_symbols(model: RockingModel | Model, others: Iterable[sp.Symbol] = 
         LOAD: "the load of a pushover",
     }
     for symbol in kept.keys() & set(symbols):
-        _fail(model, f"the symbol {symbol} is kept for {kept[symbol]}: choose another")
+        fail(model, f"the symbol {symbol} is kept for {kept[symbol]}: choose another")
 
 
 def _phases(model: RockingModel) -> None:
     if not model.coordinates:
-        _fail(model, "it has no coordinates: declare the rotation")
+        fail(model, "it has no coordinates: declare the rotation")
     if model.rotation not in model.coordinates:
-        _fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
+        fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
     if len(model.contacts) < 2 or not model.transitions:
-        _fail(
+        fail(
             model,
             f"its contact states are {', '.join(model.contacts) or 'none'}: declare two or more, "
             "and the transitions between them",
@@ -186,7 +191,7 @@ def _same_outputs(model: RockingModel) -> None:
             ("quantities", lambda p: [(name, unit) for name, (unit, _) in p.quantities.items()]),
         ):
             if of(phase) != of(first):
-                _fail(
+                fail(
                     model,
                     f"phases {'/'.join(first.contacts)} and {'/'.join(phase.contacts)} differ in "
                     f"{item}: declare the same in each, in the same order",
@@ -274,7 +279,7 @@ def contents(
         try:
             pycode(f.func(*(sp.Symbol(f"x{i}", real=True) for i in range(len(f.args)))))
         except NotImplementedError:
-            _fail(model, f"{item} contains {f.func}, which Python's math module does not know")
+            fail(model, f"{item} contains {f.func}, which Python's math module does not know")
     used = expr.free_symbols | {f.func for f in expr.atoms(AppliedUndef)}
     unknown = sorted(str(x) for x in used if x not in known)
     if unknown:
@@ -284,14 +289,14 @@ def contents(
             if names & set(unknown)
             else ""
         )
-        _fail(
+        fail(
             model,
             f"{item} contains undeclared symbols {', '.join(unknown)}: add them to `parameters` "
             f"or `coordinates`{hint}",
         )
     for x in sorted(used, key=str):
         if known[x] not in kinds:
-            _fail(
+            fail(
                 model,
                 f"{item} contains {_WORDS[known[x]]} {x}, which it must not: it is a function of "
                 + (", ".join(["the parameters", *(_WORDS[k] for k in kinds)])),
@@ -318,7 +323,7 @@ def _transitions(model: RockingModel) -> None:
         {"impact": _impact, "uplift": _uplift, "switch": _switch}[t.kind](model, t, what)
     impacts = [t.source for t in model.transitions if t.kind == "impact"]
     if repeated(impacts):
-        _fail(model, f"two impacts end the contact state {repeated(impacts)[0]!r}: declare one")
+        fail(model, f"two impacts end the contact state {repeated(impacts)[0]!r}: declare one")
     _pairs(model)
 
 
@@ -390,7 +395,7 @@ def _pairs(model: RockingModel) -> None:
             continue
         mine, other = (set(_parts(model, x)) for x in (t, back))
         if mine & other:
-            _fail(
+            fail(
                 model,
                 f"the guards of {_called(t)} and of {_called(back)} have one sign "
                 f"({', '.join(map(str, mine & other))}): each must be positive inside its source",
@@ -412,21 +417,21 @@ def _grounded(model: RockingModel) -> None:
         for contact, side in phase.contacts.items():
             out = [t for t in model.transitions if t.source == contact]
             if side and (not out or ((rigid or contact in lifted) and contact not in impacts)):
-                _fail(
+                fail(
                     model,
                     f"no impact ends the contact state {contact!r}, and the structure would turn "
                     f'into the ground: add Transition("{contact}", ..., "impact", guard='
                     f"{side * model.rotation.position})",
                 )
             if not side and rigid and not held:
-                _fail(
+                fail(
                     model,
                     f"the rotation is free in the contact state {contact!r}, which has no side, "
                     "and its feet have no force: declare the force on each foot",
                 )
             ends = {_side(model, t.target) for t in out if t.kind == "uplift"}
             if not side and rigid and ends != {-1, 1}:
-                _fail(
+                fail(
                     model,
                     f"the contact state {contact!r} lifts to {len(ends)} of the two sides: add "
                     f'Transition("{contact}", "left", "uplift"), and the same to "right"',
@@ -507,7 +512,7 @@ def invertible(model: RockingModel | Model, phase: Phase, sample: Sample) -> Non
     matrices = matrices[np.isfinite(matrices).all(axis=(1, 2))]
     for i, c in enumerate(phase.coordinates):
         if len(matrices) and not (matrices[:, i, i] > 0).any():
-            _fail(
+            fail(
                 model,
                 f"the coordinate {c.name!r} moves no mass in phase {'/'.join(phase.contacts)}: "
                 "its mass matrix is singular; give a body whose position contains it a mass",
@@ -516,7 +521,7 @@ def invertible(model: RockingModel | Model, phase: Phase, sample: Sample) -> Non
     with np.errstate(all="ignore"):
         lowest = np.linalg.eigvalsh(matrices / size[:, :, None] / size[:, None, :])[:, 0]
     if len(lowest) and not (lowest > 1e-12).any():
-        _fail(
+        fail(
             model,
             f"the mass matrix of phase {'/'.join(phase.contacts)} is singular: its coordinates "
             f"{', '.join(c.name for c in phase.coordinates)} move fewer masses than they are",
@@ -534,7 +539,7 @@ def _one_ratio(model: RockingModel, sample: Sample) -> None:
     ratios = sample(first.source, [rigid_velocity_ratio(model, t) for t in impacts])
     for t, ratio in zip(others, ratios[1:], strict=True):
         if not np.allclose(ratio, ratios[0], rtol=_NEGLIGIBLE, atol=0, equal_nan=True):
-            _fail(
+            fail(
                 model,
                 f"the ratio of the rates of rotation differs between {_called(first)} and "
                 f"{_called(t)}: the feet are not equally far from the masses, which is not "
@@ -559,7 +564,7 @@ def _guards_open(model: RockingModel, sample: Sample) -> None:
             values = found[t.guard]
             known = values[np.isfinite(values)]
             if known.size and not (known > 0).any():
-                _fail(
+                fail(
                     model,
                     f"the guard of {_called(t)} is nowhere positive where {model.rotation.name!r} "
                     f"has the sign of {t.source!r}: it must be positive inside its source; turn "
@@ -592,7 +597,7 @@ def _rests(model: RockingModel, sample: Sample) -> None:
             if c != model.rotation:
                 pushed[c.name] = pushed.get(c.name, True) and bool(found.any())
     for name in (name for name, always in pushed.items() if always):
-        _fail(
+        fail(
             model,
             f"the elastic energy pushes {name!r} away from zero, where the structure is said to "
             "rest: declare an energy such as k u**2/2, not a force",
@@ -625,7 +630,7 @@ def _energies_are_even(model: RockingModel, sample: Sample) -> None:
                     np.sign(gain) * (np.abs(gain) > 1e-12 * (np.abs(there) + np.abs(given)))
                 )
             if np.all(gains[0] * gains[1] < 0):
-                _fail(
+                fail(
                     model,
                     f"the elastic energy with contact {one!r} rises where {c.name!r} moves to one "
                     "side and falls on the other: it must grow to either side, as k u**2/2 does, "
@@ -644,7 +649,7 @@ def check_values(model: RockingModel | Model, values: Mapping[str, float]) -> No
         if found > 0 or (found == 0 and size.may_vanish):
             continue
         given = ", ".join(f"{name} = {values[name]}" for name in size.parameters)
-        _fail(model, f"{size.what} is {float(found):g} with {given}: {size.remedy}")
+        fail(model, f"{size.what} is {float(found):g} with {given}: {size.remedy}")
 
 
 class Size(NamedTuple):

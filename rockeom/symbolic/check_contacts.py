@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -17,9 +17,11 @@ from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.check import (
     INTERNAL,
     RESPONSE,
+    common_names,
     contents,
     declared_kinds,
     distinct_symbols,
+    fail,
     repeated,
 )
 
@@ -41,11 +43,11 @@ def check(model: Model) -> None:
     distinct_symbols(model, [x for z in model.rates for x in (z.symbol, z.rate)])
     _signs_are_kept(model)
     if model.rotation not in model.coordinates:
-        _fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
+        fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
     if not model.bodies:
-        _fail(model, "it has no bodies: declare the masses")
+        fail(model, "it has no bodies: declare the masses")
     if not model.contacts and not model.elements:
-        _fail(model, "nothing touches: declare `contacts`, or `elements` that press")
+        fail(model, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in model.contacts:
         _side(model, contact)
     known = declared_kinds(model) | {z.symbol: INTERNAL for z in model.rates}
@@ -66,10 +68,6 @@ def check_derived(model: Model) -> None:
     _ = model.modes
 
 
-def _fail(model: Model, what: str) -> NoReturn:
-    raise ValueError(f"{model.name}: {what}")
-
-
 def _body_type() -> type:
     from rockeom.symbolic.model import Body
 
@@ -79,7 +77,7 @@ def _body_type() -> type:
 def _are(model: Model, item: str, kind: type) -> None:
     for x in getattr(model, item):
         if not isinstance(x, kind):
-            _fail(model, f"{item} holds {x!r}: give objects of {kind.__name__}")
+            fail(model, f"{item} holds {x!r}: give objects of {kind.__name__}")
 
 
 def _rates(model: Model) -> None:
@@ -87,28 +85,21 @@ def _rates(model: Model) -> None:
     from rockeom.symbolic.model import Coordinate, InternalVariable
 
     if not isinstance(model.rates, Mapping):
-        _fail(model, f"rates is {model.rates!r}: give a mapping, {{z: its rate}}")
+        fail(model, f"rates is {model.rates!r}: give a mapping, {{z: its rate}}")
     for z, expr in model.rates.items():
         if isinstance(z, Coordinate):
-            _fail(
+            fail(
                 model,
                 f"rates holds the coordinate {z.name!r}, whose acceleration follows from masses "
                 "and forces: declare these, or a state of its own by `internal_variable(...)`",
             )
         if not isinstance(z, InternalVariable):
-            _fail(model, f"rates holds {z!r}: give what `internal_variable(...)` returns")
+            fail(model, f"rates holds {z!r}: give what `internal_variable(...)` returns")
         valid.expressions(f"{model.name}: rates", **{f"the rate of {z.name!r}": expr})
 
 
 def _names(model: Model) -> None:
-    valid.name("model", model.name)
-    if not model.name.isascii():
-        _fail(model, "a file is called by the model's name: write it in ASCII")
-    valid.texts(model.name, title=model.title, reference=model.reference)
-    for p in model.parameters:
-        valid.name(f"{model.name}: parameter {p.symbol}", p.name)
-    for c in model.coordinates:
-        valid.name(f"{model.name}: coordinate {c.position}", c.name)
+    common_names(model)
     for z in model.rates:
         valid.name(f"{model.name}: internal variable {z.symbol}", z.name)
     touching = [c.name for c in model.contacts] + [e.name for e in model.elements]
@@ -123,13 +114,13 @@ def _names(model: Model) -> None:
         [f.name for f in model.forces],
     ):
         if repeated(names):
-            _fail(
+            fail(
                 model,
                 f"declared twice: {', '.join(repeated(names))}; give each a name of its own",
             )
     taken = sorted((RESPONSE - set(outputs)) & set(model.states))
     if taken:
-        _fail(model, f"every response calls something else {', '.join(taken)}: choose another name")
+        fail(model, f"every response calls something else {', '.join(taken)}: choose another name")
 
 
 def outputs_of(model: Model) -> tuple[str, ...]:
@@ -148,7 +139,7 @@ def _signs_are_kept(model: Model) -> None:
     given += [z.symbol for z in model.rates]
     for symbol in given:
         if str(symbol).startswith((r"\sigma", r"\chi_")):
-            _fail(
+            fail(
                 model,
                 f"the symbol {symbol} is kept for the sign of a slip or the state of an element: "
                 "choose another",
@@ -160,9 +151,9 @@ def _side(model: Model, contact: Contact) -> None:
     what = f"contact {contact.name!r}"
     sided = SIDE in contact.gap.free_symbols | contact.slip.free_symbols
     if contact.side not in (-1, 0, 1):
-        _fail(model, f"{what}: its side is {contact.side!r}: give -1, 0 or 1")
+        fail(model, f"{what}: its side is {contact.side!r}: give -1, 0 or 1")
     if contact.side == 0 and sided:
-        _fail(model, f"{what}: its gap or slip contains the side s: declare both by `feet(...)`")
+        fail(model, f"{what}: its gap or slip contains the side s: declare both by `feet(...)`")
     images = [
         other
         for other in model.contacts
@@ -170,7 +161,7 @@ def _side(model: Model, contact: Contact) -> None:
         and (other.gap, other.slip, other.law) == (contact.gap, contact.slip, contact.law)
     ]
     if contact.side and len(images) != 1:
-        _fail(
+        fail(
             model,
             f"{what}: it has the side {contact.side}, and no other point is its image: declare "
             "both by `feet(...)`, or write it without s, its side 0",
@@ -216,28 +207,28 @@ def _moves(model: Model) -> None:
     for c in model.contacts:
         for item, e in zip(("gap", "slip"), c.at(c.side), strict=True):
             if not sp.sympify(e).free_symbols & q:
-                _fail(
+                fail(
                     model,
                     f"the {item} of contact {c.name!r} is {e}, which no coordinate changes: write "
                     "it with the coordinates of the structure when nothing holds it",
                 )
     for one, other in combinations(model.contacts, 2):
         if tidy(one.at(one.side)[0] - other.at(other.side)[0]) == 0:
-            _fail(
+            fail(
                 model,
                 f"the contacts {one.name!r} and {other.name!r} have the same gap: they are one "
                 "point; declare it once",
             )
     for element in model.elements:
         if not sp.sympify(element.compression).free_symbols & q:
-            _fail(
+            fail(
                 model,
                 f"the compression of element {element.name!r} is {element.compression}, which no "
                 "coordinate changes",
             )
     for f in model.forces:
         if not sp.sympify(f.displacement).free_symbols & q:
-            _fail(
+            fail(
                 model,
                 f"the displacement of force {f.name!r} is {f.displacement}, which no coordinate "
                 "changes: the force does no work",
@@ -247,7 +238,7 @@ def _moves(model: Model) -> None:
 def _turns(model: Model) -> None:
     theta = model.rotation.position
     if not any(sp.sympify(b.rotation).has(theta) for b in model.bodies):
-        _fail(
+        fail(
             model,
             f"no body turns with the rotation {model.rotation.name!r}: declare the angle through "
             "which each turns, clockwise, as `Body(..., rotation=...)`",
@@ -273,7 +264,7 @@ def _turns_with(model: Model, contact: Contact, body: Body) -> None:
         rate = sp.diff(turning, x)
         lacking = [sp.diff(across, x) - rate * up, sp.diff(up, x) + rate * across]
         if any(tidy(e) != 0 for e in lacking):
-            _fail(
+            fail(
                 model,
                 f"contact {contact.name!r} is a point of body {body.name!r}, which turns clockwise "
                 f"by {turning}, and the point does not: place both by `turned(point, about, "
