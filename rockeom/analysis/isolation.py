@@ -48,8 +48,9 @@ class Demands(NamedTuple):
 class EnergyBalance(NamedTuple):
     """Where the energy of a response came from and went, in joules.
 
-    input : work of the shaking on the masses, seen from the ground that moves. damping, impacts :
-    lost in dampers and at impacts. gained : energy at the end less that at the start.
+    input : work of the shaking on the masses, seen from the ground that moves. damping : lost in
+    dampers and by yielding, less the work of forces that are declared by themselves (`Force`).
+    impacts : lost at impacts. gained : energy at the end less that at the start.
     error : what input - damping - impacts - gained leaves, over the largest of them.
     """
 
@@ -147,16 +148,17 @@ def energy_balance(run: Response) -> EnergyBalance:
     """The energy of a response `run` by quadrature of its motion, beside that of its states.
 
     Work and losses are integrals over the steps, the energies those of the states at the ends:
-    the error tells how well the motion was integrated. The damping is that of one
-    column, the parameter `damping` [N s/m] on the state `u`.
+    the error tells how well the motion was integrated. Structures whose contacts or elements are
+    declared know their losses; of others the damping is that of one column, the parameter
+    `damping` [N s/m] on the state `u`.
 
-    Raises ValueError for a structure with other dampers or with internal variables, whose losses
-    are not known, or one that knows no momentum.
+    Raises ValueError for a structure with other dampers, whose losses are not known, or one that
+    knows no momentum.
     """
     parameters = run.structure.parameters()
+    told = hasattr(run.program, "losses")
     others = [n for n, v in parameters.items() if "damping" in n and n != "damping" and v]
-    coordinates_and_rates = len(run.states) - getattr(run.program, "N_INTERNAL", 0)
-    others += run.states[coordinates_and_rates:]
+    others *= not told
     if others or not hasattr(run.program, "momentum") or len(run.program.ENERGIES) != 3:
         raise ValueError(
             f"the energy balance of {run.structure.model} is not known: it is for structures on "
@@ -180,7 +182,7 @@ def energy_balance(run: Response) -> EnergyBalance:
 
 
 def _work(run: Response, damping: float) -> tuple[float, float]:
-    """Work of the shaking and energy lost in the column's damper [J], by quadrature."""
+    """Work of the shaking and energy lost in dampers and the like [J], by quadrature."""
     starts, lengths = run.steps.span.T
     index = np.repeat(np.arange(len(starts)), len(_NODES))
     x = np.tile(0.5 * (1.0 + _NODES), len(starts))
@@ -194,7 +196,12 @@ def _work(run: Response, damping: float) -> tuple[float, float]:
     if run.vertical is not None:
         power -= momentum[:, 1] * run.vertical.acceleration(t)
     lost = 0.0
-    if damping:
+    if hasattr(run.program, "losses"):
+        powers = np.zeros((len(t), 1))
+        for contact, state, out in zip(run.steps.contact[index], y, powers, strict=True):
+            run.program.losses(contact, state, run.structure.vector, out)
+        lost = float(weights @ powers[:, 0])
+    elif damping:
         lost = damping * float(weights @ y[:, run.states.index("u_dot")] ** 2)
     return float(weights @ power), lost
 

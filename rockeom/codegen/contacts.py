@@ -7,7 +7,7 @@ of each element as numbers. Which one moves in a contact state stands in tables.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -18,6 +18,7 @@ from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import Model
+from rockeom.symbolic.elements import Passage
 from rockeom.symbolic.impulse import momentum
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import GROUND_Y
@@ -28,8 +29,8 @@ from rockeom.symbolic.modes import (
     Arrangement,
     Mechanism,
     Modes,
+    force_of,
     free_motion,
-    press_of,
     sign_of_slip,
     switch_of,
 )
@@ -108,7 +109,7 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     _motions(written)
     _forces(written)
     _guards(written)
-    if not text.model.contacts:
+    if text.model.elements:
         _jump(text)
     _free_motion(written)
     _points(text)
@@ -118,6 +119,7 @@ def contact_functions(text: Text) -> dict[str, Columns]:
         "REACTIONS": _reactions(written),
         "KINEMATICS": _kinematics(text),
     }
+    _losses(written)
     _momentum(text)
     _statics(written)
     return columns
@@ -223,7 +225,7 @@ def _motion_of(written: Written, number: int, mechanism: Mechanism) -> str:
     text = written.text
     name = text.function_name(f"rates_{_suffix(mechanism)}", f"rates_{number}")
     names = [text.name(a) for a in mechanism.qdd]
-    internal = {text.name(z.rate): mechanism.here(e) for z, e in text.model.rates.items()}
+    internal = {text.name(z.rate): mechanism.here(e) for z, e in text.model.internal.items()}
     rates = list(text.states[text.n :])
     entries: dict[str, sp.Expr] = dict(internal)
     tied: list[str] = []
@@ -291,11 +293,19 @@ def _forces(written: Written) -> None:
 
 @dataclass(frozen=True)
 class Guard:
-    """A guard of an arrangement: of a point, or of an element, whose numbers follow on theirs."""
+    """A guard of an arrangement: of a point, or of an element, whose numbers follow on theirs.
+
+    sign : of the friction that it bounds. place : among the passages of its element.
+    """
 
     kind: int
     subject: int
     sign: int = 0
+    place: int = 0
+
+    def of(self, place: int | None) -> Guard | None:
+        """That of another passage of its element."""
+        return None if place is None else replace(self, place=place)
 
 
 def guards_of(model: Model, arrangement: Arrangement) -> list[Guard]:
@@ -313,8 +323,33 @@ def guards_of(model: Model, arrangement: Arrangement) -> list[Guard]:
             found.append(Guard(STICKING, i))
         elif all(model.contacts[j].law.friction is not None for j in group):
             found += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
+    return [*found, *_of_elements(model)]
+
+
+def _of_elements(model: Model) -> list[Guard]:
     points = len(model.contacts)
-    return [*found, *(Guard(SWITCH, points + i) for i in range(len(model.elements)))]
+    return [
+        Guard(SWITCH, points + i, place=place)
+        for i, element in enumerate(model.elements)
+        for place in range(len(element.passages(model.coordinates)[element.states[0]]))
+    ]
+
+
+def passage_of(model: Model, guard: Guard, state: int) -> Passage:
+    """The passage that ends a state of an element by a guard."""
+    element = model.elements[guard.subject - len(model.contacts)]
+    return element.passages(model.coordinates)[state][guard.place]
+
+
+def pairs_of(model: Model) -> list[tuple[int, int, int]]:
+    """(element, state, place) of each guard that is the larger of two."""
+    return [
+        (i, state, place)
+        for i, element in enumerate(model.elements)
+        for state, passages in element.passages(model.coordinates).items()
+        for place, passage in enumerate(passages)
+        if len(passage.guard) == 2
+    ]
 
 
 def _guards(written: Written) -> None:
@@ -355,31 +390,77 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             ]
             cone = sum(mechanism.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
-        else:
-            e = i - len(model.contacts)
-            targets[f"part_{2 * e}"] = -model.elements[e].stiffness * model.elements[e].compression
-            targets[f"part_{2 * e + 1}"] = -press_of(model, e)
+    switches = _Switches(model)
+    targets |= switches.values
     lines += text.evaluate("guards", targets, indent, hoist=True, states=False)
-    for e in range(len(model.elements)):
-        k = len(guards_of(model, arrangement)) - len(model.elements) + e
-        pressed, force = f"part_{2 * e}", f"part_{2 * e + 1}"
-        lines += [
-            f"{indent}g[N_GUARDS + {2 * e}] = {pressed}",
-            f"{indent}g[N_GUARDS + {2 * e + 1}] = {force}",
-            f"{indent}g[{k}] = -{force} if ELEMENT_STATES[contact][{e}] == 1 "
-            f"else max({pressed}, {force})",
-        ]
-    return lines
+    first = len(guards_of(model, arrangement)) - len(_of_elements(model))
+    return [*lines, *(f"{indent}{line}" for line in switches.lines(first))]
+
+
+class _Switches:
+    """What guards of elements are made of, each expression once, and their lines.
+
+    values : by name.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.values: dict[str, sp.Expr] = {}
+        self._names: dict[sp.Expr, str] = {}
+        for element in model.elements:
+            for passages in element.passages(model.coordinates).values():
+                for e in (e for passage in passages for e in passage.guard):
+                    self._add(sp.sympify(e))
+
+    def _add(self, expr: sp.Expr) -> None:
+        if expr not in self._names:
+            name = f"part_{len(self.values)}"
+            self._names |= {expr: name, -expr: f"-{name}"}
+            self.values[name] = expr
+
+    def _written(self, passage: Passage) -> str:
+        names = [self._names[sp.sympify(e)] for e in passage.guard]
+        return names[0] if len(names) == 1 else f"max({', '.join(names)})"
+
+    def lines(self, first: int) -> list[str]:
+        """They begin at g[first]; the parts of those that are the larger of two at g[N_GUARDS]."""
+        model = self.model
+        found: list[str] = []
+        for i, state, place in pairs_of(model):
+            for e in model.elements[i].passages(model.coordinates)[state][place].guard:
+                found.append(f"g[N_GUARDS + {len(found)}] = {self._names[sp.sympify(e)]}")
+        for k, guard in enumerate(_of_elements(model)):
+            i = guard.subject - len(model.contacts)
+            states = model.elements[i].states
+            values = {s: self._written(passage_of(model, guard, s)) for s in states}
+            *others, last = values.items()
+            tests = [f"{value} if ELEMENT_STATES[contact][{i}] == {s} else" for s, value in others]
+            found.append(f"g[{first + k}] = {' '.join([*tests, last[1]])}")
+        return found
 
 
 def _jump(text: Text) -> None:
-    """Where nothing but springs touches, each passage has its target, and nothing jumps."""
+    """The passage of an element has its target, and no velocity jumps."""
+    model, lines = text.model, []
+    for i, element in enumerate(model.elements):
+        for state in element.states:
+            put = element.settled(state)
+            if put:
+                places = {f"out[{text.index(z.symbol)}]": e for z, e in put.items()}
+                lines += [
+                    "    if (",
+                    f"        SUBJECTS[contact][guard] == {len(model.contacts) + i}",
+                    f"        and ELEMENT_STATES[contact][{i}] == {state}",
+                    "    ):",
+                    *text.evaluate("jump", places, " " * 8),
+                ]
     text.function(
         "jump(contact, guard, law, ratio, y, p, out)",
         "The state goes on into out (N,); returns the contact state that follows a guard's fall.",
         [
             "    for i in range(N_STATES):",
             "        out[i] = y[i]",
+            *lines,
             "    return TARGETS[contact][guard]",
         ],
     )
@@ -388,7 +469,7 @@ def _jump(text: Text) -> None:
 def _free_motion(written: Written) -> None:
     text, n = written.text, written.text.n
     matrix, forces = free_motion(text.model)
-    inertia = sp.diag(matrix, *([0] * len(text.model.rates)))  # internal variables have none
+    inertia = sp.diag(matrix, *([0] * len(text.model.internal)))  # internal variables have none
     targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
     targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(text.model)])}
     text.function(
@@ -400,7 +481,7 @@ def _free_motion(written: Written) -> None:
 
 def _still(model: Model) -> list[sp.Expr]:
     """A zero for the integral of each internal variable: no force, no gap knows of it."""
-    return [sp.S.Zero] * len(model.rates)
+    return [sp.S.Zero] * len(model.internal)
 
 
 def _points(text: Text) -> None:
@@ -446,13 +527,7 @@ def _point_laws(text: Text) -> None:
 
 def _energies(written: Written) -> Columns:
     text, equations = written.text, written.text.model.free.equations
-    pressed = sum(
-        (
-            switch_of(i) * e.stiffness * e.compression**2 / 2
-            for i, e in enumerate(text.model.elements)
-        ),
-        sp.S.Zero,
-    )
+    pressed = sum((e.energy(switch_of(i)) for i, e in enumerate(text.model.elements)), sp.S.Zero)
     values = {
         "kinetic_energy": equations.kinetic_energy,
         "gravitational_energy": equations.gravitational_energy,
@@ -467,13 +542,31 @@ def _energies(written: Written) -> Columns:
     return tuple(values)
 
 
+def _losses(written: Written) -> None:
+    """What the states' energies do not get back: of dampers, of what yields, of other forces."""
+    text, model = written.text, written.text.model
+    power = sum(
+        (sp.diff(model.dissipation, c.velocity) * c.velocity for c in model.coordinates), sp.S.Zero
+    )
+    power -= sum((f.value * rate(f.displacement, model.coordinates) for f in model.forces), 0)
+    power -= sum((sp.diff(model.elastic_energy, z.symbol) * e for z, e in model.rates.items()), 0)
+    for i, element in enumerate(model.elements):
+        power += element.loss(switch_of(i), model.coordinates)
+    text.function(
+        "losses(contact, y, p, out)",
+        "Power lost in dampers and by yielding, less that of declared forces [W], into out (1,).",
+        written.read_switches("    ") + _every(text, "losses", {"out[0]": tidy(power)}),
+    )
+
+
 def _reactions(written: Written) -> Columns:
     """The ground's horizontal force, then the forces at each point and element."""
     text, model = written.text, written.text.model
     arrangements = written.modes.arrangements
     points, elements = model.contacts, model.elements
     columns = ["horizontal_reaction"]
-    columns += [f"{x.name}_reaction" for x in (*points, *elements)]
+    columns += [f"{c.name}_reaction" for c in points]
+    columns += [f"{e.name}_{e.outputs[0]}" for e in elements]
     columns += [f"{c.name}_friction" for c in points]
     states = ", ".join(f"y[{i}]" for i in range(2 * text.n))
     total = total_reaction(model.free)[0]
@@ -483,10 +576,7 @@ def _reactions(written: Written) -> Columns:
         for i, c in enumerate(model.coordinates)
         if c.acceleration in total.free_symbols
     ]
-    presses = {
-        f"out[{1 + len(points) + i}]": switch_of(i) * press_of(model, i)
-        for i in range(len(elements))
-    }
+    presses = {f"out[{1 + len(points) + i}]": force_of(model, i) for i in range(len(elements))}
     body += written.read_switches("    ")
     body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
     if points:
@@ -557,7 +647,7 @@ def _kinematics(text: Text) -> Columns:
     for contact in model.contacts:
         values[f"{contact.name}_uplift"] = contact.at(contact.side)[0]
     for element in model.elements:
-        values[f"{element.name}_uplift"] = -element.compression
+        values[f"{element.name}_{element.outputs[1]}"] = element.told_displacement
     for contact in model.contacts:
         slip = contact.at(contact.side)[1]
         values[f"{contact.name}_slip"] = slip - slip.subs(rest)
@@ -584,8 +674,7 @@ def _statics(written: Written) -> None:
     lacking = equilibrium(text.model.free)
     for i, e in enumerate(text.model.elements):
         for j, c in enumerate(text.model.coordinates):
-            press = switch_of(i) * e.stiffness * e.compression
-            lacking[j] += press * sp.diff(e.compression, c.position)
+            lacking[j] += e.still_force(switch_of(i)) * sp.diff(e.displacement, c.position)
     targets = {f"out[{i}]": tidy(e) for i, e in enumerate([*lacking, *_still(text.model)])}
     text.function(
         "statics(contact, y, p, load, out)",

@@ -15,8 +15,8 @@ import unicodedata
 _PROGRAM = """
 abs float max min np math range __debug__
 
-accelerations energies guards held_guards jump kinematics momentum opening_acceleration overturning
-prepare rates reactions sine_cosine sizes statics velocity_ratio fused inlined
+accelerations energies guards held_guards jump kinematics losses momentum opening_acceleration
+overturning prepare rates reactions sine_cosine sizes statics velocity_ratio fused inlined
 everywhere
 
 free_motion points point_laws

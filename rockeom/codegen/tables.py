@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from rockeom.codegen.contacts import Guard, guards_of, quick
+from rockeom.codegen.contacts import Guard, guards_of, pairs_of, passage_of, quick
 from rockeom.codegen.guards import longest, outgoing, parts
 from rockeom.codegen.jump import impulsive
 from rockeom.codegen.names import string
@@ -49,7 +49,7 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         "",
         f"N_STATES = {2 * text.n}",
         f"N_GUARDS = {longest_row}",
-        f"N_PARTS = {2 * len(model.elements)}",
+        f"N_PARTS = {2 * len(pairs_of(model))}",
         f"N_POINTS = {len(model.contacts)}",
         f"N_ELEMENTS = {len(model.elements)}",
         *_internal(model),
@@ -57,7 +57,7 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
         *_column("SIDES = (", dict.fromkeys(written, "0.0")),
         *_column("GUARDS = (", {name: str(len(row)) for name, row in rows.items()}),
-        *_states_of_contact(modes, slips),
+        *_states_of_contact(model, modes, slips),
         *_of_derived_guards(model, modes, rows, longest_row),
         "NARROW = False  # whether forces may act in a small part of a step",
         "HELD = -1  # contact state whose guards are sums of the state and the ground, or -1",
@@ -69,10 +69,10 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
 
 def _internal(model: Model) -> list[str]:
     """How many of the states, the last ones, have no coordinate behind them."""
-    return [f"N_INTERNAL = {len(model.rates)}"] if model.rates else []
+    return [f"N_INTERNAL = {len(model.internal)}"] if model.internal else []
 
 
-def _states_of_contact(modes: Modes, slips: int) -> list[str]:
+def _states_of_contact(model: Model, modes: Modes, slips: int) -> list[str]:
     """What each point and element does in each contact state, and which mechanism moves."""
     written = {state: modes.arrangements[state.arrangement] for state in modes.states}
     return [
@@ -80,7 +80,7 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
             "POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left",
             {state.name: state.points for state in written},
         ),
-        *_rows("ELEMENT_STATES = (  # 0 off, 1 on", {s.name: s.elements for s in written}),
+        *_rows(f"ELEMENT_STATES = (  # {_legend(model)}", {s.name: s.elements for s in written}),
         *_rows(
             "SHARED = (  # the first point with which each shares its friction",
             {state.name: arrangement.shared for state, arrangement in written.items()},
@@ -104,33 +104,43 @@ def _states_of_contact(modes: Modes, slips: int) -> list[str]:
     ]
 
 
+def _legend(model: Model) -> str:
+    """What the states of elements are."""
+    yields = any(-1 in e.states for e in model.elements)
+    return "0 elastic or off, 1 yields or on, -1 yields back or slack" if yields else "0 off, 1 on"
+
+
 def _of_derived_guards(
     model: Model, modes: Modes, rows: Mapping[str, list[Guard]], longest_row: int
 ) -> list[str]:
     numbers = {(state.points, state.elements): i for i, state in enumerate(modes.states)}
-    points = len(model.contacts)
+    points, pairs = len(model.contacts), pairs_of(model)
+
+    def state_of(number: int, guard: Guard) -> int:
+        return modes.states[number].elements[guard.subject - points]
 
     def switched(number: int, guard: Guard) -> int:
         """The contact state in which the element of a guard has switched, -1 of a point."""
         if guard.kind != SWITCH:
             return -1
         state, elements = modes.states[number], list(modes.states[number].elements)
-        elements[guard.subject - points] = 1 - elements[guard.subject - points]
+        passage = passage_of(model, guard, state_of(number, guard))
+        elements[guard.subject - points] = passage.target
         return numbers[state.points, tuple(elements)]
 
     def back(number: int, guard: Guard) -> int:
-        """The guard of the same element there."""
+        """The guard that is zero as the other state begins, -1 where none is."""
         if guard.kind != SWITCH:
             return -1
+        passage = passage_of(model, guard, state_of(number, guard))
         there = rows[modes.states[switched(number, guard)].name]
-        return next(
-            i for i, g in enumerate(there) if g.subject == guard.subject and g.kind == SWITCH
-        )
+        return next((i for i, g in enumerate(there) if g == guard.of(passage.back)), -1)
 
     def part(number: int, guard: Guard) -> int:
-        if guard.kind != SWITCH or modes.states[number].elements[guard.subject - points]:
+        if guard.kind != SWITCH:
             return -1
-        return longest_row + 2 * (guard.subject - points)
+        pair = guard.subject - points, state_of(number, guard), guard.place
+        return longest_row + 2 * pairs.index(pair) if pair in pairs else -1
 
     def table(first: str, of: Callable[[int, Guard], int], filler: int = -1) -> list[str]:
         found = {name: [of(i, g) for g in row] for i, (name, row) in enumerate(rows.items())}
@@ -161,7 +171,7 @@ def _words(
     rates = [_rate_unit(unit) for unit in units]
     if isinstance(model, Model):
         units += [c.unit for c in model.integrals]
-        rates += [z.unit for z in model.rates]
+        rates += [z.unit for z in model.internal]
     return [
         f"NAME = {string(model.name)}",
         f"CLASS = {string(class_name(model.name))}",

@@ -114,6 +114,41 @@ def standing(
     return y
 
 
+def drawn_out(
+    module: ModuleType, model: str, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+) -> np.ndarray:
+    """The state, what is beyond the strength of an element that yields being drawn out there.
+
+    Raises ValueError where a permanent extension is named that leaves more than the strength.
+    """
+    places = {name: f"{name}_extension" for name in module.ELEMENTS}
+    places = {name: z for name, z in places.items() if z in module.STATES}
+    if not places:
+        return y
+    alike = [c for c, row in enumerate(module.POINT_STATES) if row == module.POINT_STATES[0]]
+    contact = max(alike, key=lambda c: _switch_margin(module, c, y, p))
+    drawn, told = y.copy(), np.zeros(len(module.KINEMATICS))
+    for guard in range(module.GUARDS[contact]):
+        if module.KINDS[contact][guard] == SWITCH:
+            module.jump(contact, guard, 0, 0.0, drawn.copy(), p, drawn)
+    module.kinematics(contact, y, p, told)
+    for name, z in places.items():
+        i = module.STATES.index(z)
+        size = abs(drawn[i]) + abs(told[module.KINEMATICS.index(f"{name}_elongation")])
+        if z not in named:
+            y[i] = drawn[i]
+        elif abs(drawn[i] - y[i]) > _BEYOND * size:
+            raise ValueError(
+                f"{model}: {z} is {y[i]:g} in this state, which leaves more than the strength: "
+                f"give {drawn[i]:.6g}, or leave it out"
+            )
+    return y
+
+
+_BEYOND = 1e-4
+"""Relative: an extension is integrated while it grows, to the tolerance of a motion."""
+
+
 def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> int:
     """Number of the contact state of a state vector.
 

@@ -30,6 +30,7 @@ from rockeom.marks import inlined
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
         ANGLES,
+        CLOSED,
         ELEMENT_STATES,
         GUARDS,
         KINDS,
@@ -42,9 +43,9 @@ if TYPE_CHECKING:  # joined before this text
         ROTATION,
         SHARED,
         SUBJECTS,
-        TARGETS,
         free_motion,
         guards,
+        jump,
         point_laws,
         points,
         rates,
@@ -721,11 +722,11 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
         out[i] = y[i]
     kind, subject = KINDS[contact][guard], SUBJECTS[contact][guard]
     if kind == SWITCH:
-        follows = TARGETS[contact][guard]
-        touching = 0
-        for i in range(GUARDS[follows]):
-            if SUBJECTS[follows][i] == subject:
-                touching = int(1.0 / HALVES[i])
+        follows, touching = contact, -1
+        if N_ELEMENTS > 0:
+            follows = jump(contact, guard, 0, 0.0, y, p, out)
+            if CLOSED[contact][guard] >= 0:
+                touching = int(1.0 / HALVES[CLOSED[contact][guard]])
         return follows, touching
     told, laws = np.empty(POINT * N_POINTS), np.empty(ROWS)
     spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)

@@ -18,7 +18,14 @@ from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.contact_states import by_forces, contact_of, has_points, named, standing
+from rockeom.numeric.contact_states import (
+    by_forces,
+    contact_of,
+    drawn_out,
+    has_points,
+    named,
+    standing,
+)
 from rockeom.numeric.impact import (
     AngularMomentum,
     EnergyRatioAtSpeed,
@@ -124,7 +131,8 @@ class Structure:
                 raise ValueError(f"state {name} is {value}: give a finite number")
         found = np.array(y)
         if has_points(self.module):
-            return standing(self.module, found, self.vector, values)
+            stands = standing(self.module, found, self.vector, values)
+            return drawn_out(self.module, self.model, stands, self.vector, values)
         return found
 
     def contact(self, y: np.ndarray, phase: str | None = None, towards: float = 0.0) -> int:

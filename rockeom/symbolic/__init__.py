@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from rockeom.symbolic import evaluate, typeset
-from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, Unilateral, feet
+from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, feet
+from rockeom.symbolic.elements import Unilateral, Yielding
 from rockeom.symbolic.model import (
     READERS,
     Body,
@@ -59,6 +60,7 @@ __all__ = [
     "RockingModel",
     "Transition",
     "Unilateral",
+    "Yielding",
     "coordinate",
     "derive",
     "feet",

@@ -19,7 +19,8 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 
 if TYPE_CHECKING:
-    from rockeom.symbolic.contacts import Contact, Model, Unilateral
+    from rockeom.symbolic.contacts import Contact, Model
+    from rockeom.symbolic.elements import Element
     from rockeom.symbolic.model import Coordinate, Phase, RockingModel, Transition
 
 KINDS = ("impact", "uplift", "switch")
@@ -695,11 +696,12 @@ def sizes(model: RockingModel | Model) -> tuple[Size, ...]:
                 remedy = "the point of side -1 must stand to the left of that of side 1"
                 yield size(f"the width {at}", width, False, remedy)
 
-    def of_elements(elements: Iterable[Unilateral]) -> Iterator[Size]:
+    def of_elements(elements: Iterable[Element]) -> Iterator[Size]:
         for e in elements:
-            for what, value in (("stiffness", e.stiffness), ("damping", e.damping)):
+            for what, value in e.constants.items():
                 at = f"the {what} of element {e.name!r}"
-                yield size(at, value, True, "it must not be negative")
+                remedy = "give a positive one" if what in e.positive else "it must not be negative"
+                yield size(at, value, what not in e.positive, remedy)
 
     upright = {c.position: 0 for c in model.coordinates}
     every = dict.fromkeys(found for phase in model.phases for found in of(phase))

@@ -32,15 +32,16 @@ if TYPE_CHECKING:
 
 def check(model: Model) -> None:
     """Names, symbols and expressions of a declaration."""
-    from rockeom.symbolic.contacts import Contact, Force, Unilateral
+    from rockeom.symbolic.contacts import Contact, Force
+    from rockeom.symbolic.elements import Unilateral, Yielding
 
     _are(model, "bodies", _body_type())
     _are(model, "contacts", Contact)
-    _are(model, "elements", Unilateral)
+    _are(model, "elements", Unilateral, Yielding)
     _are(model, "forces", Force)
     _rates(model)
     _names(model)
-    distinct_symbols(model, [x for z in model.rates for x in (z.symbol, z.rate)])
+    distinct_symbols(model, [x for z in model.internal for x in (z.symbol, z.rate)])
     _signs_are_kept(model)
     if model.rotation not in model.coordinates:
         fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
@@ -50,7 +51,7 @@ def check(model: Model) -> None:
         fail(model, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in model.contacts:
         _side(model, contact)
-    known = declared_kinds(model) | {z.symbol: INTERNAL for z in model.rates}
+    known = declared_kinds(model) | {z.symbol: INTERNAL for z in model.internal}
     for item, expr, kinds in _expressions(model):
         contents(model, known, item, sp.sympify(expr), kinds)
     _moves(model)
@@ -74,10 +75,11 @@ def _body_type() -> type:
     return Body
 
 
-def _are(model: Model, item: str, kind: type) -> None:
+def _are(model: Model, item: str, *kinds: type) -> None:
     for x in getattr(model, item):
-        if not isinstance(x, kind):
-            fail(model, f"{item} holds {x!r}: give objects of {kind.__name__}")
+        if not isinstance(x, kinds):
+            names = " or ".join(kind.__name__ for kind in kinds)
+            fail(model, f"{item} holds {x!r}: give objects of {names}")
 
 
 def _rates(model: Model) -> None:
@@ -100,7 +102,7 @@ def _rates(model: Model) -> None:
 
 def _names(model: Model) -> None:
     common_names(model)
-    for z in model.rates:
+    for z in model.internal:
         valid.name(f"{model.name}: internal variable {z.symbol}", z.name)
     touching = [c.name for c in model.contacts] + [e.name for e in model.elements]
     for name in touching:
@@ -125,18 +127,18 @@ def _names(model: Model) -> None:
 
 def outputs_of(model: Model) -> tuple[str, ...]:
     """What a response tells of the points and elements, by name."""
-    points, elements = ([x.name for x in of] for of in (model.contacts, model.elements))
+    points = [c.name for c in model.contacts]
     return (
         *(f"{name}_{what}" for name in points for what in ("reaction", "friction")),
         *(f"{name}_{what}" for name in points for what in ("uplift", "slip")),
-        *(f"{name}_{what}" for name in elements for what in ("reaction", "uplift")),
+        *(f"{e.name}_{what}" for e in model.elements for what in e.outputs),
     )
 
 
 def _signs_are_kept(model: Model) -> None:
     given = [p.symbol for p in model.parameters]
     given += [x for c in model.coordinates for x in (c.position, c.velocity, c.acceleration)]
-    given += [z.symbol for z in model.rates]
+    given += [z.symbol for z in model.internal]
     for symbol in given:
         if str(symbol).startswith((r"\sigma", r"\chi_")):
             fail(
@@ -189,9 +191,9 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
         yield f"friction{of}", 0 if c.law.friction is None else c.law.friction, ""
     for element in model.elements:
         of = f" of element {element.name!r}"
-        yield f"compression{of}", element.compression, "q"
-        yield f"stiffness{of}", element.stiffness, ""
-        yield f"damping{of}", element.damping, ""
+        yield f"displacement{of}", element.displacement, "q"
+        for constant, e in element.constants.items():
+            yield f"{constant}{of}", e, ""
     for f in model.forces:
         yield f"value of force {f.name!r}", f.value, "qvz"
         yield f"displacement of force {f.name!r}", f.displacement, "q"
@@ -220,10 +222,10 @@ def _moves(model: Model) -> None:
                 "point; declare it once",
             )
     for element in model.elements:
-        if not sp.sympify(element.compression).free_symbols & q:
+        if not sp.sympify(element.displacement).free_symbols & q:
             fail(
                 model,
-                f"the compression of element {element.name!r} is {element.compression}, which no "
+                f"the displacement of element {element.name!r} is {element.displacement}, which no "
                 "coordinate changes",
             )
     for f in model.forces:

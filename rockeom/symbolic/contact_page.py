@@ -13,7 +13,6 @@ from rockeom.symbolic.modes import (
     OPEN,
     Mechanism,
     free_motion,
-    press_of,
     sign_of_slip,
     switch_of,
 )
@@ -33,9 +32,7 @@ def contact_content(model: Model) -> list[Block]:
         (sign_of_slip(i), "sign of the slip: $+1$ to the right, $-1$ to the left")
         for i in range(slips)
     ]
-    signs += [
-        (switch_of(i), f"1 while `{e.name}` presses, else 0") for i, e in enumerate(model.elements)
-    ]
+    signs += [(switch_of(i), e.meaning()) for i, e in enumerate(model.elements)]
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
     blocks += symbols_of(model, False, signs)
@@ -115,11 +112,9 @@ def _declared(model: Model) -> list[Block]:
         lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
     for i, element in enumerate(model.elements):
-        press = f"{_force('N', [element.name])} = {notation.write(press_of(model, i))}"
-        blocks += [
-            f"`{element.name}` presses with this force, while it and the compression are positive:",
-            Display((press,)),
-        ]
+        force = _force(element.symbol_of_force, [element.name])
+        value = element.force(element.shown(switch_of(i)), model.coordinates)
+        blocks += [element.law(), Display((f"{force} = {notation.write(value)}",))]
     if model.forces:
         works = tuple(
             rf"{_force('Q', [f.name])} = {notation.write(f.value)},"
@@ -147,10 +142,10 @@ def _declared(model: Model) -> list[Block]:
 
 def _internal(model: Model) -> list[Block]:
     """The rates of internal variables, the same in each contact state."""
-    if not model.rates:
+    if not model.internal:
         return []
     notation = Notation(model.free, model)
-    lines = (f"{notation.plain(z.rate)} = {notation.write(e)}" for z, e in model.rates.items())
+    lines = (f"{notation.plain(z.rate)} = {notation.write(e)}" for z, e in model.internal.items())
     return [
         Heading(2, "Internal variables"),
         "States of first order, in all contact states; an impact leaves them as they are:",
@@ -164,7 +159,8 @@ def _mechanism(model: Model, mechanism: Mechanism) -> list[Block]:
     served = [
         state for state in modes.states if modes.arrangements[state.arrangement].mechanism == number
     ]
-    alike = {state.name: modes.signs(state) for state in served if all(state.elements)}
+    first = tuple(e.states[0] for e in model.elements)
+    alike = {state.name: modes.signs(state) for state in served if state.elements == first}
     notation = Notation(model.free, model)
     blocks: list[Block] = [Heading(2, f"Contact {listed(alike)}")]
     told = [
@@ -273,7 +269,7 @@ def _ends(mechanism: Mechanism, notation: Notation) -> list[Block]:
     for i, state in enumerate(mechanism.states):
         if state == OPEN:
             ends.append(f"the gap ${notation.write(mechanism.gap(i))}$ closes (landing)")
-    ends += [f"`{e.name}` begins or ceases to press" for e in mechanism.model.elements]
+    ends += [e.ends() for e in mechanism.model.elements]
     return [f"It ends when {', or '.join(ends)}."]
 
 

@@ -16,6 +16,7 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.elements import Element, Unilateral as Unilateral, switch_of
 from rockeom.symbolic.model import (
     READERS,
     Body,
@@ -97,27 +98,6 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class Unilateral:
-    """A spring and a damper that press, k d + c d', while d and that sum are positive.
-
-    compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
-    """
-
-    name: str
-    compression: sp.Expr
-    stiffness: sp.Expr
-    damping: sp.Expr = sp.S.Zero
-
-    def __post_init__(self) -> None:
-        what = f"element {self.name!r}"
-        valid.texts(what, name=self.name)
-        valid.expressions(
-            what, compression=self.compression, stiffness=self.stiffness, damping=self.damping
-        )
-        valid.not_negative(what, stiffness=self.stiffness, damping=self.damping)
-
-
-@dataclass(frozen=True)
 class Force:
     """A force that always acts, along a displacement: its work is that of value * d(displacement).
 
@@ -177,7 +157,7 @@ class Model:
     gravity: sp.Expr
     rotation: Coordinate
     contacts: tuple[Contact, ...] = ()
-    elements: tuple[Unilateral, ...] = ()
+    elements: tuple[Element, ...] = ()
     elastic_energy: sp.Expr = sp.S.Zero
     dissipation: sp.Expr = sp.S.Zero
     forces: tuple[Force, ...] = ()
@@ -230,6 +210,14 @@ class Model:
         )
 
     @cached_property
+    def internal(self) -> dict[InternalVariable, sp.Expr]:
+        """All internal variables with their rates: those of `rates`, and those of elements."""
+        found = dict(self.rates)
+        for i, element in enumerate(self.elements):
+            found |= element.rates(switch_of(i), self.coordinates)
+        return found
+
+    @cached_property
     def integrals(self) -> tuple[Coordinate, ...]:
         """Of each internal variable: its integral, as whose velocity it is integrated.
 
@@ -240,7 +228,7 @@ class Model:
                 sp.Dummy(real=True), z.symbol, z.rate, f"{z.name}_integral",
                 "s" if z.unit == "-" else f"{z.unit} s", f"integral over time of {z.name}",
             )
-            for z in self.rates
+            for z in self.internal
         )  # fmt: skip
 
     @cached_property
@@ -272,7 +260,7 @@ class Model:
     def states(self) -> tuple[str, ...]:
         names = [c.name for c in self.coordinates]
         integrals = [c.name for c in self.integrals]
-        return (*names, *integrals, *(f"{n}_dot" for n in names), *(z.name for z in self.rates))
+        return (*names, *integrals, *(f"{n}_dot" for n in names), *(z.name for z in self.internal))
 
     def check_derived(self) -> None:
         """Raise ValueError where what follows from the declaration cannot be simulated."""

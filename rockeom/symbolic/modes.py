@@ -1,7 +1,7 @@
 """Modes out of contacts: which contact states there are, and the mechanism of each.
 
 A contact state is a state of each point (open, sticking, slipping to either side) and of each
-element (off, on). Where points are closed or stuck the accelerations follow from
+element (off, on; elastic, yielding). Where points are closed or stuck the accelerations follow from
 
     M q'' = f + J_N^T lambda_N + J_T^T lambda_T,    gap'' = 0,    slip'' = 0 where it sticks,
     lambda_T = -mu sigma lambda_N where it slips,   sigma = +1 or -1, the sign of the slip rate.
@@ -12,7 +12,7 @@ forces of contact vanishes under L, L^T (J_N^T - mu sigma J_T^T) = 0:
     L^T M T q_I'' = L^T (f - M tau),    q'' = T q_I'' + tau,
 
 which is not symmetric where a point slips. Mirror images are one mechanism, written with the side
-s; so are the two signs of a slip, sigma, and the states of an element, chi = 0 or 1.
+s; so are the two signs of a slip, sigma, and the states of an element, chi.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations, product
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -30,6 +31,7 @@ from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
 from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
 from rockeom.symbolic.check import repeated
 from rockeom.symbolic.contacts import Model
+from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.lagrange import rate
 
 SLIP = SLIP_RIGHT
@@ -42,11 +44,6 @@ MOST = 4096
 def sign_of_slip(group: int) -> sp.Symbol:
     """sigma: +1 where the points of a group slip to the right, -1 where they slip to the left."""
     return sp.Symbol(rf"\sigma_{group}" if group else r"\sigma", real=True)
-
-
-def switch_of(element: int) -> sp.Symbol:
-    """chi: 1 where an element is on, 0 where it is off."""
-    return sp.Symbol(rf"\chi_{element}", real=True)
 
 
 @dataclass(frozen=True)
@@ -605,16 +602,15 @@ def free_motion(model: Model) -> tuple[sp.Matrix, sp.Matrix]:
     equations = model.free.equations
     forces = equations.forcing
     for i, element in enumerate(model.elements):
-        press = switch_of(i) * press_of(model, i)
+        force = force_of(model, i)
         for j, c in enumerate(model.coordinates):
-            forces[j] -= press * sp.diff(element.compression, c.position)
+            forces[j] -= force * sp.diff(element.displacement, c.position)
     return equations.mass_matrix, forces
 
 
-def press_of(model: Model, element: int) -> sp.Expr:
-    """k d + c d' of an element."""
-    e = model.elements[element]
-    return e.stiffness * e.compression + e.damping * rate(e.compression, model.coordinates)
+def force_of(model: Model, element: int) -> sp.Expr:
+    """The force of an element, by its chi."""
+    return model.elements[element].force(switch_of(element), model.coordinates)
 
 
 # --- which there are
@@ -631,7 +627,8 @@ def derive_modes(model: Model) -> Modes:
     states: list[ContactState] = []
     known: dict[tuple[int, ...], int] = {}
     mirror = _mirror(model)
-    _are_few(model, 2 ** len(model.elements))
+    ways = prod(len(e.states) for e in model.elements)
+    _are_few(model, ways)
     for closed in _closed_sets(model):
         groups = Mechanism(model, _stuck(model, closed), False).groups
         for kinds in product((STICK, SLIP), repeat=len(groups)):
@@ -648,7 +645,7 @@ def derive_modes(model: Model) -> Modes:
             arrangements.append(arrangement)
             mechanism = mechanisms[arrangement.mechanism]
             _ = mechanism.dependent  # raises where it cannot move or stand so
-            _are_few(model, len(states) + 2 ** (len(mechanism.slipping) + len(model.elements)))
+            _are_few(model, len(states) + 2 ** len(mechanism.slipping) * ways)
             states += _states(model, arrangement, mechanism, len(arrangements) - 1)
     twice = repeated(state.name for state in states)
     if twice:
@@ -776,7 +773,7 @@ def _states(
         for group, sign in ways.items():
             for i in group:
                 points[i] = sign
-        for elements in product((1, 0), repeat=len(model.elements)):
+        for elements in product(*(e.states for e in model.elements)):
             name = _name(model, {g: ways.get(g, STICK) for g in sorted(groups)}, elements)
             yield ContactState(name, tuple(points), elements, number)
 
@@ -788,8 +785,13 @@ def _name(model: Model, groups: Mapping[tuple[int, ...], int], elements: tuple[i
         _both([model.contacts[i].name for i in group]) + slides[state]
         for group, state in groups.items()
     ]
-    pressed = [e.name for e, on in zip(model.elements, elements, strict=True) if on]
-    return "_".join([*words, *([_both(pressed)] if pressed else [])]) or "flight"
+    told: dict[str, list[str]] = {}
+    for element, state in zip(model.elements, elements, strict=True):
+        word = element.word(state)
+        if word is not None:
+            told.setdefault(word, []).append(element.name)
+    words += [_both(names) + word for word, names in told.items()]
+    return "_".join(words) or "flight"
 
 
 def _both(names: list[str]) -> str:

@@ -100,6 +100,14 @@ def _a_pair(model: Model) -> None:
             f"the element {model.elements[0].name!r} stands beside pinned feet: a spring that "
             "never leaves is a part of `elastic_energy`",
         )
+    beside = [f"the force {f.name!r}" for f in model.forces]
+    beside += [f"the internal variable {z.name!r}" for z in model.rates]
+    if beside:
+        _fail(
+            model,
+            f"{beside[0]} stands beside pinned feet: forces there are those of `elastic_energy` "
+            "and `dissipation`",
+        )
     if sorted(c.side for c in model.contacts) != [-1, 1]:
         _fail(
             model,

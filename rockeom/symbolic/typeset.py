@@ -131,7 +131,7 @@ def symbols_of(
 
     rows = [row(c.position, c.name, c.unit, c.meaning) for c in model.coordinates]
     if isinstance(model, Model):
-        rows += [row(z.symbol, z.name, z.unit, z.meaning) for z in model.rates]
+        rows += [row(z.symbol, z.name, z.unit, z.meaning) for z in model.internal]
     rows += [row(p.symbol, p.name, p.unit, p.meaning) for p in model.parameters]
     unit = "m/s2" if model.phases[0].gravity.free_symbols else "g"
     rows += [

@@ -1,0 +1,294 @@
+"""Elements that carry forces and have states of their own, which switch.
+
+A state of an element is a number, its chi, with which its force, the rate of its internal variable
+and its energy are written once for all. A passage ends a state: its guard falls through zero.
+Elements add forces to a contact state, and change none of its constraints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
+
+import sympy as sp
+
+from rockeom.symbolic import valid
+from rockeom.symbolic.lagrange import rate
+
+if TYPE_CHECKING:
+    from rockeom.symbolic.model import Coordinate, InternalVariable
+
+
+def switch_of(element: int) -> sp.Symbol:
+    """chi: the state of an element, a number."""
+    return sp.Symbol(rf"\chi_{element}", real=True)
+
+
+class Passage(NamedTuple):
+    """How a state of an element ends.
+
+    guard : positive inside the state; of two, the larger counts. target : the state that follows.
+    back : which of the target's passages has a guard that is zero then, if any has.
+    """
+
+    guard: tuple[sp.Expr, ...]
+    target: int
+    back: int | None = None
+
+
+@dataclass(frozen=True)
+class Unilateral:
+    """A spring and a damper that press, k d + c d', while d and that sum are positive.
+
+    compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
+    """
+
+    name: str
+    compression: sp.Expr
+    stiffness: sp.Expr
+    damping: sp.Expr = sp.S.Zero
+
+    states: ClassVar = (1, 0)
+    symbol_of_force: ClassVar = "N"
+    outputs: ClassVar = ("reaction", "uplift")
+    """What a response calls its force, and its displacement the other way round."""
+    positive: ClassVar = frozenset[str]()
+    """Those of `constants` that may not be zero."""
+    internal: ClassVar[tuple[InternalVariable, ...]] = ()
+
+    def __post_init__(self) -> None:
+        what = f"element {self.name!r}"
+        valid.texts(what, name=self.name)
+        valid.expressions(
+            what, compression=self.compression, stiffness=self.stiffness, damping=self.damping
+        )
+        valid.not_negative(what, stiffness=self.stiffness, damping=self.damping)
+
+    @property
+    def displacement(self) -> sp.Expr:
+        """On whose rise the force does work, the negative of both."""
+        return self.compression
+
+    @property
+    def told_displacement(self) -> sp.Expr:
+        """The second of `outputs`."""
+        return -self.compression
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        return {"stiffness": self.stiffness, "damping": self.damping}
+
+    def word(self, state: int) -> str | None:
+        """What a contact state's name says of a state, behind the element's; None: nothing."""
+        return "" if state else None
+
+    def meaning(self) -> str:
+        """Of chi."""
+        return f"1 while `{self.name}` presses, else 0"
+
+    def law(self) -> str:
+        """What the force is, and what ends a state, in words."""
+        return f"`{self.name}` presses with this force, while it and the compression are positive:"
+
+    def ends(self) -> str:
+        return f"`{self.name}` begins or ceases to press"
+
+    def _press(self, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        return self.stiffness * self.compression + self.damping * rate(
+            self.compression, coordinates
+        )
+
+    def shown(self, chi: sp.Expr) -> sp.Expr:
+        """The chi with which a page tells of the force."""
+        return sp.S.One
+
+    def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        return chi * self._press(coordinates)
+
+    def still_force(self, chi: sp.Expr) -> sp.Expr:
+        """The force where nothing moves."""
+        return chi * self.stiffness * self.compression
+
+    def rates(
+        self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]
+    ) -> dict[InternalVariable, sp.Expr]:
+        return {}
+
+    def settled(self, state: int) -> dict[InternalVariable, sp.Expr]:
+        """What internal variables are put to when a state ends: what they are, but for rounding."""
+        return {}
+
+    def energy(self, chi: sp.Expr) -> sp.Expr:
+        return chi * self.stiffness * self.compression**2 / 2
+
+    def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """Power lost."""
+        return chi * self.damping * rate(self.compression, coordinates) ** 2
+
+    def passages(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Passage, ...]]:
+        """The passages that end each state; all states have as many."""
+        press = self._press(coordinates)
+        return {
+            1: (Passage((press,), 0, 0),),
+            0: (Passage((-self.stiffness * self.compression, -press), 1, 0),),
+        }
+
+
+@dataclass(frozen=True)
+class Yielding:
+    """A bar or a tendon that is elastic up to a strength, and then yields.
+
+    Its force is k (w - z), in tension positive: w the elongation, a function of the coordinates, on
+    whose rise the force does work -k (w - z); z the permanent extension, a state that the response
+    tells as `NAME_extension`. It rests, z' = 0, while |k (w - z) - H z| < strength, and flows at
+    the strength, z' = w' k/(k + H), until w turns back.
+
+    stiffness : k [N/m]. strength : the force at which it first yields [N]. hardening : H [N/m], by
+    how much more force it yields, a permanent extension: the stiffness is k H/(k + H) while it
+    flows; 0 for a force that stays. slack : whether it carries no compression, and is slack where
+    w < z; else it yields in compression, too (kinematic hardening).
+
+    A state beyond the strength that names no permanent extension is one where it has been drawn
+    out.
+    """
+
+    name: str
+    elongation: sp.Expr
+    stiffness: sp.Expr
+    strength: sp.Expr
+    hardening: sp.Expr = sp.S.Zero
+    slack: bool = False
+
+    states: ClassVar = (0, 1, -1)
+    """Elastic; flowing as it grows longer; flowing as it grows shorter, or slack."""
+    symbol_of_force: ClassVar = "S"
+    outputs: ClassVar = ("force", "elongation")
+    positive: ClassVar = frozenset({"stiffness", "strength"})
+    variable: InternalVariable = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        from rockeom.symbolic.model import internal_variable
+
+        what = f"element {self.name!r}"
+        valid.texts(what, name=self.name)
+        valid.expressions(what, elongation=self.elongation, **self.constants)
+        valid.not_negative(what, **self.constants)
+        for item in sorted(self.positive):
+            if sp.sympify(getattr(self, item)).is_zero:
+                raise ValueError(
+                    f"{what}: its {item} is zero: give a positive one, or leave it out"
+                )
+        if not isinstance(self.slack, bool):
+            raise ValueError(f"{what}: slack is {self.slack!r}: give True or False")
+        z = internal_variable(
+            f"z_{self.name}", f"{self.name}_extension", "m", f"permanent extension of {self.name}"
+        )
+        object.__setattr__(self, "variable", z)
+
+    @property
+    def internal(self) -> tuple[InternalVariable, ...]:
+        return (self.variable,)
+
+    @property
+    def displacement(self) -> sp.Expr:
+        return self.elongation
+
+    @property
+    def told_displacement(self) -> sp.Expr:
+        return self.elongation
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        return {
+            "stiffness": self.stiffness, "strength": self.strength, "hardening": self.hardening,
+        }  # fmt: skip
+
+    def word(self, state: int) -> str | None:
+        if state == 0:
+            return None
+        back = "_slack" if self.slack else "_yields_back"
+        return "_yields" if state > 0 else back
+
+    def meaning(self) -> str:
+        back = "is slack" if self.slack else "yields in compression"
+        return f"0 while `{self.name}` is elastic, 1 while it yields in tension, -1 while it {back}"
+
+    def law(self) -> str:
+        range_ = f"below ${sp.latex(sp.sympify(self.strength))}$"
+        driven = "its force"
+        if sp.sympify(self.hardening) != 0:
+            back = sp.latex(self.hardening * self.variable.symbol)
+            driven = f"its force less ${back}$"
+        back = ", and carries no compression" if self.slack else " to either side"
+        return (
+            f"`{self.name}` pulls with this force; it is elastic while {driven} is {range_}, and "
+            f"yields then until its elongation turns back{back}:"
+        )
+
+    def ends(self) -> str:
+        back = "or slackens" if self.slack else "or yields in compression"
+        return f"`{self.name}` begins or ceases to yield {back}"
+
+    @property
+    def _elastic(self) -> sp.Expr:
+        return self.stiffness * (self.elongation - self.variable.symbol)
+
+    def _carries(self, chi: sp.Expr) -> sp.Expr:
+        """0 where it is slack, else 1, by chi."""
+        return 1 + chi * (1 - chi) / 2 if self.slack else sp.S.One
+
+    def _flows(self, chi: sp.Expr) -> sp.Expr:
+        """1 where it flows, by chi."""
+        return chi * (chi + 1) / 2 if self.slack else chi**2
+
+    def still_force(self, chi: sp.Expr) -> sp.Expr:
+        return self._carries(chi) * self._elastic
+
+    def shown(self, chi: sp.Expr) -> sp.Expr:
+        return sp.S.One
+
+    def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        return self.still_force(chi)
+
+    def rates(
+        self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]
+    ) -> dict[InternalVariable, sp.Expr]:
+        share = sp.sympify(self.stiffness) / (self.stiffness + sp.sympify(self.hardening))
+        return {self.variable: self._flows(chi) * share * rate(self.elongation, coordinates)}
+
+    def settled(self, state: int) -> dict[InternalVariable, sp.Expr]:
+        if state == 0 or (state < 0 and self.slack):
+            return {}
+        beyond = self.stiffness * self.elongation - state * self.strength
+        return {self.variable: beyond / (self.stiffness + sp.sympify(self.hardening))}
+
+    def energy(self, chi: sp.Expr) -> sp.Expr:
+        z = self.variable.symbol
+        stored = self.stiffness * (self.elongation - z) ** 2 / 2
+        return self._carries(chi) * stored + self.hardening * z**2 / 2
+
+    def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        (flow,) = self.rates(chi, coordinates).values()
+        return chi * self.strength * flow
+
+    def passages(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Passage, ...]]:
+        """The first ends what a rising elongation ends, the second what a falling one does."""
+        driven = self._elastic - self.hardening * self.variable.symbol
+        turning = rate(self.elongation, coordinates)
+        half = sp.sympify(self.strength) / 2  # what flows does not fall so low: it turns first
+        reaches, turns = Passage((self.strength - driven,), 1), Passage((turning,), 0, 0)
+        if self.slack:
+            return {
+                0: (reaches, Passage((self._elastic,), -1, 1)),
+                1: (turns, Passage((driven - half,), 0)),
+                -1: (Passage((half - self._elastic,), 0), Passage((-self._elastic,), 0, 1)),
+            }
+        return {
+            0: (reaches, Passage((self.strength + driven,), -1)),
+            1: (turns, Passage((driven - half,), 0)),
+            -1: (Passage((-driven - half,), 0), Passage((-turning,), 0, 1)),
+        }
+
+
+Element = Unilateral | Yielding
