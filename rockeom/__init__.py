@@ -20,8 +20,8 @@ __version__ = "0.1.0"
 
 _NAMES_OF = {
     "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
-    "rockeom.declared": ("structure",),
     "rockeom.motion": ("GroundMotion", "MotionError"),
+    "rockeom.named": ("structure",),
     "rockeom.numeric.case": ("Case",),
     "rockeom.numeric.ensemble": ("Sweep", "simulate_many"),
     "rockeom.numeric.extremes": ("Extremes",),
@@ -58,8 +58,8 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
-    from rockeom.declared import structure as structure
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
+    from rockeom.named import structure as structure
     from rockeom.numeric.case import Case as Case
     from rockeom.numeric.ensemble import Sweep as Sweep, simulate_many as simulate_many
     from rockeom.numeric.extremes import Extremes as Extremes

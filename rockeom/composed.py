@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any, ClassVar
@@ -157,7 +157,14 @@ class ShearFrame(Structure):
 
     model: ClassVar[str] = "shear_frame"
     may_vanish = frozenset({"base_mass", "base_height", "base_inertia"})
-    not_numbers = frozenset({"masses", "heights", "stiffnesses", "dampings", "inertias", "support"})
+    of_each: ClassVar[Mapping[str, str]] = {
+        "masses": "mass",
+        "heights": "height",
+        "stiffnesses": "stiffness",
+        "dampings": "damping",
+        "inertias": "inertia",
+    }
+    not_numbers = frozenset({*of_each, "support"})
     masses: Sequence[float]
     heights: Sequence[float]
     stiffnesses: Sequence[float]
@@ -202,17 +209,10 @@ class ShearFrame(Structure):
         return (self.support or Pinned()).module(self.model, storeys=len(self.masses))
 
     def parameters(self) -> dict[str, float]:
-        each = {
-            "mass": self.masses,
-            "height": self.heights,
-            "inertia": self.inertias,
-            "stiffness": self.stiffnesses,
-            "damping": self.dampings,
-        }
         found = {
             f"{name}_{i}": value
-            for name, values in each.items()
-            for i, value in enumerate(values or (), 1)
+            for every, name in self.of_each.items()
+            for i, value in enumerate(getattr(self, every), 1)
         }
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
             found[name] = getattr(self, name)

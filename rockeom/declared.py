@@ -6,9 +6,8 @@ from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rockeom.arguments import near
 from rockeom.numeric.program import load_text
 from rockeom.numeric.store import kept
 from rockeom.numeric.structures import SHIPPED, Structure, class_of
@@ -57,23 +56,6 @@ def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> M
     return load_text(name, kept(f"{name}_module", digest, text).decode())
 
 
-def structure(model: Any, /, **parameters: float) -> Structure:
-    """A structure of a model: the name of a shipped one, or a RockingModel that you declared.
-
-    A declared model is derived and compiled at its first use (some seconds, once on a machine: the
-    user's cache keeps both). Raises ParameterError for missing or unknown parameters and
-    ValueError for values that are not finite or negative, for a model that cannot be simulated,
-    and where the values give a body a negative mass or a base a negative width.
-    """
-    if isinstance(model, str):
-        if model not in SHIPPED:
-            raise ValueError(
-                f"no structure named {model!r}{near(model, SHIPPED)}; shipped are "
-                f"{', '.join(SHIPPED)}"
-            )
-        return SHIPPED[model](**parameters)
-    if not hasattr(model, "check_values"):
-        raise TypeError(
-            f"structure() takes the name of a shipped structure or a RockingModel, not {model!r}"
-        )
-    return class_of(_module_of(model))(**parameters)
+def class_of_model(model: RockingModel) -> type[Structure]:
+    """The class of structures of a declared model."""
+    return class_of(_module_of(model))

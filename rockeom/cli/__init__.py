@@ -33,6 +33,7 @@ through every impact.
 
   rockeom models                    which structures there are, and their parameters
   rockeom derive rigid_block        the equations of motion of one of them
+  rockeom derive shear_frame storeys=3 support=winkler springs=4   of a family
   rockeom simulate rigid_block ...  its response to a ground motion
   rockeom report rigid_block ...    one page on it under a set of records
   rockeom equations 5-34            an equation of the thesis, as printed and as it should be
@@ -72,7 +73,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"rockeom {args.command}: {_message(error)}", file=sys.stderr)
         return 2
     except TypeError as error:
-        from rockeom.numeric.structures import ParameterError
+        from rockeom.arguments import ParameterError
 
         if not isinstance(error, ParameterError):
             raise

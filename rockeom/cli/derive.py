@@ -7,13 +7,14 @@ import sys
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError
-from rockeom.cli.models import shipped
+from rockeom.cli.models import add_details, class_of, details
 from rockeom.cli.terminal import width
 
 HELP = "derive the equations of a structure and show them"
 DESCRIPTION = """\
 Derive the equations of motion, energies, support reactions, impact maps and uplift conditions
-of a shipped structure from the positions of its masses, and show them. Takes some seconds.
+of a structure from the positions of its masses, and show them. Takes some seconds. A family and
+what it stands on are said behind the name, see `rockeom models`.
 """
 EPILOG = """\
 examples:
@@ -21,11 +22,14 @@ examples:
   rockeom derive rigid_block --form polar               in R and alpha instead of B and H
   rockeom derive flexible_structure --latex --out c.tex  a document: pdflatex c.tex
   rockeom derive flexible_structure --code              the Python module that is simulated
+  rockeom derive shear_frame storeys=3                  one of a family
+  rockeom derive flexible_structure support=winkler springs=4
 """
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
+    add_details(parser)
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--latex", action="store_true", help="a complete LaTeX document")
     kind.add_argument("--markdown", action="store_true", help="a Markdown page")
@@ -39,12 +43,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    shipped(args.name)
+    class_of(args.name)
+    arguments = details(args.arguments)
     if args.form and (args.markdown or args.code):
         kind = "--markdown" if args.markdown else "--code"
         raise UsageError(f"--form {args.form} and {kind} do not go together: leave one out")
-    print(f"deriving {args.name} ...", file=sys.stderr)
-    text = _text(args)
+    print(f"deriving {' '.join([args.name, *args.arguments])} ...", file=sys.stderr)
+    text = _text(args, arguments)
     if args.out is None:
         print(text, end="")
     else:
@@ -53,10 +58,10 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _text(args: argparse.Namespace) -> str:
+def _text(args: argparse.Namespace, arguments: dict[str, int | str]) -> str:
     from rockeom.symbolic import derive
 
-    model = derive(args.name)
+    model = derive(args.name, **arguments)
     if args.latex:
         return model.latex(args.form or "width")
     if args.markdown:

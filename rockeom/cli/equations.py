@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
+from rockeom.named import FAMILIES
+from rockeom.numeric.structures import SHIPPED
 
 if TYPE_CHECKING:
     from rockeom.thesis import Decision, Equation
@@ -46,6 +48,12 @@ def run(args: argparse.Namespace) -> int:
     filters = [n for n in ("chapter", "kind", "verdict") if getattr(args, n)]
     if args.numbers and filters:
         raise UsageError(f"numbers and --{filters[0]} do not go together: leave one out")
+    for name in args.numbers:
+        if name in SHIPPED or name in FAMILIES:
+            raise UsageError(
+                f"{name} is a structure: rockeom derive {name} shows its equations; here are the "
+                "numbered ones of the thesis, such as 5-34"
+            )
     chosen = [equation(n) for n in args.numbers] or _filtered(args)
     if args.latex:
         for one in chosen:

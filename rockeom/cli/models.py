@@ -1,41 +1,59 @@
-"""``rockeom models``: the shipped structures."""
+"""``rockeom models``: the structures there are, shipped ones and families."""
 
 from __future__ import annotations
 
 import argparse
 import dataclasses
-import importlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import ModuleType
+from typing import Any
 
-from rockeom.arguments import near
-from rockeom.cli.errors import UsageError
+from rockeom.cli.errors import UsageError, lists, numbers, words
+from rockeom.declared import module_of
+from rockeom.named import (
+    FAMILIES,
+    SUPPORTS,
+    class_named,
+    parameters_of,
+    structure,
+    takes_support,
+)
 from rockeom.numeric.structures import SHIPPED, Structure
 
 HELP = "list the structures, or explain one of them"
 DESCRIPTION = """\
-List the shipped structures, or explain one: its states, its parameters with units and
-meanings, and its contact states.
+List the structures, or explain one: its states, its parameters with units and meanings, and its
+contact states. A family takes arguments, such as a number of storeys, and some structures a
+support; they are derived where they are used, once on a machine.
 """
 EPILOG = """\
 examples:
   rockeom models
   rockeom models flexible_structure
+  rockeom models shear_frame storeys=3
+  rockeom models flexible_structure support=winkler springs=4
 """
 
 # The user's name of a parameter, where it is not the model's.
 _NAME_IN_MODEL = {"half_height": "height"}
 
 
+# What a family is explained by, where no arguments are given, and its states in the list.
+_EXAMPLES: dict[str, dict[str, int | str]] = {"shear_frame": {"storeys": 2}}
+_STATES = {"shear_frame": "theta, u_1, u_2, ..., and their rates"}
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", nargs="?", metavar="NAME", help="a structure; all if left out")
+    add_details(parser)
 
 
 def run(args: argparse.Namespace) -> int:
     if args.name is None:
         print(_list())
-    else:
-        print(_explain(shipped(args.name)))
+        return 0
+    made = class_of(args.name)
+    print(_explain(made, details(args.arguments) or _EXAMPLES.get(args.name, {})))
     return 0
 
 
@@ -48,59 +66,140 @@ def add_structure(parser: argparse.ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="NAME=VALUE",
-        help="parameters of the structure",
+        help="parameters of the structure; a list as masses=20e3,20e3; its support as "
+        "support=winkler springs=4 foundation_stiffness=1e8 foundation_damping=1e5",
     )
 
 
-def shipped(name: str) -> type[Structure]:
-    """The class of a shipped structure; raises UsageError naming all of them if it is unknown."""
-    if name not in SHIPPED:
-        raise UsageError(
-            f"no structure named {name!r}{near(name, SHIPPED)}; there are {', '.join(SHIPPED)}"
-        )
-    return SHIPPED[name]
+def add_details(parser: argparse.ArgumentParser) -> None:
+    """The arguments of a family, and what it stands on."""
+    parser.add_argument(
+        "arguments",
+        nargs="*",
+        metavar="NAME=VALUE",
+        help="what it is derived for: storeys=3 of shear_frame; support=two_springs, "
+        "support=winkler springs=4, support=sliding of those that take a support",
+    )
+
+
+def details(pairs: list[str]) -> dict[str, int | str]:
+    """Arguments such as "storeys=3" and "support=winkler"."""
+    given = words(pairs, "", "storeys=3")
+    return {name: int(text) if text.isdecimal() else text for name, text in given.items()}
+
+
+def class_of(name: str) -> type[Structure]:
+    """The class of a structure; raises UsageError naming all of them if it is unknown."""
+    try:
+        return class_named(name)
+    except ValueError as error:
+        raise UsageError(str(error)) from None
+
+
+def made(args: argparse.Namespace) -> Structure:
+    """The structure of the arguments of `add_structure`."""
+    of, example = class_of(args.name), "mass=122.6"
+    values: dict[str, Any] = {}
+    for name, text in words(args.set, "--set", example).items():
+        said = f"--set {name}={text}"
+        if name in of.of_each:
+            values[name] = lists(text, said, "--set", f"{name}=20e3,20e3")
+        elif name in ("support", "guided") and takes_support(of):
+            values[name] = text
+        else:
+            values |= numbers([f"{name}={text}"], "--set", example)
+    return structure(args.name, **values)
 
 
 def _list() -> str:
     rows = [("NAME", "STATES", "TITLE")]
-    for name, structure in SHIPPED.items():
-        module = _module(structure)
+    for name, of in SHIPPED.items():
+        module = _module(of, {})
         rows.append((name, ", ".join(module.STATES), _title(module)))
-    return "\n".join([*_aligned(rows), "", "rockeom models NAME explains one of them."])
+    told = []
+    for name, of in FAMILIES.items():
+        arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
+        rows.append((name, _STATES[name], (of.__doc__ or "").partition(",")[0]))
+        told.append(f"  {name} takes {arguments}, and is derived for each")
+    standing = [n for n, s in {**SHIPPED, **FAMILIES}.items() if takes_support(s)]
+    told += [f"  {', '.join(standing)} take a support:"]
+    told += [f"    {line}" for line in _aligned(_supports())]
+    return "\n".join([*_aligned(rows), "", *told, "", "rockeom models NAME explains one of them."])
 
 
-def _explain(structure: type[Structure]) -> str:
-    module = _module(structure)
+def _supports() -> list[tuple[str, str]]:
+    """Each support and its parameters, those in brackets that may be left out."""
+    found = []
+    for support in SUPPORTS:
+        names = [
+            f"{name}=" if default is dataclasses.MISSING else f"[{name}={default}]"
+            for name, default in parameters_of(support).items()
+        ]
+        found.append((f"support={support}", " ".join(names) or "(if not given)"))
+    return found
+
+
+def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
+    module = _module(of, arguments)
     half = len(module.STATES) // 2
     units = zip(module.STATES[:half], module.STATE_UNITS, strict=False)
     laws = "angular-momentum (if not given), energy-ratio=R, velocity-ratio=E"
     if module.HAS_IMPULSIVE:
         laws += ", impulsive"
     facts = [
-        ("in Python", f"rockeom.{structure.__name__}(...)"),
+        ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
         ("contact states", ", ".join(module.CONTACTS)),
         ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
     ]
     return "\n".join(
-        [_title(module), "", *_aligned(facts), "", *_aligned(_parameters(structure, module))]
+        [
+            _title(module),
+            "",
+            *_aligned(facts),
+            "",
+            *_aligned(_parameters(of, module)),
+            *_of_support(of, module, arguments),
+        ]
     )
 
 
-def _parameters(structure: type[Structure], module: ModuleType) -> list[tuple[str, str, str, str]]:
+def _of_support(
+    of: type[Structure], module: ModuleType, arguments: Mapping[str, int | str]
+) -> list[str]:
+    """What it may stand on, and the parameters that its support then has."""
+    if not takes_support(of):
+        return []
+    support = str(arguments.get("support", "pinned"))
+    words = {
+        name: (unit, meaning)
+        for name, unit, meaning in zip(
+            module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True
+        )
+    }
+    rows = [(name, *words[name]) for name in parameters_of(support) if name in words]
+    own = ["", *_aligned([("OF ITS SUPPORT", "UNIT", "MEANING"), *rows])] if rows else []
+    return [*own, "", "It may stand on", *(f"  {line}" for line in _aligned(_supports()))]
+
+
+def _parameters(of: type[Structure], module: ModuleType) -> list[tuple[str, str, str, str]]:
     """A table of the names that --set takes."""
     words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
     known = dict(zip(module.PARAMETERS, words, strict=True))
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
-    for name, given in structure.defaults().items():
+    for name, given in of.defaults().items():
         called = name if name in known else _NAME_IN_MODEL.get(name)
+        if name in of.of_each:
+            called = f"{of.of_each[name]}_1"
         if called is None:  # no number, such as what the base stands on
             continue
         unit, meaning = known[called]
+        if name in of.of_each:
+            meaning = f"{meaning}, 2, ...: a list"
         default = "required" if given is dataclasses.MISSING else str(given)
         if given is None:
-            default = "as a homogeneous block"
+            default = "zero" if name in of.of_each else "as a homogeneous block"
         rows.append((name, unit, default, meaning))
     return rows
 
@@ -115,8 +214,10 @@ def _without_a_law(module: ModuleType) -> str:
     return "none: the contacts are springs"
 
 
-def _module(structure: type[Structure]) -> ModuleType:
-    return importlib.import_module(f"rockeom.generated.{structure.model}")
+def _module(of: type[Structure], arguments: Mapping[str, int | str]) -> ModuleType:
+    if arguments.get("support") == "pinned":  # as if not given
+        arguments = {name: value for name, value in arguments.items() if name != "support"}
+    return module_of(of.model, **arguments)
 
 
 def _title(module: ModuleType) -> str:

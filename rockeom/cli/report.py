@@ -6,14 +6,14 @@ import argparse
 import sys
 from pathlib import Path
 
-from rockeom.cli.errors import UsageError, numbers
-from rockeom.cli.models import add_structure, shipped
+from rockeom.cli.errors import UsageError
+from rockeom.cli.models import add_structure, made
 from rockeom.cli.simulate import add_scale, impact_law, scaled
 from rockeom.motion import GroundMotion
 
 HELP = "write one page on a structure under a set of records"
 DESCRIPTION = """\
-Simulate a shipped structure under each record of a set, rocking and, where it has an elastic
+Simulate a structure under each record of a set, rocking and, where it has an elastic
 column, with its feet held down, and write one page: figures, demands beside those of the fixed
 base, and the assumptions with how far they held. All numbers are in SI units; `rockeom models
 NAME` explains the parameters of a structure.
@@ -63,7 +63,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    structure = shipped(args.name)(**numbers(args.set, "--set", "mass=122.6"))
+    structure = made(args)
     law = impact_law(args.impact)
     motions = [scaled(motion, args) for motion in _motions(args)]
     from rockeom.plots.design_report import check_name, design_report  # matplotlib takes long

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
-from rockeom.cli.models import add_structure, shipped
+from rockeom.cli.models import add_structure, made
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import (
     AngularMomentum,
@@ -24,7 +24,7 @@ from rockeom.numeric.structures import check_names
 
 HELP = "simulate a structure under a ground motion"
 DESCRIPTION = """\
-Simulate a shipped structure under a ground motion and say in words what happened; with --out,
+Simulate a structure under a ground motion and say in words what happened; with --out,
 write the response, a picture and a summary for other programs. All numbers are in SI units
 (kg, m, s, N, rad, m/s2); `rockeom models NAME` explains the parameters of a structure.
 """
@@ -51,6 +51,11 @@ impact laws:
   energy-ratio=R,R     of impacts of the left foot and of the right one
   velocity-ratio=E     rates of rotation after and before, between 0 and 1; E squared is R
 
+supports (of flexible_structure, lumped_mass_structure and shear_frame), within --set:
+  support=two_springs  foundation_stiffness= foundation_damping= [guided=foot]
+  support=winkler      springs= foundation_stiffness= foundation_damping=
+  support=sliding      friction= restitution=
+
 examples:
   rockeom simulate rigid_block --free --duration 10 --set half_width=0.095 half_height=0.45 \\
       --initial theta=0.1 --impact energy-ratio=0.88
@@ -59,6 +64,10 @@ examples:
   rockeom simulate lumped_mass_structure --motion record.AT2 --peak 7.85 --time-scale 0.2 \\
       --set mass=122.6 height=1.05 inertia=44.8 base_mass=45.6 base_height=0.1 \\
       base_inertia=1.37 half_width=0.285 --out column
+  rockeom simulate shear_frame --pulse single-sine amplitude=4 period=0.8 \\
+      --set masses=20e3,20e3 heights=3.5,7 stiffnesses=2e7,2e7 dampings=12e4,12e4 \\
+      half_width=1.2 base_mass=10e3 base_inertia=5e3 \\
+      support=winkler springs=4 foundation_stiffness=1e8 foundation_damping=1e5
 """
 
 PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
@@ -153,7 +162,7 @@ def add_scale(group) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    structure = shipped(args.name)(**numbers(args.set, "--set", "mass=122.6"))
+    structure = made(args)
     initial = numbers(args.initial, "--initial", "theta=0.1")
     law = impact_law(args.impact)
     motion, vertical = _motions(args)

@@ -7,9 +7,10 @@ import math
 import pkgutil
 from collections.abc import Callable
 from functools import lru_cache, partial
-from inspect import Signature, signature
+from inspect import Parameter, signature
 from typing import Any
 
+from rockeom.arguments import ParameterError
 from rockeom.symbolic import structures
 from rockeom.symbolic.model import RockingModel
 
@@ -56,7 +57,7 @@ SHIPPED = found()
 
 
 def models() -> tuple[str, ...]:
-    """Names of the shipped structures."""
+    """Names of the shipped structures. `rockeom models` tells of families, too."""
     return tuple(SHIPPED)
 
 
@@ -65,7 +66,7 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
 
     arguments : of a family, such as `derive("shear_frame", storeys=3)`.
 
-    Raises KeyError, naming the shipped ones, if there is none of that name, and TypeError for
+    Raises KeyError, naming all of them, if there is none of that name, and ParameterError for
     arguments that it does not take.
     """
     every = SHIPPED | FAMILIES
@@ -75,9 +76,9 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     try:
         taken.bind(**arguments)
     except TypeError as error:
-        raise TypeError(
-            f"{name}{taken.replace(return_annotation=Signature.empty)}: {error}"
-        ) from None
+        names = [n for n, p in taken.parameters.items() if p.kind is not Parameter.VAR_KEYWORD]
+        takes = ", ".join(f"{n}=" for n in names) or "no arguments"
+        raise ParameterError(f"{name}: {error}; it takes {takes}") from None
     return _derived(every[name], **arguments)
 
 

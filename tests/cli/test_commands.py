@@ -13,6 +13,7 @@ from rockeom import __version__
 from rockeom.cli import main
 from rockeom.cli.plain import mathematics
 from rockeom.codegen.write import write_generated
+from rockeom.named import FAMILIES, SUPPORTS, parameters_of
 from rockeom.numeric.structures import SHIPPED
 
 COMMANDS = (
@@ -144,6 +145,30 @@ def test_model_explains_every_parameter_that_set_takes(name, capsys):
         assert ("required" in line) == (default is dataclasses.MISSING)
 
 
+def test_models_lists_families_and_what_they_stand_on(capsys):
+    assert main(["models"]) == 0
+    text = capsys.readouterr().out
+    for family in FAMILIES:
+        assert f"\n{family} " in text
+    assert "shear_frame takes storeys=N" in text
+    assert "lumped_mass_structure, flexible_structure, shear_frame take a support:" in text
+    for support in SUPPORTS:
+        for parameter in parameters_of(support):
+            (line,) = (x for x in text.splitlines() if x.split()[:1] == [f"support={support}"])
+            assert f"{parameter}=" in line
+
+
+def test_models_explains_a_family_by_lists_and_what_its_support_takes(capsys):
+    assert main(["models", "shear_frame", "storeys=1", "support=sliding"]) == 0
+    text = capsys.readouterr().out
+    for name in rk.ShearFrame.defaults():
+        if name != "support":
+            assert sum(line.startswith(f"{name} ") for line in text.splitlines()) == 1
+    assert "x, y, theta, u_1, x_dot" in text
+    assert "masses        kg     required    mass of floor 1, 2, ...: a list" in text
+    assert "friction        -     coefficient of friction at each foot" in text
+
+
 def test_unknown_model(capsys):
     assert main(["models", "flexible"]) == 2
     said = capsys.readouterr()
@@ -203,6 +228,16 @@ def test_latex_markdown_and_code_are_those_of_the_model(capsys):
     assert 'NAME = "rigid_block"' in code
 
 
+def test_a_family_on_a_support_is_derived_by_its_arguments(capsys):
+    """What `rk.derive` gives for the same, and all its equations in plain text."""
+    said = ["shear_frame", "storeys=2", "support=winkler", "springs=3"]
+    model = rk.derive("shear_frame", storeys=2, support="winkler", springs=3)
+    assert main(["derive", *said, "--markdown"]) == 0
+    assert capsys.readouterr().out == model.markdown()
+    assert main(["derive", *said]) == 0
+    assert capsys.readouterr().out.startswith("Shear frame of 2 storeys on a bed of 3 springs\n")
+
+
 def test_derive_into_a_file(tmp_path, capsys):
     path = tmp_path / "block.tex"
     assert main(["derive", "rigid_block", "--latex", "--form", "polar", "--out", str(path)]) == 0
@@ -216,6 +251,13 @@ def test_derive_into_a_file(tmp_path, capsys):
         (["rigid_blok"], ["rigid_blok", "did you mean rigid_block?"]),
         (["rigid_block", "--code", "--form", "polar"], ["--form polar", "--code", "leave"]),
         (["rigid_block", "--out", "no/such/folder/x"], ["no/such/folder/x", "path"]),
+        (["shear_frame"], ["'storeys'", "it takes storeys=, support="]),
+        (["shear_frame", "storeys=two"], ["storeys is 'two'", "whole number"]),
+        (["shear_frame", "3"], ["3: write name=value, as in storeys=3"]),
+        (["rigid_block", "storeys=3"], ["'storeys'", "takes no arguments"]),
+        (["flexible_structure", "support=winklr"], ["'winklr'", "did you mean 'winkler'?"]),
+        (["flexible_structure", "support=winkler"], ["'springs'", "it takes springs="]),
+        (["flexible_structure", "support=pinned", "title=x"], ["'title'", "takes nothing"]),
     ],
 )
 def test_derive_of_what_cannot_be_derived(arguments, words, capsys, tmp_path, monkeypatch):

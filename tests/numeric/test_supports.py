@@ -1,6 +1,7 @@
 """Any superstructure on any support: the limits in which one is another, and matrices by hand."""
 
 import re
+from argparse import Namespace
 
 import numpy as np
 import pytest
@@ -8,6 +9,8 @@ import sympy as sp
 from scipy.linalg import eigh
 
 import rockeom as rk
+from rockeom.cli import models as command_line
+from rockeom.cli.errors import UsageError
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.modes import free_motion
 
@@ -364,6 +367,79 @@ def test_a_base_without_inertia_stands_on_pinned_feet():
     assert np.isfinite(bare.accelerations({"theta": 0.01})["theta"])
 
 
+# -- by name
+
+BED = {"foundation_stiffness": 1e8, "foundation_damping": 1e5}
+NAMED = {
+    "pinned": ({}, rk.Pinned()),
+    "two_springs": (
+        {**BED, "guided": "foot"},
+        rk.TwoSprings(stiffness=1e8, damping=1e5, guided="foot"),
+    ),
+    "winkler": ({**BED, "springs": 4}, rk.Winkler(springs=4, stiffness=1e8, damping=1e5)),
+    "sliding": ({"friction": 0.3, "restitution": 0.1}, rk.Sliding(friction=0.3, restitution=0.1)),
+}
+FRAME = {
+    "masses": [2e4, 3e4], "heights": [3.5, 7.0], "stiffnesses": [2e7, 2e7],
+    "dampings": [1.2e5, 1.1e5], "half_width": 1.2, "base_mass": 1e4, "base_inertia": 5e3,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("support", NAMED)
+def test_a_family_and_its_support_are_made_by_name_as_by_class(support):
+    """In Python and on the command line: lists by commas, what the support takes beside them."""
+    beside, made = NAMED[support]
+    frame = rk.ShearFrame(**FRAME, support=made)
+    assert rk.structure("shear_frame", **FRAME, support=support, **beside) == frame
+    assert rk.structure("shear_frame", **FRAME, support=made) == frame
+    words = {n: ",".join(map(str, v)) if type(v) is list else v for n, v in FRAME.items()}
+    said = [f"{n}={v}" for n, v in (words | {"support": support} | beside).items()]
+    assert command_line.made(Namespace(name="shear_frame", set=said)) == frame
+
+
+def test_one_storey_is_one_number_on_the_command_line():
+    said = ["masses=2e4", "heights=3.5", "stiffnesses=2e7", "dampings=0", "half_width=1.2"]
+    frame = command_line.made(Namespace(name="shear_frame", set=[*said, "base_mass=1e4"]))
+    assert frame.masses == (2e4,)
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "says"),
+    [
+        ({"support": "winklr"}, ValueError, r"'winklr' \(did you mean winkler\?\); there are pinned"),
+        ({"support": "winkler", "springs": 4}, TypeError, "missing foundation_stiffness, found"),
+        (
+            {"support": "sliding", "springs": 4, "friction": 0.3, "restitution": 0.0},
+            TypeError, "'sliding': unknown springs. .* it takes friction, restitution",
+        ),
+        ({"springs": 4}, TypeError, 'springs is a parameter of a support: .* support="winkler"'),
+        ({"support": "winkler", "springs": 1.5, **BED}, ValueError, "springs is 1.5: give a whole"),
+        ({"support": 3}, TypeError, "support is 3: give what the base stands on"),
+    ],
+)  # fmt: skip
+def test_a_support_by_name_that_cannot_be_is_told_of(changes, error, says):
+    with pytest.raises(error, match=says):
+        rk.structure("shear_frame", **FRAME, **changes)
+
+
+@pytest.mark.parametrize(
+    ("said", "says"),
+    [
+        (["masses=2e4,x"], "--set masses=2e4,x: 'x' is no number; .* masses=20e3,20e3"),
+        (["half_width=1,2"], "half_width=1,2: '1,2' is no number"),
+        (["masses=1", "masses=2"], "masses is given twice"),
+    ],
+)
+def test_lists_on_the_command_line_that_are_none_are_told_of(said, says):
+    with pytest.raises(UsageError, match=says):
+        command_line.made(Namespace(name="shear_frame", set=said))
+
+
+def test_a_structure_that_takes_no_support_says_so():
+    with pytest.raises(TypeError, match="unknown support"):
+        rk.structure("rigid_block", half_width=0.1, half_height=0.4, support="winkler")
+
+
 # -- what was derived, to read
 
 
@@ -371,6 +447,7 @@ def test_a_base_without_inertia_stands_on_pinned_feet():
     ("name", "arguments"),
     [
         ("shear_frame", {"storeys": 2}),
+        ("shear_frame", {"storeys": 2, "support": "winkler", "springs": 3}),
         ("flexible_structure", {"support": "sliding"}),
         ("flexible_structure", {"support": "winkler", "springs": 3}),
         ("lumped_mass_structure", {"support": "two_springs", "guided": "foot"}),

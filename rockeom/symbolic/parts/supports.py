@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from rockeom.arguments import ParameterError
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contacts import Model, Rigid, Unilateral, feet
@@ -140,7 +141,7 @@ def sliding(of: Superstructure) -> Model:
 
 
 SUPPORTS: Mapping[str, Callable[..., Model | RockingModel]] = {
-    "pinned": pinned,
+    "pinned": lambda of: pinned(of),
     "two_springs": two_springs,
     "winkler": winkler,
     "sliding": sliding,
@@ -153,7 +154,12 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
     try:
         signature(SUPPORTS[support]).bind(of, **details)
     except TypeError as error:
-        raise TypeError(f"{of.name} on the support {support!r}: {error}") from None
+        names = [*signature(SUPPORTS[support]).parameters][1:]
+        takes = ", ".join(f"{n}=" for n in names) or "nothing"
+        raise ParameterError(
+            f"{of.name} on the support {support!r}: {error}; beside its own arguments it takes "
+            f"{takes}"
+        ) from None
     return SUPPORTS[support](of, **details)
 
 

@@ -15,7 +15,7 @@ def flexible_structure(support: str = "pinned", **details: Any) -> Any:
 
     support : or on another support, see `rockeom.symbolic.parts.supports`.
     """
-    if support != "pinned":
+    if support != "pinned" or details:
         return standing(elastic_column(), support, **details)
     title = "Flexible structure on rigid ground (Model C)"
-    return pinned(elastic_column(), title, reference="thesis 5-34, 5-35, D-1 to D-29", **details)
+    return pinned(elastic_column(), title, reference="thesis 5-34, 5-35, D-1 to D-29")

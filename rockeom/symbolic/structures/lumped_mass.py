@@ -15,7 +15,7 @@ def lumped_mass_structure(support: str = "pinned", **details: Any) -> Any:
 
     support : or on another support, see `rockeom.symbolic.parts.supports`.
     """
-    if support != "pinned":
+    if support != "pinned" or details:
         return standing(rigid(), support, **details)
     title = "Rigid lumped-mass structure on rigid ground (Model A)"
-    return pinned(rigid(), title, reference="thesis 5-8 to 5-14", **details)
+    return pinned(rigid(), title, reference="thesis 5-8 to 5-14")
