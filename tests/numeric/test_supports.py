@@ -406,7 +406,7 @@ def test_one_storey_is_one_number_on_the_command_line():
 @pytest.mark.parametrize(
     ("changes", "error", "says"),
     [
-        ({"support": "winklr"}, ValueError, r"'winklr' \(did you mean winkler\?\); there are pinned"),
+        ({"support": "winklr"}, ValueError, r"'winklr' \(did you mean winkler\?\); there are"),
         ({"support": "winkler", "springs": 4}, TypeError, "missing foundation_stiffness, found"),
         (
             {"support": "sliding", "springs": 4, "friction": 0.3, "restitution": 0.0},
