@@ -38,7 +38,7 @@ _NAMES_OF = {
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
     "rockeom.numeric.simulate": ("simulate",),
     "rockeom.numeric.structures": ("Structure",),
-    "rockeom.symbolic": ("Body", "Parameter", "Phase", "RockingModel", "derive", "models"),
+    "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
 }
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
 
@@ -82,8 +82,8 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import *  # noqa: F403
     from rockeom.symbolic import (
         Body as Body,
+        Mechanism as Mechanism,
         Parameter as Parameter,
-        Phase as Phase,
         RockingModel as RockingModel,
         derive as derive,
         models as models,
@@ -114,6 +114,9 @@ def __getattr__(name: str) -> Any:
     home = _HOME_OF.get(name)
     if home is None and name[:1].isupper():
         home = _classes().get(name)
+    if name == "Phase":
+        former = import_module("rockeom.symbolic.former")
+        return former.classes(vars(import_module("rockeom.symbolic")), name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value = getattr(import_module(home), name)

@@ -10,11 +10,6 @@ import numpy as np
 
 from rockeom.many import Many
 
-
-class ParameterError(TypeError):
-    """Parameters that a structure lacks or does not know, or that are given without their name."""
-
-
 _LONGEST = 60  # letters of a value in an error
 
 

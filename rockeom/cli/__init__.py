@@ -73,15 +73,21 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"rockeom {args.command}: {_message(error)}", file=sys.stderr)
         return 2
     except TypeError as error:
-        from rockeom.arguments import ParameterError
-
-        if not isinstance(error, ParameterError):
+        if not isinstance(error, _of_arguments()):
             raise
         print(f"rockeom {args.command}: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return 130
+
+
+def _of_arguments() -> tuple[type, ...]:
+    """The errors of arguments that tell what is wrong; those of what is derived where it was."""
+    from rockeom.numeric.structures import ParameterError
+
+    valid = sys.modules.get("rockeom.symbolic.valid")
+    return (ParameterError, *([valid.ArgumentError] if valid else []))
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -22,7 +22,7 @@ def guards(text: Text) -> None:
         served = [f"contact == {text.contacts[c]}" for c in (contact, image) if c]
         body.append(f"    {'elif' if body else 'if'} {' or '.join(served)}:")
         if image:
-            body += text.side(model.phase(contact), " " * 8)
+            body += text.side(model.mechanism(contact), " " * 8)
             expressions = _on_both_sides(model, contact)
         else:
             expressions = _in_contact(model, contact)
@@ -95,7 +95,7 @@ def _image(model: RockingModel, contact: str) -> str | None:
 
     They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
     """
-    phase = model.phase(contact)
+    phase = model.mechanism(contact)
     if sorted(phase.contacts.values()) != [-1, 1]:
         return None
     (other,) = (c for c in phase.contacts if c != contact)

@@ -48,7 +48,7 @@ def _sums(text: Text, contact: str) -> list[sp.Expr]:
 def _sum(text: Text, rocking: str) -> sp.Expr | None:
     """What keeps the gap of a rocking contact state closed, as such a sum, if it is one."""
     model = text.model
-    phase = model.phase(rocking)
+    phase = model.mechanism(rocking)
     rotation = phase.coordinates.index(model.rotation)
     eq = phase.equations
     M, F = eq.mass_matrix.copy(), eq.forcing.copy()

@@ -46,7 +46,7 @@ def _passage(text: Text, t: Transition, indent: str) -> list[str]:
     sets = {f"out[{text.index(x)}]": text.model.written_out(e) for x, e in t.sets.items()}
     lines = []
     if any(e.has(SIDE) for e in sets.values()):
-        lines.append(f"{indent}s = {text.model.phase(t.source).side_of(t.source)}.0")
+        lines.append(f"{indent}s = {text.model.mechanism(t.source).side_of(t.source)}.0")
     lines += text.evaluate("jump", sets, indent) if sets else []
     return [*lines, f"{indent}return {text.contacts[t.target]}"]
 
@@ -55,8 +55,8 @@ def _impact(text: Text, t: Transition, impulses: ImpulseNames, indent: str) -> l
     """Lines of an impact: the target follows if its gap opens, otherwise the fallback."""
     rotation = text.model.rotation
     theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
-    arriving = text.model.phase(t.source).side_of(t.source)
-    side = text.model.phase(t.target).side_of(t.target)
+    arriving = text.model.mechanism(t.source).side_of(t.source)
+    side = text.model.mechanism(t.target).side_of(t.target)
     opens = f"{'' if side == 1 else '-'}out[{theta_dot}] > 0.0 and y[{theta_dot}] != 0.0"
 
     def by_impulses(target: str) -> list[str]:
@@ -96,7 +96,7 @@ def _impulses(text: Text) -> ImpulseNames:
 def _impulse(text: Text, t: Transition, target: str, maps: dict[str, ImpulseMap]) -> str:
     """Name of the function of the map from the source of `t` to `target`: one of `maps`, or new."""
     law = text.model.impulse_map(t.source, target)
-    side = text.model.phase(t.source).side_of(t.source)
+    side = text.model.mechanism(t.source).side_of(t.source)
     for name, known in maps.items():
         if known.at_side(side).equals(law.at_side(side)):
             return name

@@ -13,7 +13,7 @@ from rockeom.codegen.rates import found_accelerations
 from rockeom.codegen.text import Text
 from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.impulse import momentum
-from rockeom.symbolic.model import Phase
+from rockeom.symbolic.model import Mechanism
 from rockeom.symbolic.statics import equilibrium
 
 Columns = tuple[str, ...]
@@ -33,7 +33,7 @@ def outputs(text: Text) -> dict[str, Columns]:
 
 
 def _energies(text: Text) -> Columns:
-    def table(phase: Phase) -> dict[str, sp.Expr]:
+    def table(phase: Mechanism) -> dict[str, sp.Expr]:
         eq = phase.equations
         return {
             "kinetic_energy": eq.kinetic_energy,
@@ -64,7 +64,7 @@ def _kinematics(text: Text) -> Columns:
     """Displacement of the load point and uplift of the feet, relative to the rest position."""
     rest = {c.position: 0 for c in text.model.coordinates}
 
-    def table(phase: Phase) -> dict[str, sp.Expr]:
+    def table(phase: Mechanism) -> dict[str, sp.Expr]:
         def moved(expr) -> sp.Expr:
             expr = phase.approximated(expr)
             return expr - expr.subs(rest)
@@ -98,7 +98,7 @@ def _momentum(text: Text) -> None:
 
 
 def _statics(text: Text) -> None:
-    def branch(phase: Phase, indent: str) -> list[str]:
+    def branch(phase: Mechanism, indent: str) -> list[str]:
         free = dict(zip(phase.coordinates, equilibrium(phase), strict=True))
         targets = {
             f"out[{i}]": free.get(c, sp.Integer(0)) for i, c in enumerate(text.model.coordinates)
@@ -113,12 +113,16 @@ def _statics(text: Text) -> None:
 
 
 def _named(
-    text: Text, name: str, arguments: str, doc: str, table: Callable[[Phase], dict[str, sp.Expr]]
+    text: Text,
+    name: str,
+    arguments: str,
+    doc: str,
+    table: Callable[[Mechanism], dict[str, sp.Expr]],
 ) -> Columns:
     """A function that fills out with named quantities; held accelerations are zero."""
     columns: list[str] = []
 
-    def branch(phase: Phase, indent: str) -> list[str]:
+    def branch(phase: Mechanism, indent: str) -> list[str]:
         values = table(phase)
         columns[:] = list(values)
         used = set().union(*(sp.sympify(e).free_symbols for e in values.values()))

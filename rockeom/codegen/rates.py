@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from rockeom.codegen.solve import solve
 from rockeom.codegen.text import Text
-from rockeom.symbolic.model import Phase
+from rockeom.symbolic.model import Mechanism
 
 
 def equations_of_motion(text: Text) -> None:
@@ -17,7 +17,7 @@ def equations_of_motion(text: Text) -> None:
 
 def _accelerations(text: Text) -> None:
     """A function of plain numbers for each phase, and one that chooses the phase."""
-    phases = text.model.phases
+    phases = text.model.mechanisms
     indent = " " * 8 if len(phases) > 1 else " " * 4
     chosen: list[str] = []
     for i, phase in enumerate(phases):
@@ -34,7 +34,7 @@ def _accelerations(text: Text) -> None:
     )
 
 
-def _accelerations_of(text: Text, number: int, phase: Phase) -> str:
+def _accelerations_of(text: Text, number: int, phase: Mechanism) -> str:
     """Add the function of one phase; returns how it is called."""
     several = phase.has_side and len(phase.contacts) > 2
     own = "" if several else "_".join(["accelerations", *phase.contacts])
@@ -65,7 +65,7 @@ def _accelerations_of(text: Text, number: int, phase: Phase) -> str:
 def _rates(text: Text) -> None:
     """Of all states, on arrays."""
 
-    def branch(phase: Phase, indent: str) -> list[str]:
+    def branch(phase: Mechanism, indent: str) -> list[str]:
         return [
             f"{indent}dy[{i}] = {f'y[{text.n + i}]' if c in phase.coordinates else '0.0'}"
             for i, c in enumerate(text.model.coordinates)

@@ -20,13 +20,14 @@ from rockeom.symbolic.modes import Modes
 
 def tables(text: Text, columns: Mapping[str, Iterable[str]], held: int) -> list[str]:
     """All tables; `columns` : those that name what functions give. held : see `held.py`."""
+    of = text.model.functions
     return [
         "",
         *_words(text.model, columns, text.model.contacts),
         "",
         *_numbers(text),
         *_of_guards(text.model),
-        f"NARROW = {bool(text.model.laws)}  # whether forces may act in a small part of a step",
+        f"NARROW = {bool(of)}  # whether forces may act in a small part of a step",
         f"HELD = {held}  # contact state whose guards are sums of the state and the ground, or -1",
         f"HAS_IMPULSIVE = {impulsive(text.model)}",
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
@@ -206,7 +207,7 @@ def _transitions(model: RockingModel | Model) -> list[str]:
 def _numbers(text: Text) -> list[str]:
     """How many there are, and where the rotation stands."""
     model = text.model
-    sides = [model.phase(c).side_of(c) for c in model.contacts]
+    sides = [model.mechanism(c).side_of(c) for c in model.contacts]
     return [
         f"N_STATES = {2 * text.n}",
         f"N_GUARDS = {longest(model)}",

@@ -18,7 +18,7 @@ from rockeom.codegen.printer import WIDTH, assign, python, statements
 from rockeom.codegen.sine_cosine import assigned_angles, named_angles
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contacts import Model
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Mechanism, RockingModel
 from rockeom.symbolic.statics import LOAD
 
 
@@ -93,11 +93,11 @@ class Text:
 
     # -- lines ----------------------------------------------------------------------------
 
-    def test(self, phase: Phase) -> str:
+    def test(self, phase: Mechanism) -> str:
         """The condition that a contact state is one of the phase's."""
         return " or ".join(f"contact == {self.contacts[c]}" for c in phase.contacts)
 
-    def side(self, phase: Phase, indent: str) -> list[str]:
+    def side(self, phase: Mechanism, indent: str) -> list[str]:
         """Lines that assign the side of a contact state of the phase, if it has any."""
         if not phase.has_side:
             return []
@@ -168,12 +168,12 @@ class Text:
         self,
         signature: str,
         doc: str,
-        branch: Callable[[Phase, str], list[str]],
+        branch: Callable[[Mechanism, str], list[str]],
         after: Sequence[str] = (),
     ) -> None:
         """Add a function with one branch a phase, and the lines that stand after them."""
         body: list[str] = []
-        for i, phase in enumerate(self.model.phases):
+        for i, phase in enumerate(self.model.mechanisms):
             lines = branch(phase, " " * 8)
             body.append(f"    {'if' if i == 0 else 'elif'} {self.test(phase)}:")
             if str(self.names[SIDE]) in names_in(dedent("\n".join(lines))):

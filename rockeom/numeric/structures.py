@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transf
 import numpy as np
 
 from rockeom import hooks
-from rockeom.arguments import ParameterError as ParameterError, near, number, told
+from rockeom.arguments import near, number, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -446,6 +446,10 @@ def _ground(horizontal: float, vertical: float) -> tuple[float, float]:
 
 
 S = TypeVar("S", bound=Structure)
+
+
+class ParameterError(TypeError):
+    """Parameters that a structure lacks or does not know, or that are given without their name."""
 
 
 def check_states(what: str, values: Any, structure: Structure) -> None:

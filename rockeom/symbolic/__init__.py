@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.symbolic import evaluate, typeset
+from rockeom.symbolic import evaluate, former, typeset
 from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, feet
 from rockeom.symbolic.elements import Unilateral, Yielding
 from rockeom.symbolic.model import (
@@ -14,9 +14,9 @@ from rockeom.symbolic.model import (
     Definition,
     Foot,
     InternalVariable,
-    Law,
+    Mechanism,
+    NamedFunction,
     Parameter,
-    Phase,
     RockingModel,
     Transition,
     coordinate,
@@ -39,6 +39,9 @@ def __getattr__(name: str) -> Any:
     """The function that declares a shipped structure, such as `controlled_wall`."""
     if name in SHIPPED:
         return SHIPPED[name]
+    renamed = former.classes(globals(), name)
+    if renamed is not None:
+        return renamed
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
@@ -51,10 +54,10 @@ __all__ = [
     "Foot",
     "Force",
     "InternalVariable",
-    "Law",
+    "Mechanism",
     "Model",
+    "NamedFunction",
     "Parameter",
-    "Phase",
     "Pinned",
     "Rigid",
     "RockingModel",

@@ -21,7 +21,7 @@ from rockeom.symbolic.algebra import SIDE, at_side
 if TYPE_CHECKING:
     from rockeom.symbolic.contacts import Contact, Model
     from rockeom.symbolic.elements import Element
-    from rockeom.symbolic.model import Coordinate, Phase, RockingModel, Transition
+    from rockeom.symbolic.model import Coordinate, Mechanism, RockingModel, Transition
 
 KINDS = ("impact", "uplift", "switch")
 
@@ -91,7 +91,7 @@ def repeated(names: Iterable[Any]) -> list[str]:
 
 
 def _quantities(model: RockingModel) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(name for phase in model.phases for name in phase.quantities))
+    return tuple(dict.fromkeys(name for phase in model.mechanisms for name in phase.quantities))
 
 
 def distinct_symbols(model: RockingModel | Model, others: Iterable[sp.Symbol] = ()) -> None:
@@ -101,7 +101,7 @@ def distinct_symbols(model: RockingModel | Model, others: Iterable[sp.Symbol] = 
 
     symbols = [p.symbol for p in model.parameters] + [d.symbol for d in model.definitions]
     symbols += [s for c in model.coordinates for s in (c.position, c.velocity, c.acceleration)]
-    symbols += [*(law.symbol for law in model.laws), *others]
+    symbols += [*(law.symbol for law in model.functions), *others]
     twice = repeated(symbols)
     if twice:
         fail(
@@ -130,8 +130,8 @@ def _phases(model: RockingModel) -> None:
             f"its contact states are {', '.join(model.contacts) or 'none'}: declare two or more, "
             "and the transitions between them",
         )
-    for phase in model.phases:
-        what = f"{model.name}: phase {'/'.join(phase.contacts)}"
+    for phase in model.mechanisms:
+        what = f"{model.name}: mechanism {'/'.join(phase.contacts)}"
         if not phase.contacts:
             raise ValueError(f"{what}: it serves no contact state: name one in `contacts`")
         if not phase.bodies:
@@ -144,7 +144,7 @@ def _phases(model: RockingModel) -> None:
     _same_outputs(model)
 
 
-def _sides(model: RockingModel, phase: Phase, what: str) -> None:
+def _sides(model: RockingModel, phase: Mechanism, what: str) -> None:
     for contact, side in phase.contacts.items():
         if side not in (-1, 0, 1):
             raise ValueError(f"{what}: the side of {contact!r} is {side!r}: give -1, 0 or 1")
@@ -156,11 +156,11 @@ def _sides(model: RockingModel, phase: Phase, what: str) -> None:
         if side and model.rotation not in phase.coordinates:
             raise ValueError(
                 f"{what}: it has a side, but the rotation {model.rotation.name!r} is not free in "
-                "it: add it to the phase's coordinates"
+                "it: add it to the mechanism's coordinates"
             )
 
 
-def _coordinates_of(model: RockingModel, phase: Phase, what: str) -> None:
+def _coordinates_of(model: RockingModel, phase: Mechanism, what: str) -> None:
     strange = [c.name for c in phase.coordinates if c not in model.coordinates]
     if strange:
         raise ValueError(f"{what}: {', '.join(strange)} is not in the model's `coordinates`")
@@ -184,7 +184,7 @@ def _coordinates_of(model: RockingModel, phase: Phase, what: str) -> None:
 
 def _same_outputs(model: RockingModel) -> None:
     """A response has the same columns in each phase."""
-    first, *others = model.phases
+    first, *others = model.mechanisms
     for phase in others:
         for item, of in (
             ("feet", lambda p: sorted(p.feet)),
@@ -194,8 +194,8 @@ def _same_outputs(model: RockingModel) -> None:
             if of(phase) != of(first):
                 fail(
                     model,
-                    f"phases {'/'.join(first.contacts)} and {'/'.join(phase.contacts)} differ in "
-                    f"{item}: declare the same in each, in the same order",
+                    f"mechanisms {'/'.join(first.contacts)} and {'/'.join(phase.contacts)} differ "
+                    f"in {item}: declare the same in each, in the same order",
                 )
 
 
@@ -220,7 +220,7 @@ def declared_kinds(model: RockingModel | Model) -> dict[sp.Basic, str]:
     for c in model.coordinates:
         kinds |= {c.position: _PLACES, c.velocity: _RATES, c.acceleration: _ACCELERATIONS}
     kinds |= {SIDE: _SIDED, GROUND_X: _GROUND, GROUND_Y: _GROUND}
-    for law in model.laws:
+    for law in model.functions:
         kinds[law.symbol if law.symbol.is_Symbol else law.symbol.func] = _PLACES
     return kinds
 
@@ -229,11 +229,11 @@ def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
     """(item, expression, what it may contain besides constants)."""
     for d in model.definitions:
         yield f"definition {d.name!r}", d.value, ""
-    for law in model.laws:
-        yield f"law {law.name!r}", law.symbol, _PLACES
-        yield f"law {law.name!r}", law.value, "qvs" if law.symbol.is_Symbol else "qs"
-    for phase in model.phases:
-        of = f" in phase {'/'.join(phase.contacts)}"
+    for law in model.functions:
+        yield f"function {law.name!r}", law.symbol, _PLACES
+        yield f"function {law.name!r}", law.value, "qvs" if law.symbol.is_Symbol else "qs"
+    for phase in model.mechanisms:
+        of = f" in mechanism {'/'.join(phase.contacts)}"
         for b in phase.bodies:
             body = f" of body {b.name!r}{of}"
             yield f"mass{body}", b.mass, "qs"
@@ -329,7 +329,7 @@ def _transitions(model: RockingModel) -> None:
 
 
 def _side(model: RockingModel, contact: str) -> int:
-    return model.phase(contact).side_of(contact)
+    return model.mechanism(contact).side_of(contact)
 
 
 def _impact(model: RockingModel, t: Transition, what: str) -> None:
@@ -361,7 +361,7 @@ def _uplift(model: RockingModel, t: Transition, what: str) -> None:
     """The rotation, held until now, becomes free."""
     if t.guard is not None:
         raise ValueError(f"{what}: the guard of an uplift is derived: leave `guard` out")
-    free = model.rotation in model.phase(t.source).coordinates
+    free = model.rotation in model.mechanism(t.source).coordinates
     if _side(model, t.source) != 0 or free or _side(model, t.target) == 0:
         raise ValueError(
             f"{what}: an uplift leads from full contact (side 0, the rotation held) to rocking "
@@ -412,7 +412,7 @@ def _grounded(model: RockingModel) -> None:
     """No way into the ground is open."""
     impacts = {t.source for t in model.transitions if t.kind == "impact"}
     lifted = {t.target for t in model.transitions if t.kind != "switch"}
-    for phase in model.phases:
+    for phase in model.mechanisms:
         rigid = any(foot.force is None for foot in phase.feet.values())
         held = model.rotation not in phase.coordinates
         for contact, side in phase.contacts.items():
@@ -448,7 +448,7 @@ _NEGLIGIBLE = 1e-9
 def check_derived(model: RockingModel) -> None:
     """Equations, impacts and guards of a declaration, at random states and parameters."""
     sample = Sample(model)
-    matrices = {p.equations.mass_matrix.as_immutable(): p for p in reversed(model.phases)}
+    matrices = {p.equations.mass_matrix.as_immutable(): p for p in reversed(model.mechanisms)}
     for phase in reversed(matrices.values()):
         invertible(model, phase, sample)
     _one_ratio(model, sample)
@@ -499,11 +499,11 @@ class Sample:
             return self.functions[key](given)
 
 
-def _contact_of(phase: Phase) -> str:
+def _contact_of(phase: Mechanism) -> str:
     return next(iter(phase.contacts))
 
 
-def invertible(model: RockingModel | Model, phase: Phase, sample: Sample) -> None:
+def invertible(model: RockingModel | Model, phase: Mechanism, sample: Sample) -> None:
     """Each free coordinate moves a mass of its own."""
     n = len(phase.coordinates)
     if n == 0:
@@ -515,7 +515,7 @@ def invertible(model: RockingModel | Model, phase: Phase, sample: Sample) -> Non
         if len(matrices) and not (matrices[:, i, i] > 0).any():
             fail(
                 model,
-                f"the coordinate {c.name!r} moves no mass in phase {'/'.join(phase.contacts)}: "
+                f"the coordinate {c.name!r} moves no mass in mechanism {'/'.join(phase.contacts)}: "
                 "its mass matrix is singular; give a body whose position contains it a mass",
             )
     size = np.sqrt(np.abs(np.diagonal(matrices, axis1=1, axis2=2)))
@@ -524,7 +524,7 @@ def invertible(model: RockingModel | Model, phase: Phase, sample: Sample) -> Non
     if len(lowest) and not (lowest > 1e-12).any():
         fail(
             model,
-            f"the mass matrix of phase {'/'.join(phase.contacts)} is singular: its coordinates "
+            f"the mass matrix of mechanism {'/'.join(phase.contacts)} is singular: its coordinates "
             f"{', '.join(c.name for c in phase.coordinates)} move fewer masses than they are",
         )
 
@@ -585,7 +585,7 @@ def _rests(model: RockingModel, sample: Sample) -> None:
     Without a spring at work, or where it carries the weight, a coordinate may be zero.
     """
     pushed: dict[str, bool] = {}
-    for phase in model.phases:
+    for phase in model.mechanisms:
         eq, n = phase.equations, len(phase.coordinates)
         others = [c for c in phase.coordinates if c != model.rotation]
         if not others or not any(t.kind != "switch" for t in model.transitions):
@@ -615,7 +615,7 @@ def _energies_are_even(model: RockingModel, sample: Sample) -> None:
     for one, other in sorted(pairs):
         if _side(model, one) > 0:
             continue
-        phase = model.phase(one)
+        phase = model.mechanism(one)
         energy, slopes = phase.equations.elastic_energy, phase.equations.stiffness
         for c, slope in zip(phase.coordinates, slopes, strict=True):
             if not model.written_out(energy).has(c.position):
@@ -674,7 +674,7 @@ def sizes(model: RockingModel | Model) -> tuple[Size, ...]:
         names = tuple(n for symbol, n in symbols.items() if symbol in value.free_symbols)
         return Size(what, value, may_vanish, names, remedy)
 
-    def of(phase: Phase) -> Iterator[Size]:
+    def of(phase: Mechanism) -> Iterator[Size]:
         for b in phase.bodies:
             for what, value in (("mass", b.mass), ("moment of inertia", b.inertia)):
                 yield size(f"the {what} of body {b.name!r}", value, True, "it must not be negative")
@@ -704,7 +704,7 @@ def sizes(model: RockingModel | Model) -> tuple[Size, ...]:
                 yield size(at, value, what not in e.positive, remedy)
 
     upright = {c.position: 0 for c in model.coordinates}
-    every = dict.fromkeys(found for phase in model.phases for found in of(phase))
+    every = dict.fromkeys(found for phase in model.mechanisms for found in of(phase))
     if not isinstance(model, RockingModel):
         every |= dict.fromkeys((*of_points(model.contacts), *of_elements(model.elements)))
     return tuple(found for found in every if found.value.free_symbols <= symbols.keys())
@@ -713,7 +713,7 @@ def sizes(model: RockingModel | Model) -> tuple[Size, ...]:
 # --- a structure that rocks about the edges of its base
 
 
-def check_turning(name: str, rocking: Phase, rotation: Coordinate) -> None:
+def check_turning(name: str, rocking: Mechanism, rotation: Coordinate) -> None:
     """The feet turn clockwise about the right one as the rotation grows, and a body with them.
 
     Raises ValueError where they do not.

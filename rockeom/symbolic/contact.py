@@ -6,10 +6,10 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Phase, RockingModel
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Mechanism, RockingModel
 
 
-def total_reaction(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
+def total_reaction(phase: Mechanism) -> tuple[sp.Expr, sp.Expr]:
     """(horizontal, vertical) force of the ground on all feet, by Newton's second law."""
     horizontal, vertical = (-sp.sympify(force) for force in phase.beside_feet)
     for body in phase.bodies:
@@ -20,11 +20,11 @@ def total_reaction(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
     return tidy(horizontal), tidy(vertical)
 
 
-def reactions(model: RockingModel, phase: Phase) -> dict[str, sp.Expr]:
+def reactions(model: RockingModel, phase: Mechanism) -> dict[str, sp.Expr]:
     """Horizontal force, and vertical force at the left and the right foot, where there are feet.
 
     The horizontal force is the sum over both feet: in full contact statics does not tell how
-    they share it. Expressions contain the accelerations of the phase's coordinates.
+    they share it. Expressions contain the accelerations of the mechanism's coordinates.
     """
     horizontal, vertical = total_reaction(phase)
     feet = phase.feet
@@ -50,7 +50,7 @@ def _force_of_held_foot(model: RockingModel, foot: str, pivot: str) -> sp.Expr:
     Release the foot: the structure turns about the other one. What the equation of that
     rotation lacks of being satisfied at rest is the work of the force that held the foot.
     """
-    turning = model.phase(pivot)
+    turning = model.mechanism(pivot)
     side = turning.side_of(pivot)
     theta = model.rotation
     held = {theta.position: 0, theta.velocity: 0, theta.acceleration: 0}

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from rockeom.symbolic import valid
+from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import Element, Unilateral as Unilateral, switch_of
 from rockeom.symbolic.model import (
@@ -23,14 +23,14 @@ from rockeom.symbolic.model import (
     Coordinate,
     Definition,
     InternalVariable,
-    Law,
+    Mechanism,
+    NamedFunction,
     Parameter,
-    Phase,
     RockingModel,
 )
 
 if TYPE_CHECKING:
-    from rockeom.symbolic.modes import Mechanism, Modes
+    from rockeom.symbolic.modes import Mechanism as Derived, Modes
 
 
 @dataclass(frozen=True)
@@ -130,6 +130,7 @@ def feet(
     )
 
 
+@former.names(phases="mechanisms", laws="functions")
 @dataclass(frozen=True, kw_only=True)
 class Model:
     """A structure that is free to move but for its contacts and elements.
@@ -188,9 +189,9 @@ class Model:
         return reduced(self)
 
     @cached_property
-    def free(self) -> Phase:
+    def free(self) -> Mechanism:
         """The structure without its contacts and elements, all coordinates free."""
-        return Phase(
+        return Mechanism(
             {"flight": 0},
             self.coordinates,
             self.bodies,
@@ -248,7 +249,7 @@ class Model:
             )
         return derive_modes(self)
 
-    def mode(self, name: str) -> Mechanism:
+    def mode(self, name: str) -> Derived:
         """The mechanism that moves in a contact state, such as "right_slides_left".
 
         Raises ValueError, naming the contact states, if there is none of that name.
@@ -288,7 +289,7 @@ class Model:
     # what is asked of a model whichever way it was declared
 
     @property
-    def phases(self) -> tuple[Phase, ...]:
+    def mechanisms(self) -> tuple[Mechanism, ...]:
         return (self.free,)
 
     @property
@@ -300,7 +301,7 @@ class Model:
         return ()
 
     @property
-    def laws(self) -> tuple[Law, ...]:
+    def functions(self) -> tuple[NamedFunction, ...]:
         return ()
 
     @property

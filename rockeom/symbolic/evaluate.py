@@ -34,7 +34,7 @@ class NumpyPhase:
     """
 
     def __init__(self, model: RockingModel, contact: str) -> None:
-        phase = model.phase(contact)
+        phase = model.mechanism(contact)
         self._model, self._phase = model, phase
         self.contact = contact
         self.states = model.states
@@ -192,7 +192,7 @@ class _Opening:
 
     def __init__(self, model: RockingModel, transition: Transition, given: list[sp.Symbol]) -> None:
         rotation, target = model.rotation, transition.target
-        phase, equations = model.phase(target), model.equations(target)
+        phase, equations = model.mechanism(target), model.equations(target)
         closed = {rotation.position: 0, rotation.velocity: 0}
 
         def still(m: sp.Matrix) -> sp.Matrix:

@@ -6,7 +6,7 @@ conserved:
 
     M+ q'+ = sum_i (m_i J+_i^T v-_i + I_i w+_i^T w-_i)
 
-with J+ the Jacobian of body i in the phase after the impact. For a rigid block this is the
+with J+ the Jacobian of body i in the mechanism after the impact. For a rigid block this is the
 conservation of angular momentum about the new pivot (Housner 1963; thesis 2-6, 5-14). With
 full contact after the impact the impulses of both feet drop out.
 """
@@ -21,7 +21,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, tidy
 from rockeom.symbolic.lagrange import body_velocity
-from rockeom.symbolic.model import Coordinate, Phase, RockingModel, Transition
+from rockeom.symbolic.model import Coordinate, Mechanism, RockingModel, Transition
 
 
 @dataclass(frozen=True)
@@ -53,14 +53,14 @@ class ImpulseMap:
         return all(tidy(d) == 0 for d in differences)
 
 
-def _jacobian(phase: Phase, index: int) -> sp.Matrix:
-    """(3, n): x, y and rotation of one body by the coordinates of the phase."""
+def _jacobian(phase: Mechanism, index: int) -> sp.Matrix:
+    """(3, n): x, y and rotation of one body by the coordinates of the mechanism."""
     body, q = phase.bodies[index], [c.position for c in phase.coordinates]
     place = (*body.position, sp.sympify(body.rotation))
     return sp.Matrix(3, len(phase.coordinates), lambda i, j: sp.diff(place[i], q[j]))
 
 
-def momentum(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
+def momentum(phase: Mechanism) -> tuple[sp.Expr, sp.Expr]:
     """(horizontal, vertical) momentum of all bodies, relative to the ground.
 
     What it gains over a change of contact is the impulse of the ground on both feet together.
@@ -74,7 +74,7 @@ def momentum(phase: Phase) -> tuple[sp.Expr, sp.Expr]:
 
 def derive_impulse_map(model: RockingModel, source: str, target: str) -> ImpulseMap:
     """The map from contact state `source` to `target` at the closed gap, theta = 0."""
-    before, after = model.phase(source), model.phase(target)
+    before, after = model.mechanism(source), model.mechanism(target)
     # written for the side s of the source; the opposite edge is the target's
     flip = {SIDE: SIDE * before.side_of(source) * after.side_of(target)} if after.has_side else {}
     closed = {model.rotation.position: 0}
@@ -108,7 +108,7 @@ def rigid_velocity_ratio(model: RockingModel, transition: Transition) -> sp.Expr
     ratio = full.momentum[row].subs(frozen) / (
         full.mass_matrix[row, row].subs(frozen) * model.rotation.velocity
     )
-    side = model.phase(transition.source).side_of(transition.source)
+    side = model.mechanism(transition.source).side_of(transition.source)
     return at_side(_shortest(ratio), side)
 
 

@@ -17,7 +17,7 @@ from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 if TYPE_CHECKING:
-    from rockeom.symbolic.model import Body, Coordinate, Phase
+    from rockeom.symbolic.model import Body, Coordinate, Mechanism
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def body_velocity(
     return tuple(rate(e, coordinates) for e in (x, y, sp.sympify(body.rotation)))
 
 
-def kinetic_energy(phase: Phase) -> sp.Expr:
+def kinetic_energy(phase: Mechanism) -> sp.Expr:
     total = sp.Integer(0)
     for body in phase.bodies:
         vx, vy, turning = body_velocity(body, phase.coordinates)
@@ -94,7 +94,7 @@ def kinetic_energy(phase: Phase) -> sp.Expr:
     return total
 
 
-def derive_equations(phase: Phase) -> Equations:
+def derive_equations(phase: Mechanism) -> Equations:
     """Lagrange's equations of a phase from the positions, springs and dampers it declares."""
     q = [c.position for c in phase.coordinates]
     qd = [c.velocity for c in phase.coordinates]

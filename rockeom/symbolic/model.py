@@ -1,7 +1,7 @@
 """What a structure declares, and what follows from it.
 
-A structure is a set of bodies whose positions are known in each phase, the mechanism of a contact
-state or of two that are mirror images. It declares those positions, its springs and its dampers;
+A structure is a set of bodies whose positions are known in each mechanism, that of a contact state
+or of two that are mirror images. It declares those positions, its springs and its dampers;
 the rest of this package derives equations of motion, impact maps, reactions and statics from them.
 """
 
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from rockeom.symbolic import valid
+from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
 if TYPE_CHECKING:
@@ -59,12 +59,12 @@ class Definition:
 
 
 @dataclass(frozen=True)
-class Law:
+class NamedFunction:
     """A function of the coordinates that equations name instead of writing it out.
 
     symbol : a function such as b(theta), whose derivatives are then those of `value`; or a plain
         symbol, which Lagrange's equations take as a constant. `value` may contain the side, the
-        parameters, and laws that stand before it.
+        parameters, and named functions that stand before it.
     """
 
     symbol: sp.Expr
@@ -74,7 +74,7 @@ class Law:
     value: sp.Expr
 
     def __post_init__(self) -> None:
-        what = f"law {self.name!r}"
+        what = f"function {self.name!r}"
         valid.expressions(what, symbol=self.symbol, value=self.value)
         valid.texts(what, name=self.name, unit=self.unit, meaning=self.meaning)
         valid.laws(what, symbol=self.symbol)
@@ -165,7 +165,7 @@ class Foot:
 
 
 @dataclass(frozen=True)
-class Phase:
+class Mechanism:
     """The mechanism that moves while the set of contacts does not change.
 
     contacts : side of each contact state that this mechanism serves. A rocking mechanism
@@ -178,7 +178,7 @@ class Phase:
     small : symbols taken as small of first order; energies are then truncated at second
         order, which gives the linearised equations. Impacts keep the exact geometry.
     quantities : what a response tells besides, by name: (unit, value) in "m" or "N". The names are
-        the same in each phase.
+        the same in each mechanism.
     beside_feet : (horizontal, vertical) force of the ground on the structure elsewhere than at its
         feet, such as that of the columns of a frame beside a wall.
     """
@@ -197,7 +197,7 @@ class Phase:
     beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero)
 
     def __post_init__(self) -> None:
-        what = f"phase {'/'.join(map(str, self.contacts))}"
+        what = f"mechanism {'/'.join(map(str, self.contacts))}"
         valid.points(what, beside_feet=self.beside_feet)
         valid.texts(what, **{f"contact {c}": c for c in self.contacts})
         valid.symbols(what, **{f"small {x}": x for x in self.small})
@@ -217,7 +217,7 @@ class Phase:
         return derive_equations(self)
 
     def approximated(self, expr: sp.Expr) -> sp.Expr:
-        """The expression to second order in what this phase takes as small; else as it is."""
+        """The expression to second order in what this mechanism takes as small; else as it is."""
         return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
 
     def quantities_in(self, unit: str) -> dict[str, sp.Expr]:
@@ -261,22 +261,23 @@ class Transition:
             valid.expressions(what, guard=self.guard)
 
 
+@former.names(phases="mechanisms", laws="functions", phase="mechanism")
 @dataclass(frozen=True)
 class RockingModel:
-    """A structure: parameters, coordinates, phases and the transitions between them."""
+    """A structure: parameters, coordinates, mechanisms and the transitions between them."""
 
     name: str
     title: str
     parameters: tuple[Parameter, ...]
     coordinates: tuple[Coordinate, ...]
-    phases: tuple[Phase, ...]
+    mechanisms: tuple[Mechanism, ...]
     transitions: tuple[Transition, ...]
     rotation: Coordinate
     overturning: sp.Expr = sp.pi / 2
     definitions: tuple[Definition, ...] = ()
     rigid_velocity_ratio: sp.Expr | None = None
     reference: str = ""
-    laws: tuple[Law, ...] = ()
+    functions: tuple[NamedFunction, ...] = ()
 
     def __post_init__(self) -> None:
         from rockeom.symbolic.check import check
@@ -294,17 +295,17 @@ class RockingModel:
         return {d.symbol: d.value for d in self.definitions}
 
     def written_out(self, expr: sp.Expr) -> sp.Expr:
-        """The expression with all laws and their derivatives in place of their names."""
-        return _written_out(self.laws, sp.sympify(expr))
+        """The expression with all named functions and their derivatives in place of their names."""
+        return _written_out(self.functions, sp.sympify(expr))
 
     def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
         """The expression written out for a contact state, its side put in as a number."""
-        return at_side(self.written_out(expr), self.phase(contact).side_of(contact))
+        return at_side(self.written_out(expr), self.mechanism(contact).side_of(contact))
 
     @property
     def contacts(self) -> tuple[str, ...]:
         """Names of all contact states, in the order in which generated code numbers them."""
-        names = [name for phase in self.phases for name in phase.contacts]
+        names = [name for phase in self.mechanisms for name in phase.contacts]
         return tuple(sorted(names, key=lambda n: ("left" not in n, "both" not in n, n)))
 
     @property
@@ -316,16 +317,16 @@ class RockingModel:
     def has_impacts(self) -> bool:
         return any(t.kind == "impact" for t in self.transitions)
 
-    def phase(self, contact: str) -> Phase:
-        """The phase that serves a contact state ("left", "both", "right", "flight")."""
-        for phase in self.phases:
+    def mechanism(self, contact: str) -> Mechanism:
+        """The mechanism that serves a contact state ("left", "both", "right", "flight")."""
+        for phase in self.mechanisms:
             if contact in phase.contacts:
                 return phase
         raise KeyError(f"{self.name} has no contact state {contact!r}; it has {self.contacts}")
 
     def equations(self, contact: str) -> Equations:
         """Equations of motion of a contact state, its side put in as a number."""
-        phase = self.phase(contact)
+        phase = self.mechanism(contact)
         return (
             phase.equations.at_side(phase.side_of(contact)) if phase.has_side else phase.equations
         )
@@ -387,7 +388,7 @@ none of them: `rockeom.symbolic` puts them here."""
 
 
 @lru_cache(maxsize=4096)  # the same guards and energies are asked for in many contact states
-def _written_out(laws: tuple[Law, ...], expr: sp.Expr) -> sp.Expr:
+def _written_out(laws: tuple[NamedFunction, ...], expr: sp.Expr) -> sp.Expr:
     for law in reversed(laws):
         if law.symbol.is_Symbol:
             expr = expr.xreplace({law.symbol: law.value})
@@ -461,7 +462,7 @@ def rocking_structure(
 
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
-    same structure with the rotation held at zero. `beside_feet` is as in `Phase`.
+    same structure with the rotation held at zero. `beside_feet` is as in `Mechanism`.
     """
     coordinates = tuple(coordinates)
     if not coordinates:
@@ -483,7 +484,7 @@ def rocking_structure(
     valid.known(str(name), "load_on", load, [b.name for b in turning])
     edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
     return on_pinned_feet(
-        Phase(
+        Mechanism(
             dict(SIDES),
             coordinates,
             turning,
@@ -508,7 +509,7 @@ SIDES = {"left": -1, "right": 1}
 """The side of the foot about which a structure rocks, by its name."""
 
 
-def on_pinned_feet(rocking: Phase, rotation: Coordinate, **described: Any) -> RockingModel:
+def on_pinned_feet(rocking: Mechanism, rotation: Coordinate, **described: Any) -> RockingModel:
     """A structure on two feet that neither slip nor bounce, by its mechanism on one of them.
 
     rocking : about the foot of the side s; the places of both feet are in it. As it leans to the
@@ -526,7 +527,7 @@ def on_pinned_feet(rocking: Phase, rotation: Coordinate, **described: Any) -> Ro
     opposite = dict(zip(SIDES, reversed(SIDES), strict=True))
     return RockingModel(
         coordinates=rocking.coordinates,
-        phases=(rocking, full),
+        mechanisms=(rocking, full),
         transitions=(
             *(
                 Transition(foot, opposite[foot], "impact", side * rotation.position, both)
@@ -539,7 +540,7 @@ def on_pinned_feet(rocking: Phase, rotation: Coordinate, **described: Any) -> Ro
     )
 
 
-def _upright(rocking: Phase, rotation: Coordinate) -> Phase:
+def _upright(rocking: Mechanism, rotation: Coordinate) -> Mechanism:
     """The mechanism on both feet: that on one of them, the rotation held at zero."""
     held = {rotation.position: 0}
 
@@ -553,7 +554,7 @@ def _upright(rocking: Phase, rotation: Coordinate) -> Phase:
         return hold(place[0]), hold(place[1])
 
     load = rocking.load_point
-    return Phase(
+    return Mechanism(
         {"both": 0},
         tuple(c for c in rocking.coordinates if c != rotation),
         tuple(

@@ -15,7 +15,7 @@ from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
 from rockeom.symbolic.contacts import Model
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Phase, RockingModel
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Mechanism, RockingModel
 from rockeom.symbolic.page import LINE, width
 from rockeom.symbolic.polar import compound_angles
 
@@ -32,7 +32,7 @@ def at_impact(coordinate: Coordinate, when: str) -> sp.Symbol:
 class Notation(LatexPrinter):
     """LaTeX of expressions of one phase; a `model` adds its units and all its coordinates."""
 
-    def __init__(self, phase: Phase, model: RockingModel | Model | None = None) -> None:
+    def __init__(self, phase: Mechanism, model: RockingModel | Model | None = None) -> None:
         super().__init__()
         self._collected: dict[sp.Expr, list[sp.Expr]] = {}  # counted first, and then written
         coordinates = model.coordinates if model else phase.coordinates

@@ -17,7 +17,7 @@ import sympy as sp
 from rockeom.symbolic.algebra import SIDE, at_side, tidy
 from rockeom.symbolic.contacts import Model, Pinned
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import SIDES, Foot, Phase, on_pinned_feet
+from rockeom.symbolic.model import SIDES, Foot, Mechanism, on_pinned_feet
 
 if TYPE_CHECKING:
     from rockeom.symbolic.model import Coordinate, RockingModel
@@ -56,7 +56,7 @@ def reduced(model: Model) -> RockingModel:
     feet = {name: closed.point((slip, gap)) for name, (gap, slip) in places.items()}
     _stand(model, closed, feet)
     _follow(model, closed)
-    rocking = Phase(
+    rocking = Mechanism(
         dict(SIDES),
         closed.left,
         tuple(replace(b, position=closed.point(b.position)) for b in model.bodies),

@@ -11,31 +11,31 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
-from rockeom.symbolic.model import Body, Coordinate, Parameter, Phase, RockingModel
+from rockeom.symbolic.model import Body, Coordinate, Mechanism, Parameter, RockingModel
 
 if TYPE_CHECKING:
     from rockeom.symbolic.lagrange import Equations
 
 
-def has_polar_form(phase: Phase) -> bool:
+def has_polar_form(phase: Mechanism) -> bool:
     return any(body.polar for body in phase.bodies)
 
 
-def in_polar_form(phase: Phase) -> Equations:
+def in_polar_form(phase: Mechanism) -> Equations:
     """The phase's equations with R and alpha of each body instead of half-width and height.
 
     Raises ValueError if none of its bodies names its R and alpha.
     """
     if not has_polar_form(phase):
         raise ValueError(
-            f"no polar form of phase {', '.join(phase.contacts)}: none of its bodies names a "
+            f"no polar form of mechanism {', '.join(phase.contacts)}: none of its bodies names a "
             'radius and an angle (`polar`); use form="width"'
         )
     equations = polar_phase(phase).equations
     return equations.map(lambda e: compound_angles(e, phase.coordinates))
 
 
-def polar_phase(phase: Phase) -> Phase:
+def polar_phase(phase: Mechanism) -> Mechanism:
     """The same mechanism, its bodies placed by R and alpha."""
     bodies = tuple(_polar_body(body) for body in phase.bodies)
     loaded = [b.position for b in phase.bodies].index(phase.load_point) if phase.load_point else 0
@@ -54,7 +54,7 @@ def _polar_body(body: Body) -> Body:
 def polar_parameters(model: RockingModel) -> tuple[tuple[Parameter, sp.Expr], ...]:
     """R and alpha of each body, each with its value in half-width and height."""
     found: dict[sp.Symbol, tuple[Parameter, sp.Expr]] = {}
-    for body in (b for phase in model.phases for b in phase.bodies):
+    for body in (b for phase in model.mechanisms for b in phase.bodies):
         if body.polar is None:
             continue
         b, h, radius, alpha = body.polar
@@ -75,7 +75,7 @@ def polar_model(model: RockingModel) -> RockingModel:
     return replace(
         model,
         parameters=(*model.parameters, *(p for p, _ in polar_parameters(model))),
-        phases=tuple(polar_phase(phase) for phase in model.phases),
+        mechanisms=tuple(polar_phase(phase) for phase in model.mechanisms),
     )
 
 

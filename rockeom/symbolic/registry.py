@@ -10,9 +10,9 @@ from functools import lru_cache, partial
 from inspect import Parameter, signature
 from typing import Any
 
-from rockeom.arguments import ParameterError
 from rockeom.symbolic import structures
 from rockeom.symbolic.model import RockingModel
+from rockeom.symbolic.valid import ArgumentError
 
 _PLACES: dict[str, float] = {}
 _DECLARED: dict[str, Callable[[], RockingModel]] = {}
@@ -66,7 +66,7 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
 
     arguments : of a family, such as `derive("shear_frame", storeys=3)`.
 
-    Raises KeyError, naming all of them, if there is none of that name, and ParameterError for
+    Raises KeyError, naming all of them, if there is none of that name, and ArgumentError for
     arguments that it does not take.
     """
     every = SHIPPED | FAMILIES
@@ -78,7 +78,7 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     except TypeError as error:
         names = [n for n, p in taken.parameters.items() if p.kind is not Parameter.VAR_KEYWORD]
         takes = ", ".join(f"{n}=" for n in names) or "no arguments"
-        raise ParameterError(f"{name}: {error}; it takes {takes}") from None
+        raise ArgumentError(f"{name}: {error}; it takes {takes}") from None
     return _derived(every[name], **arguments)
 
 

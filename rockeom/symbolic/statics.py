@@ -8,13 +8,13 @@ import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
 from rockeom.symbolic.algebra import at_side
-from rockeom.symbolic.model import Phase, RockingModel
+from rockeom.symbolic.model import Mechanism, RockingModel
 
 LOAD = sp.Symbol("P", real=True)
 """Horizontal force at the load point [N], positive to the right."""
 
 
-def equilibrium(phase: Phase) -> sp.Matrix:
+def equilibrium(phase: Mechanism) -> sp.Matrix:
     """dV/dq - Q - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point.
 
     Q are the declared forces at rest. Without a load point, dV/dq - Q.
@@ -36,7 +36,7 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
     could make it simpler.
     """
     force = holding_force(model, contact)
-    return sp.together(force) if model.laws else _simple(force)
+    return sp.together(force) if model.functions else _simple(force)
 
 
 _simple = lru_cache(maxsize=256)(sp.simplify)  # slow, and asked for again by pages and checks
@@ -49,7 +49,7 @@ def holding_force(model: RockingModel, contact: str) -> sp.Expr:
     other coordinates enter non-linearly); the numeric pushover solves these. Raises ValueError
     for a contact state that does not rotate.
     """
-    phase = model.phase(contact)
+    phase = model.mechanism(contact)
     if model.rotation not in phase.coordinates:
         raise ValueError(f"{model.name} does not rotate in the contact state {contact!r}")
     rows = [at_side(e, phase.side_of(contact)) for e in equilibrium(phase)]

@@ -15,8 +15,8 @@ from rockeom.symbolic.model import (
     GROUND_X,
     GROUND_Y,
     Coordinate,
-    Law,
-    Phase,
+    Mechanism,
+    NamedFunction,
     RockingModel,
     Transition,
 )
@@ -36,19 +36,19 @@ from rockeom.symbolic.polar import has_polar_form, in_polar_form, polar_model, p
 from rockeom.symbolic.statics import pushover
 
 
-def equation_lines(phase: Phase, form: str = "width") -> list[str]:
-    """One line of LaTeX an equation of motion, in the order of the phase's coordinates.
+def equation_lines(phase: Mechanism, form: str = "width") -> list[str]:
+    """One line of LaTeX an equation of motion, in the order of the mechanism's coordinates.
 
     Left: accelerations, velocities, damping, gravity, stiffness; right: excitation, horizontal
     then vertical, and declared forces. `form` is "width" (B, H) or "polar" (R, alpha).
-    Raises ValueError if `form` is neither or the phase has no polar form.
+    Raises ValueError if `form` is neither or the mechanism has no polar form.
     """
     _check(form)
     equations = in_polar_form(phase) if form == "polar" else phase.equations
     return _equation_lines(equations, phase.coordinates, Notation(phase))
 
 
-def equations_latex(phase: Phase, form: str = "width") -> str:
+def equations_latex(phase: Mechanism, form: str = "width") -> str:
     """The equations of motion as an `aligned` block, a line each; "" if no coordinate is free."""
     lines = [line.replace(" = ", " &= ") for line in equation_lines(phase, form)]
     return environment("aligned", lines) if lines else ""
@@ -69,7 +69,7 @@ def markdown_page(model: RockingModel | Model) -> str:
 
 def notebook_display(model: RockingModel) -> str:
     """The equations of motion of the model's first phase, as a notebook shows the model."""
-    return f"$${equations_latex(model.phases[0])}$$"
+    return f"$${equations_latex(model.mechanisms[0])}$$"
 
 
 def _check(form: str) -> None:
@@ -108,12 +108,12 @@ def content(model: RockingModel | Model, form: str) -> list[Block]:
         from rockeom.symbolic.contact_page import contact_content
 
         return contact_content(model)
-    polar = form == "polar" and any(has_polar_form(phase) for phase in model.phases)
+    polar = form == "polar" and any(has_polar_form(phase) for phase in model.mechanisms)
     shown = polar_model(model) if polar else model
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
     blocks += symbols_of(model, polar)
-    for phase, original in zip(shown.phases, model.phases, strict=True):
+    for phase, original in zip(shown.mechanisms, model.mechanisms, strict=True):
         # where no body is placed by R and alpha, the geometry left is that of B and H
         blocks += _phase(model, phase if has_polar_form(phase) else original)
     return [*blocks, *_transitions(shown), *_pushover(shown)]
@@ -122,7 +122,7 @@ def content(model: RockingModel | Model, form: str) -> list[Block]:
 def symbols_of(
     model: RockingModel | Model, polar: bool, signs: Iterable[tuple[sp.Symbol, str]] = ()
 ) -> list[Block]:
-    notation = Notation(model.phases[0], model)
+    notation = Notation(model.mechanisms[0], model)
     header = ("Symbol", "Name", "Unit", "Meaning")
 
     def row(symbol: sp.Symbol, name: str, unit: str, meaning: str) -> tuple[str, ...]:
@@ -133,12 +133,12 @@ def symbols_of(
     if isinstance(model, Model):
         rows += [row(z.symbol, z.name, z.unit, z.meaning) for z in model.internal]
     rows += [row(p.symbol, p.name, p.unit, p.meaning) for p in model.parameters]
-    unit = "m/s2" if model.phases[0].gravity.free_symbols else "g"
+    unit = "m/s2" if model.mechanisms[0].gravity.free_symbols else "g"
     rows += [
         row(GROUND_X, "", unit, "horizontal ground acceleration, positive to the right"),
         row(GROUND_Y, "", unit, "vertical ground acceleration, positive upwards"),
     ]
-    if any(phase.has_side for phase in model.phases):
+    if any(phase.has_side for phase in model.mechanisms):
         side = rf"\operatorname{{sgn}} {notation.plain(model.rotation.position)}"
         rows.append(row(SIDE, "", "-", f"side, ${side}$"))
     rows += [row(symbol, "", "-", meaning) for symbol, meaning in signs]
@@ -166,25 +166,27 @@ def symbols_of(
 
 def _laws(model: RockingModel, notation: Notation) -> list[Block]:
     """What the equations name of the coordinates, written out."""
-    if not model.laws:
+    if not model.functions:
         return []
     rows = tuple(
-        (f"${notation.plain(x.symbol)}$", f"`{x.name}`", x.unit, x.meaning) for x in model.laws
+        (f"${notation.plain(x.symbol)}$", f"`{x.name}`", x.unit, x.meaning) for x in model.functions
     )
     q = notation.plain(model.rotation.position)
-    held = [law for law in model.laws if law.symbol.is_Symbol and law.unit == "m"]  # in positions
+    held = [
+        law for law in model.functions if law.symbol.is_Symbol and law.unit == "m"
+    ]  # in positions
     text = f"Functions that the equations name; a prime is a derivative with respect to ${q}$."
     for law in held:
         symbol = notation.plain(law.symbol)
         text += f" Lagrange's equations take ${symbol}$ as a constant at each instant."
     table = Table(("Symbol", "Name", "Unit", "Meaning"), rows)
-    whole = [law for law in model.laws if not isinstance(law.value, sp.Piecewise)]
+    whole = [law for law in model.functions if not isinstance(law.value, sp.Piecewise)]
     lines = (f"{notation.plain(x.symbol)} = {notation.plain(x.value)}" for x in whole)
-    pieces = [_pieces(law, notation) for law in model.laws if law not in whole]
+    pieces = [_pieces(law, notation) for law in model.functions if law not in whole]
     return [text, table, Display(tuple(lines)), *pieces]
 
 
-def _pieces(law: Law, notation: Notation) -> str:
+def _pieces(law: NamedFunction, notation: Notation) -> str:
     """A law in pieces, each below a limit and the last one beyond all, as a sentence."""
     words = []
     for value, holds in law.value.args:
@@ -208,11 +210,11 @@ def listed(names: Iterable[str]) -> str:
     return ", ".join(f"`{name}`" for name in names)
 
 
-def _sides(phase: Phase) -> str:
+def _sides(phase: Mechanism) -> str:
     return ", ".join(f"$s = {side:+d}$ in `{name}`" for name, side in phase.contacts.items())
 
 
-def _phase(model: RockingModel, phase: Phase) -> list[Block]:
+def _phase(model: RockingModel, phase: Mechanism) -> list[Block]:
     notation, equations = Notation(phase, model), phase.equations
     blocks: list[Block] = [Heading(2, f"Contact {listed(phase.contacts)}")]
     blocks += [f"One form for both sides: {_sides(phase)}."] if phase.has_side else []
@@ -243,7 +245,7 @@ def _phase(model: RockingModel, phase: Phase) -> list[Block]:
     ]
 
 
-def _reactions(model: RockingModel, phase: Phase, notation: Notation) -> list[Block]:
+def _reactions(model: RockingModel, phase: Mechanism, notation: Notation) -> list[Block]:
     forces = reactions(model, phase)
     lines = [f"F = {notation.write(forces['horizontal_reaction'])}"]
     text = "Force of the ground on the structure, horizontal $F$"
@@ -264,7 +266,7 @@ def _reactions(model: RockingModel, phase: Phase, notation: Notation) -> list[Bl
 
 
 def _transitions(model: RockingModel) -> list[Block]:
-    order = {name: i for i, phase in enumerate(model.phases) for name in phase.contacts}
+    order = {name: i for i, phase in enumerate(model.mechanisms) for name in phase.contacts}
     groups: dict[tuple, list[Transition]] = {}
     for t in model.transitions:
         key = (t.kind, order[t.source], order[t.target], order.get(t.fallback or "", -1))
@@ -276,8 +278,8 @@ def _transitions(model: RockingModel) -> list[Block]:
             blocks += _transition(model, alike, alike[0].guard if guard is None else guard)
     ratio = model.velocity_ratio
     if ratio is not None:
-        dot = Notation(model.phases[0], model).plain(model.rotation.velocity)
-        e = Notation(model.phases[0], model).quotient(ratio)
+        dot = Notation(model.mechanisms[0], model).plain(model.rotation.velocity)
+        e = Notation(model.mechanisms[0], model).quotient(ratio)
         blocks += [
             Heading(3, "Velocity ratio of the rigid structure"),
             "After and before an impact, all other coordinates held at zero:",
@@ -292,10 +294,10 @@ def _common_guard(model: RockingModel, group: list[Transition]) -> sp.Expr | Non
         return sp.Integer(0)
     q = model.rotation
     for t in group:
-        if model.phase(t.source).side_of(t.source) == 1 and t.guard is not None:
+        if model.mechanism(t.source).side_of(t.source) == 1 and t.guard is not None:
             flip = {q.position: SIDE * q.position, q.velocity: SIDE * q.velocity}
             common = t.guard.subs(flip, simultaneous=True)
-            sides = [model.phase(other.source).side_of(other.source) for other in group]
+            sides = [model.mechanism(other.source).side_of(other.source) for other in group]
             if all(common.subs(SIDE, s) == o.guard for s, o in zip(sides, group, strict=True)):
                 return common
     return None
@@ -303,7 +305,7 @@ def _common_guard(model: RockingModel, group: list[Transition]) -> sp.Expr | Non
 
 def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | None) -> list[Block]:
     first = alike[0]
-    notation = Notation(model.phase(first.source), model)
+    notation = Notation(model.mechanism(first.source), model)
     passages = ", ".join(f"`{t.source}` to `{t.target}`" for t in alike)
     blocks: list[Block] = [Heading(3, f"{first.kind.capitalize()}: {passages}")]
     theta, rate, acceleration = (
@@ -314,7 +316,7 @@ def _transition(model: RockingModel, alike: list[Transition], guard: sp.Expr | N
         blocks.append(
             f"The foot opposite to the new pivot lifts when $s {acceleration} > 0$, with "
             f"${acceleration}$ from the equations of the contact that would follow at "
-            f"${theta} = 0$, ${rate} = 0$, and {_sides(model.phase(first.target))}. "
+            f"${theta} = 0$, ${rate} = 0$, and {_sides(model.mechanism(first.target))}. "
             "That is when its vertical reaction falls to zero."
         )
         return blocks
@@ -354,8 +356,8 @@ def _sorted(expressions: Iterable[sp.Basic]) -> list[sp.Basic]:
 
 
 def _impulse(model: RockingModel, source: str, target: str) -> list[Block]:
-    """Conservation of the momenta of the phase that follows, and its solution where short."""
-    after = model.phase(target)
+    """Conservation of the momenta of the mechanism that follows, and its solution where short."""
+    after = model.mechanism(target)
     if not after.coordinates:
         return [f"In `{target}` all motion has stopped."]
     notation, derived = Notation(after, model), model.impulse_map(source, target)
@@ -376,7 +378,7 @@ def _impulse(model: RockingModel, source: str, target: str) -> list[Block]:
 def _pushover(model: RockingModel) -> list[Block]:
     blocks: list[Block] = []
     theta = model.rotation.position
-    for phase in model.phases:
+    for phase in model.mechanisms:
         held = any(foot.force != 0 for foot in phase.feet.values()) or not phase.feet
         if model.rotation not in phase.coordinates or phase.load_point is None or not held:
             continue
@@ -399,6 +401,6 @@ def _pushover(model: RockingModel) -> list[Block]:
     return [
         Heading(2, "Pushover"),
         f"Horizontal force at the load point, positive to the right, that holds the structure at "
-        f"${Notation(model.phases[0], model).plain(theta)}$, the other coordinates condensed.",
+        f"${Notation(model.mechanisms[0], model).plain(theta)}$, the other coordinates condensed.",
         *blocks,
     ]

@@ -18,6 +18,10 @@ LONGEST = 100
 """Letters of a name: files are called by it."""
 
 
+class ArgumentError(TypeError):
+    """Arguments that a structure of several lacks or does not take."""
+
+
 def expressions(what: str, **items: Any) -> None:
     """Each must be a SymPy expression or a number: text would be run as a program."""
     for item, value in items.items():
@@ -79,7 +83,7 @@ def not_negative(what: str, **items: Any) -> None:
 
 
 def laws(what: str, symbol: Any) -> None:
-    """The symbol of a law, a plain one or a function of one coordinate."""
+    """The symbol of a named function, a plain one or a function of one coordinate."""
     function = isinstance(symbol, AppliedUndef) and len(symbol.args) == 1
     if not (isinstance(symbol, sp.Symbol) or function):
         raise ValueError(

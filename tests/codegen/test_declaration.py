@@ -30,7 +30,7 @@ def changed(value, **fields):
 def test_every_part_of_a_declaration_counts():
     """Expressions, what symbols are assumed to be, texts, the order, and what is left out."""
     model = flexible_structure()
-    phase, parameter, transition = model.phases[0], model.parameters[0], model.transitions[0]
+    phase, parameter, transition = model.mechanisms[0], model.parameters[0], model.transitions[0]
     of_any_sign = sp.Symbol(parameter.symbol.name)
     others = [
         changed(model, title="Another"),
@@ -40,8 +40,10 @@ def test_every_part_of_a_declaration_counts():
         changed(model, parameters=(changed(parameter, unit="t"), *model.parameters[1:])),
         changed(model, parameters=(changed(parameter, symbol=of_any_sign), *model.parameters[1:])),
         changed(model, parameters=model.parameters[::-1]),
-        changed(model, phases=(changed(phase, gravity=2 * phase.gravity), *model.phases[1:])),
-        changed(model, phases=(changed(phase, small=(sp.Symbol("x"),)), *model.phases[1:])),
+        changed(
+            model, mechanisms=(changed(phase, gravity=2 * phase.gravity), *model.mechanisms[1:])
+        ),
+        changed(model, mechanisms=(changed(phase, small=(sp.Symbol("x"),)), *model.mechanisms[1:])),
         changed(model, transitions=(changed(transition, kind="x"), *model.transitions[1:])),
         changed(model, transitions=model.transitions[:-1]),
     ]
@@ -50,10 +52,10 @@ def test_every_part_of_a_declaration_counts():
 
 def test_functions_of_one_name_differ_by_what_is_assumed_of_them():
     model = rk.derive("controlled_wall")
-    law = model.laws[0]
+    law = model.functions[0]
     (of,) = law.symbol.args
     other = changed(law, symbol=sp.Function(law.symbol.func.__name__, positive=True)(of))
-    assert declaration_digest(changed(model, laws=(other, *model.laws[1:]))) != (
+    assert declaration_digest(changed(model, functions=(other, *model.functions[1:]))) != (
         declaration_digest(model)
     )
 

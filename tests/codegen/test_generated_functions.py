@@ -124,7 +124,7 @@ class Sample:
 
     def __init__(self, name, contact):
         self.name, self.contact, self.model = name, contact, model(name)
-        self.phase = self.model.phase(contact)
+        self.phase = self.model.mechanism(contact)
         self.side = self.phase.side_of(contact)
         rng = np.random.default_rng(zlib.crc32(f"{name} {contact}".encode()))
         self.parameters = {
@@ -201,7 +201,7 @@ class Exact(Values):
     def __init__(self, model, contact, given):
         super().__init__(given)
         self.model, self.contact = model, contact
-        self.named = {law.symbol for law in model.laws}
+        self.named = {law.symbol for law in model.functions}
 
     def _of(self, expr):
         if expr in self.model.constants:

@@ -9,7 +9,7 @@ import rockeom as rk
 from rockeom.numeric.structures import class_of
 from rockeom.symbolic.model import (
     Body,
-    Phase,
+    Mechanism,
     RockingModel,
     Transition,
     coordinate,
@@ -79,7 +79,7 @@ def clock() -> RockingModel:
         *dict.fromkeys(n for t in transitions for n in (t.source, t.target)),
     ]
     phases = (
-        Phase(
+        Mechanism(
             {contact: 0},
             (HEIGHT,),
             (Body("point", m.symbol, (sp.Integer(0), x)),),
@@ -94,7 +94,7 @@ def clock() -> RockingModel:
         title="A thrown point that passes marks",
         parameters=tuple(parameters),
         coordinates=(HEIGHT,),
-        phases=tuple(phases),
+        mechanisms=tuple(phases),
         transitions=tuple(transitions),
         rotation=HEIGHT,
         overturning=sp.Integer(10) ** 9,

@@ -92,8 +92,8 @@ def generate(package, model):
 
 def twice_as_heavy(model):
     """The model with gravity counted twice in every phase."""
-    phases = (dataclasses.replace(phase, gravity=2 * phase.gravity) for phase in model.phases)
-    return dataclasses.replace(model, phases=tuple(phases))
+    phases = (dataclasses.replace(phase, gravity=2 * phase.gravity) for phase in model.mechanisms)
+    return dataclasses.replace(model, mechanisms=tuple(phases))
 
 
 def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):

@@ -20,7 +20,7 @@ from rockeom.codegen.names import Names, is_own
 from rockeom.numeric.lanes_text import lanes_text
 from rockeom.numeric.structures import class_of
 from rockeom.numeric.tableau import step_text, tableau
-from rockeom.symbolic import Coordinate, Phase, RockingModel, Transition
+from rockeom.symbolic import Coordinate, Mechanism, RockingModel, Transition
 from rockeom.symbolic.evaluate import NumpyPhase
 
 from .blocks import two_storey
@@ -75,7 +75,7 @@ def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
     def other(c: Coordinate) -> Coordinate:
         return replace(c, name=names.get(c.name, c.name))
 
-    def phase_of(phase: Phase) -> Phase:
+    def phase_of(phase: Mechanism) -> Mechanism:
         new = replace(phase, coordinates=tuple(map(other, phase.coordinates)))
         vars(new)["equations"] = phase.equations  # the same, and derived once
         return new
@@ -85,7 +85,7 @@ def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
         parameters=tuple(replace(p, name=names.get(p.name, p.name)) for p in model.parameters),
         coordinates=tuple(map(other, model.coordinates)),
         rotation=other(model.rotation),
-        phases=tuple(map(phase_of, model.phases)),
+        mechanisms=tuple(map(phase_of, model.mechanisms)),
     )
 
 
@@ -102,9 +102,9 @@ def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
 
     return replace(
         model,
-        phases=tuple(
+        mechanisms=tuple(
             replace(phase, contacts={names.get(c, c): s for c, s in phase.contacts.items()})
-            for phase in model.phases
+            for phase in model.mechanisms
         ),
         transitions=tuple(map(other, model.transitions)),
     )

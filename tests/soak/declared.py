@@ -16,7 +16,7 @@ from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import (
     Body,
     Foot,
-    Phase,
+    Mechanism,
     RockingModel,
     Transition,
     coordinate,
@@ -160,13 +160,13 @@ def _on_unequal_feet() -> RockingModel:
         title="A block on feet of unequal distance",
         parameters=tuple(parameters),
         coordinates=(theta,),
-        phases=(
-            Phase(
+        mechanisms=(
+            Mechanism(
                 {"left": -1, "right": 1}, (theta,), (turning,), gravity.symbol,
                 feet={k: Foot(turned(e, pivot, q)) for k, e in edges.items()},
                 load_point=turning.position,
             ),
-            Phase(
+            Mechanism(
                 {"both": 0}, (), (Body("block", mass.symbol, upright, inertia.symbol),),
                 gravity.symbol, feet={k: Foot(e) for k, e in edges.items()}, load_point=upright,
             ),

@@ -120,14 +120,14 @@ def _energies(model: RockingModel, contact: str) -> list[sp.Expr]:
 
 def _power(model: RockingModel, contact: str) -> list[sp.Expr]:
     """d/dt of the energies: that the ground gives, and that other forces give and dampers take."""
-    equations, phase = model.equations(contact), model.phase(contact)
+    equations, phase = model.equations(contact), model.mechanism(contact)
     rates = [c.velocity for c in phase.coordinates]
     total = equations.kinetic_energy + equations.gravitational_energy + equations.elastic_energy
     ground = sp.Add(*(v * e for v, e in zip(rates, equations.excitation, strict=True)))
     given = equations.force - equations.damping
     other = sp.Add(*(v * e for v, e in zip(rates, given, strict=True)))
     ground, other = (model.in_contact(e, contact) for e in (ground, other))
-    if total.free_symbols & {law.symbol for law in model.laws}:
+    if total.free_symbols & {law.symbol for law in model.functions}:
         # the equations take such a law as a constant, the energies change with it
         for c in phase.coordinates:
             held = model.in_contact(sp.diff(total, c.position), contact)
@@ -146,7 +146,7 @@ def _guards(model: RockingModel, contact: str) -> list[sp.Expr]:
 
 def _opening(model: RockingModel, target: str) -> sp.Expr:
     """Acceleration with which the gap of `target` would open from closed and at rest."""
-    phase, equations = model.phase(target), model.equations(target)
+    phase, equations = model.mechanism(target), model.equations(target)
     closed = {model.rotation.position: 0, model.rotation.velocity: 0}
 
     def still(m: sp.Matrix) -> sp.Matrix:

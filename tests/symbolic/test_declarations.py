@@ -18,9 +18,9 @@ from rockeom.symbolic import (
     Body,
     Definition,
     Foot,
-    Law,
+    Mechanism,
+    NamedFunction,
     Parameter,
-    Phase,
     RockingModel,
     Transition,
     coordinate,
@@ -72,18 +72,18 @@ def tower(**changes) -> RockingModel:
 
 
 TOWER = tower()
-ROCKING, FULL = TOWER.phases
+ROCKING, FULL = TOWER.mechanisms
 LEFT, RIGHT, *UPLIFTS = TOWER.transitions
 
 
 def rocking(**changes) -> RockingModel:
     """The tower, its rocking phase changed."""
-    return replace(TOWER, phases=(replace(ROCKING, **changes), FULL))
+    return replace(TOWER, mechanisms=(replace(ROCKING, **changes), FULL))
 
 
 def phases(**changes) -> RockingModel:
     """The tower, both phases changed."""
-    return replace(TOWER, phases=tuple(replace(p, **changes) for p in TOWER.phases))
+    return replace(TOWER, mechanisms=tuple(replace(p, **changes) for p in TOWER.mechanisms))
 
 
 def right(**changes) -> RockingModel:
@@ -117,7 +117,7 @@ def on_feet(left: sp.Expr, right: sp.Expr) -> RockingModel:
     def phase(pivot, contacts, free, angle):
         place = turned((0, h), pivot, angle)
         feet = {"left": (-left, sp.S.Zero), "right": (right, sp.S.Zero)}
-        return Phase(
+        return Mechanism(
             contacts,
             free,
             (Body("block", m, place, m * h**2 / 3, angle),),
@@ -131,7 +131,7 @@ def on_feet(left: sp.Expr, right: sp.Expr) -> RockingModel:
         name="block",
         parameters=(*PARAMETERS, *(Parameter(x, str(x), "m", "") for x in (STRANGE,))),
         coordinates=(THETA,),
-        phases=(
+        mechanisms=(
             phase((-left, sp.S.Zero), {"left": -1}, (THETA,), theta),
             phase((right, sp.S.Zero), {"right": 1}, (THETA,), theta),
             phase((sp.S.Zero, sp.S.Zero), {"both": 0}, (), sp.S.Zero),
@@ -165,9 +165,9 @@ def contact(new: str) -> RockingModel:
     put = {"flight": new}
     return replace(
         SPRINGS,
-        phases=tuple(
+        mechanisms=tuple(
             replace(p, contacts={put.get(c, c): s for c, s in p.contacts.items()})
-            for p in SPRINGS.phases
+            for p in SPRINGS.mechanisms
         ),
         transitions=tuple(
             replace(t, source=put.get(t.source, t.source), target=put.get(t.target, t.target))
@@ -293,8 +293,10 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("definition 'd'", "q"),
     ),
     "undeclared in a law": (
-        lambda: replace(TOWER, laws=(Law(sp.Symbol("l"), "law", "m", "", STRANGE * u),)),
-        ("law 'law'", "q"),
+        lambda: replace(
+            TOWER, functions=(NamedFunction(sp.Symbol("l"), "law", "m", "", STRANGE * u),)
+        ),
+        ("function 'law'", "q"),
     ),
     "an undeclared function": (
         lambda: tower(elastic_energy=sp.Function("os.system")(u)),
@@ -361,12 +363,12 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a phase without bodies": (lambda: phases(bodies=()), ("tower", "no bodies")),
     "one contact": (
         lambda: replace(
-            TOWER, phases=(replace(ROCKING, contacts={"right": 1}),), transitions=(UPLIFTS[0],)
+            TOWER, mechanisms=(replace(ROCKING, contacts={"right": 1}),), transitions=(UPLIFTS[0],)
         ),
         ("tower", "contact states are right", "two or more"),
     ),
     "no transitions": (lambda: replace(TOWER, transitions=()), ("tower", "transitions")),
-    "no phases": (lambda: replace(TOWER, phases=()), ("tower", "none")),
+    "no phases": (lambda: replace(TOWER, mechanisms=()), ("tower", "none")),
     "an unknown load_on": (
         lambda: tower(load_on="tip"),
         ("tower", "load_on", "'tip'", "did you mean 'top'"),
@@ -394,7 +396,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "full contact of another name": (
         lambda: replace(
             TOWER,
-            phases=(ROCKING, replace(FULL, contacts={"full": 0})),
+            mechanisms=(ROCKING, replace(FULL, contacts={"full": 0})),
             transitions=tuple(
                 replace(
                     t,
@@ -421,7 +423,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("'lean'", "'deg'", "'m' or 'N'"),
     ),
     "a contact state in two phases": (
-        lambda: replace(TOWER, phases=(ROCKING, FULL, FULL)),
+        lambda: replace(TOWER, mechanisms=(ROCKING, FULL, FULL)),
         ("tower", "declared twice: both"),
     ),
     "two bodies of one name": (
@@ -641,7 +643,7 @@ def test_a_title_with_code_is_shown_by_a_compiled_structure(tmp_path):
 def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
     """Each with its pivot as a number: the map of one side is not that of the other."""
 
-    def phase(side: int, contact: str) -> Phase:
+    def phase(side: int, contact: str) -> Mechanism:
         return replace(
             ROCKING,
             contacts={contact: side},
@@ -656,7 +658,7 @@ def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
             load_point=tuple(e.subs(SIDE, side) for e in ROCKING.load_point),
         )
 
-    apart = replace(TOWER, phases=(phase(-1, "left"), phase(1, "right"), FULL))
+    apart = replace(TOWER, mechanisms=(phase(-1, "left"), phase(1, "right"), FULL))
     values = VALUES | {"gravity": 9.81}
     one = class_of(module_of(TOWER))(**values)
     other = class_of(module_of(apart))(**values)
@@ -674,7 +676,7 @@ def test_one_phase_alone_rocks_from_foot_to_foot():
     """Without full contact; the number of phases is no matter of the text."""
     alone = replace(
         TOWER,
-        phases=(ROCKING,),
+        mechanisms=(ROCKING,),
         transitions=tuple(replace(t, fallback=None) for t in (LEFT, RIGHT)),
     )
     values = VALUES | {"gravity": 9.81}
@@ -701,7 +703,7 @@ def test_rotation_need_not_be_first_where_it_is_named():
     swapped = replace(
         TOWER,
         coordinates=(U, THETA),
-        phases=(replace(ROCKING, coordinates=(U, THETA)), FULL),
+        mechanisms=(replace(ROCKING, coordinates=(U, THETA)), FULL),
     )
     values = VALUES | {"gravity": 9.81}
     one = class_of(module_of(TOWER))(**values)

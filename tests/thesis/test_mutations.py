@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from rockeom.symbolic import SHIPPED, RockingModel, impulse, lagrange
-from rockeom.symbolic.model import GROUND_X, Body, Phase
+from rockeom.symbolic.model import GROUND_X, Body, Mechanism
 from rockeom.thesis import EQUATIONS, Verdict, decide, notation as th
 from rockeom.thesis.checks.engine import THETA, B, compared, shipped, values_of_shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
@@ -30,16 +30,16 @@ def notices(number: str, model: RockingModel) -> bool:
 def bodies(model: RockingModel, change: Callable[[Body], Body], name: str = "") -> RockingModel:
     """The model with `change` made to its bodies, or to the one called `name`."""
 
-    def altered(phase: Phase) -> Phase:
+    def altered(phase: Mechanism) -> Mechanism:
         new = tuple(change(b) if name in ("", b.name) else b for b in phase.bodies)
         at = [b.position for b in phase.bodies].index(phase.load_point)
         return replace(phase, bodies=new, load_point=new[at].position)
 
-    return replace(model, phases=tuple(altered(phase) for phase in model.phases))
+    return replace(model, mechanisms=tuple(altered(phase) for phase in model.mechanisms))
 
 
-def phases(model: RockingModel, change: Callable[[Phase], Phase]) -> RockingModel:
-    return replace(model, phases=tuple(change(phase) for phase in model.phases))
+def phases(model: RockingModel, change: Callable[[Mechanism], Mechanism]) -> RockingModel:
+    return replace(model, mechanisms=tuple(change(phase) for phase in model.mechanisms))
 
 
 def placed(body: Body, put: dict) -> Body:
@@ -156,7 +156,7 @@ def test_unchanged_copy_raises_no_alarm():
 def _twice(name: str) -> Callable[[RockingModel], RockingModel]:
     """One of the energies of every phase, or its declared force, doubled."""
 
-    def change(phase: Phase) -> Phase:
+    def change(phase: Mechanism) -> Mechanism:
         now = getattr(phase, name)
         return replace(phase, **{name: tuple(2 * f for f in now) if name == "forces" else 2 * now})
 
@@ -173,7 +173,7 @@ def _upwards(model: RockingModel) -> RockingModel:
 
 def _heavier(model: RockingModel) -> RockingModel:
     """The first mass, 1 % more."""
-    name = model.phases[0].bodies[0].name
+    name = model.mechanisms[0].bodies[0].name
     more = sp.Rational(101, 100)
     return bodies(model, lambda b: replace(b, mass=more * b.mass), name)
 

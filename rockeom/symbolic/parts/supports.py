@@ -9,15 +9,14 @@ from typing import Any
 
 import sympy as sp
 
-from rockeom.arguments import ParameterError
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contacts import Model, Rigid, Unilateral, feet
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     Foot,
+    Mechanism,
     Parameter,
-    Phase,
     RockingModel,
     Transition,
     coordinate,
@@ -156,7 +155,7 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
     except TypeError as error:
         names = [*signature(SUPPORTS[support]).parameters][1:]
         takes = ", ".join(f"{n}=" for n in names) or "nothing"
-        raise ParameterError(
+        raise valid.ArgumentError(
             f"{of.name} on the support {support!r}: {error}; beside its own arguments it takes "
             f"{takes}"
         ) from None
@@ -195,13 +194,13 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
     def press(compression: sp.Expr) -> sp.Expr:
         return k * compression + c * rate(compression, coordinates)
 
-    def phase(contacts: dict[str, int], *pressed: sp.Expr) -> Phase:
+    def phase(contacts: dict[str, int], *pressed: sp.Expr) -> Mechanism:
         forces = [press(e) if e in pressed else sp.S.Zero for e in (near, far)]
         of_feet = {
             foot: forces[0] * (1 + s * SIDE) / 2 + forces[1] * (1 - s * SIDE) / 2
             for foot, s in _FEET.items()
         }
-        return Phase(
+        return Mechanism(
             contacts,
             coordinates,
             bodies,
@@ -245,7 +244,7 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
         title=f"{of.title} on two springs, guided at the foot",
         parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=coordinates,
-        phases=(
+        mechanisms=(
             phase(on_both_sides("both_left", "both_right"), near, far),
             phase(on_both_sides("left", "right"), near),
             phase(on_both_sides("right_leaning_left", "left_leaning_right"), far),

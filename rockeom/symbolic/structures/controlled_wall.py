@@ -24,9 +24,9 @@ from rockeom.symbolic.model import (
     Body,
     Coordinate,
     Foot,
-    Law,
+    Mechanism,
+    NamedFunction,
     Parameter,
-    Phase,
     RockingModel,
     Transition,
     coordinate,
@@ -219,9 +219,9 @@ def _laws(
     centre: sp.Expr,
     distance: sp.Expr,
     extension: Callable[[Tendon], sp.Expr],
-) -> tuple[Law, ...]:
+) -> tuple[NamedFunction, ...]:
     """b and the tendons' extensions as functions of the coordinate q."""
-    b = Law(
+    b = NamedFunction(
         centre, "rotation_centre", "m", "distance of the rotation centre from the centreline",
         distance,
     )  # fmt: skip
@@ -235,7 +235,7 @@ def _laws(
     return (
         b,
         *(
-            Law(
+            NamedFunction(
                 t.extension(q), f"tendon_extension{number(t)}", "m",
                 f"extension of tendon{which(t)} since the initial state", extension(t),
             )
@@ -265,7 +265,7 @@ def _build(
     moving: Coordinate,
     places: Mapping[str, int],
     passages: Callable[[str, tuple[str, ...]], list[Transition]],
-    mechanism: Callable[[dict[str, int], tuple[str, ...]], Phase],
+    mechanism: Callable[[dict[str, int], tuple[str, ...]], Mechanism],
     **described,
 ) -> RockingModel:
     """A phase for each state of the tendons, and the transitions between all of them.
@@ -296,7 +296,7 @@ def _build(
                         )
                     )
     return RockingModel(
-        phases=tuple(phases), transitions=tuple(transitions), rotation=moving, **described
+        mechanisms=tuple(phases), transitions=tuple(transitions), rotation=moving, **described
     )
 
 
@@ -358,8 +358,8 @@ def controlled_wall_oscillator(
             cables, q, b, centre.distance(q),
             lambda t: (SIDE * lever - t.eccentricity.symbol) * (q / H) / cosine,
         ),
-        Law(rise, "rise", "m", "rise of the middle of the base", SIDE * lever * q / H),
-        Law(
+        NamedFunction(rise, "rise", "m", "rise of the middle of the base", SIDE * lever * q / H),
+        NamedFunction(
             upright, "upright_energy", "J", "energy of the tendons in the wall upright",
             sum(
                 (
@@ -369,21 +369,23 @@ def controlled_wall_oscillator(
                 sp.S.Zero,
             ),
         ),
-        Law(now, "present_speed", "m/s", "speed of the instant", sp.Abs(v)),
-        Law(speed, "speed", "m/s", "speed on which r depends", h * w + (1 - h) * now),
-        Law(r, "energy_ratio", "-", "ratio of kinetic energies of the passage", ratio(speed)),
+        NamedFunction(now, "present_speed", "m/s", "speed of the instant", sp.Abs(v)),
+        NamedFunction(speed, "speed", "m/s", "speed on which r depends", h * w + (1 - h) * now),
+        NamedFunction(
+            r, "energy_ratio", "-", "ratio of kinetic energies of the passage", ratio(speed)
+        ),
     )  # fmt: skip
 
     def stored(states: tuple[str, ...]) -> sp.Expr:
         tension = (t.energy_in(s, t.extension(q)) for t, s in zip(cables, states, strict=True))
         return m * GRAVITY.symbol * rise + sum(tension, sp.S.Zero)
 
-    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Phase:
+    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
         plastic = (
             t.plastic_force_in(s, t.extension(q), q) for t, s in zip(cables, states, strict=True)
         )
         place = (q, sp.S.Zero)
-        return Phase(
+        return Mechanism(
             contacts,
             (DISPLACEMENT,),
             (Body("wall", M, place),),
@@ -432,7 +434,7 @@ def controlled_wall_oscillator(
             )
         ),
         coordinates=(DISPLACEMENT, *(t.permanent for t in cables), PASSAGE_SPEED),
-        laws=laws,
+        functions=laws,
         overturning=2 * B - EDGE_DISTANCE.symbol
         if EDGE_DISTANCE in centre.parameters
         else 2 * B,
@@ -458,8 +460,10 @@ def _crossing(
     return passages
 
 
-def _pressed(phase: Phase, edges: dict[str, tuple[sp.Expr, sp.Expr]], pull: sp.Expr) -> Phase:
-    """The phase with feet: the pressed one carries all, with the downward pull of the tendons."""
+def _pressed(
+    phase: Mechanism, edges: dict[str, tuple[sp.Expr, sp.Expr]], pull: sp.Expr
+) -> Mechanism:
+    """It with feet: the pressed one carries all, with the downward pull of the tendons."""
     vertical = total_reaction(phase)[1] + pull
     share = {"left": (1 - SIDE) / 2, "right": (1 + SIDE) / 2}
     return replace(
@@ -499,11 +503,11 @@ def substitute_gravity_wall(
     laws = _laws(cables, q, b, centre.distance(D), extension)
     if not fixed:
         meaning = "arm, from the centreline to the centre about which the wall turns"
-        laws += (Law(held, "lever", "m", meaning, lever.distance(D)),)
+        laws += (NamedFunction(held, "lever", "m", meaning, lever.distance(D)),)
 
     named = {t: sp.Symbol(f"P_{{T{t.number if tendons > 1 else ''}}}", real=True) for t in cables}
     laws += tuple(
-        Law(
+        NamedFunction(
             named[t], t.initial_force.name.replace("initial", "elastic"), "N",
             "force of a tendon that is elastic", t.force(t.extension(q)),
         )
@@ -520,9 +524,9 @@ def substitute_gravity_wall(
             sp.S.Zero,
         )
 
-    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Phase:
+    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
         downward = pull(states)
-        phase = Phase(
+        phase = Mechanism(
             contacts,
             (ROTATION,),
             (body,),
@@ -549,7 +553,7 @@ def substitute_gravity_wall(
             )
         ),
         coordinates=(ROTATION, *(t.permanent for t in cables)),
-        laws=laws,
+        functions=laws,
         overturning=sp.pi / 3,  # fallen by far; the extension (4-13) has no value at pi/2
         reference="thesis 4-32" if fixed else "thesis 4-37, 4-40",
     )  # fmt: skip
@@ -561,7 +565,7 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
     phases = []
     uplifts: list[Transition] = []
 
-    forces = {law.symbol: law.value for law in model.laws if law.symbol.is_Symbol}
+    forces = {law.symbol: law.value for law in model.functions if law.symbol.is_Symbol}
 
     def standing(expr: sp.Expr) -> sp.Expr:
         return at_side(sp.sympify(expr).xreplace(forces).subs({ROTATION.position: 0}), 1)
@@ -571,9 +575,9 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
 
     for states in product((ELASTIC, SLACK), repeat=len(cables)):
         suffix = _suffix(cables, states)
-        turning = model.phase(f"right{suffix}")
+        turning = model.mechanism(f"right{suffix}")
         phases.append(
-            Phase(
+            Mechanism(
                 {f"both{suffix}": 0},
                 (),
                 tuple(
@@ -595,7 +599,7 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
     rocking = (
         replace(t, fallback=rests[t.source]) if t.kind == "impact" else t for t in model.transitions
     )
-    return replace(model, phases=(*model.phases, *phases), transitions=(*rocking, *uplifts))
+    return replace(model, mechanisms=(*model.mechanisms, *phases), transitions=(*rocking, *uplifts))
 
 
 def _one_law(model: RockingModel) -> RockingModel:
@@ -649,11 +653,11 @@ def controlled_wall(
         x, y = turned((e, ANCHOR_HEIGHT.symbol), pivot, q)
         return x - e, y + ANCHOR_DEPTH.symbol
 
-    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Phase:
+    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
         pairs = list(zip(cables, states, strict=True))
         stored = sum((t.energy_in(s, t.extension(q)) for t, s in pairs), sp.S.Zero)
         plastic = sum((t.plastic_force_in(s, t.extension(q), q) for t, s in pairs), sp.S.Zero)
-        phase = Phase(
+        phase = Mechanism(
             contacts,
             moving,
             (body,),
@@ -691,7 +695,7 @@ def controlled_wall(
             )
         ),
         coordinates=(*moving, *(t.permanent for t in cables)),
-        laws=_laws(
+        functions=_laws(
             cables, q, b, centre.distance(H * sp.sin(q)),
             lambda t: sp.sqrt(run(t)[0] ** 2 + run(t)[1] ** 2) - length,
         ),

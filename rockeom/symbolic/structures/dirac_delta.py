@@ -13,7 +13,7 @@ from itertools import pairwise
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.model import Body, Phase, RockingModel, Transition, coordinate, parameter
+from rockeom.symbolic.model import Body, Mechanism, RockingModel, Transition, coordinate, parameter
 from rockeom.symbolic.registry import shipped
 
 ROTATION = coordinate("x", "x", "-", "rotation over alpha")
@@ -71,10 +71,10 @@ def dirac_delta_block() -> RockingModel:
     x, v = ROTATION.position, ROTATION.velocity
     a, r, n = ALPHA.symbol, ENERGY_RATIO.symbol, REGULARISATION.symbol
 
-    def phase(contacts: dict[str, int], height: sp.Expr, force: sp.Expr) -> Phase:
+    def phase(contacts: dict[str, int], height: sp.Expr, force: sp.Expr) -> Mechanism:
         """The slope of `height` is the place of the pivot, from -1 to 1 between the edges."""
         place = (a * x, 1 + a**2 * (height - x**2 / 2))
-        return Phase(
+        return Mechanism(
             contacts,
             (ROTATION,),
             (Body("block", sp.Integer(1), place),),
@@ -101,7 +101,7 @@ def dirac_delta_block() -> RockingModel:
         title="Slender block with Dirac-delta impacts",
         parameters=(ALPHA, ENERGY_RATIO, REGULARISATION),
         coordinates=(ROTATION,),
-        phases=(away, near),
+        mechanisms=(away, near),
         transitions=(
             *marks,
             Transition("right_core", "left_core", "switch", x),

@@ -13,7 +13,7 @@ from rockeom.symbolic.model import (
     Body,
     Definition,
     Foot,
-    Phase,
+    Mechanism,
     RockingModel,
     Transition,
     coordinate,
@@ -64,9 +64,9 @@ def two_spring_structure() -> RockingModel:
     compression = {foot: at_side(edge, side) for foot, side in sides.items()}
     force = {foot: at_side(press, side) for foot, side in sides.items()}
 
-    def phase(contacts: dict[str, int], compressed: list[sp.Expr], **on: sp.Expr) -> Phase:
+    def phase(contacts: dict[str, int], compressed: list[sp.Expr], **on: sp.Expr) -> Mechanism:
         """The mechanism in which springs under the given edges are pressed."""
-        return Phase(
+        return Mechanism(
             contacts,
             (ROTATION, HEAVE),
             bodies,
@@ -89,7 +89,7 @@ def two_spring_structure() -> RockingModel:
         title="Rigid lumped-mass structure on two compression-only springs (Model B)",
         parameters=(*rigid().parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE),
-        phases=(
+        mechanisms=(
             phase({"both": 0}, [*compression.values()], **force),
             phase(sides, [edge], left=press * (1 - SIDE) / 2, right=press * (1 + SIDE) / 2),
             phase({"flight": 0}, []),
@@ -132,12 +132,12 @@ def bilinear_pushover() -> BilinearPushover:
     theta, v = ROTATION.position, HEAVE.position
     at_rest = {theta: 0, v: 0, ROTATION.velocity: 0, HEAVE.velocity: 0}
     lever = HEIGHT.symbol  # u = H_e theta for small rotations
-    left = sp.sympify(springs.phase("both").feet["left"].force)
+    left = sp.sympify(springs.mechanism("both").feet["left"].force)
     lift_off_rotation = sp.simplify(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
     on_pivot = sp.factor(holding_force(pivots, "right"))
     cosine, sine = (sp.expand(sp.numer(on_pivot)).coeff(f(theta)) for f in (sp.cos, sp.sin))
     upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
-    x = at_side(pivots.phase("right").bodies[0].position[0], 1)  # of the superstructure
+    x = at_side(pivots.mechanism("right").bodies[0].position[0], 1)  # of the superstructure
     return BilinearPushover(
         contact_stiffness=sp.simplify(
             sp.diff(holding_force(springs, "both"), theta).subs(theta, 0) / lever
@@ -175,8 +175,8 @@ def two_spring_cart() -> RockingModel:
     lifted = k0 * ul**2 / 2 + pl * beyond - pl / (uo - ul) * beyond**2 / 2
     cart = Body("cart", MASS.symbol + BASE_MASS.symbol, (x, sp.Integer(0)))
 
-    def phase(contacts: dict[str, int], energy: sp.Expr) -> Phase:
-        return Phase(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
+    def phase(contacts: dict[str, int], energy: sp.Expr) -> Mechanism:
+        return Mechanism(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
 
     def lifts(side: int, contact: str, lifted: str) -> tuple[Transition, Transition]:
         inside = ul - side * x
@@ -190,7 +190,7 @@ def two_spring_cart() -> RockingModel:
         title="Equivalent cart of the structure on two springs (Model B as printed)",
         parameters=(*rigid().parameters, FOUNDATION_STIFFNESS),
         coordinates=(u,),
-        phases=(
+        mechanisms=(
             phase({"both_left": -1, "both_right": 1}, k0 * x**2 / 2),
             phase({"left": -1, "right": 1}, lifted),
         ),

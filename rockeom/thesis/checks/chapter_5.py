@@ -114,7 +114,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
     }
     upright = {sp.sin(angle): B / radius, sp.cos(angle): PIER["height"] / radius}
     for side in sides:
-        x = shipped(MODEL_A).phase(CONTACT[side]).bodies[0].position[0]
+        x = shipped(MODEL_A).mechanism(CONTACT[side]).bodies[0].position[0]
         x = x.subs(SIDE, side)
         displacement = x - x.subs(THETA, 0)
         stated = branch(relation, side).xreplace(known)
@@ -268,7 +268,7 @@ def _cart(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """
     (relation,) = relations
     height = PIER["height"]
-    equations = shipped("two_spring_structure").phase("both").equations
+    equations = shipped("two_spring_structure").mechanism("both").equations
     heave = next(c for c in shipped("two_spring_structure").coordinates if c.name == "heave")
     upright = {THETA: 0, GROUND_Y: 0}
     turning = equations.gravity[0] + equations.stiffness[0]
