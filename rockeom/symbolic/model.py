@@ -463,6 +463,11 @@ def rocking_structure(
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
     same structure with the rotation held at zero. `beside_feet` is as in `Mechanism`.
+
+    It stands beside a `Model` on `Pinned()` feet, which becomes the same by `on_pinned_feet`, and
+    makes none itself: its bodies know the foot, and may stand where no free coordinates put them.
+    So does a beam on the corners opposite the pressed feet, which changes them; a frame that the
+    ground carries beside a wall, whose place no foot moves; and positions of first order.
     """
     coordinates = tuple(coordinates)
     if not coordinates:

@@ -318,7 +318,7 @@ def test_polar_form_is_the_width_form(name):
 
 def test_structure_without_radius_and_angle_has_no_polar_form():
     phase = structure("two_spring_structure").mechanism("both")
-    with pytest.raises(ValueError, match=r'no polar form of phase both.*form="width"'):
+    with pytest.raises(ValueError, match=r'no polar form of mechanism both.*form="width"'):
         equations_latex(phase, "polar")
 
 
