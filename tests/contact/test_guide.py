@@ -17,3 +17,19 @@ def test_the_structure_of_the_guide_is_declared_and_derived():
     assert {"both_pad", "both_slides_right_pad", "right", "pad", "flight"} <= {*names}
     normal, friction = there["padded"].mode("right").forces
     assert len(normal) == len(friction) == 1
+
+
+def test_the_block_with_bars_of_the_guide_is_the_readme_s_with_bars():
+    """Declared as it is written there, behind the README's block; each bar has three states."""
+    readme = (GUIDE.parents[2] / "README.md").read_text(encoding="utf-8")
+    there: dict = {}
+    for text, heading in (
+        (readme, "### Feet that slide"),
+        (GUIDE.read_text(encoding="utf-8"), "## Forces with a memory"),
+        (GUIDE.read_text(encoding="utf-8"), "## Bars and tendons that yield"),
+    ):
+        block = re.search(r"```python\n(.*?)```", text.partition(heading)[2], re.DOTALL)[1]
+        exec(compile(block, heading, "exec"), there)
+    barred, bare = there["barred"].modes.names, there["lopsided"].modes.names
+    assert len(barred) == 9 * len(bare)
+    assert {"right_bar_left_yields", "right_bar_both_yields_back", *bare} <= {*barred}
