@@ -14,6 +14,7 @@ from rockeom.symbolic.model import (
     Foot,
     InternalVariable,
     Law,
+    Member,
     Parameter,
     Phase,
     RockingModel,
@@ -21,6 +22,7 @@ from rockeom.symbolic.model import (
     coordinate,
     internal_variable,
     parameter,
+    rectangle,
     rocking_structure,
     turned,
 )
@@ -51,6 +53,7 @@ __all__ = [
     "Force",
     "InternalVariable",
     "Law",
+    "Member",
     "Model",
     "Parameter",
     "Phase",
@@ -65,6 +68,7 @@ __all__ = [
     "internal_variable",
     "models",
     "parameter",
+    "rectangle",
     "rocking_structure",
     "turned",
 ]

@@ -1,0 +1,70 @@
+"""Where things are: what a generated module tells of the places of bodies and feet, by name.
+
+Places are (x, y) in axes that move with the ground, x to the right and y upwards.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import tidy
+from rockeom.symbolic.contacts import Contact, Model
+from rockeom.symbolic.model import Phase, RockingModel
+
+LOAD = "load"
+BODY, FOOT, POINT, SPRING = "body", "foot", "point", "spring"
+WALL_LEFT, WALL_RIGHT = "wall_on_the_left", "wall_on_the_right"
+
+
+class Place(NamedTuple):
+    """A body's centre, with the angle through which the body turns; or a point.
+
+    kind : "body"; "foot", above rigid ground, or beside a wall that stands, "wall_on_the_left" or
+    "wall_on_the_right"; "point", that touches another body; "spring", that one carries; "load".
+    """
+
+    kind: str
+    x: sp.Expr
+    y: sp.Expr
+    rotation: sp.Expr = sp.S.Zero
+
+
+def places(model: RockingModel | Model, phase: Phase) -> dict[str, Place]:
+    """Of bodies, feet or contacts, springs and the load point, by name, in a phase."""
+    found = [(b.name, Place(BODY, *b.position, b.rotation)) for b in phase.bodies]
+    if isinstance(model, Model):
+        found += [(c.name, Place(touches(model, c), *c.point)) for c in model.contacts]
+        sprung = (e for e in model.elements if e.place is not None)
+        found += [(e.name, Place(SPRING, *e.place)) for e in sprung]  # type: ignore[misc]
+    else:
+        found += [
+            (name, Place(SPRING if foot.sprung else FOOT, *foot.position))
+            for name, foot in sorted(phase.feet.items())
+        ]
+    if phase.load_point is not None:
+        found.append((LOAD, Place(LOAD, *phase.load_point)))
+    return dict(found)
+
+
+def names_of(model: RockingModel | Model) -> list[str]:
+    """All names of places, of which none may stand for two."""
+    phase = model.phases[0]
+    points = (
+        [x.name for x in (*model.contacts, *model.elements)]
+        if isinstance(model, Model)
+        else sorted(phase.feet)
+    )
+    return [*(b.name for b in phase.bodies), *points, LOAD]
+
+
+def touches(model: Model, contact: Contact) -> str:
+    """What a contact meets: the ground or a wall, if where its gap ends stays where it is."""
+    x, y = contact.point
+    gap = contact.at(contact.side)[0]
+    moving = {c.position for c in model.coordinates}
+    for kind, end in ((FOOT, y - gap), (WALL_LEFT, x - gap), (WALL_RIGHT, x + gap)):
+        if not tidy(end).free_symbols & moving:
+            return kind
+    return POINT
