@@ -31,7 +31,7 @@ Operations before and after common subexpressions were shared:
     positions                126    53
     shapes                     8     4
     overturning                1     1
-    fall                       1     1
+    overturns_at               1     1
     velocity_ratio             0     0
     sizes                      8     3
     prepare                  240    97
@@ -42,7 +42,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "22fbb63ab2ca11a3"
+SOURCE_HASH = "36dc859c99ba179e"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -3196,7 +3196,7 @@ def overturning(p):
     return value
 
 
-def fall(number, p):
+def overturns_at(number, p):
     """Size of a coordinate of FALLS, by its number, at which the structure has fallen."""
     value = 0.0
     if number == 0:

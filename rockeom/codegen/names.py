@@ -17,7 +17,7 @@ abs float max min np math range __debug__
 
 accelerations energies guards held_guards jump kinematics momentum opening_acceleration overturning
 positions prepare rates reactions shapes sine_cosine sizes statics velocity_ratio fused inlined
-everywhere fall
+everywhere overturns_at
 
 free_motion points point_laws
 

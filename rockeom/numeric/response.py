@@ -275,6 +275,19 @@ class Response:
                 found[name][order] = row
         return {name: found[name].reshape(times.shape) for name in names}
 
+    @cached_property
+    def overturned(self) -> str:
+        """Name of the coordinate that has fallen, such as the rotation; empty if none has.
+
+        Of a motion that was followed to the end of its duration, and falls in what comes after it,
+        the one that is nearest to where it has fallen.
+        """
+        if self.outcome is not Outcome.OVERTURNED:
+            return ""
+        final = self.final
+        parts = {name: abs(final[name]) / size for name, size in self.structure.falls.items()}
+        return max(parts, key=lambda name: parts[name])
+
     @property
     def final(self) -> dict[str, float]:
         """The last state, by name."""
@@ -541,6 +554,14 @@ class Response:
             f"{threshold:.4g} {unit}; here the largest was {self.motion.peak:.4g} {unit}."
         ]
 
+    def _which(self) -> str:
+        """What fell, where several coordinates may."""
+        if not self.overturned or len(self.structure.falls) == 1:
+            return ""
+        name = self.overturned
+        unit = self.program.STATE_UNITS[self.states.index(name)]
+        return f" {name} is {self.final[name]:.4g} {unit}."
+
     def impacts_in_words(self) -> str:
         """How many impacts there were, and how many of them were faster than MEASURABLE."""
         n = len(self.impacts)
@@ -556,7 +577,7 @@ class Response:
         lines = [
             f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
-            f"Outcome: {self.outcome}. {self.outcome.sentence}",
+            f"Outcome: {self.outcome}. {self.outcome.sentence}{self._which()}",
             f"Largest |{rotation}|: {abs(largest.peak):.4g} {unit} at {largest.peak_time:.4g} s; "
             f"{self.impacts_in_words()}.",
         ]

@@ -102,6 +102,16 @@ class Structure:
         return number("overturning_rotation", self.module_for(self.vector).overturning(self.vector))
 
     @functools.cached_property
+    def falls(self) -> dict[str, float]:
+        """Size of each coordinate that may fall at which the structure has, the rotation first."""
+        m = self.module_for(self.vector)
+        bounds = {self.states[m.ROTATION]: self.overturning_rotation}
+        for i in range(m.N_FALLS):
+            size = number("falls", m.overturns_at(i, self.vector))
+            bounds[self.states[m.FALLS[i]]] = size
+        return bounds
+
+    @functools.cached_property
     def velocity_ratio(self) -> float:
         """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
         return number("velocity_ratio", self.module_for(self.vector).velocity_ratio(self.vector))
