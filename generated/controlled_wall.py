@@ -29,7 +29,7 @@ Operations before and after common subexpressions were shared:
     kinematics               396   126
     statics                 1240   216
     positions                552   105
-    shapes                     8     5
+    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "09ab66d159eddf11"
+SOURCE_HASH = "4043354e4a130bc1"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -1271,7 +1271,7 @@ def shapes(p, out):
     eccentricity = p[12]
     x0 = -half_width
     x1 = -centroid_height
-    x2 = -centroid_height + height
+    x2 = -centroid_height + max(anchor_height, height)
     out[0] = x0
     out[1] = x1
     out[2] = half_width

@@ -31,7 +31,7 @@ Operations before and after common subexpressions were shared:
     kinematics               399   129
     statics                 1282   282
     positions                564   111
-    shapes                     8     5
+    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -43,7 +43,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "cc3f8c27d96c7bdb"
+SOURCE_HASH = "85e51fa197f69ceb"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -1488,7 +1488,7 @@ def shapes(p, out):
     eccentricity = p[12]
     x0 = -half_width
     x1 = -centroid_height
-    x2 = -centroid_height + height
+    x2 = -centroid_height + max(anchor_height, height)
     out[0] = x0
     out[1] = x1
     out[2] = half_width

@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "321d408bcf3fcbd6"
+SOURCE_HASH = "5c0d65dd4277abc6"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -86,7 +86,7 @@ ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 POSITIONS = ("superstructure", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "spring", "spring", "load",)
+POSITION_KINDS = ("body", "body", "spring_and_damper", "spring_and_damper", "load",)
 CORNERS = ("base", "base", "base", "base",)
 MEMBERS = ("rod",)
 MEMBER_ENDS = ("base", "superstructure",)

@@ -34,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "3eb46b0d35ef0bb8"
+SOURCE_HASH = "874143936ec0766d"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -65,7 +65,7 @@ ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 POSITIONS = ("mass", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+POSITION_KINDS = ("body", "massless", "foot", "foot", "load",)
 CORNERS = ("base", "base", "base", "base",)
 MEMBERS = ("column",)
 MEMBER_ENDS = ("base", "mass",)

@@ -37,7 +37,8 @@ def _falls(text: Text) -> None:
         return
     lines = ["    value = 0.0"]
     for i, size in enumerate(text.model.falls.values()):
-        lines += [f"    if number == {i}:", *text.evaluate("overturns_at", {"value": size}, " " * 8)]
+        found = text.evaluate("overturns_at", {"value": size}, " " * 8)
+        lines += [f"    if number == {i}:", *found]
     text.function(
         "overturns_at(number, p)",
         "Size of a coordinate of FALLS, by its number, at which the structure has fallen.",

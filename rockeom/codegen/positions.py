@@ -12,7 +12,7 @@ import sympy as sp
 from rockeom.codegen.text import Text
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import Phase
-from rockeom.symbolic.places import places
+from rockeom.symbolic.places import bodies_of, places
 
 Columns = tuple[str, ...]
 
@@ -42,7 +42,7 @@ def _positions(text: Text) -> dict[str, Columns]:
 
 
 def _shapes(text: Text) -> dict[str, Columns]:
-    bodies, members = text.model.phases[0].bodies, text.model.members
+    bodies, members = bodies_of(text.model), text.model.members
     several = [b for b in bodies if b.copies != 1]
     found = [
         *(e for b in bodies for corner in b.outline for e in corner),

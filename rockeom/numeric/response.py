@@ -15,6 +15,7 @@ from rockeom import hooks
 from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.contact_states import HAPPENED, subject
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
+from rockeom.numeric.positions import places, positions_of, rotations_of
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -192,6 +193,22 @@ class Response:
             *p.STATES, *p.ENERGIES, "total_energy", *p.REACTIONS, *p.KINEMATICS,
             "ground_acceleration", "vertical_ground_acceleration",
         )  # fmt: skip
+
+    def positions(self) -> dict[str, np.ndarray]:
+        """Places (n, 2) of bodies, feet and the load point at each sample, by name [m].
+
+        x to the right and y upwards, in axes that move with the ground, from the middle between
+        the feet at rest.
+        """
+        return positions_of(self.structure.module, self._places)
+
+    def rotations(self) -> dict[str, np.ndarray]:
+        """Angles (n,) through which the bodies have turned, by name, clockwise [rad]."""
+        return rotations_of(self.structure.module, self._places)
+
+    @cached_property
+    def _places(self) -> np.ndarray:
+        return places(self.structure.module, self.contact, self.y, self.structure.vector)
 
     @property
     def phase(self) -> np.ndarray:

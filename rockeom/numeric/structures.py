@@ -26,6 +26,7 @@ from rockeom.numeric.impact import (
     TabledLaw,
     check_law,
 )
+from rockeom.numeric.positions import Shapes, places, positions_of, rotations_of, shapes
 
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
@@ -366,6 +367,31 @@ class Structure:
         ground = _ground(ground_acceleration, vertical_ground_acceleration)
         self.module.reactions(self._under(ground, y, phase), y, self.vector, *ground, out)
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
+
+    def positions(
+        self, state: Mapping[str, float], phase: str | None = None
+    ) -> dict[str, np.ndarray]:
+        """Places (2,) of bodies, feet and the load point, by name [m].
+
+        x to the right and y upwards, in axes that move with the ground, from the middle between
+        the feet at rest. `run.positions()` tells those of a motion.
+        """
+        return positions_of(self.module, self._places(state, phase))
+
+    def rotations(self, state: Mapping[str, float], phase: str | None = None) -> dict[str, float]:
+        """Angles through which the bodies have turned, by name, clockwise [rad]."""
+        found = rotations_of(self.module, self._places(state, phase))
+        return {name: float(angle) for name, angle in found.items()}
+
+    def _places(self, state: Mapping[str, float], phase: str | None) -> np.ndarray:
+        y = self.state(state)
+        contact = np.array([self.contact(y, phase)])
+        return places(self.module, contact, y[None], self.vector)[0]
+
+    @functools.cached_property
+    def shapes(self) -> Shapes:
+        """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
+        return shapes(self.module, self.vector)
 
     @functools.cached_property
     def uplift_acceleration(self) -> float | None:

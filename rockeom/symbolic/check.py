@@ -294,7 +294,7 @@ def constants(model: RockingModel | Model) -> Iterator[tuple[str, Any, str]]:
 def sketched(model: RockingModel | Model) -> None:
     """What has a place has a name of its own; members end at bodies; what falls is a coordinate."""
     from rockeom.symbolic.model import GROUND, Coordinate, Member
-    from rockeom.symbolic.places import LOAD, names_of
+    from rockeom.symbolic.places import LOAD, bodies_of, names_of
 
     twice = repeated(names_of(model))
     if twice:
@@ -303,7 +303,7 @@ def sketched(model: RockingModel | Model) -> None:
             f"{', '.join(twice)} is the name of two of its bodies, contacts and elements, and the "
             f"load point, which is called {LOAD!r}: give each a name of its own",
         )
-    bodies = [b.name for b in model.phases[0].bodies]
+    bodies = [b.name for b in bodies_of(model)]
     for m in model.members:
         if not isinstance(m, Member):
             fail(model, f"members holds {m!r}: give objects of Member")

@@ -53,10 +53,10 @@ def check(model: Model) -> None:
         fail(model, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in model.contacts:
         _side(model, contact)
+    sketched(model)
     known = declared_kinds(model) | {z.symbol: INTERNAL for z in model.rates}
     for item, expr, kinds in _expressions(model):
         contents(model, known, item, sp.sympify(expr), kinds)
-    sketched(model)
     _moves(model)
     _turns(model)
     for contact in model.contacts:

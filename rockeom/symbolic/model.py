@@ -155,6 +155,8 @@ class Body:
         valid.expressions(what, mass=self.mass, inertia=self.inertia, rotation=self.rotation)
         valid.not_negative(what, mass=self.mass, inertia=self.inertia)
         valid.expressions(what, **{f"polar {x}": x for x in self.polar or ()})
+        if isinstance(self.outline, list | tuple):
+            object.__setattr__(self, "outline", tuple(self.outline))
         valid.corners(what, self.outline)
         valid.expressions(what, copies=self.copies, apart=self.apart)
 
@@ -192,7 +194,7 @@ class Foot:
 
     `force` is the vertical force of the ground on the foot where a spring or damper gives it;
     None where the ground is rigid and the force is a constraint's. `sprung` : whether a sketch
-    shows a spring under it.
+    shows a spring and a damper under it.
     """
 
     position: tuple[sp.Expr, sp.Expr]

@@ -11,18 +11,21 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contacts import Contact, Model
-from rockeom.symbolic.model import Phase, RockingModel
+from rockeom.symbolic.model import Body, Phase, RockingModel
 
 LOAD = "load"
-BODY, FOOT, POINT, SPRING = "body", "foot", "point", "spring"
+BODY, MASSLESS, FOOT, POINT, SPRING, DAMPED = (
+    "body", "massless", "foot", "point", "spring", "spring_and_damper",
+)  # fmt: skip
 WALL_LEFT, WALL_RIGHT = "wall_on_the_left", "wall_on_the_right"
 
 
 class Place(NamedTuple):
     """A body's centre, with the angle through which the body turns; or a point.
 
-    kind : "body"; "foot", above rigid ground, or beside a wall that stands, "wall_on_the_left" or
-    "wall_on_the_right"; "point", that touches another body; "spring", that one carries; "load".
+    kind : "body", or "massless", a body for sketches; "foot", above rigid ground, or beside a wall
+    that stands, "wall_on_the_left" or "wall_on_the_right"; "point", that touches another body;
+    "spring" or "spring_and_damper", which carry it; "load".
     """
 
     kind: str
@@ -33,14 +36,18 @@ class Place(NamedTuple):
 
 def places(model: RockingModel | Model, phase: Phase) -> dict[str, Place]:
     """Of bodies, feet or contacts, springs and the load point, by name, in a phase."""
-    found = [(b.name, Place(BODY, *b.position, b.rotation)) for b in phase.bodies]
+    found = [
+        (b.name, Place(BODY if b.mass != 0 else MASSLESS, *b.position, b.rotation))
+        for b in phase.bodies
+    ]
     if isinstance(model, Model):
         found += [(c.name, Place(touches(model, c), *c.point)) for c in model.contacts]
-        sprung = (e for e in model.elements if e.place is not None)
-        found += [(e.name, Place(SPRING, *e.place)) for e in sprung]  # type: ignore[misc]
+        for e in model.elements:
+            if e.place is not None:
+                found.append((e.name, Place(DAMPED if e.damping != 0 else SPRING, *e.place)))
     else:
         found += [
-            (name, Place(SPRING if foot.sprung else FOOT, *foot.position))
+            (name, Place(DAMPED if foot.sprung else FOOT, *foot.position))
             for name, foot in sorted(phase.feet.items())
         ]
     if phase.load_point is not None:
@@ -50,13 +57,16 @@ def places(model: RockingModel | Model, phase: Phase) -> dict[str, Place]:
 
 def names_of(model: RockingModel | Model) -> list[str]:
     """All names of places, of which none may stand for two."""
-    phase = model.phases[0]
-    points = (
-        [x.name for x in (*model.contacts, *model.elements)]
-        if isinstance(model, Model)
-        else sorted(phase.feet)
-    )
-    return [*(b.name for b in phase.bodies), *points, LOAD]
+    if isinstance(model, Model):
+        points = [*(c.name for c in model.contacts), *(e.name for e in model.elements)]
+    else:
+        points = sorted(model.phases[0].feet)
+    return [*(b.name for b in bodies_of(model)), *points, LOAD]
+
+
+def bodies_of(model: RockingModel | Model) -> tuple[Body, ...]:
+    """Those of a declaration, which are the same in all its phases but for where they are."""
+    return model.bodies if isinstance(model, Model) else model.phases[0].bodies
 
 
 def touches(model: Model, contact: Contact) -> str:

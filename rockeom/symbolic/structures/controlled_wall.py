@@ -647,8 +647,8 @@ def controlled_wall(
     H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
     b = sp.Function("b", real=True)(q)
     pivot = (SIDE * b, sp.S.Zero)
-    at = turned((u, Hc), pivot, q)
-    body = Body("wall", m, at, INERTIA.symbol, q, outline=rectangle(B, Hc, H - Hc))
+    at, top = turned((u, Hc), pivot, q), sp.Max(H, ANCHOR_HEIGHT.symbol)
+    body = Body("wall", m, at, INERTIA.symbol, q, outline=rectangle(B, Hc, top - Hc))
     edges = {name: turned((s * B, 0), pivot, q) for name, s in SIDES.items()}
     length = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
 

@@ -24,7 +24,8 @@ def wall_with_frame() -> RockingModel:
     """A rigid wall on rigid ground and a frame of one mass on elastic columns of its own.
 
     The link is a spring and a damper between the wall's axis and the frame's mass, and stays
-    level. How far from the wall the frame stands changes nothing but a sketch. The forces on the feet are those of the wall alone: the frame's columns carry its mass.
+    level. How far from the wall the frame stands changes nothing but a sketch. The forces on the
+    feet are those of the wall alone: the frame's columns carry its mass.
     """
     mass = parameter("m", "mass", "kg", "mass of the wall")
     half_width = parameter("B", "half_width", "m", "half of the width of the wall")
