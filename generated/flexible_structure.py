@@ -38,7 +38,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d0560d0451ad1cfd"
+SOURCE_HASH = "017fee907cdb724d"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -86,7 +86,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 POSITIONS = ("superstructure", "base", "left", "right", "load",)
 POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
 CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("column",)
+MEMBERS = ("cantilever",)
 MEMBER_ENDS = ("base", "superstructure",)
 COPIES = ()
 

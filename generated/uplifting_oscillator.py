@@ -34,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "874143936ec0766d"
+SOURCE_HASH = "8f4c80a9c55b75cc"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -67,7 +67,7 @@ KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 POSITIONS = ("mass", "base", "left", "right", "load",)
 POSITION_KINDS = ("body", "massless", "foot", "foot", "load",)
 CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("column",)
+MEMBERS = ("cantilever",)
 MEMBER_ENDS = ("base", "mass",)
 COPIES = ()
 
@@ -447,7 +447,7 @@ def positions(contact, y, p, out):
         x6 = half_width - x1
         out[0] = x0
         out[1] = x2
-        out[2] = theta
+        out[2] = 0
         out[3] = -x1*x3 + x1
         out[4] = x1*x4
         out[5] = theta

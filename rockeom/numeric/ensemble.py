@@ -325,8 +325,8 @@ def lanes_pay(module: ModuleType) -> bool:
     They do where an impact ends a contact state, and nothing else, or no impact does, and where the
     rotation alone may fall. Others have been measured, the time of lanes in that of one motion
     after the other: 0.7 to 1.0 for the cart on two springs; for walls 0.6 to 1.5, and 4 to 15 s
-    more of compiling; 2 to 2.5 for the block of Dirac pulses. Most of their steps end at events, and lanes find in each what every contact state
-    would do.
+    more of compiling; 2 to 2.5 for the block of Dirac pulses. Most of their steps end at events,
+    and lanes find in each what every contact state would do.
     """
     return (
         not module.NARROW

@@ -17,7 +17,7 @@ BODIES = ("body", "massless")
 class Member(NamedTuple):
     """What joins two bodies, or a body and the "ground".
 
-    kind : "column", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) : where it ends,
+    kind : "column", "cantilever", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) : where it ends,
     from the centre of the body in axes that turn with it; on the ground from the origin [m].
     """
 

@@ -58,6 +58,7 @@ _BLUE = style.LINES[0]
 _MOST_COPIES = 40  # of a body that are drawn
 _MASS = 11.0  # size of a mass without an outline [points]
 _SPRUNG = ("spring", "spring_and_damper")
+_BENDING = ("column", "cantilever")
 _WALLS = {"wall_on_the_left": -1.0, "wall_on_the_right": 1.0}
 
 
@@ -189,7 +190,7 @@ class _Sketch:
 
     def _anchor(self, ax: Axes, kind: str, at: np.ndarray, away: np.ndarray) -> None:
         """Where the ground holds a member: below a column, beside a level spring."""
-        if kind == "column":
+        if kind in _BENDING:
             self.supports.append((at[0], at[1]))
             ax.plot(*at, "s", color=style.INK, ms=4, zorder=4)
         elif abs(away[0]) > abs(away[1]):
@@ -198,7 +199,7 @@ class _Sketch:
             self.extent = np.vstack([self.extent, at])
 
     def _line(self, ax: Axes, member: Member, start: np.ndarray, end: np.ndarray) -> None:
-        if member.kind == "column":
+        if member.kind in _BENDING:
             ax.plot(*self._bent(member, start, end).T, color=_BLUE, lw=1.3, solid_capstyle="butt")
         elif member.kind == "spring":
             free_body.spring(ax, start, end, 0.05 * self.size)
@@ -209,12 +210,14 @@ class _Sketch:
             ax.plot(*np.transpose([start, end]), color=color, lw=width, solid_capstyle="butt")
 
     def _bent(self, member: Member, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """(n, 2) a beam whose ends turn with the bodies at which they are."""
+        """(n, 2) a beam whose ends turn with the bodies at which they are, or whose end is free."""
         way = (
             self.rest.at(member.end, member.end_at[None])
             - self.rest.at(member.start, member.start_at[None])
         )[0]
         leaving, arriving = (self.now.along(name, way) for name in (member.start, member.end))
+        if member.kind == "cantilever":
+            arriving = (3 * (end - start) - leaving) / 2
         z = np.linspace(0.0, 1.0, 40)[:, None]
         return (
             (1 + 2 * z) * (1 - z) ** 2 * start + z * (1 - z) ** 2 * leaving

@@ -164,14 +164,15 @@ class Body:
 GROUND = "ground"
 """What a member ends at that does not end at a body."""
 
-MEMBERS = ("column", "rod", "tendon", "spring", "damper")
+MEMBERS = ("column", "cantilever", "rod", "tendon", "spring", "damper")
 
 
 @dataclass(frozen=True)
 class Member:
     """What a sketch shows between two bodies: no equation knows of it.
 
-    kind : "column", which bends; "rod", "tendon", "spring" or "damper", which are straight.
+    kind : "column", which bends and whose ends turn with the bodies; "cantilever", the end of which
+    turns freely; "rod", "tendon", "spring" or "damper", which are straight.
     start, end : names of the bodies, or "ground". start_at, end_at : where on them, from the centre
     in axes that turn with the body; on the ground from the origin.
     """

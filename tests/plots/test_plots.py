@@ -385,14 +385,26 @@ def test_sketch_has_each_column_of_a_frame_under_its_beam():
     assert len(feet) == 2 * len(columns)
 
 
-def test_column_of_a_sketch_leaves_its_base_at_right_angles_and_ends_at_the_mass():
+def test_column_of_a_sketch_bends_as_a_cantilever_under_a_force_at_its_end():
     (ax,) = draw_structure(FLEXIBLE, state={"theta": 0.1, "u": 0.05}).axes
     (column,) = (line for line in ax.lines if len(line.get_xdata()) == 40)
-    x, y = column.get_xdata(), column.get_ydata()
+    z = np.linspace(0.0, 1.0, 40)[:, None]
+    up, across = np.array([np.sin(0.1), np.cos(0.1)]), np.array([np.cos(0.1), -np.sin(0.1)])
     told = FLEXIBLE.positions({"theta": 0.1, "u": 0.05})
-    assert (x[-1], y[-1]) == pytest.approx(tuple(told["superstructure"]))
-    assert np.arctan2(x[1] - x[0], y[1] - y[0]) == pytest.approx(0.1, abs=0.01)
-    assert np.arctan2(x[-1] - x[-2], y[-1] - y[-2]) == pytest.approx(0.1, abs=0.01)
+    low, high = 2 * COLUMN["base_height"], COLUMN["height"]  # top of the base, and the mass
+    foot = told["base"] + COLUMN["base_height"] * up
+    bent = foot + z * (high - low) * up + 0.05 * z**2 * (3 - z) / 2 * across
+    np.testing.assert_allclose(column.get_xydata(), bent, atol=1e-12)
+
+
+def test_columns_of_a_storey_stay_at_right_angles_to_their_floors():
+    state = {"theta": 0.1, "u_1": 0.2, "u_2": 0.3}
+    (ax,) = draw_structure(replace(FRAME, support=rk.Pinned()), state=state).axes
+    columns = [line.get_xydata() for line in ax.lines if len(line.get_xdata()) == 40]
+    assert len(columns) == 4
+    for column in columns:
+        for a, b in (column[:2], column[-2:]):
+            assert np.arctan2(*(b - a)) == pytest.approx(0.1, abs=0.01)
 
 
 def test_sketch_of_a_declared_structure_joins_a_mass_without_a_size_to_its_feet():

@@ -132,7 +132,7 @@ def elastic_column() -> Superstructure:
         lambda place, angle: _two_masses(place, angle, u.position),
         STIFFNESS.symbol * u.position**2 / 2,
         DAMPING.symbol * u.velocity**2 / 2,
-        (_on_the_base("column"),),
+        (_on_the_base("cantilever"),),
     )
 
 

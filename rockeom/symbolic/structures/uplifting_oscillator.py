@@ -44,7 +44,7 @@ def uplifting_oscillator() -> RockingModel:
         x, y = (truncated(e, small, 1) for e in exact)
         base = turned((0, 0), pivot, theta.position)
         return [
-            Body("mass", MASS.symbol, (x, y), rotation=theta.position),
+            Body("mass", MASS.symbol, (x, y)),
             Body("base", sp.S.Zero, base, rotation=theta.position, outline=outline),
         ]
 
@@ -58,7 +58,7 @@ def uplifting_oscillator() -> RockingModel:
         gravity=GRAVITY.symbol,
         elastic_energy=STIFFNESS.symbol * u.position**2 / 2,
         dissipation=DAMPING.symbol * u.velocity**2 / 2,
-        members=(Member("column", "base", "mass"),),
+        members=(Member("cantilever", "base", "mass"),),
         small=(*small, theta.velocity, u.velocity),
         reference="Chopra and Yim (1985); thesis 2-7, 2-8",
     )
