@@ -250,6 +250,10 @@ _, ax = plt.subplots(figsize=(2.6, 3.4))
 draw_structure(wall, state={"x": 0.12, "y": 0.32, "theta": 0.17}, ax=ax)
 plt.show()
 
+# %% [markdown]
+# *Figure 2. The declared element, drawn from its places, its outline and its contacts.*
+
+# %%
 told = wall.positions({"x": 0.12, "y": 0.32, "theta": 0.17})
 (by_hand,) = fb.turned([(0.12 + d_, 0.32 + h_)], (0.12, 0.32), 0.17)
 assert np.allclose(told["block"], by_hand)
@@ -381,7 +385,7 @@ below.set(xlabel="time [s]", ylabel="middle of the base [mm]", ylim=(-260, 300))
 plt.show()
 
 # %% [markdown]
-# *Figure 2. The same pulse on three frictions, each followed until it leans by 0.5 rad. The
+# *Figure 3. The same pulse on three frictions, each followed until it leans by 0.5 rad. The
 # slipperiest stays upright and slides there and back. The roughest falls. The one in between does
 # not fall, and has walked to the left, although the pulse is the same both ways: in its first half
 # it leans to the right on a foot that holds, in its second it slides to the left on the other one.*

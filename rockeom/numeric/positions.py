@@ -1,7 +1,7 @@
 """Where the bodies and feet of a structure are, and what a sketch shows of them.
 
 A generated module tells both; here they get their names. Places are (x, y) in axes that move with
-the ground, x to the right and y upwards, from the middle between the feet at rest.
+the ground, x to the right and y upwards, from the origin of the declaration.
 """
 
 from __future__ import annotations
@@ -17,8 +17,9 @@ BODIES = ("body", "massless")
 class Member(NamedTuple):
     """What joins two bodies, or a body and the "ground".
 
-    kind : "column", "cantilever", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) : where it ends,
-    from the centre of the body in axes that turn with it; on the ground from the origin [m].
+    kind : "column", "cantilever", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) :
+    where it ends, from the centre of the body in axes that turn with it; on the ground from the
+    origin [m].
     """
 
     kind: str

@@ -197,8 +197,7 @@ class Response:
     def positions(self) -> dict[str, np.ndarray]:
         """Places (n, 2) of bodies, feet and the load point at each sample, by name [m].
 
-        x to the right and y upwards, in axes that move with the ground, from the middle between
-        the feet at rest.
+        In the axes of `Structure.positions`, which move with the ground.
         """
         return positions_of(self.structure.module, self._places)
 

@@ -369,24 +369,32 @@ class Structure:
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
 
     def positions(
-        self, state: Mapping[str, float], phase: str | None = None
+        self, state: Mapping[str, Any], phase: str | None = None
     ) -> dict[str, np.ndarray]:
-        """Places (2,) of bodies, feet and the load point, by name [m].
+        """Places (..., 2) of bodies, feet and the load point, by name [m].
 
-        x to the right and y upwards, in axes that move with the ground, from the middle between
-        the feet at rest. `run.positions()` tells those of a motion.
+        x to the right and y upwards, in axes that move with the ground, from the origin of the
+        declaration: the middle between the feet at rest, of shipped structures. A state may hold
+        arrays, of one shape or for NumPy to make of one. `run.positions()` tells those of a motion.
         """
         return positions_of(self.module, self._places(state, phase))
 
-    def rotations(self, state: Mapping[str, float], phase: str | None = None) -> dict[str, float]:
-        """Angles through which the bodies have turned, by name, clockwise [rad]."""
-        found = rotations_of(self.module, self._places(state, phase))
-        return {name: float(angle) for name, angle in found.items()}
+    def rotations(
+        self, state: Mapping[str, Any], phase: str | None = None
+    ) -> dict[str, np.ndarray]:
+        """Angles (...) through which the bodies have turned, by name, clockwise [rad]."""
+        return rotations_of(self.module, self._places(state, phase))
 
-    def _places(self, state: Mapping[str, float], phase: str | None) -> np.ndarray:
-        y = self.state(state)
-        contact = np.array([self.contact(y, phase)])
-        return places(self.module, contact, y[None], self.vector)[0]
+    def _places(self, state: Mapping[str, Any], phase: str | None) -> np.ndarray:
+        """(..., m, 3) for a state, or many."""
+        check_states("state", state, self)
+        columns = np.broadcast_arrays(0.0, *state.values())[1:]
+        shape = columns[0].shape if columns else ()
+        rows = zip(*(column.ravel().tolist() for column in columns), strict=True)
+        named = [dict(zip(state, row, strict=True)) for row in rows] if columns else [{}]
+        y = np.array([self.state(values) for values in named])
+        contacts = np.array([self.contact(row, phase) for row in y])
+        return places(self.module, contacts, y, self.vector).reshape(*shape, -1, 3)
 
     @functools.cached_property
     def shapes(self) -> Shapes:

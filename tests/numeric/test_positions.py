@@ -243,6 +243,32 @@ def test_gap_of_a_contact_is_its_height(theta, x, y):
         assert found[m.POSITIONS.index(name), 1] == pytest.approx(gap, abs=1e-15)
 
 
+def test_arrays_of_states_are_told_at_once():
+    theta, u = np.linspace(-0.1, 0.1, 5)[:, None], np.array([0.0, 0.03])
+    told, turned = (f({"theta": theta, "u": u}) for f in (column().positions, column().rotations))
+    for i, j in np.ndindex(5, 2):
+        one = column().positions({"theta": theta[i, 0], "u": u[j]})
+        for name, place in one.items():
+            assert told[name].shape == (5, 2, 2)
+            np.testing.assert_array_equal(told[name][i, j], place)
+        assert turned["base"][i, j] == theta[i, 0]
+
+
+@pytest.mark.parametrize(
+    ("state", "error", "said"),
+    [
+        (0.1, TypeError, "name the states"),
+        ({"phi": 0.1}, ValueError, "unknown state 'phi'"),
+        ({"theta": "0.1"}, TypeError, "state theta is '0.1'"),
+        ({"theta": [0.1, 0.2], "u": [0.0, 0.0, 0.1]}, ValueError, "broadcast"),
+        ({"theta": [0.1, np.nan]}, ValueError, "state theta is nan"),
+    ],
+)
+def test_places_of_what_is_no_state_are_refused(state, error, said):
+    with pytest.raises(error, match=said):
+        column().positions(state)
+
+
 def test_motion_through_impacts_is_one_curve():
     """A foot that lands lands where it stood, and nothing jumps where a velocity does."""
     run = rk.simulate(BLOCK, rk.GroundMotion.none(6.0), initial={"theta": 0.15})
