@@ -36,7 +36,7 @@ import numpy as np
 import sympy as sp
 
 import rockeom as rk
-from rockeom.plots import free_body as fb, use_style
+from rockeom.plots import draw_structure, free_body as fb, use_style
 from rockeom.symbolic import Body, Contact, Model, Rigid, coordinate, feet, parameter, turned
 from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -157,6 +157,9 @@ def placed(across, up):
     return x.position + right, y.position + above
 
 
+corners = [(across - d, up - h) for across, up in OUTLINE]  # from the centroid, to be drawn
+
+
 def declared(**more):
     """The element; `more` is what an exercise adds to it or changes."""
     given = {
@@ -164,7 +167,7 @@ def declared(**more):
         "title": "Block with its centroid off the middle, on feet that slide",
         "parameters": parameters,
         "coordinates": [x, y, theta],
-        "bodies": [Body("block", m, placed(d, h), inertia, theta.position)],
+        "bodies": [Body("block", m, placed(d, h), inertia, theta.position, outline=corners)],
         "gravity": g,
         "rotation": theta,
         "contacts": feet(
@@ -237,6 +240,24 @@ def built(**changes):
 
 
 wall = built()
+
+# %% [markdown]
+# **A picture.** The first thing to look at: what was declared, drawn in any state. Where its points
+# are is told by name, too, and must be what the sketch (b) of Figure 1 shows.
+
+# %%
+_, ax = plt.subplots(figsize=(2.6, 3.4))
+draw_structure(wall, state={"x": 0.12, "y": 0.32, "theta": 0.17}, ax=ax)
+plt.show()
+
+# %% [markdown]
+# *Figure 2. The declared element, drawn from its places, its outline and its contacts.*
+
+# %%
+told = wall.positions({"x": 0.12, "y": 0.32, "theta": 0.17})
+(by_hand,) = fb.turned([(0.12 + d_, 0.32 + h_)], (0.12, 0.32), 0.17)
+assert np.allclose(told["block"], by_hand)
+assert math.isclose(wall.positions({"theta": 0.1})["left"][1], 2 * B_ * math.sin(0.1))
 
 # %% [markdown]
 # **Statics.** The forces at rest, and the acceleration of the ground that lifts a foot: $g(B-d)/h$
@@ -364,7 +385,7 @@ below.set(xlabel="time [s]", ylabel="middle of the base [mm]", ylim=(-260, 300))
 plt.show()
 
 # %% [markdown]
-# *Figure 2. The same pulse on three frictions, each followed until it leans by 0.5 rad. The
+# *Figure 3. The same pulse on three frictions, each followed until it leans by 0.5 rad. The
 # slipperiest stays upright and slides there and back. The roughest falls. The one in between does
 # not fall, and has walked to the left, although the pulse is the same both ways: in its first half
 # it leans to the right on a foot that holds, in its second it slides to the left on the other one.*

@@ -13,26 +13,24 @@ FOLDER = Path(__file__).parent / "images"
 def structures():
     """The four kinds of structure, tilted so far that their feet can be told apart."""
     shown = {
-        "RigidBlock": (rk.RigidBlock(half_width=0.095, half_height=0.45), 0.1, 0.0),
-        "LumpedMassStructure": (rk.LumpedMassStructure(**demo.COLUMN), 0.1, 0.0),
+        "RigidBlock": (rk.RigidBlock(half_width=0.095, half_height=0.45), {"theta": 0.1}),
+        "LumpedMassStructure": (rk.LumpedMassStructure(**demo.COLUMN), {"theta": 0.1}),
         "TwoSpringStructure": (
             rk.TwoSpringStructure(
                 **demo.COLUMN, foundation_stiffness=550e3, foundation_damping=3e3
             ),
-            0.07,
-            0.0,
+            {"theta": 0.07},
         ),
         "FlexibleStructure": (
             rk.FlexibleStructure(**demo.COLUMN, stiffness=demo.STIFFNESS, damping=demo.DAMPING),
-            0.1,
-            0.1,
+            {"theta": 0.1, "u": 0.1},
         ),
     }
     figure = new_figure(8.0, 2.5)
-    for ax, (name, (structure, rotation, deformation)) in zip(
+    for ax, (name, (structure, state)) in zip(
         figure.subplots(1, len(shown)), shown.items(), strict=True
     ):
-        draw_structure(structure, rotation=rotation, deformation=deformation, ax=ax)
+        draw_structure(structure, state=state, ax=ax)
         ax.set_title(name, fontsize=8)
     return figure
 

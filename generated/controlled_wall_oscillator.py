@@ -38,6 +38,8 @@ Operations before and after common subexpressions were shared:
     reactions                 47    35
     kinematics               129    69
     statics                  878   174
+    positions                  0     0
+    shapes                     7     4
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -49,7 +51,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "ad338de2f9237926"
+SOURCE_HASH = "8e91dbb7c2849c5b"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -244,12 +246,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "tendon_force",)
 KINEMATICS = ("displacement", "rotation_centre", "tendon_extension",)
+POSITIONS = ("wall", "load",)
+POSITION_KINDS = ("body", "load",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("spring",)
+MEMBER_ENDS = ("ground", "wall",)
+COPIES = ()
 
 N_STATES = 6
 N_GUARDS = 4
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 3
+N_FALLS = 0
 SIDES = (-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,)
 GUARDS = (3, 4, 3, 3, 4, 3, 3, 2, 1, 3, 4, 3, 3, 4, 3, 3, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -1611,6 +1620,57 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
+        u = y[0]
+        out[0] = u
+        out[1] = 0
+        out[2] = 0
+        out[3] = u
+        out[4] = 0
+        out[5] = 0
+    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
+        u = y[0]
+        out[0] = u
+        out[1] = 0
+        out[2] = 0
+        out[3] = u
+        out[4] = 0
+        out[5] = 0
+    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
+        u = y[0]
+        out[0] = u
+        out[1] = 0
+        out[2] = 0
+        out[3] = u
+        out[4] = 0
+        out[5] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[3]
+    x0 = -half_width
+    x1 = (1/2)*half_width
+    out[0] = x0
+    out[1] = 0
+    out[2] = half_width
+    out[3] = 0
+    out[4] = half_width
+    out[5] = half_width
+    out[6] = x0
+    out[7] = half_width
+    out[8] = -3*half_width
+    out[9] = x1
+    out[10] = x0
+    out[11] = x1
 
 
 def overturning(p):

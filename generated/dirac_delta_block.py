@@ -16,6 +16,8 @@ Operations before and after common subexpressions were shared:
     reactions                  4     4
     kinematics                 2     2
     statics                   16    14
+    positions                 40    20
+    shapes                     0     0
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -27,7 +29,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "09a89e4f672549f5"
+SOURCE_HASH = "796f499044546c28"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -58,12 +60,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction",)
 KINEMATICS = ("displacement",)
+POSITIONS = ("block", "load",)
+POSITION_KINDS = ("body", "load",)
+CORNERS = ()
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 0.0, 1.0, 0.0, 0.0,)
 GUARDS = (1, 2, 2, 1, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -342,6 +351,43 @@ def held_guards(y, p, ax, g):
     """Guards of the contact state HELD into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        alpha = p[0]
+        x0 = alpha*x
+        x1 = alpha**2*(s*x - 1/2*x**2) + 1
+        out[0] = x0
+        out[1] = x1
+        out[2] = 0
+        out[3] = x0
+        out[4] = x1
+        out[5] = 0
+    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+        x = y[0]
+        alpha = p[0]
+        regularisation = p[2]
+        x0 = alpha*x
+        x1 = alpha**2*(regularisation*math.log(2*math.cosh(x/regularisation)) - 1/2*x**2) + 1
+        out[0] = x0
+        out[1] = x1
+        out[2] = 0
+        out[3] = x0
+        out[4] = x1
+        out[5] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
     """
     pass
 

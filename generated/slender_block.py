@@ -20,6 +20,8 @@ Operations before and after common subexpressions were shared:
     kinematics                13     5
     momentum                  28    15
     statics                   10    10
+    positions                101    30
+    shapes                    20     6
     overturning                1     1
     velocity_ratio            14    10
     sizes                      3     3
@@ -31,7 +33,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "9cae6ab107ad0a8e"
+SOURCE_HASH = "9ed2c082cec4489a"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -60,12 +62,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -374,6 +383,75 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        radius = p[1]
+        alpha = p[2]
+        x0 = radius*math.sin(alpha)
+        x1 = s*x0
+        x2 = math.sin(theta)
+        x3 = radius*math.cos(alpha)
+        x4 = math.cos(theta)
+        x5 = -x1*x4 + x1 + x2*x3
+        x6 = x1*x2 + x3*x4
+        x7 = -x0 - x1
+        x8 = x0 - x1
+        out[0] = x5
+        out[1] = x6
+        out[2] = theta
+        out[3] = x1 + x4*x7
+        out[4] = -x2*x7
+        out[5] = 0
+        out[6] = x1 + x4*x8
+        out[7] = -x2*x8
+        out[8] = 0
+        out[9] = x5
+        out[10] = x6
+        out[11] = 0
+    elif contact == BOTH:
+        radius = p[1]
+        alpha = p[2]
+        x0 = radius*math.cos(alpha)
+        x1 = radius*math.sin(alpha)
+        out[0] = 0
+        out[1] = x0
+        out[2] = 0
+        out[3] = -x1
+        out[4] = 0
+        out[5] = 0
+        out[6] = x1
+        out[7] = 0
+        out[8] = 0
+        out[9] = 0
+        out[10] = x0
+        out[11] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    radius = p[1]
+    alpha = p[2]
+    x0 = radius*math.sin(alpha)
+    x1 = -x0
+    x2 = radius*math.cos(alpha)
+    x3 = -x2
+    out[0] = x1
+    out[1] = x3
+    out[2] = x0
+    out[3] = x3
+    out[4] = x0
+    out[5] = x2
+    out[6] = x1
+    out[7] = x2
 
 
 def overturning(p):

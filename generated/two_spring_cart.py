@@ -22,6 +22,8 @@ Operations before and after common subexpressions were shared:
     reactions                 14    14
     kinematics                 0     0
     statics                  270    70
+    positions                  0     0
+    shapes                     7     4
     overturning                1     1
     velocity_ratio            28    18
     sizes                      0     0
@@ -33,7 +35,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "8aec422382b4f150"
+SOURCE_HASH = "3c4fb377d73bb8c1"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -76,12 +78,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction",)
 KINEMATICS = ("displacement",)
+POSITIONS = ("cart", "load",)
+POSITION_KINDS = ("body", "load",)
+CORNERS = ("cart", "cart", "cart", "cart",)
+MEMBERS = ("spring",)
+MEMBER_ENDS = ("ground", "cart",)
+COPIES = ()
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, -1.0, 1.0, 1.0,)
 GUARDS = (2, 1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -392,6 +401,49 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
+        u = y[0]
+        out[0] = u
+        out[1] = 0
+        out[2] = 0
+        out[3] = u
+        out[4] = 0
+        out[5] = 0
+    elif contact == LEFT or contact == RIGHT:
+        u = y[0]
+        out[0] = u
+        out[1] = 0
+        out[2] = 0
+        out[3] = u
+        out[4] = 0
+        out[5] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[6]
+    x0 = -half_width
+    x1 = (1/2)*half_width
+    out[0] = x0
+    out[1] = 0
+    out[2] = half_width
+    out[3] = 0
+    out[4] = half_width
+    out[5] = half_width
+    out[6] = x0
+    out[7] = half_width
+    out[8] = -3*half_width
+    out[9] = x1
+    out[10] = x0
+    out[11] = x1
 
 
 def overturning(p):

@@ -21,6 +21,8 @@ Operations before and after common subexpressions were shared:
     kinematics                10     6
     momentum                   8     7
     statics                    9     9
+    positions                 43    22
+    shapes                     2     1
     overturning                1     1
     velocity_ratio             8     8
     sizes                      1     1
@@ -32,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "dbf0f9fe09a9caef"
+SOURCE_HASH = "8f4c80a9c55b75cc"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -62,12 +64,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("mass", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "massless", "foot", "foot", "load",)
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("cantilever",)
+MEMBER_ENDS = ("base", "mass",)
+COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 2
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -419,6 +428,79 @@ def held_guards(y, p, ax, g):
     x0 = c15*u_dot + c16*u
     g[0] = c17 + x0
     g[1] = c17 - x0
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        height = p[1]
+        half_width = p[2]
+        x0 = height*theta + u
+        x1 = half_width*s
+        x2 = height + theta*x1
+        x3 = math.cos(theta)
+        x4 = math.sin(theta)
+        x5 = -half_width - x1
+        x6 = half_width - x1
+        out[0] = x0
+        out[1] = x2
+        out[2] = 0
+        out[3] = -x1*x3 + x1
+        out[4] = x1*x4
+        out[5] = theta
+        out[6] = x1 + x3*x5
+        out[7] = -x4*x5
+        out[8] = 0
+        out[9] = x1 + x3*x6
+        out[10] = -x4*x6
+        out[11] = 0
+        out[12] = x0
+        out[13] = x2
+        out[14] = 0
+    elif contact == BOTH:
+        u = y[1]
+        height = p[1]
+        half_width = p[2]
+        out[0] = u
+        out[1] = height
+        out[2] = 0
+        out[3] = 0
+        out[4] = 0
+        out[5] = 0
+        out[6] = -half_width
+        out[7] = 0
+        out[8] = 0
+        out[9] = half_width
+        out[10] = 0
+        out[11] = 0
+        out[12] = u
+        out[13] = height
+        out[14] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[2]
+    x0 = -half_width
+    out[0] = x0
+    out[1] = 0
+    out[2] = half_width
+    out[3] = 0
+    out[4] = half_width
+    out[5] = 0
+    out[6] = x0
+    out[7] = 0
+    out[8] = 0
+    out[9] = 0
+    out[10] = 0
+    out[11] = 0
 
 
 def overturning(p):

@@ -14,6 +14,7 @@ from rockeom.symbolic.model import RockingModel
 def functions_of_parameters(text: Text) -> None:
     """Comes last: `prepare` computes the constants that all others have named."""
     _overturning(text)
+    _falls(text)
     _velocity_ratio(text)
     _sizes(text)
     _prepare(text)
@@ -27,6 +28,21 @@ def sizes_to_check(model: RockingModel | Model) -> list[Size]:
 def _overturning(text: Text) -> None:
     _scalar(
         text, "overturning", "Rotation at which the structure has fallen.", text.model.overturning
+    )
+
+
+def _falls(text: Text) -> None:
+    """Of further coordinates that may fall."""
+    if not text.model.falls:
+        return
+    lines = ["    value = 0.0"]
+    for i, size in enumerate(text.model.falls.values()):
+        found = text.evaluate("overturns_at", {"value": size}, " " * 8)
+        lines += [f"    if number == {i}:", *found]
+    text.function(
+        "overturns_at(number, p)",
+        "Size of a coordinate of FALLS, by its number, at which the structure has fallen.",
+        [*lines, "    return value"],
     )
 
 

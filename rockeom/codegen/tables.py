@@ -56,6 +56,7 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         *_internal(model),
         f"ROTATION = {text.index(model.rotation.position)}",
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
+        *_falls(text),
         *_column("SIDES = (", dict.fromkeys(written, "0.0")),
         *_column("GUARDS = (", {name: str(len(row)) for name, row in rows.items()}),
         *_states_of_contact(model, modes, slips),
@@ -65,6 +66,18 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         "HAS_IMPULSIVE = False",
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
         *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),
+    ]
+
+
+def _falls(text: Text) -> list[str]:
+    """Which coordinates may fall beside the rotation."""
+    falls = text.model.falls
+    if not falls:
+        return ["N_FALLS = 0"]
+    return [
+        f"N_FALLS = {len(falls)}",
+        f"FALLS = ({', '.join(str(text.index(c.position)) for c in falls)},)",
+        f"FALL_RATES = ({', '.join(str(text.index(c.velocity)) for c in falls)},)",
     ]
 
 
@@ -214,6 +227,7 @@ def _numbers(text: Text) -> list[str]:
         f"N_PARTS = {max(sum(map(len, parts(model, c))) for c in model.contacts)}",
         f"ROTATION = {text.index(model.rotation.position)}",
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
+        *_falls(text),
         f"SIDES = ({', '.join(str(float(s)) for s in sides)},)",
         f"GUARDS = ({', '.join(str(len(outgoing(model, c))) for c in model.contacts)},)",
     ]

@@ -166,12 +166,13 @@ class Case:
         structure, motion = self.structure, self.motion
         y0 = structure.state({} if self.initial is None else self.initial)
         rotation = y0[structure.module.ROTATION]
-        fallen = structure.overturning_rotation
-        if abs(rotation) >= fallen:
-            raise ValueError(
-                f"initial {structure.states[structure.module.ROTATION]} is {rotation}: the "
-                f"structure lies on the ground from {fallen:.6g} on; start below"
-            )
+        for name, fallen in structure.falls.items():
+            value = y0[structure.states.index(name)]
+            if abs(value) >= fallen:
+                raise ValueError(
+                    f"initial {name} is {value}: the structure lies on the ground from "
+                    f"{fallen:.6g} on; start below"
+                )
         end = motion.duration if self.duration is None else number("duration", self.duration)
         if not (isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
@@ -189,7 +190,7 @@ class Case:
             table=structure.impact_table(self.impact),
             law=law,
             ratio=ratio,
-            fallen=fallen,
+            fallen=structure.overturning_rotation,
             horizontal=_table(motion),
             vertical=_table(self.vertical),
             end=end,

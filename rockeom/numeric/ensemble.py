@@ -322,14 +322,15 @@ MOST_CONTACTS = 4
 def lanes_pay(module: ModuleType) -> bool:
     """Whether sweeps step in lanes where it is left open, by the structure alone.
 
-    They do where an impact ends a contact state, and nothing else, or no impact does. Others have
-    been measured, the time of lanes in that of one motion after the other: 0.7 to 1.0 for the cart
-    on two springs; for walls 0.6 to 1.5, and 4 to 15 s more of compiling; 2 to 2.5 for the block of
-    Dirac pulses. Most of their steps end at events, and lanes find in each what every contact state
-    would do.
+    They do where an impact ends a contact state, and nothing else, or no impact does, and where the
+    rotation alone may fall. Others have been measured, the time of lanes in that of one motion
+    after the other: 0.7 to 1.0 for the cart on two springs; for walls 0.6 to 1.5, and 4 to 15 s
+    more of compiling; 2 to 2.5 for the block of Dirac pulses. Most of their steps end at events,
+    and lanes find in each what every contact state would do.
     """
     return (
         not module.NARROW
+        and not module.N_FALLS
         and len(module.CONTACTS) <= MOST_CONTACTS
         and all(
             kinds[:guards] == (IMPACT,) or IMPACT not in kinds[:guards]

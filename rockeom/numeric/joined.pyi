@@ -22,6 +22,9 @@ N_POINTS: int
 N_ELEMENTS: int
 ROTATION: int
 ROTATION_RATE: int
+N_FALLS: int
+FALLS: tuple[int, ...]
+FALL_RATES: tuple[int, ...]
 SIDES: tuple[float, ...]
 GUARDS: tuple[int, ...]
 KINDS: tuple[tuple[int, ...], ...]
@@ -47,6 +50,7 @@ def jump(
 def energies(contact: Int, y: Floats, p: Floats, out: Floats) -> None: ...
 def reactions(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, out: Floats) -> None: ...
 def kinematics(contact: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+def overturns_at(number: Int, p: Floats) -> float: ...
 
 # -- of one whose contacts may open, slide and bounce
 

@@ -59,10 +59,13 @@ if TYPE_CHECKING:  # joined before this text
         CLOSED,
         COARSE,
         ERROR_EXPONENT,
+        FALL_RATES,
+        FALLS,
         GUARDS,
         HELD,
         KINDS,
         N_ALL_STAGES,
+        N_FALLS,
         N_GUARDS,
         N_PARTS,
         N_POINTS,
@@ -95,6 +98,7 @@ if TYPE_CHECKING:  # joined before this text
         longest_turn,
         nothing_moves,
         opening_acceleration,
+        overturns_at,
         pass_on,
         rates,
         reactions,
@@ -671,12 +675,12 @@ def clearly_open(b, at):
 
 
 @inlined
-def rotation_polynomial(side, coefficients, b, at):
-    """Bernstein coefficients b[at : at + 8] of the rotation to a side, from the dense output."""
+def polynomial_of(state, side, coefficients, b, at):
+    """Bernstein coefficients b[at : at + 8] of a state to a side, from the dense output."""
     for i in range(8):
         b[at + i] = 0.0
         for j in range(i + 1):
-            power = side * coefficients[j * N_STATES + ROTATION]
+            power = side * coefficients[j * N_STATES + state]
             b[at + i] += POWERS_TO_BERNSTEIN[i, j] * power
 
 
@@ -688,7 +692,7 @@ def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
             sampled = True
             continue
         # an impact's guard is the rotation, on its side: exactly the dense output
-        rotation_polynomial(SIDES[contact], coefficients, b, 8 * n)
+        polynomial_of(ROTATION, SIDES[contact], coefficients, b, 8 * n)
     if not sampled:
         return
     for n in range(N_GUARDS + N_PARTS):
@@ -1315,7 +1319,7 @@ def integrate(
                         ends = not open_ and end_closed(contact, b)
                     if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
-                beyond = may_reach(fallen, h, y, y_new, k)
+                beyond = may_fall(fallen, h, y, y_new, k, p)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
                 closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
@@ -1379,7 +1383,7 @@ def integrate(
             # -- fallen over: the step ends where it passed the bound
             x = NEVER
             if h > 0.0 and beyond:
-                x = bound_passed(coefficients, fallen, b, stack)
+                x = falls_at(coefficients, fallen, p, b, stack)
             if x < NEVER:
                 dense_at(coefficients, x, y_new)
                 shorten(coefficients, x)
@@ -1664,23 +1668,42 @@ def slope_at(coefficients, x, i):
 
 
 @inlined
-def may_reach(bound, h, y, y_new, k):
-    """Whether the rotation's size may reach `bound` in a step, by the quintic of `widens`."""
-    q0, q1 = y[ROTATION], y_new[ROTATION]
-    v0, v1 = h * y[ROTATION_RATE] / 5.0, h * y_new[ROTATION_RATE] / 5.0
-    a0 = h * h * k[ROTATION_RATE] / 20.0
-    a1 = h * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
+def may_fall(fallen, h, y, y_new, k, p):
+    """Whether the rotation, or another coordinate that falls, may reach its bound in a step."""
+    may = may_reach(ROTATION, ROTATION_RATE, fallen, h, y, y_new, k)
+    if N_FALLS > 0:
+        for i in range(N_FALLS):
+            may |= may_reach(FALLS[i], FALL_RATES[i], overturns_at(i, p), h, y, y_new, k)
+    return may
+
+
+@inlined
+def may_reach(state, rate, bound, h, y, y_new, k):
+    """Whether the size of a state may reach `bound` in a step, by the quintic of `widens`."""
+    q0, q1 = y[state], y_new[state]
+    v0, v1 = h * y[rate] / 5.0, h * y_new[rate] / 5.0
+    a0 = h * h * k[rate] / 20.0
+    a1 = h * h * k[N_STAGES * N_STATES + rate] / 20.0
     within = max(
         max(abs(q0 + v0), abs(q0 + 2.0 * v0 + a0)), max(abs(q1 - v1), abs(q1 - 2.0 * v1 + a1))
     )
     return abs(q1) >= bound or 1.001 * within >= bound
 
 
-def bound_passed(coefficients, bound, b, stack):
-    """Place in a step at which the rotation's size first reaches `bound`, or NEVER."""
-    place = 1.0 if abs(power_sum(coefficients, 1.0, ROTATION)) >= bound else NEVER
+def falls_at(coefficients, fallen, p, b, stack):
+    """Place in a step at which the rotation, or another coordinate, has fallen, or NEVER."""
+    place = bound_passed(ROTATION, coefficients, fallen, b, stack)
+    if N_FALLS > 0:
+        for i in range(N_FALLS):
+            place = min(place, bound_passed(FALLS[i], coefficients, overturns_at(i, p), b, stack))
+    return place
+
+
+def bound_passed(state, coefficients, bound, b, stack):
+    """Place in a step at which the size of a state first reaches `bound`, or NEVER."""
+    place = 1.0 if abs(power_sum(coefficients, 1.0, state)) >= bound else NEVER
     for turn in range(2):
-        rotation_polynomial(1.0 - 2.0 * turn, coefficients, b, 0)
+        polynomial_of(state, 1.0 - 2.0 * turn, coefficients, b, 0)
         for i in range(8):
             b[i] += bound
         place = min(place, first_fall(b, 0, EXACT, False, 0.0, stack))
@@ -1722,6 +1745,20 @@ def own_time(contact, y, p):
     return 1.0 / math.sqrt(a) if a > 0.0 else 0.0
 
 
+def leans_most(peaks, fallen, p):
+    """Of what may fall, the state that has come nearest to its bound, and how far it has come.
+
+    That of another coordinate than the rotation counts beside its bound as the rotation's does.
+    """
+    leaning, leans = ROTATION, max(-peaks[0, ROTATION], peaks[1, ROTATION])
+    if N_FALLS > 0:
+        for i in range(N_FALLS):
+            other = max(-peaks[0, FALLS[i]], peaks[1, FALLS[i]]) * fallen / overturns_at(i, p)
+            if other > leans:
+                leaning, leans = FALLS[i], other
+    return leaning, leans
+
+
 @entry
 def falls(
     contact: int, y: Floats, still: Floats2, p: Floats, law: int, ratio: float, rtol: float,
@@ -1751,11 +1788,13 @@ def falls(
     state = np.empty(N_STATES)
     for i in range(N_STATES):
         state[i] = y[i]
-    lean = abs(state[ROTATION])
+    lean = 0.0
     followed = 0 if rocks else 2  # how it leans between calls is looked at on springs only
     for n in range(1000):
         for i in range(N_STATES):
             peaks[0, i] = peaks[1, i] = state[i]
+        if n == 0:
+            _, lean = leans_most(peaks, fallen, p)
         status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
         code = integrate(
             status, clock, state, rate, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
@@ -1763,13 +1802,13 @@ def falls(
             steps, step_contact, step_states, events, event_kinds, event_states, peaks[:followed],
             scratch,
         )  # fmt: skip
-        upright = peaks[0, ROTATION] < 0.0 < peaks[1, ROTATION]
+        leaning, leans = leans_most(peaks, fallen, p)
+        upright = peaks[0, leaning] < 0.0 < peaks[1, leaning]
         if code == OVERTURNED and not upright:
             return True
         if code not in (COMPLETED, FULL):
             return False
         if not rocks:
-            leans = max(-peaks[0, ROTATION], peaks[1, ROTATION])
             if upright or (n > 0 and leans <= lean):
                 return False
             lean = leans

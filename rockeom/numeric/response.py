@@ -15,6 +15,7 @@ from rockeom import hooks
 from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.contact_states import HAPPENED, subject
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
+from rockeom.numeric.positions import places, positions_of, rotations_of
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -193,6 +194,21 @@ class Response:
             "ground_acceleration", "vertical_ground_acceleration",
         )  # fmt: skip
 
+    def positions(self) -> dict[str, np.ndarray]:
+        """Places (n, 2) of bodies, feet and the load point at each sample, by name [m].
+
+        In the axes of `Structure.positions`, which move with the ground.
+        """
+        return positions_of(self.structure.module, self._places)
+
+    def rotations(self) -> dict[str, np.ndarray]:
+        """Angles (n,) through which the bodies have turned, by name, clockwise [rad]."""
+        return rotations_of(self.structure.module, self._places)
+
+    @cached_property
+    def _places(self) -> np.ndarray:
+        return places(self.structure.module, self.contact, self.y, self.structure.vector)
+
     @property
     def phase(self) -> np.ndarray:
         """(n,) name of the contact state at each sample."""
@@ -274,6 +290,19 @@ class Response:
                 found[name] = np.empty(flat.size)
                 found[name][order] = row
         return {name: found[name].reshape(times.shape) for name in names}
+
+    @cached_property
+    def overturned(self) -> str:
+        """Name of the coordinate that has fallen, such as the rotation; empty if none has.
+
+        Of a motion that was followed to the end of its duration, and falls in what comes after it,
+        the one that is nearest to where it has fallen.
+        """
+        if self.outcome is not Outcome.OVERTURNED:
+            return ""
+        final = self.final
+        parts = {name: abs(final[name]) / size for name, size in self.structure.falls.items()}
+        return max(parts, key=lambda name: parts[name])
 
     @property
     def final(self) -> dict[str, float]:
@@ -541,6 +570,14 @@ class Response:
             f"{threshold:.4g} {unit}; here the largest was {self.motion.peak:.4g} {unit}."
         ]
 
+    def _which(self) -> str:
+        """What fell, where several coordinates may."""
+        if not self.overturned or len(self.structure.falls) == 1:
+            return ""
+        name = self.overturned
+        unit = self.program.STATE_UNITS[self.states.index(name)]
+        return f" {name} is {self.final[name]:.4g} {unit}."
+
     def impacts_in_words(self) -> str:
         """How many impacts there were, and how many of them were faster than MEASURABLE."""
         n = len(self.impacts)
@@ -556,7 +593,7 @@ class Response:
         lines = [
             f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
-            f"Outcome: {self.outcome}. {self.outcome.sentence}",
+            f"Outcome: {self.outcome}. {self.outcome.sentence}{self._which()}",
             f"Largest |{rotation}|: {abs(largest.peak):.4g} {unit} at {largest.peak_time:.4g} s; "
             f"{self.impacts_in_words()}.",
         ]

@@ -33,6 +33,7 @@ from rockeom.numeric.impact import (
     TabledLaw,
     check_law,
 )
+from rockeom.numeric.positions import Shapes, places, positions_of, rotations_of, shapes
 
 if TYPE_CHECKING:
     from rockeom.analysis import Wall
@@ -109,6 +110,16 @@ class Structure:
     def overturning_rotation(self) -> float:
         """Rotation at which the structure has fallen over, in the rotation's unit."""
         return number("overturning_rotation", self.module_for(self.vector).overturning(self.vector))
+
+    @functools.cached_property
+    def falls(self) -> dict[str, float]:
+        """Size of each coordinate that may fall at which the structure has, the rotation first."""
+        m = self.module_for(self.vector)
+        bounds = {self.states[m.ROTATION]: self.overturning_rotation}
+        for i in range(m.N_FALLS):
+            size = number("falls", m.overturns_at(i, self.vector))
+            bounds[self.states[m.FALLS[i]]] = size
+        return bounds
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
@@ -366,6 +377,39 @@ class Structure:
         ground = _ground(ground_acceleration, vertical_ground_acceleration)
         self.module.reactions(self._under(ground, y, phase), y, self.vector, *ground, out)
         return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
+
+    def positions(
+        self, state: Mapping[str, Any], phase: str | None = None
+    ) -> dict[str, np.ndarray]:
+        """Places (..., 2) of bodies, feet and the load point, by name [m].
+
+        x to the right and y upwards, in axes that move with the ground, from the origin of the
+        declaration: the middle between the feet at rest, of shipped structures. A state may hold
+        arrays, of one shape or for NumPy to make of one. `run.positions()` tells those of a motion.
+        """
+        return positions_of(self.module, self._places(state, phase))
+
+    def rotations(
+        self, state: Mapping[str, Any], phase: str | None = None
+    ) -> dict[str, np.ndarray]:
+        """Angles (...) through which the bodies have turned, by name, clockwise [rad]."""
+        return rotations_of(self.module, self._places(state, phase))
+
+    def _places(self, state: Mapping[str, Any], phase: str | None) -> np.ndarray:
+        """(..., m, 3) for a state, or many."""
+        check_states("state", state, self)
+        columns = np.broadcast_arrays(0.0, *state.values())[1:]
+        shape = columns[0].shape if columns else ()
+        rows = zip(*(column.ravel().tolist() for column in columns), strict=True)
+        named = [dict(zip(state, row, strict=True)) for row in rows] if columns else [{}]
+        y = np.array([self.state(values) for values in named])
+        contacts = np.array([self.contact(row, phase) for row in y])
+        return places(self.module, contacts, y, self.vector).reshape(*shape, -1, 3)
+
+    @functools.cached_property
+    def shapes(self) -> Shapes:
+        """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
+        return shapes(self.module, self.vector)
 
     @functools.cached_property
     def uplift_acceleration(self) -> float | None:

@@ -76,6 +76,21 @@ def spring(ax: Axes, start: Point, end: Point, width: float, *, coils: int = 4) 
     ax.plot(*_along(start, end, along, across).T, color=INK, lw=1.0)
 
 
+def damper(ax: Axes, start: Point, end: Point, width: float) -> None:
+    """A dashpot from one point to another, `width` across. Raises ValueError if they coincide."""
+    half = width / 2
+    cup = ([0.0, 0.35, 0.35, 0.7, 0.35, 0.35, 0.7], [0.0, 0.0, half, half, half, -half, -half])
+    piston = ([0.55, 0.55, 0.55, 1.0], [0.7 * half, -0.7 * half, 0.0, 0.0])
+    for along, across in (cup, piston):
+        ax.plot(*_along(start, end, np.array(along), np.array(across)).T, color=INK, lw=1.0)
+
+
+def wall(ax: Axes, low: float, high: float, at: float, depth: float) -> None:
+    """A wall from `low` to `high` at the place `at`, hatched behind; to the left if depth < 0."""
+    ax.fill_betweenx([low, high], at, at + depth, facecolor="0.92", hatch="////", ec="0.7", lw=0)
+    ax.plot([at, at], [low, high], color=INK, lw=1.2)
+
+
 def pivot(ax: Axes, at: Point, label: str = "", offset: Point = (0, -11)) -> None:
     """A point about which the body turns."""
     ax.plot(*at, "o", color="white", mec=INK, mew=1.2, ms=5.5, zorder=6)

@@ -1,191 +1,259 @@
-"""A sketch of a structure, to scale."""
+"""A sketch of a structure, to scale: what its declaration says of places, outlines and members."""
 
 from __future__ import annotations
 
-import itertools
-import math
-from collections.abc import Callable
+from collections.abc import Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.transforms import Affine2D
 
+from rockeom.numeric.positions import BODIES, places, positions_of, rotations_of
 from rockeom.plots import free_body, style
 
 if TYPE_CHECKING:
+    from rockeom.numeric.positions import Member
     from rockeom.numeric.structures import Structure
-
-Place = Callable[[np.ndarray], np.ndarray]
 
 
 @style.styled
 def draw_structure(
-    structure: Structure, *, rotation: float = 0.0, deformation: float = 0.0, ax: Axes | None = None
+    structure: Structure,
+    *,
+    state: Mapping[str, float] | None = None,
+    rotation: float = 0.0,
+    ax: Axes | None = None,
+    deformation: None = None,
 ) -> Figure:
-    """The masses, the feet and the ground of a structure.
+    """The bodies, the feet and the ground of a structure, in any state.
 
-    rotation : at which it is drawn, clockwise, about the foot on the ground [rad].
-    deformation : of a flexible column, to the right [m].
+    state : coordinates by name, such as {"theta": 0.1, "u": 0.02}; what is not named is zero.
+    rotation : the same of the coordinate that overturns alone [rad, or its unit].
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
-    Raises ValueError for a structure without a known shape, such as one declared by a user.
+    Bodies, contacts and members are drawn as they are declared: a body without an outline as a
+    mass, and what joins bodies where the declaration has `members`.
+
+    Raises ValueError for a state that cannot be, and TypeError for a `deformation`, as it was once
+    given: it is a part of the state now.
     """
-    values = structure.parameters()
-    if "alpha" in values and "radius" in values:
-        values["half_width"] = values["radius"] * math.sin(values["alpha"])
-        values["height"] = values["radius"] * math.cos(values["alpha"])
-    floors = [values[name] for name in _numbered("height", values)]
-    if floors:
-        values["height"] = floors[-1]
-    columns = {"columns", "half_height"} <= set(values)
-    if columns:
-        values["height"] = values["half_height"]
-    if not {"half_width", "height"} <= set(values):
-        raise ValueError(
-            f"{structure.model} has no half_width and height to draw; plot its response instead"
+    if deformation is not None:
+        raise TypeError(
+            "draw_structure takes no deformation: name the coordinate, such as "
+            'state={"theta": 0.1, "u": 0.02}'
         )
+    m = structure.module
+    named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     if ax is None:
         ax = style.new_figure(2.6, 3.4).add_subplot()
-    b = values["half_width"]
-    springs = "foundation_stiffness" in values
-    beside = {"frame_mass", "link_height"} <= set(values)
-    pivot = 0.0 if springs else math.copysign(b, rotation)
-    turn = Affine2D().rotate_around(pivot, 0.0, -rotation).transform
-    if columns:
-        _columns_and_beam(ax, values, rotation)
-        return style.parent_figure(ax)
-    if "tendon_stiffness" in values:
-        _wall(ax, values, turn)
-    elif floors:
-        _storeys(ax, values, floors, turn, deformation)
-    elif beside:
-        _block(ax, values, turn)
-        _frame_beside(ax, values, turn, deformation)
-    elif "base_mass" in values or "stiffness" in values:
-        _lumped(ax, values, turn, deformation)
-    else:
-        _block(ax, values, turn)
-    depth = 0.35 * b if springs else 0.0
-    number = getattr(getattr(structure, "support", None), "springs", 2)
-    for x in np.linspace(-b, b, number if springs else 2):
-        ((x, y),) = turn(np.array([[x, 0.0]]))
-        if springs:  # from the sole, or from its place if it has lifted
-            free_body.spring(ax, (x, min(y, 0.0)), (x, -depth), 0.36 * depth)
-        ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
-    _on_ground(ax, -1.9 * b, (4.4 if beside else 1.9) * b, depth, values)
+    _Sketch(structure, named | dict(state or {})).draw(ax)
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.axis("off")
     return style.parent_figure(ax)
 
 
-def _on_ground(ax: Axes, left: float, right: float, depth: float, values: dict[str, float]) -> None:
-    free_body.ground(ax, left, right, -depth, 0.09 * values["height"])
-    ax.set_aspect("equal", adjustable="datalim")
-    ax.axis("off")
+_BLUE = style.LINES[0]
+_MOST_COPIES = 40  # of a body that are drawn
+_MASS = 11.0  # size of a mass without an outline [points]
+_SPRUNG = ("spring", "spring_and_damper")
+_BENDING = ("column", "cantilever")
+_WALLS = {"wall_on_the_left": -1.0, "wall_on_the_right": 1.0}
 
 
-def _numbered(name: str, values: dict[str, float]) -> list[str]:
-    """name_1, name_2, ..., as many as there are."""
-    found = itertools.takewhile(values.__contains__, (f"{name}_{i}" for i in itertools.count(1)))
-    return list(found)
+class _Pose(NamedTuple):
+    """Places of bodies and points in a state, by name, and how far the bodies have turned."""
+
+    places: dict[str, np.ndarray]
+    angles: dict[str, float]
+
+    def at(self, name: str, points: np.ndarray) -> np.ndarray:
+        """(n, 2) where points of a body are, or of the ground."""
+        if name not in self.angles:
+            return points
+        return free_body.turned(points, (0.0, 0.0), self.angles[name]) + self.places[name]
+
+    def along(self, name: str, way: np.ndarray) -> np.ndarray:
+        """(2,) a direction that turns with a body."""
+        return free_body.turned([way], (0.0, 0.0), self.angles.get(name, 0.0))[0]
+
+    def seen_from(self, name: str) -> np.ndarray:
+        """(n, 2) all places in axes that turn with a body, from its centre."""
+        away = np.array([*self.places.values()]) - self.places[name]
+        return free_body.turned(away, (0.0, 0.0), -self.angles[name])
 
 
-def _block(ax: Axes, values: dict[str, float], turn: Place) -> None:
-    b, h = values["half_width"], values["height"]
-    free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, 2 * h], [-b, 2 * h]])))
-    _mass(ax, turn, (0.0, h), "", 6)
+class _Sketch:
+    """What is drawn of a structure in a state.
+
+    size : of the structure at rest, in proportion to which springs and hatches are drawn.
+    copies : where each of a body that stands for several is drawn, beside its place.
+    supports : places along the ground, and its level there.
+    """
+
+    def __init__(self, structure: Structure, state: Mapping[str, float]) -> None:
+        m = structure.module
+        self.shapes = structure.shapes
+        self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
+        self.feet = [n for n, kind in self.kinds.items() if kind not in ("load", *BODIES)]
+        y, upright = structure.state(state), structure.state({})
+        contact = structure.contact(y)
+        moved = y + 0.01 * np.arange(1, len(y) + 1)
+        self.now, self.moved = _pose(structure, contact, y), _pose(structure, contact, moved)
+        self.rest = _pose(structure, structure.contact(upright), upright)
+        self.gaps = _gaps(structure, contact, y)
+        outlines = [self.rest.at(name, outline) for name, outline in self.shapes.outlines.items()]
+        self.extent = np.vstack([*self.rest.places.values(), *outlines])
+        self.size = float(np.ptp(self.extent, axis=0).max()) or 1.0
+        self.copies = {
+            name: apart * (number - 1) / 2 * np.linspace(-1.0, 1.0, min(number, _MOST_COPIES))
+            for name, (number, apart) in self.shapes.copies.items()
+        }
+        self.supports: list[tuple[float, float]] = []
+
+    def draw(self, ax: Axes) -> None:
+        for member in self.shapes.members:
+            self._member(ax, member)
+        for name in self.now.angles:
+            for shift in self.copies.get(name, np.zeros(1)):
+                self._body(ax, name, np.array([shift, 0.0]))
+        for shift in next(iter(self.copies.values()), np.zeros(1)):
+            for name in self.feet:
+                self._foot(ax, name, self.now.places[name] + np.array([shift, 0.0]))
+        self._ground(ax)
+
+    # -- bodies
+
+    def _body(self, ax: Axes, name: str, shift: np.ndarray) -> None:
+        centre = self.now.places[name] + shift
+        if name not in self.shapes.outlines:
+            for foot in self._feet_of(name):
+                ax.plot(*np.transpose([centre, self.now.places[foot] + shift]), color=_BLUE, lw=1.2)
+            free_body.mass(ax, centre, name, (_MASS / 2, 3 + _MASS / 2), _MASS)
+            return
+        corners = self.now.at(name, self.shapes.outlines[name]) + shift
+        if np.ptp(self.shapes.outlines[name], axis=0).min() == 0.0:  # flat
+            ax.plot(*corners.T, color=_BLUE, lw=3.0, solid_capstyle="butt")
+        else:
+            free_body.body(ax, corners)
+        if self.kinds[name] != "massless":
+            free_body.mass(ax, centre, size=6.0)
+
+    def _feet_of(self, name: str) -> list[str]:
+        """Feet that are points of a body, where nothing is said of how it looks."""
+        if any(name in (member.start, member.end) for member in self.shapes.members):
+            return []
+        slips = np.abs(self.now.seen_from(name) - self.moved.seen_from(name)).max(axis=1)
+        fixed = dict(zip(self.kinds, slips <= 1e-9 * self.size, strict=True))
+        return [foot for foot in self.feet if fixed[foot]]
+
+    # -- feet
+
+    def _foot(self, ax: Axes, name: str, at: np.ndarray) -> None:
+        """A foot, what carries it, and where the ground is under it."""
+        kind, (x, y) = self.kinds[name], at
+        if kind in _SPRUNG:
+            self._sprung(ax, x, min(y, 0.0), damped=kind != "spring")
+        elif kind in _WALLS:
+            out, half = _WALLS[kind], 0.2 * self.size
+            behind = x + out * self.gaps[name]
+            free_body.wall(ax, y - half, y + half, behind, 0.05 * out * self.size)
+        elif kind == "foot":
+            self.supports.append((x, y - self.gaps[name]))
+        ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
+
+    def _sprung(self, ax: Axes, x: float, top: float, damped: bool) -> None:
+        """A spring, and a damper beside it, as wide as there is room between feet."""
+        low = -0.12 * self.size
+        feet = sorted(self.rest.places[n][0] for n in self.feet if self.kinds[n] in _SPRUNG)
+        room = min((b - a for a, b in pairwise(feet)), default=self.size)
+        width = min(0.36 * abs(low), 0.25 * room)
+        aside = 0.8 * width if damped else 0.0
+        free_body.spring(ax, (x - aside, top), (x - aside, low), width)
+        if damped:
+            free_body.damper(ax, (x + aside, low), (x + aside, top), width)
+            ax.plot([x - aside, x + aside], [top, top], color=style.INK, lw=1.0)
+        self.supports.append((x, low))
+
+    # -- what joins bodies
+
+    def _member(self, ax: Axes, member: Member) -> None:
+        start = self.now.at(member.start, member.start_at[None])[0]
+        end = self.now.at(member.end, member.end_at[None])[0]
+        for name, at, other in ((member.start, start, end), (member.end, end, start)):
+            if name not in self.now.angles:
+                self._anchor(ax, member.kind, at, other - at)
+        for shift in self.copies.get(member.start, np.zeros(1)):
+            away = np.array([shift, 0.0])
+            self._line(ax, member, start + away, end + away)
+
+    def _anchor(self, ax: Axes, kind: str, at: np.ndarray, away: np.ndarray) -> None:
+        """Where the ground holds a member: below a column, beside a level spring."""
+        if kind in _BENDING:
+            self.supports.append((at[0], at[1]))
+            ax.plot(*at, "s", color=style.INK, ms=4, zorder=4)
+        elif abs(away[0]) > abs(away[1]):
+            half, behind = 0.12 * self.size, -0.05 * self.size * np.sign(away[0])
+            free_body.wall(ax, at[1] - half, at[1] + half, at[0], behind)
+            self.extent = np.vstack([self.extent, at])
+
+    def _line(self, ax: Axes, member: Member, start: np.ndarray, end: np.ndarray) -> None:
+        if member.kind in _BENDING:
+            ax.plot(*self._bent(member, start, end).T, color=_BLUE, lw=1.3, solid_capstyle="butt")
+        elif member.kind == "spring":
+            free_body.spring(ax, start, end, 0.05 * self.size)
+        elif member.kind == "damper":
+            free_body.damper(ax, start, end, 0.05 * self.size)
+        else:
+            color, width = (_BLUE, 4.0) if member.kind == "rod" else (style.INK, 1.6)
+            ax.plot(*np.transpose([start, end]), color=color, lw=width, solid_capstyle="butt")
+
+    def _bent(self, member: Member, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+        """(n, 2) a beam whose ends turn with the bodies at which they are, or whose end is free."""
+        way = (
+            self.rest.at(member.end, member.end_at[None])
+            - self.rest.at(member.start, member.start_at[None])
+        )[0]
+        leaving, arriving = (self.now.along(name, way) for name in (member.start, member.end))
+        if member.kind == "cantilever":
+            arriving = (3 * (end - start) - leaving) / 2
+        z = np.linspace(0.0, 1.0, 40)[:, None]
+        return (
+            (1 + 2 * z) * (1 - z) ** 2 * start + z * (1 - z) ** 2 * leaving
+            + z**2 * (3 - 2 * z) * end + z**2 * (z - 1) * arriving
+        )  # fmt: skip
+
+    # -- the ground
+
+    def _ground(self, ax: Axes) -> None:
+        """Under all feet, level between those of one height, and some way beyond them."""
+        if not self.supports:
+            ends = self.extent[:, 0].min(), self.extent[:, 0].max()
+            self.supports = [(x, 0.0) for x in ends]
+        feet = sorted(self.supports)
+        beyond = max(0.45 * (feet[-1][0] - feet[0][0]), 0.2 * self.size)
+        left, depth = feet[0][0] - beyond, 0.05 * self.size
+        for (x, level), (after, next_level) in pairwise(feet):
+            if abs(next_level - level) > 1e-9 * self.size:
+                middle = (x + after) / 2
+                free_body.ground(ax, left, middle, level, depth)
+                ax.plot([middle, middle], [level, next_level], color=style.INK, lw=1.2)
+                left = middle
+        free_body.ground(ax, left, feet[-1][0] + beyond, feet[-1][1], depth)
 
 
-def _wall(ax: Axes, values: dict[str, float], turn: Place) -> None:
-    """A wall up to the point whose displacement counts, and its tendon."""
-    b, h, e = values["half_width"], values["height"], values["eccentricity"]
-    free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, h], [-b, h]])))
-    ((x, y),) = turn(np.array([[e, h]]))
-    ax.plot([e, x], [0.0, y], color=style.INK, lw=1.6)
-    _mass(ax, turn, (0.0, values.get("centroid_height", h)), "", 6)
+def _pose(structure: Structure, contact: int, y: np.ndarray) -> _Pose:
+    m = structure.module
+    (found,) = places(m, np.array([contact]), y[None], structure.vector)
+    angles = {name: float(angle) for name, angle in rotations_of(m, found).items()}
+    return _Pose(positions_of(m, found), angles)
 
 
-def _lumped(ax: Axes, values: dict[str, float], turn: Place, deformation: float) -> None:
-    """A base between the feet, a column, and the superstructure's mass; the base may have none."""
-    b, h, low = values["half_width"], values["height"], values.get("base_height", 0.0)
-    thick = max(2 * low, 0.04 * h)
-    corners = turn(np.array([[-b, 0.0], [b, 0.0], [b, thick], [-b, thick]]))
-    free_body.body(ax, corners)
-    z = np.linspace(0.0, 1.0, 40)
-    bent = deformation * z**2 * (3.0 - z) / 2.0  # a cantilever under a force at its end
-    column = turn(np.column_stack([bent, thick + (h - thick) * z]))
-    flexible = "stiffness" in values
-    ax.plot(*column.T, color=style.LINES[0], lw=1.3 if flexible else 4.0, solid_capstyle="butt")
-    _mass(ax, turn, (deformation, h), "mass", size=13)
-    if "base_mass" in values:
-        _mass(ax, turn, (0.0, low), "base")
-
-
-def _storeys(
-    ax: Axes, values: dict[str, float], floors: list[float], turn: Place, deformation: float
-) -> None:
-    """A base, columns at its edges and floors between them; the deformation is of the top floor."""
-    b, thick = values["half_width"], 0.02 * floors[-1]
-    low = max(2 * values.get("base_height", 0.0), thick)
-    free_body.body(ax, turn(np.array([[-b, 0.0], [b, 0.0], [b, low], [-b, low]])))
-    levels = np.array([low, *floors])
-    moved = deformation * (levels - low) / (levels[-1] - low)
-    for side in (-0.85 * b, 0.85 * b):
-        z = np.linspace(0.0, 1.0, 20)
-        bent = z**2 * (3.0 - 2.0 * z)  # a column between floors that stay parallel
-        for (x0, x1), (y0, y1) in zip(pairwise(moved), pairwise(levels), strict=True):
-            column = turn(np.column_stack([side + x0 + (x1 - x0) * bent, y0 + (y1 - y0) * z]))
-            ax.plot(*column.T, color=style.LINES[0], lw=1.3, solid_capstyle="butt")
-    for x, y in zip(moved[1:], levels[1:], strict=True):
-        corners = [[-b, -thick], [b, -thick], [b, thick], [-b, thick]]
-        free_body.body(ax, turn(np.add(corners, (x, y))))
-        _mass(ax, turn, (x, y), "", 9)
-
-
-def _frame_beside(ax: Axes, values: dict[str, float], turn: Place, deformation: float) -> None:
-    """A frame on columns of its own to the right of the wall, and the link between them."""
-    b, h = values["half_width"], values["link_height"]
-    floor = (3.2 * b + deformation, h)
-    for foot in (2.5 * b, 3.9 * b):
-        z = np.linspace(0.0, 1.0, 40)
-        bent = foot + deformation * z**2 * (3.0 - 2.0 * z)
-        ax.plot(bent, h * z, color=style.LINES[0], lw=1.3, solid_capstyle="butt")
-        ax.plot(foot, 0.0, "s", color=style.INK, ms=4, zorder=4)
-    ax.plot([floor[0] - 0.8 * b, floor[0] + 0.8 * b], [h, h], color=style.INK, lw=2.4)
-    ((x, y),) = turn(np.array([[0.0, h]]))
-    ax.plot(x, y, "o", color="white", mec=style.INK, ms=5, zorder=6)
-    free_body.spring(ax, (x, y), (floor[0] - 0.8 * b, y), 0.3 * b)
-    free_body.mass(ax, floor, "frame", (0, 8), 11)
-
-
-_MOST_COLUMNS = 6  # that are drawn
-
-
-def _columns_and_beam(ax: Axes, values: dict[str, float], rotation: float) -> None:
-    """Columns side by side, each about a foot of its own, and the beam that rides on them."""
-    b, h = values["half_width"], values["half_height"]
-    number = min(int(values["columns"]), _MOST_COLUMNS)
-    apart = max(6 * b, 1.2 * h)
-    places = apart * (np.arange(number) - (number - 1) / 2)
-    side = math.copysign(1.0, rotation)
-    corners = np.array([[-b, 0.0], [b, 0.0], [b, 2 * h], [-b, 2 * h]])
-    for place in places:
-        turn = Affine2D().rotate_around(side * b, 0.0, -rotation).transform
-        column = np.add(turn(corners), (place, 0.0))
-        free_body.body(ax, column)
-        for foot in column[:2]:
-            ax.plot(*foot, "o", color=style.INK, ms=4, zorder=4)
-    # it stands on the corner opposite the pressed foot, which was at -side*b
-    ((x, y),) = turn(np.array([[-side * b, 2 * h]]))
-    x += side * b
-    end, thick = places[-1] + 2 * b, 0.25 * h
-    beam = [[-end, 0.0], [end, 0.0], [end, thick], [-end, thick]]
-    free_body.body(ax, np.add(beam, (x, y)))
-    free_body.mass(ax, (x, y + thick / 2), "beam", (9, 6), 11)
-    _on_ground(ax, -end - b, end + b, 0.0, values)
-
-
-def _mass(ax: Axes, turn: Place, at: tuple[float, float], name: str, size: float = 6.0) -> None:
-    (point,) = turn(np.array([at]))
-    free_body.mass(ax, point, name, (5 + size / 2, 0), size)
+def _gaps(structure: Structure, contact: int, y: np.ndarray) -> dict[str, float]:
+    """How far feet are from what they touch, by name [m]."""
+    m = structure.module
+    found = np.zeros(len(m.KINEMATICS))
+    m.kinematics(contact, y, structure.vector, found)
+    told = dict(zip(m.KINEMATICS, found.tolist(), strict=True))
+    return {name: told[f"{name}_uplift"] for name in m.POSITIONS if f"{name}_uplift" in told}

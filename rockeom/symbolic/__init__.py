@@ -15,6 +15,7 @@ from rockeom.symbolic.model import (
     Foot,
     InternalVariable,
     Mechanism,
+    Member,
     NamedFunction,
     Parameter,
     RockingModel,
@@ -22,6 +23,7 @@ from rockeom.symbolic.model import (
     coordinate,
     internal_variable,
     parameter,
+    rectangle,
     rocking_structure,
     turned,
 )
@@ -55,6 +57,7 @@ __all__ = [
     "Force",
     "InternalVariable",
     "Mechanism",
+    "Member",
     "Model",
     "NamedFunction",
     "Parameter",
@@ -70,6 +73,7 @@ __all__ = [
     "internal_variable",
     "models",
     "parameter",
+    "rectangle",
     "rocking_structure",
     "turned",
 ]

@@ -21,7 +21,7 @@ from rockeom.symbolic.algebra import SIDE, at_side
 if TYPE_CHECKING:
     from rockeom.symbolic.contacts import Contact, Model
     from rockeom.symbolic.elements import Element
-    from rockeom.symbolic.model import Coordinate, Mechanism, RockingModel, Transition
+    from rockeom.symbolic.model import Body, Coordinate, Mechanism, RockingModel, Transition
 
 KINDS = ("impact", "uplift", "switch")
 
@@ -46,6 +46,7 @@ def check(model: RockingModel) -> None:
     _names(model)
     distinct_symbols(model)
     _phases(model)
+    sketched(model)
     known = declared_kinds(model)
     for item, expr, kinds in _expressions(model):
         contents(model, known, item, sp.sympify(expr), kinds)
@@ -189,6 +190,7 @@ def _same_outputs(model: RockingModel) -> None:
         for item, of in (
             ("feet", lambda p: sorted(p.feet)),
             ("load point", lambda p: p.load_point is not None),
+            ("bodies", lambda p: [(b.name, b.outline, b.copies, b.apart) for b in p.bodies]),
             ("quantities", lambda p: [(name, unit) for name, (unit, _) in p.quantities.items()]),
         ):
             if of(phase) != of(first):
@@ -241,6 +243,7 @@ def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
             yield f"rotation{body}", b.rotation, "qs"
             for axis, e in zip("xy", b.position, strict=True):
                 yield f"{axis}{body}", e, "qs"
+            yield from shape(b)
         yield f"gravity{of}", phase.gravity, ""
         yield f"elastic energy{of}", phase.elastic_energy, "qs"
         yield f"dissipation{of}", phase.dissipation, "qvs"
@@ -265,8 +268,61 @@ def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
         for x, e in t.sets.items():
             yield f"{x} set by {_called(t)}", e, "qvs"
     yield "overturning", model.overturning, ""
+    yield from constants(model)
     if model.rigid_velocity_ratio is not None:
         yield "rigid_velocity_ratio", model.rigid_velocity_ratio, ""
+
+
+def shape(body: Body) -> Iterator[tuple[str, Any, str]]:
+    """What a sketch shows of a body is fixed to it."""
+    of = f"of the outline of body {body.name!r}"
+    for corner in body.outline:
+        for axis, e in zip("xy", corner, strict=True):
+            yield f"{axis} of a corner {of}", e, ""
+    yield f"the number of copies {of}", body.copies, ""
+    yield f"the distance of copies {of}", body.apart, ""
+
+
+def constants(model: RockingModel | Model) -> Iterator[tuple[str, Any, str]]:
+    """Ends of members, and sizes at which coordinates have fallen."""
+    for m in model.members:
+        for at in (*m.start_at, *m.end_at):
+            yield f"an end of the {m.kind} from {m.start!r} to {m.end!r}", at, ""
+    for c, size in model.falls.items():
+        yield f"size at which {c.name!r} has fallen", size, ""
+
+
+def sketched(model: RockingModel | Model) -> None:
+    """What has a place has a name of its own; members end at bodies; what falls is a coordinate."""
+    from rockeom.symbolic.model import GROUND, Coordinate, Member
+    from rockeom.symbolic.places import LOAD, bodies_of, names_of
+
+    twice = repeated(names_of(model))
+    if twice:
+        fail(
+            model,
+            f"{', '.join(twice)} is the name of two of its bodies, contacts and elements, and the "
+            f"load point, which is called {LOAD!r}: give each a name of its own",
+        )
+    bodies = [b.name for b in bodies_of(model)]
+    for m in model.members:
+        if not isinstance(m, Member):
+            fail(model, f"members holds {m!r}: give objects of Member")
+        for item, name in (("start", m.start), ("end", m.end)):
+            valid.known(f"{model.name}: member", item, name, (*bodies, GROUND))
+    if not isinstance(model.falls, Mapping):
+        fail(model, f"falls is {model.falls!r}: give a mapping, {{coordinate: size}}")
+    for c, size in model.falls.items():
+        if not isinstance(c, Coordinate) or c not in model.coordinates or c == model.rotation:
+            others = [c.name for c in model.coordinates if c != model.rotation]
+            fail(
+                model,
+                f"falls holds {getattr(c, 'name', c)!r}: name coordinates beside the rotation, of "
+                f"which there are {', '.join(others) or 'none'}",
+            )
+        valid.expressions(f"{model.name}: falls", **{c.name: size})
+        if sp.sympify(size).is_nonpositive:
+            fail(model, f"falls: the size of {c.name!r} is {size}: it must be positive")
 
 
 def _called(t: Transition) -> str:

@@ -18,11 +18,14 @@ from rockeom.symbolic.check import (
     INTERNAL,
     RESPONSE,
     common_names,
+    constants,
     contents,
     declared_kinds,
     distinct_symbols,
     fail,
     repeated,
+    shape,
+    sketched,
 )
 
 if TYPE_CHECKING:
@@ -51,6 +54,7 @@ def check(model: Model) -> None:
         fail(model, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in model.contacts:
         _side(model, contact)
+    sketched(model)
     known = declared_kinds(model) | {z.symbol: INTERNAL for z in model.internal}
     for item, expr, kinds in _expressions(model):
         contents(model, known, item, sp.sympify(expr), kinds)
@@ -174,6 +178,7 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
     """(item, expression, what it may contain besides constants)."""
     yield "gravity", model.gravity, ""
     yield "overturning", model.overturning, ""
+    yield from constants(model)
     yield "elastic energy", model.elastic_energy, "qz"
     yield "dissipation", model.dissipation, "qv"
     for b in model.bodies:
@@ -183,10 +188,13 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
         yield f"rotation{of}", b.rotation, "q"
         for axis, e in zip("xy", b.position, strict=True):
             yield f"{axis}{of}", e, "q"
+        yield from shape(b)
     for c in model.contacts:
         of = f" of contact {c.name!r}"
         yield f"gap{of}", c.gap, "qs"
         yield f"slip{of}", c.slip, "qs"
+        for axis, e in zip("xy", c.place or (), strict=False):
+            yield f"{axis} of the place{of}", e, "qs"
         yield f"restitution{of}", c.law.restitution, ""
         yield f"friction{of}", 0 if c.law.friction is None else c.law.friction, ""
     for element in model.elements:
@@ -194,6 +202,8 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
         yield f"displacement{of}", element.displacement, "q"
         for constant, e in element.constants.items():
             yield f"{constant}{of}", e, ""
+        for axis, e in zip("xy", element.place or (), strict=False):
+            yield f"{axis} of the place{of}", e, "q"
     for f in model.forces:
         yield f"value of force {f.name!r}", f.value, "qvz"
         yield f"displacement of force {f.name!r}", f.displacement, "q"

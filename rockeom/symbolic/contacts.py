@@ -24,8 +24,10 @@ from rockeom.symbolic.model import (
     Definition,
     InternalVariable,
     Mechanism,
+    Member,
     NamedFunction,
     Parameter,
+    Point,
     RockingModel,
 )
 
@@ -74,6 +76,8 @@ class Contact:
 
     gap : its distance, not negative. slip : its tangential place, which grows to the right.
     side : of a point of a mirrored pair, whose gap and slip contain s: -1 or 1; else 0.
+    place : where it is, (x, y), beside the ground at rest; (slip, gap) if not given, as of a point
+    above level ground. Sketches show it there.
     """
 
     name: str
@@ -81,11 +85,14 @@ class Contact:
     slip: sp.Expr
     law: Rigid
     side: int = 0
+    place: Point | None = None
 
     def __post_init__(self) -> None:
         what = f"contact {self.name!r}"
         valid.texts(what, name=self.name)
         valid.expressions(what, gap=self.gap, slip=self.slip)
+        if self.place is not None:
+            valid.points(what, place=self.place)
         if not isinstance(self.law, Rigid):
             raise ValueError(
                 f"{what}: its law is {self.law!r}: give Rigid(restitution, friction) or Pinned(), "
@@ -95,6 +102,12 @@ class Contact:
     def at(self, side: sp.Expr | int) -> tuple[sp.Expr, sp.Expr]:
         """(gap, slip), the side put in."""
         return at_side(self.gap, side), at_side(self.slip, side)
+
+    @property
+    def point(self) -> Point:
+        """Where it is."""
+        x, y = (self.slip, self.gap) if self.place is None else self.place
+        return at_side(x, self.side), at_side(y, self.side)
 
 
 @dataclass(frozen=True)
@@ -121,13 +134,18 @@ def feet(
     slip: Callable[[sp.Expr], sp.Expr],
     law: Rigid,
     names: tuple[str, str] = ("left", "right"),
+    place: Callable[[sp.Expr], Point] | None = None,
 ) -> tuple[Contact, Contact]:
     """A mirrored pair: gap and slip of the side s, which is -1 at the left foot, 1 at the right."""
     left, right = names
+    at = None if place is None else place(SIDE)
     return (
-        Contact(left, gap(SIDE), slip(SIDE), law, -1),
-        Contact(right, gap(SIDE), slip(SIDE), law, 1),
+        Contact(left, gap(SIDE), slip(SIDE), law, -1, at),
+        Contact(right, gap(SIDE), slip(SIDE), law, 1, at),
     )
+
+
+_LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
 
 
 @former.names(phases="mechanisms", laws="functions")
@@ -137,6 +155,7 @@ class Model:
 
     contacts, elements : what touches, and what carries forces.
     rotation : the coordinate that overturns, positive clockwise, at `overturning`.
+    falls : further coordinates that do, each with the size at which it has, {coordinate: size}.
     elastic_energy, dissipation : of springs and dampers that always act.
     forces : others that always act, each by its work along a displacement.
     rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
@@ -144,6 +163,7 @@ class Model:
         is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
         Beside z a response tells of its integral over time, `z_integral`, which acts on nothing.
     load_point : place of a pushover's force, whose displacement a response tells.
+    members : what a sketch shows between bodies.
 
     On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.
 
@@ -164,13 +184,15 @@ class Model:
     forces: tuple[Force, ...] = ()
     rates: Mapping[InternalVariable, sp.Expr] = field(default_factory=dict, hash=False)
     overturning: sp.Expr = sp.pi / 2
-    load_point: tuple[sp.Expr, sp.Expr] | None = None
+    load_point: Point | None = None
     reference: str = ""
+    members: tuple[Member, ...] = ()
+    falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         from rockeom.symbolic.check_contacts import check
 
-        for name in ("parameters", "coordinates", "bodies", "contacts", "elements", "forces"):
+        for name in _LISTS:
             object.__setattr__(self, name, tuple(getattr(self, name)))
         check(self)
         _ = self.reduced

@@ -17,7 +17,7 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
 
 if TYPE_CHECKING:
-    from rockeom.symbolic.model import Coordinate, InternalVariable
+    from rockeom.symbolic.model import Coordinate, InternalVariable, Point
 
 
 def switch_of(element: int) -> sp.Symbol:
@@ -42,12 +42,14 @@ class Unilateral:
     """A spring and a damper that press, k d + c d', while d and that sum are positive.
 
     compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
+    place : where it presses on the structure, (x, y); a sketch shows it there, above the ground.
     """
 
     name: str
     compression: sp.Expr
     stiffness: sp.Expr
     damping: sp.Expr = sp.S.Zero
+    place: Point | None = None
 
     states: ClassVar = (1, 0)
     symbol_of_force: ClassVar = "N"
@@ -60,6 +62,8 @@ class Unilateral:
     def __post_init__(self) -> None:
         what = f"element {self.name!r}"
         valid.texts(what, name=self.name)
+        if self.place is not None:
+            valid.points(what, place=self.place)
         valid.expressions(
             what, compression=self.compression, stiffness=self.stiffness, damping=self.damping
         )
@@ -165,6 +169,8 @@ class Yielding:
     symbol_of_force: ClassVar = "S"
     outputs: ClassVar = ("force", "elongation")
     positive: ClassVar = frozenset({"stiffness", "strength"})
+    place: ClassVar[Point | None] = None
+    """A sketch shows the members that it stands for."""
     variable: InternalVariable = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

@@ -8,7 +8,7 @@ the rest of this package derives equations of motion, impact maps, reactions and
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from rockeom.symbolic.evaluate import NumpyPhase
     from rockeom.symbolic.impulse import ImpulseMap
     from rockeom.symbolic.lagrange import Equations
+
+Point = tuple[sp.Expr, sp.Expr]
+Outline = tuple[Point, ...]
 
 GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)
 """Horizontal and vertical ground acceleration [m/s2], positive to the right and upwards."""
@@ -129,14 +132,21 @@ class Body:
     `rotation` is the angle through which the body turns. `polar` names the radius R and the
     angle alpha that replace the half-width and the body's height where equations are shown
     in the form R sin(alpha - s theta): (half_width, height, R, alpha).
+
+    outline : corners of what a sketch shows, from the centre in axes that turn with the body, see
+    `rectangle`; none for a mass without a size. copies, apart : how many there are of a body that
+    stands for several alike, side by side, and at which distance a sketch shows them.
     """
 
     name: str
     mass: sp.Expr
-    position: tuple[sp.Expr, sp.Expr]
+    position: Point
     inertia: sp.Expr = sp.S.Zero
     rotation: sp.Expr = sp.S.Zero
     polar: tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Symbol] | None = None
+    outline: Outline = ()
+    copies: sp.Expr = sp.S.One
+    apart: sp.Expr = sp.S.Zero
 
     def __post_init__(self) -> None:
         what = f"body {self.name!r}"
@@ -145,6 +155,38 @@ class Body:
         valid.expressions(what, mass=self.mass, inertia=self.inertia, rotation=self.rotation)
         valid.not_negative(what, mass=self.mass, inertia=self.inertia)
         valid.expressions(what, **{f"polar {x}": x for x in self.polar or ()})
+        if isinstance(self.outline, list | tuple):
+            object.__setattr__(self, "outline", tuple(self.outline))
+        valid.corners(what, self.outline)
+        valid.expressions(what, copies=self.copies, apart=self.apart)
+
+
+GROUND = "ground"
+"""What a member ends at that does not end at a body."""
+
+MEMBERS = ("column", "cantilever", "rod", "tendon", "spring", "damper")
+
+
+@dataclass(frozen=True)
+class Member:
+    """What a sketch shows between two bodies: no equation knows of it.
+
+    kind : "column", which bends and whose ends turn with the bodies; "cantilever", the end of which
+    turns freely; "rod", "tendon", "spring" or "damper", which are straight.
+    start, end : names of the bodies, or "ground". start_at, end_at : where on them, from the centre
+    in axes that turn with the body; on the ground from the origin.
+    """
+
+    kind: str
+    start: str
+    end: str
+    start_at: Point = (sp.S.Zero, sp.S.Zero)
+    end_at: Point = (sp.S.Zero, sp.S.Zero)
+
+    def __post_init__(self) -> None:
+        what = f"member from {self.start!r} to {self.end!r}"
+        valid.known(what, "kind", self.kind, MEMBERS)
+        valid.points(what, start_at=self.start_at, end_at=self.end_at)
 
 
 @dataclass(frozen=True)
@@ -152,11 +194,13 @@ class Foot:
     """A point of the base that may touch the ground.
 
     `force` is the vertical force of the ground on the foot where a spring or damper gives it;
-    None where the ground is rigid and the force is a constraint's.
+    None where the ground is rigid and the force is a constraint's. `sprung` : whether a sketch
+    shows a spring and a damper under it.
     """
 
     position: tuple[sp.Expr, sp.Expr]
     force: sp.Expr | None = None
+    sprung: bool = False
 
     def __post_init__(self) -> None:
         valid.points("foot", position=self.position)
@@ -264,7 +308,11 @@ class Transition:
 @former.names(phases="mechanisms", laws="functions", phase="mechanism")
 @dataclass(frozen=True)
 class RockingModel:
-    """A structure: parameters, coordinates, mechanisms and the transitions between them."""
+    """A structure: parameters, coordinates, mechanisms and the transitions between them.
+
+    falls : further coordinates, each with the size at which the structure has fallen, as it has
+    where the rotation reaches `overturning`. members : what a sketch shows between bodies.
+    """
 
     name: str
     title: str
@@ -278,6 +326,8 @@ class RockingModel:
     rigid_velocity_ratio: sp.Expr | None = None
     reference: str = ""
     functions: tuple[NamedFunction, ...] = ()
+    members: tuple[Member, ...] = ()
+    falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         from rockeom.symbolic.check import check
@@ -431,6 +481,13 @@ def _tex(symbol: str) -> str:
     return sp.latex(sp.Symbol(symbol))
 
 
+def rectangle(half_width: sp.Expr, below: sp.Expr, above: sp.Expr | None = None) -> Outline:
+    """The corners of a rectangle that reaches `below` and `above` a body's centre, or as far."""
+    low, high = -sp.sympify(below), sp.sympify(below if above is None else above)
+    b = sp.sympify(half_width)
+    return (-b, low), (b, low), (b, high), (-b, high)
+
+
 def turned(point, about, angle) -> tuple[sp.Expr, sp.Expr]:
     """`point` (x, y) turned clockwise through `angle` about the point `about`."""
     point = tuple(point)
@@ -457,6 +514,7 @@ def rocking_structure(
     small: tuple[sp.Symbol, ...] = (),
     overturning: sp.Expr = sp.pi / 2,
     reference: str = "",
+    members: Iterable[Member] = (),
 ) -> RockingModel:
     """A structure that rocks about the two edges of its base on rigid ground.
 
@@ -507,6 +565,7 @@ def rocking_structure(
         parameters=tuple(parameters),
         overturning=overturning,
         reference=reference,
+        members=tuple(members),
     )
 
 
@@ -563,7 +622,7 @@ def _upright(rocking: Mechanism, rotation: Coordinate) -> Mechanism:
         {"both": 0},
         tuple(c for c in rocking.coordinates if c != rotation),
         tuple(
-            Body(b.name, b.mass, point(b.position), b.inertia, hold(b.rotation))
+            replace(b, position=point(b.position), rotation=hold(b.rotation), polar=None)
             for b in rocking.bodies
         ),
         rocking.gravity,

@@ -75,6 +75,8 @@ def reduced(model: Model) -> RockingModel:
         parameters=model.parameters,
         overturning=model.overturning,
         reference=model.reference,
+        members=model.members,
+        falls=model.falls,
     )
 
 

@@ -43,6 +43,16 @@ def points(what: str, **items: Any) -> None:
         expressions(what, **{f"{axis} of {item}": value[i] for i, axis in enumerate("xy")})
 
 
+def corners(what: str, outline: Any) -> None:
+    """Three points or more, or none."""
+    if not isinstance(outline, tuple) or len(outline) in (1, 2):
+        raise ValueError(
+            f"{what}: its outline is {outline!r}: give three corners (x, y) or more from its "
+            "centre, such as `rectangle(half_width, half_height)`"
+        )
+    points(what, **{f"corner {i} of its outline": corner for i, corner in enumerate(outline)})
+
+
 def symbols(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, sp.Symbol):

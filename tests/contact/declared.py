@@ -92,7 +92,7 @@ def on_a_step() -> Model:
         rotation=THETA,
         contacts=(
             Contact("left", gap=left[1], slip=left[0], law=LAW),
-            Contact("right", gap=right[1] - step.symbol, slip=right[0], law=LAW),
+            Contact("right", right[1] - step.symbol, right[0], LAW, place=right),
         ),
     )
 
@@ -142,8 +142,11 @@ def two_springs() -> Model:
         gravity=GRAVITY.symbol,
         rotation=THETA,
         elements=tuple(
-            Unilateral(name, -centre + s * b.symbol * sp.sin(theta), k.symbol, c.symbol)
-            for name, s in (("left", -1), ("right", 1))
+            Unilateral(name, -end[1], k.symbol, c.symbol, place=end)
+            for name, end in (
+                (name, placed((s * b.symbol, 0), x=sp.S.Zero, y=centre))
+                for name, s in (("left", -1), ("right", 1))
+            )
         ),
         load_point=body.position,
     )

@@ -27,6 +27,8 @@ OF_POINTS = {
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
+OF_FALLS = {"FALLS", "FALL_RATES", "overturns_at"}
+"""What only those have of which several coordinates may fall."""
 OF_LOOP = {"shaking"}
 """What contacts ask of the loop behind them."""
 
@@ -42,6 +44,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
     elsewhere = OF_LOOP | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
+    elsewhere |= set() if joined["N_FALLS"] else OF_FALLS
     for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
     tables = {"LANES", "N_PARAMETERS", "PLACES", "STAGE_PLACES", "NODE_PLACES", "DAMPING"}

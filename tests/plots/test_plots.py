@@ -13,8 +13,10 @@ import pytest
 from matplotlib.figure import Figure
 
 import rockeom as rk
+from rockeom.numeric.structures import SHIPPED
 from rockeom.plots import draw_structure, plot_comparison, plot_phase_portrait, plot_response
 from rockeom.plots.style import FEET, PHASES, contact_spans
+from tests.shipped import plain
 
 COLUMN = {
     "mass": 122.6,
@@ -320,11 +322,11 @@ COLUMNS = rk.RockingFrame(
 )
 @pytest.mark.parametrize("rotation", [0.1, -0.1])
 def test_sketch_puts_the_highest_mass_where_the_generated_module_has_it(structure, top, rotation):
-    bent = 0.2 if top else 0.0
-    (ax,) = draw_structure(structure, rotation=rotation, deformation=bent).axes
-    masses = [line for line in ax.lines if line.get_marker() == "o" and line.get_markersize() > 8]
+    state = {"theta": rotation} | ({top: 0.2} if top else {})
+    (ax,) = draw_structure(structure, state=state).axes
+    masses = [line for line in ax.lines if line.get_marker() == "o" and line.get_zorder() == 5]
     highest = max(masses, key=lambda line: line.get_ydata()[0])
-    y = structure.state({"theta": rotation} | ({top: bent} if top else {}))
+    y = structure.state(state)
     out = np.zeros(len(structure.module.KINEMATICS))
     structure.module.kinematics(structure.contact(y), y, structure.vector, out)
     moved = out[structure.module.KINEMATICS.index("displacement")]
@@ -345,12 +347,96 @@ def test_sketch_of_a_wall_and_its_frame():
     )  # fmt: skip
     places = []
     for bent in (0.0, 0.3):
-        (ax,) = draw_structure(linked, rotation=0.05, deformation=bent).axes
+        (ax,) = draw_structure(linked, state={"theta": 0.05, "u": bent}).axes
         (floor,) = (line for line in ax.lines if line.get_markersize() == 11)
         places.append((floor.get_xdata()[0], floor.get_ydata()[0]))
+        assert sum(line.get_marker() == "s" for line in ax.lines) == 2  # feet of its columns
     assert places[1] == pytest.approx((places[0][0] + 0.3, 7.0))
 
 
-def test_sketch_of_an_unknown_shape():
-    with pytest.raises(ValueError, match="no half_width and height to draw"):
-        draw_structure(rk.NondimensionalBlock(alpha=0.2))
+def faces(ax):
+    """Corners of all bodies that are drawn."""
+    return [patch.get_xy()[:-1] for patch in ax.patches]
+
+
+def test_sketch_of_a_stack_turns_each_block():
+    stack = rk.StackedBlocks(
+        lower=rk.RigidBlock(half_width=0.5, half_height=0.4),
+        upper=rk.RigidBlock(half_width=0.3, half_height=0.7),
+    )
+    state = {"theta": 0.1, "phi": 0.25}
+    (ax,) = draw_structure(stack, state=state).axes
+    for corners, angle in zip(faces(ax), (0.1, 0.25), strict=True):
+        bottom = corners[1] - corners[0]
+        assert np.arctan2(-bottom[1], bottom[0]) == pytest.approx(angle)
+    lowest = min(corners[:, 1].min() for corners in faces(ax))
+    assert lowest == pytest.approx(0.0, abs=1e-12)
+
+
+def test_sketch_has_each_column_of_a_frame_under_its_beam():
+    (ax,) = draw_structure(COLUMNS, rotation=0.1).axes
+    beam, *columns = sorted(faces(ax), key=lambda corners: -corners[:, 1].max())
+    assert len(columns) == COLUMNS.parameters()["columns"]
+    for corners in columns:
+        assert corners[:, 1].min() == pytest.approx(0.0, abs=1e-12)
+        assert corners[:, 1].max() == pytest.approx(beam[:, 1].min())
+        assert beam[:, 0].min() < corners[:, 0].min() < corners[:, 0].max() < beam[:, 0].max()
+    feet = [line for line in ax.lines if line.get_color() == "0.25" and len(line.get_xdata()) == 1]
+    assert len(feet) == 2 * len(columns)
+
+
+def test_column_of_a_sketch_bends_as_a_cantilever_under_a_force_at_its_end():
+    (ax,) = draw_structure(FLEXIBLE, state={"theta": 0.1, "u": 0.05}).axes
+    (column,) = (line for line in ax.lines if len(line.get_xdata()) == 40)
+    z = np.linspace(0.0, 1.0, 40)[:, None]
+    up, across = np.array([np.sin(0.1), np.cos(0.1)]), np.array([np.cos(0.1), -np.sin(0.1)])
+    told = FLEXIBLE.positions({"theta": 0.1, "u": 0.05})
+    low, high = 2 * COLUMN["base_height"], COLUMN["height"]  # top of the base, and the mass
+    foot = told["base"] + COLUMN["base_height"] * up
+    bent = foot + z * (high - low) * up + 0.05 * z**2 * (3 - z) / 2 * across
+    np.testing.assert_allclose(column.get_xydata(), bent, atol=1e-12)
+
+
+def test_columns_of_a_storey_stay_at_right_angles_to_their_floors():
+    state = {"theta": 0.1, "u_1": 0.2, "u_2": 0.3}
+    (ax,) = draw_structure(replace(FRAME, support=rk.Pinned()), state=state).axes
+    columns = [line.get_xydata() for line in ax.lines if len(line.get_xdata()) == 40]
+    assert len(columns) == 4
+    for column in columns:
+        for a, b in (column[:2], column[-2:]):
+            assert np.arctan2(*(b - a)) == pytest.approx(0.1, abs=0.01)
+
+
+def test_sketch_of_a_declared_structure_joins_a_mass_without_a_size_to_its_feet():
+    from tests.contact import declared
+
+    stepped = rk.structure(
+        declared.on_a_step(), mass=900.0, inertia=540.0, gravity=9.81, friction=0.3,
+        restitution=0.0, height=1.0, half_width=0.4, step=0.2,
+    )  # fmt: skip
+    (ax,) = draw_structure(stepped).axes
+    legs = [line.get_xydata() for line in ax.lines if line.get_linewidth() == 1.2]
+    ends = {tuple(np.round(leg[1], 12)) for leg in legs if len(leg) == 2}
+    assert {(-0.4, 0.0), (0.4, 0.2)} <= ends
+    levels = {round(line.get_ydata()[0], 12) for line in ax.lines if line.get_color() == "0.25"}
+    assert {0.0, 0.2} <= levels
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_sketch_of_every_shipped_structure_shows_all_its_bodies_and_feet(name):
+    """Whatever it is, in a state that is none of rest, and nothing is left out."""
+    structure = SHIPPED[name](**plain(name))
+    figure = drawn(draw_structure(structure, rotation=0.02))
+    (ax,) = figure.axes
+    m, shapes = structure.module, structure.shapes
+    state = {m.STATES[m.ROTATION]: 0.02}
+    shown = np.array([line.get_xydata()[0] for line in ax.lines if len(line.get_xdata()) == 1])
+    for at, kind in zip(structure.positions(state).values(), m.POSITION_KINDS, strict=True):
+        if kind not in ("load", "massless") and not shapes.copies:
+            assert np.abs(shown - at).max(axis=1).min() < 1e-12
+    assert len(ax.collections) >= 1  # the ground
+
+
+def test_sketch_asks_for_the_state_instead_of_a_deformation():
+    with pytest.raises(TypeError, match="name the coordinate"):
+        draw_structure(FLEXIBLE, rotation=0.1, deformation=0.02)

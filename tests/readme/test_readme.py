@@ -27,7 +27,8 @@ def examples(tmp_path_factory):
 
 def test_examples_run_and_draw(examples):
     names, folder = examples
-    pictures = {"column.png", "compared.png", "portrait.png", "sketch.png", "lopsided.png"}
+    pictures = {"column.png", "compared.png", "portrait.png", "sketch.png", "frame.png"}
+    pictures |= {"lopsided.png", "statue.png"}
     assert {path.name for path in folder.iterdir()} == pictures
     assert isinstance(names["run"], rk.Response)
 

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import sympy as sp
 
-from rockeom.symbolic.model import Body, Coordinate, Parameter, coordinate, parameter
+from rockeom.symbolic.model import (
+    Body,
+    Coordinate,
+    Member,
+    Outline,
+    Parameter,
+    Point,
+    coordinate,
+    parameter,
+    rectangle,
+)
 
-Point = tuple[sp.Expr, sp.Expr]
 Place = Callable[[Point], Point]
 """Where a point of the base is, which is given from the middle between the feet."""
 
@@ -28,6 +37,8 @@ INERTIA = parameter("I_eg", "inertia", "kg m2", "its moment of inertia about its
 DEFORMATION = coordinate("u", "u", "m", "deformation of the column, at right angles to its axis")
 STIFFNESS = parameter("k", "stiffness", "N/m", "flexural stiffness of the column")
 DAMPING = parameter("c", "damping", "N s/m", "viscous damping coefficient of the column")
+INWARD = sp.Rational(17, 20)
+"""How far from the middle of a floor a sketch shows the columns, beside half its width."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +47,7 @@ class Superstructure:
 
     coordinates : its own, beside those of the base. bodies(place, angle) : when the base has turned
     clockwise through the angle; the first carries the load of a pushover. dissipation : Rayleigh's
-    function, half the power lost.
+    function, half the power lost. members : what a sketch shows between the bodies.
     """
 
     name: str
@@ -46,6 +57,7 @@ class Superstructure:
     bodies: Callable[[Place, sp.Expr], list[Body]]
     elastic_energy: sp.Expr = sp.S.Zero
     dissipation: sp.Expr = sp.S.Zero
+    members: tuple[Member, ...] = ()
 
     def about_the_middle(self, place: Place, angle: sp.Expr) -> tuple[Body, ...]:
         """The bodies on a base that turns about no foot: R and alpha would tell nothing of them."""
@@ -67,6 +79,7 @@ def lumped(
     place: Place,
     angle: sp.Expr,
     deformation: sp.Expr = sp.S.Zero,
+    outline: Outline = (),
 ) -> Body:
     """A mass on the axis of the base, displaced by `deformation` at right angles to it."""
     polar = (
@@ -76,17 +89,24 @@ def lumped(
         sp.Symbol(f"alpha_{index}", positive=True),
     )
     at = place((deformation, height.symbol))
-    return Body(name, mass.symbol, at, inertia.symbol, angle, polar)
+    return Body(name, mass.symbol, at, inertia.symbol, angle, polar, outline)
 
 
 def base(place: Place, angle: sp.Expr) -> Body:
     """The base that turns."""
-    return lumped("base", "b", BASE_MASS, BASE_HEIGHT, BASE_INERTIA, place, angle)
+    outline = rectangle(HALF_WIDTH.symbol, BASE_HEIGHT.symbol)
+    of = BASE_MASS, BASE_HEIGHT, BASE_INERTIA
+    return lumped("base", "b", *of, place, angle, outline=outline)
 
 
 def _two_masses(place: Place, angle: sp.Expr, deformation: sp.Expr = sp.S.Zero) -> list[Body]:
     top = lumped("superstructure", "e", MASS, HEIGHT, INERTIA, place, angle, deformation)
     return [top, base(place, angle)]
+
+
+def _on_the_base(kind: str) -> Member:
+    """What carries the superstructure."""
+    return Member(kind, "base", "superstructure", (sp.S.Zero, BASE_HEIGHT.symbol))
 
 
 def rigid() -> Superstructure:
@@ -97,6 +117,7 @@ def rigid() -> Superstructure:
         (MASS, HEIGHT, INERTIA, BASE_MASS, BASE_HEIGHT, BASE_INERTIA, HALF_WIDTH, GRAVITY),
         (),
         _two_masses,
+        members=(_on_the_base("rod"),),
     )
 
 
@@ -111,6 +132,7 @@ def elastic_column() -> Superstructure:
         lambda place, angle: _two_masses(place, angle, u.position),
         STIFFNESS.symbol * u.position**2 / 2,
         DAMPING.symbol * u.velocity**2 / 2,
+        (_on_the_base("cantilever"),),
     )
 
 
@@ -136,9 +158,19 @@ def shear_frame(storeys: int) -> Superstructure:
     drifts = _differences([u.position for u in moved])
     rates = _differences([u.velocity for u in moved])
 
+    thick = heights[-1].symbol / 50
+    slab = rectangle(HALF_WIDTH.symbol, thick)
+
+    def columns(floor: int) -> Iterator[Member]:
+        """Those of a storey, under a floor."""
+        below = f"floor {floor - 1}" if floor > 1 else "base"
+        top = thick if floor > 1 else BASE_HEIGHT.symbol
+        for x in (-HALF_WIDTH.symbol * INWARD, HALF_WIDTH.symbol * INWARD):
+            yield Member("column", below, f"floor {floor}", (x, top), (x, -thick))
+
     def bodies(place: Place, angle: sp.Expr) -> list[Body]:
         found = [
-            lumped(f"floor {i}", str(i), mass, height, inertia, place, angle, u.position)
+            lumped(f"floor {i}", str(i), mass, height, inertia, place, angle, u.position, slab)
             for i, mass, height, inertia, u in zip(
                 floors, masses, heights, inertias, moved, strict=True
             )
@@ -156,6 +188,7 @@ def shear_frame(storeys: int) -> Superstructure:
         bodies,
         sum((k.symbol * d**2 / 2 for k, d in zip(stiffnesses, drifts, strict=True)), sp.S.Zero),
         sum((c.symbol * d**2 / 2 for c, d in zip(dampings, rates, strict=True)), sp.S.Zero),
+        tuple(member for i in floors for member in columns(i)),
     )  # fmt: skip
 
 

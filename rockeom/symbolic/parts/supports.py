@@ -64,6 +64,7 @@ def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingM
         elastic_energy=of.elastic_energy,
         dissipation=of.dissipation,
         reference=reference,
+        members=of.members,
     )
 
 
@@ -106,13 +107,14 @@ def winkler(of: Superstructure, springs: int) -> Model:
         elements=tuple(
             Unilateral(
                 name, -place((x, sp.S.Zero))[1],
-                FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol,
+                FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol, place((x, sp.S.Zero)),
             )
             for name, x in zip(names, places, strict=True)
         ),
         elastic_energy=of.elastic_energy,
         dissipation=of.dissipation,
         load_point=bodies[0].position,
+        members=of.members,
     )  # fmt: skip
 
 
@@ -136,6 +138,7 @@ def sliding(of: Superstructure) -> Model:
         elastic_energy=of.elastic_energy,
         dissipation=of.dissipation,
         load_point=bodies[0].position,
+        members=of.members,
     )
 
 
@@ -207,7 +210,7 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
             GRAVITY.symbol,
             of.elastic_energy + sum((k * d**2 / 2 for d in pressed), sp.S.Zero),
             of.dissipation + sum((c * rate(d, coordinates) ** 2 / 2 for d in pressed), sp.S.Zero),
-            {foot: Foot(sole[foot], of_feet[foot]) for foot in _FEET},
+            {foot: Foot(sole[foot], of_feet[foot], sprung=True) for foot in _FEET},
             bodies[0].position,
         )
 
@@ -252,6 +255,7 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
         ),
         transitions=(*passages("left", "right", -1), *passages("right", "left", 1)),
         rotation=ROTATION,
+        members=of.members,
     )
 
 

@@ -25,12 +25,14 @@ from rockeom.symbolic.model import (
     Coordinate,
     Foot,
     Mechanism,
+    Member,
     NamedFunction,
     Parameter,
     RockingModel,
     Transition,
     coordinate,
     parameter,
+    rectangle,
     turned,
 )
 from rockeom.symbolic.registry import shipped
@@ -388,7 +390,7 @@ def controlled_wall_oscillator(
         return Mechanism(
             contacts,
             (DISPLACEMENT,),
-            (Body("wall", M, place),),
+            (Body("wall", M, place, outline=rectangle(B, 0, B)),),
             GRAVITY.symbol,
             stored(states),
             load_point=place,
@@ -435,6 +437,7 @@ def controlled_wall_oscillator(
         ),
         coordinates=(DISPLACEMENT, *(t.permanent for t in cables), PASSAGE_SPEED),
         functions=laws,
+        members=(Member("spring", "ground", "wall", (-3 * B, B / 2), (-B, B / 2)),),
         overturning=2 * B - EDGE_DISTANCE.symbol
         if EDGE_DISTANCE in centre.parameters
         else 2 * B,
@@ -493,7 +496,8 @@ def substitute_gravity_wall(
     arm = B if fixed else held
     pivot = (SIDE * arm, sp.S.Zero)
     centroid = turned((0, Hc), pivot, q)
-    body = Body("wall", m, centroid, PIVOT_INERTIA.symbol - m * (arm**2 + Hc**2), q)
+    inertia = PIVOT_INERTIA.symbol - m * (arm**2 + Hc**2)
+    body = Body("wall", m, centroid, inertia, q, outline=rectangle(B, Hc, H - Hc))
     edges = {name: turned((s * B, 0), pivot, q) for name, s in SIDES.items()}
 
     def extension(t: Tendon) -> sp.Expr:
@@ -554,6 +558,10 @@ def substitute_gravity_wall(
         ),
         coordinates=(ROTATION, *(t.permanent for t in cables)),
         functions=laws,
+        members=tuple(
+            Member("tendon", "ground", "wall", (e, sp.S.Zero), (e, H - Hc))
+            for e in (t.eccentricity.symbol for t in cables)
+        ),
         overturning=sp.pi / 3,  # fallen by far; the extension (4-13) has no value at pi/2
         reference="thesis 4-32" if fixed else "thesis 4-37, 4-40",
     )  # fmt: skip
@@ -643,7 +651,8 @@ def controlled_wall(
     H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
     b = sp.Function("b", real=True)(q)
     pivot = (SIDE * b, sp.S.Zero)
-    body = Body("wall", m, turned((u, Hc), pivot, q), INERTIA.symbol, q)
+    at, top = turned((u, Hc), pivot, q), sp.Max(H, ANCHOR_HEIGHT.symbol)
+    body = Body("wall", m, at, INERTIA.symbol, q, outline=rectangle(B, Hc, top - Hc))
     edges = {name: turned((s * B, 0), pivot, q) for name, s in SIDES.items()}
     length = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
 
@@ -698,6 +707,13 @@ def controlled_wall(
         functions=_laws(
             cables, q, b, centre.distance(H * sp.sin(q)),
             lambda t: sp.sqrt(run(t)[0] ** 2 + run(t)[1] ** 2) - length,
+        ),
+        members=tuple(
+            Member(
+                "tendon", "ground", "wall", (e, -ANCHOR_DEPTH.symbol),
+                (e, ANCHOR_HEIGHT.symbol - Hc),
+            )
+            for e in (t.eccentricity.symbol for t in cables)
         ),
         reference="thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32"
         + ("; the fixed-base period of 4.7" if flexible else ""),

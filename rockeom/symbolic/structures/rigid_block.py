@@ -9,6 +9,7 @@ from rockeom.symbolic.model import (
     RockingModel,
     coordinate,
     parameter,
+    rectangle,
     rocking_structure,
     turned,
 )
@@ -25,11 +26,11 @@ def rigid_block() -> RockingModel:
     inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
     b, h = half_width.symbol, height.symbol
     polar = (b, h, sp.Symbol("R", positive=True), sp.Symbol("alpha", positive=True))
-    theta = ROTATION.position
+    theta, outline = ROTATION.position, rectangle(b, h)
 
     def bodies(pivot):
         centroid = turned((0, h), pivot, theta)
-        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, polar)]
+        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, polar, outline)]
 
     return rocking_structure(
         name="rigid_block",
@@ -56,11 +57,12 @@ def slender_block() -> RockingModel:
     inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
     r, a = radius.symbol, alpha.symbol
     theta = ROTATION.position
-    half_width = r * sp.sin(a)
+    half_width, height = r * sp.sin(a), r * sp.cos(a)
+    outline = rectangle(half_width, height)
 
     def bodies(pivot):
-        centroid = turned((0, r * sp.cos(a)), pivot, theta)
-        return [Body("block", mass.symbol, centroid, inertia.symbol, theta)]
+        centroid = turned((0, height), pivot, theta)
+        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, outline=outline)]
 
     return rocking_structure(
         name="slender_block",
@@ -87,11 +89,12 @@ def nondimensional_block() -> RockingModel:
     alpha = parameter("alpha", "alpha", "rad", "angle of the line from edge to centroid")
     ratio = parameter("rho", "radius_ratio", "-", "$m R^2/I_o$, 3/4 for a rectangular block")
     a, rho = alpha.symbol, ratio.symbol
-    angle = a * x.position
+    angle, height = a * x.position, rho * sp.cos(a)
+    outline = rectangle(rho * sp.sin(a), height)
 
     def bodies(pivot):
-        centroid = turned((0, rho * sp.cos(a)), pivot, angle)
-        return [Body("block", sp.Integer(1), centroid, rho - rho**2, angle)]
+        centroid = turned((0, height), pivot, angle)
+        return [Body("block", sp.Integer(1), centroid, rho - rho**2, angle, outline=outline)]
 
     return rocking_structure(
         name="nondimensional_block",

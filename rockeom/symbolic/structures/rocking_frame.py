@@ -10,6 +10,7 @@ from rockeom.symbolic.model import (
     Parameter,
     RockingModel,
     parameter,
+    rectangle,
     rocking_structure,
     turned,
 )
@@ -33,14 +34,20 @@ def rocking_frame() -> RockingModel:
     half_height = parameter("H", "half_height", "m", "half of the height of a column")
     beam_mass = parameter("m_b", "beam_mass", "kg", "mass of the beam")
     b, h, theta = half_width.symbol, half_height.symbol, ROTATION.position
-    mass = columns.symbol * column_mass.symbol
+    n, apart = columns.symbol, sp.Max(6 * b, 6 * h / 5)
+    mass = n * column_mass.symbol
+    above = rectangle((n - 1) * apart / 2 + 2 * b, 0, h / 4)
+    each = {"outline": rectangle(b, h), "copies": n, "apart": apart}
 
     def bodies(pivot):
         x, y = turned((-SIDE * b, 2 * h), pivot, theta)
         return [
-            Body("beam", beam_mass.symbol, (x + SIDE * b, y)),
-            Body("columns", mass, turned((0, h), pivot, theta), mass * (b**2 + h**2) / 3, theta),
-        ]
+            Body("beam", beam_mass.symbol, (x + SIDE * b, y), outline=above),
+            Body(
+                "columns", mass, turned((0, h), pivot, theta), mass * (b**2 + h**2) / 3, theta,
+                **each,
+            ),
+        ]  # fmt: skip
 
     return rocking_structure(
         name="rocking_frame",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rockeom.symbolic.contacts import Model, Rigid, feet
-from rockeom.symbolic.model import Body, parameter, turned
+from rockeom.symbolic.model import Body, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
@@ -24,7 +24,9 @@ def sliding_block() -> Model:
         across, up = turned(point, (0, 0), theta)
         return x + across, y + up
 
-    block = Body("block", mass.symbol, placed((0, h)), inertia.symbol, theta)
+    block = Body(
+        "block", mass.symbol, placed((0, h)), inertia.symbol, theta, outline=rectangle(b, h)
+    )
     return Model(
         name="sliding_block",
         title="Rigid block that slides, bounces and flies",

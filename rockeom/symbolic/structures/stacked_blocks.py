@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from rockeom.symbolic.contacts import Model, Rigid, feet
-from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, turned
+from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION as THETA, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
@@ -52,13 +52,15 @@ def stacked_blocks() -> Model:
         return XI.position + dx, ETA.position + dy
 
     law = Rigid(restitution=RESTITUTION.symbol, friction=None)
-    top = Body("upper", m_2, (foot[0] + across, foot[1] + up), i_2, phi)
+    bottom = Body("lower", m_1, on_lower((0, h_1)), i_1, theta, outline=rectangle(b_1, h_1))
+    place = foot[0] + across, foot[1] + up
+    top = Body("upper", m_2, place, i_2, phi, outline=rectangle(b_2, h_2))
     return Model(
         name="stacked_blocks",
         title="Two rigid blocks on one another",
         parameters=(*lower, *upper, GRAVITY, RESTITUTION),
         coordinates=(X, Y, THETA, XI, ETA, PHI),
-        bodies=(Body("lower", m_1, on_lower((0, h_1)), i_1, theta), top),
+        bodies=(bottom, top),
         gravity=GRAVITY.symbol,
         rotation=PHI,
         contacts=(
@@ -72,9 +74,11 @@ def stacked_blocks() -> Model:
                 slip=lambda s: corner(s)[0],
                 law=law,
                 names=("upper_left", "upper_right"),
+                place=lambda s: on_lower((corner(s)[0], 2 * h_1 + corner(s)[1])),
             ),
         ),
         overturning=sp.pi / 2,
+        falls={THETA: sp.pi / 2},
         load_point=top.position,
         reference="Psycharis (1990)",
     )

@@ -14,9 +14,11 @@ from rockeom.symbolic.model import (
     Definition,
     Foot,
     Mechanism,
+    Member,
     RockingModel,
     Transition,
     coordinate,
+    rectangle,
     turned,
 )
 from rockeom.symbolic.parts.superstructures import (
@@ -73,7 +75,7 @@ def two_spring_structure() -> RockingModel:
             GRAVITY.symbol,
             sum((k * d**2 / 2 for d in compressed), sp.S.Zero),
             sum((c * rate(d, (ROTATION, HEAVE)) ** 2 / 2 for d in compressed), sp.S.Zero),
-            {foot: Foot(sole[foot], on.get(foot, sp.S.Zero)) for foot in sides},
+            {foot: Foot(sole[foot], on.get(foot, sp.S.Zero), sprung=True) for foot in sides},
             bodies[0].position,
         )
 
@@ -105,6 +107,7 @@ def two_spring_structure() -> RockingModel:
             lands("flight", "right", "right"),
         ),
         rotation=ROTATION,
+        members=rigid().members,
         reference="thesis 5.3.2, derived exactly instead of 5-15",
     )
 
@@ -173,7 +176,8 @@ def two_spring_cart() -> RockingModel:
     k0, ul, pl, uo = (d.symbol for d in (stiffness, lift_off, force, top))
     beyond = SIDE * x - ul
     lifted = k0 * ul**2 / 2 + pl * beyond - pl / (uo - ul) * beyond**2 / 2
-    cart = Body("cart", MASS.symbol + BASE_MASS.symbol, (x, sp.Integer(0)))
+    b, mass = HALF_WIDTH.symbol, MASS.symbol + BASE_MASS.symbol
+    cart = Body("cart", mass, (x, sp.Integer(0)), outline=rectangle(b, 0, b))
 
     def phase(contacts: dict[str, int], energy: sp.Expr) -> Mechanism:
         return Mechanism(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
@@ -201,6 +205,7 @@ def two_spring_cart() -> RockingModel:
             *lifts(1, "both_right", "right"),
         ),
         rotation=u,
+        members=(Member("spring", "ground", "cart", (-3 * b, b / 2), (-b, b / 2)),),
         overturning=HALF_WIDTH.symbol + HEIGHT.symbol,
         definitions=(stiffness, lift_off, force, top),
         rigid_velocity_ratio=lumped_mass_structure().velocity_ratio,

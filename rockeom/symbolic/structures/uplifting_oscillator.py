@@ -2,8 +2,18 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from rockeom.symbolic.algebra import truncated
-from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
+from rockeom.symbolic.model import (
+    Body,
+    Member,
+    RockingModel,
+    parameter,
+    rectangle,
+    rocking_structure,
+    turned,
+)
 from rockeom.symbolic.parts.superstructures import (
     DAMPING,
     DEFORMATION,
@@ -27,11 +37,16 @@ def uplifting_oscillator() -> RockingModel:
     """
     theta, u = ROTATION, DEFORMATION
     small = (theta.position, u.position)
+    outline = rectangle(HALF_WIDTH.symbol, 0)
 
     def bodies(pivot):
         exact = turned((u.position, HEIGHT.symbol), pivot, theta.position)
         x, y = (truncated(e, small, 1) for e in exact)
-        return [Body("mass", MASS.symbol, (x, y))]
+        base = turned((0, 0), pivot, theta.position)
+        return [
+            Body("mass", MASS.symbol, (x, y)),
+            Body("base", sp.S.Zero, base, rotation=theta.position, outline=outline),
+        ]
 
     return rocking_structure(
         name="uplifting_oscillator",
@@ -43,6 +58,7 @@ def uplifting_oscillator() -> RockingModel:
         gravity=GRAVITY.symbol,
         elastic_energy=STIFFNESS.symbol * u.position**2 / 2,
         dissipation=DAMPING.symbol * u.velocity**2 / 2,
+        members=(Member("cantilever", "base", "mass"),),
         small=(*small, theta.velocity, u.velocity),
         reference="Chopra and Yim (1985); thesis 2-7, 2-8",
     )

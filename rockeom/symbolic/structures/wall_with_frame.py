@@ -7,9 +7,11 @@ from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     GROUND_Y,
     Body,
+    Member,
     RockingModel,
     coordinate,
     parameter,
+    rectangle,
     rocking_structure,
     turned,
 )
@@ -22,7 +24,8 @@ def wall_with_frame() -> RockingModel:
     """A rigid wall on rigid ground and a frame of one mass on elastic columns of its own.
 
     The link is a spring and a damper between the wall's axis and the frame's mass, and stays
-    level. The forces on the feet are those of the wall alone: the frame's columns carry its mass.
+    level. How far from the wall the frame stands changes nothing but a sketch. The forces on the
+    feet are those of the wall alone: the frame's columns carry its mass.
     """
     mass = parameter("m", "mass", "kg", "mass of the wall")
     half_width = parameter("B", "half_width", "m", "half of the width of the wall")
@@ -40,14 +43,17 @@ def wall_with_frame() -> RockingModel:
     linked, _ = turned((0, link_height.symbol), (SIDE * b, 0), theta)
     stretch = linked - u
     columns = frame_stiffness.symbol * u + frame_damping.symbol * moved.velocity
+    beside, end = 16 * b / 5, 4 * b / 5
+    outline = rectangle(b, height.symbol)
 
     def bodies(pivot):
         return [
-            Body("frame", frame_mass.symbol, (u, link_height.symbol)),
+            Body("frame", frame_mass.symbol, (beside + u, link_height.symbol)),
             Body(
-                "wall", mass.symbol, turned((0, height.symbol), pivot, theta), inertia.symbol, theta
+                "wall", mass.symbol, turned((0, height.symbol), pivot, theta), inertia.symbol,
+                theta, outline=outline,
             ),
-        ]
+        ]  # fmt: skip
 
     return rocking_structure(
         name="wall_with_frame",
@@ -65,5 +71,13 @@ def wall_with_frame() -> RockingModel:
             frame_damping.symbol * moved.velocity**2
             + link_damping.symbol * rate(stretch, coordinates) ** 2
         ) / 2,
+        members=(
+            Member("spring", "wall", "frame", (0, link_height.symbol - height.symbol), (-end, 0)),
+            Member("rod", "frame", "frame", (-end, 0), (end, 0)),
+            *(
+                Member("column", "ground", "frame", (beside + x, 0), (x, 0))
+                for x in (-7 * b / 10, 7 * b / 10)
+            ),
+        ),
         beside_feet=(-columns, frame_mass.symbol * (GRAVITY.symbol + GROUND_Y)),
     )  # fmt: skip

@@ -1,0 +1,89 @@
+"""Where the bodies and feet of a structure are, and what a sketch shows of them.
+
+A generated module tells both; here they get their names. Places are (x, y) in axes that move with
+the ground, x to the right and y upwards, from the origin of the declaration.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+BODIES = ("body", "massless")
+"""Kinds of what turns: the places of all others are points."""
+
+
+class Member(NamedTuple):
+    """What joins two bodies, or a body and the "ground".
+
+    kind : "column", "cantilever", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) :
+    where it ends, from the centre of the body in axes that turn with it; on the ground from the
+    origin [m].
+    """
+
+    kind: str
+    start: str
+    end: str
+    start_at: np.ndarray
+    end_at: np.ndarray
+
+
+class Copies(NamedTuple):
+    """How many a body stands for, side by side, and how far apart they are shown [m]."""
+
+    number: int
+    apart: float
+
+
+class Shapes(NamedTuple):
+    """What a sketch shows of a structure, as it was declared.
+
+    outlines : corners (k, 2) of each body that has a size, by name, from its centre in axes that
+    turn with it [m]. members : what joins them. copies : of bodies that stand for several.
+    """
+
+    outlines: dict[str, np.ndarray]
+    members: tuple[Member, ...]
+    copies: dict[str, Copies]
+
+
+def places(module: Any, contacts: np.ndarray, states: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """(n, m, 3) places and rotations of POSITIONS, in states (n, N) of contact states (n,)."""
+    out = np.empty((len(states), 3 * len(module.POSITIONS)))
+    for contact, y, row in zip(contacts.tolist(), states.tolist(), out, strict=True):
+        module.positions(contact, y, p, row)
+    return out.reshape(len(states), -1, 3)
+
+
+def positions_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
+    """By name, (..., 2) of what `places` has found (..., m, 3)."""
+    return {name: found[..., i, :2] for i, name in enumerate(module.POSITIONS)}
+
+
+def rotations_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
+    """Of the bodies, by name, (...)."""
+    kinds = zip(module.POSITIONS, module.POSITION_KINDS, strict=True)
+    return {name: found[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
+
+
+def shapes(module: Any, p: np.ndarray) -> Shapes:
+    """What a sketch shows of a structure with parameters and constants p."""
+    corners, ends = len(module.CORNERS), len(module.MEMBER_ENDS)
+    out = np.empty(2 * (corners + ends + len(module.COPIES)))
+    module.shapes(p, out)
+    points = out.reshape(-1, 2)
+    owners = np.array(module.CORNERS, dtype=str)
+    at = points[corners : corners + ends]
+    names = module.MEMBER_ENDS
+    return Shapes(
+        {name: points[:corners][owners == name] for name in dict.fromkeys(module.CORNERS)},
+        tuple(
+            Member(kind, names[2 * i], names[2 * i + 1], at[2 * i], at[2 * i + 1])
+            for i, kind in enumerate(module.MEMBERS)
+        ),
+        {
+            name: Copies(round(number), float(apart))
+            for name, (number, apart) in zip(module.COPIES, points[corners + ends :], strict=True)
+        },
+    )

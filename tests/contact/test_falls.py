@@ -1,0 +1,113 @@
+"""What falls: several coordinates of one structure, each with its own bound."""
+
+import math
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import rockeom as rk
+from rockeom.symbolic import SHIPPED, parameter
+from rockeom.symbolic.parts.supports import X
+from tests.contact import declared
+
+STACK = rk.StackedBlocks(
+    lower=rk.RigidBlock(half_width=0.3, half_height=1.0, mass=10.0),
+    upper=rk.RigidBlock(half_width=0.2, half_height=0.4),
+)
+STILL = rk.GroundMotion.none(4.0)
+STARTS = {
+    "theta": {"theta": 1.5, "phi": 1.45},  # the lower one, the upper one leans back on it
+    "phi": {"phi": 0.6},  # the upper one alone
+}
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize("fallen", STARTS)
+def test_stack_has_fallen_when_either_of_its_blocks_has(fallen, side):
+    start = {name: side * value for name, value in STARTS[fallen].items()}
+    run = rk.simulate(STACK, STILL, initial=start)
+    assert run.outcome is rk.Outcome.OVERTURNED
+    assert run.overturned == fallen
+    assert run.final[fallen] == pytest.approx(side * math.pi / 2, rel=1e-12)
+    (other,) = set(STARTS) - {fallen}
+    assert abs(run.final[other]) < 1.5
+    assert f"The structure fell over. {fallen} is " in run.summary()
+
+
+def test_stack_that_has_fallen_cannot_start():
+    with pytest.raises(ValueError, match=r"initial theta is 1.6: .* from 1.5708 on"):
+        rk.simulate(STACK, STILL, initial={"theta": 1.6, "phi": 0.1})
+
+
+def test_a_sweep_counts_both_blocks_as_fallen():
+    def case(theta, phi):
+        return rk.Case(STACK, STILL, initial={"theta": theta, "phi": phi})
+
+    found = rk.simulate_many(case, over={"theta": [0.0, 1.5], "phi": [0.0, 1.45]})
+    assert found.outcome.sel(theta=1.5, phi=1.45).item() == "overturned"
+    assert found.outcome.sel(theta=0.0, phi=0.0).item() == "came to rest"
+
+
+def test_upright_structure_has_not_overturned():
+    run = rk.simulate(STACK, STILL)
+    assert run.overturned == ""
+    assert "phi is" not in run.summary()
+
+
+@cache
+def on_a_table():
+    """A block that falls where it has slid off the table, at a distance to either side."""
+    reach = parameter("r", "reach", "m", "distance of the table's edge")
+    model = SHIPPED["sliding_block"]()
+    return replace(
+        model,
+        name="block_on_a_table",
+        parameters=(*model.parameters, reach),
+        falls={X: reach.symbol},
+    )
+
+
+@pytest.mark.parametrize("towards", [-1.0, 1.0])
+def test_block_slides_off_a_table_when_a_uniform_acceleration_has_carried_it_there(towards):
+    block = rk.structure(
+        on_a_table(), mass=900.0, half_width=0.5, height=0.4, inertia=123.0, friction=0.2,
+        restitution=0.0, reach=0.7,
+    )  # fmt: skip
+    pushed = 3.0 - 0.2 * 9.81
+    run = rk.simulate(block, rk.GroundMotion.constant(-3.0 * towards, 4.0))
+    assert run.outcome is rk.Outcome.OVERTURNED
+    assert run.overturned == "x"
+    assert run.t[-1] == pytest.approx(math.sqrt(2 * 0.7 / pushed), rel=1e-9)
+    assert run.final["x"] == pytest.approx(towards * 0.7, rel=1e-9)
+    assert block.falls == {"theta": math.pi / 2, "x": 0.7}
+
+
+def test_one_bound_alone_is_written_as_ever():
+    assert rk.RigidBlock(half_width=0.1, half_height=0.4).module.N_FALLS == 0
+    assert not hasattr(rk.RigidBlock(half_width=0.1, half_height=0.4).module, "overturns_at")
+
+
+WRONG = {
+    "the rotation": ({declared.THETA: sp.pi / 2}, "'theta': name coordinates beside the rotation"),
+    "no coordinate": ({"phi": sp.pi / 2}, "'phi': name coordinates"),
+    "a list": ([declared.X], "give a mapping"),
+    "a negative size": ({declared.X: -1}, "size of 'x' is -1: it must be positive"),
+    "a coordinate": ({declared.X: declared.Y.position}, "size at which 'x' has fallen contains"),
+    "a text": ({declared.X: "1"}, "give a number or a SymPy expression"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_what_cannot_fall_is_refused(name):
+    falls, said = WRONG[name]
+    with pytest.raises(ValueError, match=said):
+        replace(declared.on_points("falling", {"tip": (0, 0)}), falls=falls)
+
+
+def test_final_state_is_on_the_bound_where_the_motion_is_cut():
+    run = rk.simulate(STACK, STILL, initial=STARTS["theta"])
+    assert run.t[-1] < 1.0
+    np.testing.assert_array_less(np.abs(run["theta"][:-1]), math.pi / 2)
