@@ -165,10 +165,12 @@ class _Sketch:
 
     def _sprung(self, ax: Axes, x: float, top: float, damped: bool) -> None:
         """A spring, and a damper beside it, as wide as there is room between feet."""
-        low = -0.12 * self.size
-        feet = sorted(self.rest.places[n][0] for n in self.feet if self.kinds[n] in _SPRUNG)
+        sprung = [name for name in self.feet if self.kinds[name] in _SPRUNG]
+        lowest = min(self.now.places[name][1] for name in sprung)
+        low = min(-0.12 * self.size, lowest - 0.04 * self.size)
+        feet = sorted(self.rest.places[name][0] for name in sprung)
         room = min((b - a for a, b in pairwise(feet)), default=self.size)
-        width = min(0.36 * abs(low), 0.25 * room)
+        width = min(0.04 * self.size, 0.25 * room)
         aside = 0.8 * width if damped else 0.0
         free_body.spring(ax, (x - aside, top), (x - aside, low), width)
         if damped:

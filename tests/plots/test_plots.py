@@ -340,6 +340,14 @@ def test_sketch_of_a_bed_has_all_its_springs():
     assert len(springs) == 5
 
 
+def test_sketch_has_room_for_a_spring_however_far_its_foot_is_pressed():
+    (ax,) = draw_structure(SPRINGS, rotation=0.7).axes
+    springs = [line for line in ax.lines if len(line.get_xdata()) == 11]
+    for spring in springs:
+        assert spring.get_ydata()[0] > spring.get_ydata()[-1]
+    assert len({round(spring.get_ydata()[-1], 12) for spring in springs}) == 1
+
+
 def test_sketch_of_a_wall_and_its_frame():
     linked = rk.WallWithFrame(
         mass=2e4, half_width=1.0, height=4.5, inertia=1.5e5, frame_mass=5e4, frame_stiffness=3e6,
