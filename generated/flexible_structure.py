@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "f3cda154e8ed0d16"
+SOURCE_HASH = "310d71c7833c2154"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -179,9 +179,8 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
     x1 = -c2*s + mass*u
     m00 = -c0*s*u + c1 + mass*u**2
     f0 = (
-        ax*(-c3*cos_theta + sin_theta*x1) + c4*u_dot + c5*u - c6*u*x0 - c7*theta_dot*u*u_dot +
-        c8*s*theta_dot*(height*theta_dot + 2*u_dot) + total_gravity*(c3*sin_theta +
-        cos_theta*x1)
+        c4*u_dot + c5*u - c6*u*x0 - c7*theta_dot*u*u_dot + c8*s*theta_dot*(height*theta_dot +
+        2*u_dot) + cos_theta*(-ax*c3 + total_gravity*x1) + sin_theta*(ax*x1 + c3*total_gravity)
     )
     share_10 = height
     u_ddot_alone = (

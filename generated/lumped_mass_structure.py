@@ -34,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5ee196e5133eecd5"
+SOURCE_HASH = "5ae0a8f75ebdc134"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"
@@ -158,7 +158,7 @@ def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
     c1 = p[9]
     total_gravity = ay + gravity
     x0 = c1*s
-    theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
+    theta_ddot = cos_theta*(-ax*c0 - total_gravity*x0) + sin_theta*(-ax*x0 + c0*total_gravity)
     return (theta_ddot,)
 
 

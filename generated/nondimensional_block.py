@@ -28,7 +28,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "187c325b533a980a"
+SOURCE_HASH = "8a5c3fa41120712c"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -138,9 +138,7 @@ def accelerations_left_right(s, x, x_dot, p, ax, ay):
     c1 = p[3]  # math.sin(alpha)/alpha
     total_gravity = ay + 1
     x0 = c1*s
-    x_ddot = (
-        ax*(-c0*cos_angle_0 - sin_angle_0*x0) + total_gravity*(c0*sin_angle_0 - cos_angle_0*x0)
-    )
+    x_ddot = cos_angle_0*(-ax*c0 - total_gravity*x0) + sin_angle_0*(-ax*x0 + c0*total_gravity)
     return (x_ddot,)
 
 

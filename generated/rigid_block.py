@@ -31,7 +31,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "46616010a133624d"
+SOURCE_HASH = "5aa9ecfcba70eff9"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"
@@ -143,7 +143,7 @@ def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
     c1 = p[6]  # half_width*mass/(half_width**2*mass + height**2*mass + inertia)
     total_gravity = ay + gravity
     x0 = c1*s
-    theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
+    theta_ddot = cos_theta*(-ax*c0 - total_gravity*x0) + sin_theta*(-ax*x0 + c0*total_gravity)
     return (theta_ddot,)
 
 

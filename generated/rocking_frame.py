@@ -32,7 +32,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "bb7d1b782ae5a7c8"
+SOURCE_HASH = "7536d8f8c8950b90"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"
@@ -145,7 +145,7 @@ def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
     c1 = p[7]
     total_gravity = ay + gravity
     x0 = c1*s
-    theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
+    theta_ddot = cos_theta*(-ax*c0 - total_gravity*x0) + sin_theta*(-ax*x0 + c0*total_gravity)
     return (theta_ddot,)
 
 

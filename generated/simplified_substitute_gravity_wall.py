@@ -19,7 +19,7 @@ Source: thesis 4-32.
     contacts    left, left_slack, left_yield, both, both_slack, right, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
-    accelerations             82    62
+    accelerations             78    58
     guards                   100    72
     jump                      48    46
     energies                  43    40
@@ -38,7 +38,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "15802dbd0f5497e2"
+SOURCE_HASH = "25761feeff7ccaf9"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -225,21 +225,21 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     initial_force = p[8]
     eccentricity = p[10]
     gravity = p[11]
-    c0 = p[12]  # centroid_height*mass/pivot_inertia
-    c1 = p[13]  # half_width*mass/pivot_inertia
-    c2 = p[14]  # height**2/transition**2
-    c3 = p[15]  # edge_distance - half_width
-    c4 = p[16]  # centroid_height/pivot_inertia
+    c0 = p[12]  # height**2/transition**2
+    c1 = p[13]  # edge_distance - half_width
+    c2 = p[14]  # centroid_height/pivot_inertia
+    c3 = p[15]  # centroid_height*mass/pivot_inertia
+    c4 = p[16]  # half_width*mass/pivot_inertia
     c5 = p[17]  # half_width/pivot_inertia
     total_gravity = ay + gravity
-    x0 = c1*s
+    x0 = c4*s
     x1 = (
-        initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1 -
-        math.exp(-c2*sin_theta**2)) + half_width*(1 - cos_theta))/cos_theta)*math.tan(theta))
+        initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c1*(1 -
+        math.exp(-c0*sin_theta**2)) + half_width*(1 - cos_theta))/cos_theta)*math.tan(theta))
     )
     theta_ddot = (
-        ax*(-c0*cos_theta - sin_theta*x0) + c4*sin_theta*x1 - c5*cos_theta*s*x1 +
-        total_gravity*(c0*sin_theta - cos_theta*x0)
+        cos_theta*(-ax*c3 - c5*s*x1 - total_gravity*x0) + sin_theta*(-ax*x0 + c2*x1 +
+        c3*total_gravity)
     )
     return (theta_ddot, 0.0,)
 
@@ -249,11 +249,11 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     """Accelerations of the coordinates with contact left_slack or right_slack."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
-    c0 = p[12]  # centroid_height*mass/pivot_inertia
-    c1 = p[13]  # half_width*mass/pivot_inertia
+    c3 = p[15]  # centroid_height*mass/pivot_inertia
+    c4 = p[16]  # half_width*mass/pivot_inertia
     total_gravity = ay + gravity
-    x0 = c1*s
-    theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
+    x0 = c4*s
+    theta_ddot = cos_theta*(-ax*c3 - total_gravity*x0) + sin_theta*(-ax*x0 + c3*total_gravity)
     return (theta_ddot, 0.0,)
 
 
@@ -262,15 +262,15 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     """Accelerations of the coordinates with contact left_yield or right_yield."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
-    c0 = p[12]  # centroid_height*mass/pivot_inertia
-    c1 = p[13]  # half_width*mass/pivot_inertia
+    c3 = p[15]  # centroid_height*mass/pivot_inertia
+    c4 = p[16]  # half_width*mass/pivot_inertia
     c6 = p[18]  # centroid_height*yield_force/pivot_inertia
     c7 = p[19]  # half_width*yield_force/pivot_inertia
     total_gravity = ay + gravity
-    x0 = c1*s
+    x0 = c4*s
     theta_ddot = (
-        ax*(-c0*cos_theta - sin_theta*x0) + c6*sin_theta - c7*cos_theta*s +
-        total_gravity*(c0*sin_theta - cos_theta*x0)
+        cos_theta*(-ax*c3 - c7*s - total_gravity*x0) + sin_theta*(-ax*x0 + c3*total_gravity +
+        c6)
     )
     return (theta_ddot, 0.0,)
 
@@ -350,12 +350,12 @@ def guards(contact, y, p, ax, ay, g):
         tendon_stiffness = p[7]
         initial_force = p[8]
         eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
+        c0 = p[12]  # height**2/transition**2
+        c1 = p[13]  # edge_distance - half_width
         c8 = p[20]  # initial_force - yield_force
         x0 = (
-            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1 -
-            math.exp(-c2*sin_theta**2)) + half_width*(1 -
+            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c1*(1 -
+            math.exp(-c0*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
         g[0] = s*theta
@@ -370,12 +370,12 @@ def guards(contact, y, p, ax, ay, g):
         tendon_stiffness = p[7]
         initial_force = p[8]
         eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
+        c0 = p[12]  # height**2/transition**2
+        c1 = p[13]  # edge_distance - half_width
         g[0] = s*theta
         g[1] = (
-            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1
-            - math.exp(-c2*sin_theta**2)) + half_width*(1 -
+            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c1*(1
+            - math.exp(-c0*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
     elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
@@ -385,13 +385,13 @@ def guards(contact, y, p, ax, ay, g):
         sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[4]
         eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
+        c0 = p[12]  # height**2/transition**2
+        c1 = p[13]  # edge_distance - half_width
         c9 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
         x0 = math.tan(theta)
         x1 = 1/cos_theta
-        x2 = math.exp(-c2*sin_theta**2)
-        x3 = -c3*(1 - x2) + half_width*(1 - cos_theta)
+        x2 = math.exp(-c0*sin_theta**2)
+        x3 = -c1*(1 - x2) + half_width*(1 - cos_theta)
         g[0] = s*theta
         g[1] = (
             theta_dot*(x0*(s*x1*(c9*cos_theta*sin_theta*x2 + half_width*sin_theta) +
@@ -944,19 +944,19 @@ def prepare(parameters):
     transition = parameters[6]
     initial_force = parameters[8]
     yield_force = parameters[9]
-    x0 = 1/pivot_inertia
-    x1 = centroid_height*x0
-    x2 = half_width*x0
-    x3 = height**2/transition**2
-    x4 = edge_distance - half_width
-    p[12] = mass*x1
-    p[13] = mass*x2
+    x0 = height**2/transition**2
+    x1 = edge_distance - half_width
+    x2 = 1/pivot_inertia
+    x3 = centroid_height*x2
+    x4 = half_width*x2
+    p[12] = x0
+    p[13] = x1
     p[14] = x3
-    p[15] = x4
-    p[16] = x1
-    p[17] = x2
-    p[18] = x1*yield_force
-    p[19] = x2*yield_force
+    p[15] = mass*x3
+    p[16] = mass*x4
+    p[17] = x4
+    p[18] = x3*yield_force
+    p[19] = x4*yield_force
     p[20] = initial_force - yield_force
-    p[21] = -2*x3*x4
+    p[21] = -2*x0*x1
     return p

@@ -17,7 +17,7 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
     contacts    left, both, flight, right
 
 Operations before and after common subexpressions were shared:
-    accelerations             81    79
+    accelerations             78    76
     guards                   166    76
     energies                 248   181
     reactions                146    98
@@ -34,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "7840549bf0ee40be"
+SOURCE_HASH = "af79e0ad5321f1d2"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -171,8 +171,8 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     c1 = p[11]  # height*mass
     c2 = p[12]  # base_mass + mass
     c3 = p[13]  # base_height*base_mass + height*mass
-    c4 = p[14]  # 2*foundation_damping*half_width**2
-    c5 = p[15]  # 2*foundation_stiffness*half_width**2
+    c4 = p[14]  # 2*foundation_stiffness*half_width**2
+    c5 = p[15]  # 2*foundation_damping*half_width**2
     c6 = p[16]  # 2*foundation_damping
     c7 = p[17]  # 2*foundation_stiffness
     c8 = p[18]  # base_mass*gravity + gravity*mass
@@ -181,8 +181,8 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     m10 = -c0*sin_theta - c1*sin_theta
     m11 = c2
     f0 = (
-        -ax*c3*cos_theta + c3*sin_theta*total_gravity - c4*cos_theta**2*theta_dot -
-        c5*cos_theta*sin_theta
+        -ax*c3*cos_theta - c5*cos_theta**2*theta_dot + sin_theta*(c3*total_gravity -
+        c4*cos_theta)
     )
     f1 = -c2*total_gravity + c3*cos_theta*theta_dot**2 - c6*heave_dot - c7*heave + c8
     r0 = c9
@@ -208,9 +208,9 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     c2 = p[12]  # base_mass + mass
     c3 = p[13]  # base_height*base_mass + height*mass
     c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
-    c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
-    c11 = p[21]  # foundation_damping*half_width**2
-    c12 = p[22]  # foundation_stiffness*half_width**2
+    c10 = p[20]  # foundation_stiffness*half_width**2
+    c11 = p[21]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
+    c12 = p[22]  # foundation_damping*half_width**2
     c13 = p[23]  # foundation_damping*half_width
     c14 = p[24]  # foundation_stiffness*half_width
     total_gravity = ay + gravity
@@ -219,11 +219,11 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     m10 = -c0*sin_theta - c1*sin_theta
     m11 = c2
     f0 = (
-        -ax*c3*cos_theta - c11*cos_theta**2*theta_dot - c12*cos_theta*sin_theta +
-        c3*sin_theta*total_gravity + cos_theta*half_width*s*(-c10 + x0 + x1)
+        -c12*cos_theta**2*theta_dot + cos_theta*(-ax*c3 + half_width*s*(-c11 + x0 + x1)) +
+        sin_theta*(-c10*cos_theta + c3*total_gravity)
     )
     f1 = (
-        c10 + c14*s*sin_theta - c2*total_gravity + cos_theta*theta_dot*(c0*theta_dot +
+        c11 + c14*s*sin_theta - c2*total_gravity + cos_theta*theta_dot*(c0*theta_dot +
         c1*theta_dot + c13*s) - x0 - x1
     )
     r0 = c9
@@ -743,8 +743,8 @@ def prepare(parameters):
     x1 = height*mass
     x2 = base_mass + mass
     x3 = half_width**2
-    x4 = 2*foundation_damping
-    x5 = 2*foundation_stiffness
+    x4 = 2*foundation_stiffness
+    x5 = 2*foundation_damping
     x6 = base_mass*gravity
     x7 = gravity*mass
     p[10] = x0
@@ -753,13 +753,13 @@ def prepare(parameters):
     p[13] = x0 + x1
     p[14] = x3*x4
     p[15] = x3*x5
-    p[16] = x4
-    p[17] = x5
+    p[16] = x5
+    p[17] = x4
     p[18] = x6 + x7
     p[19] = 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
-    p[20] = (1/2)*x6 + (1/2)*x7
-    p[21] = foundation_damping*x3
-    p[22] = foundation_stiffness*x3
+    p[20] = foundation_stiffness*x3
+    p[21] = (1/2)*x6 + (1/2)*x7
+    p[22] = foundation_damping*x3
     p[23] = foundation_damping*half_width
     p[24] = foundation_stiffness*half_width
     p[25] = (1/2)*gravity*x2/foundation_stiffness

@@ -415,11 +415,10 @@ def dense_at(coefficients, x, out):
 @inlined
 def gap_at_ends(side, h, y, y_new, k):
     """Bernstein coefficients of the quintic through gap, rate and acceleration at both ends."""
-    scaled = side * h
+    fifth, part = 0.2 * side * h, 0.05 * side * h * h
     q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
-    v0, v1 = scaled * y[ROTATION_RATE] / 5.0, scaled * y_new[ROTATION_RATE] / 5.0
-    a0 = scaled * h * k[ROTATION_RATE] / 20.0
-    a1 = scaled * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
+    v0, v1 = fifth * y[ROTATION_RATE], fifth * y_new[ROTATION_RATE]
+    a0, a1 = part * k[ROTATION_RATE], part * k[N_STAGES * N_STATES + ROTATION_RATE]
     return q0, q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1, q1
 
 
@@ -1607,17 +1606,17 @@ def widens(peaks, h, y, y_new, k):
     for i in range(n):
         v0, v1 = h * y[n + i], h * y_new[n + i]
         a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
-        b1, b2 = y[i] + v0 / 5.0, y[i] + 2.0 * v0 / 5.0 + a0 / 20.0
-        b4, b3 = y_new[i] - v1 / 5.0, y_new[i] - 2.0 * v1 / 5.0 + a1 / 20.0
-        d1, d2, d3 = v0 + a0 / 4.0, 5.0 * (b3 - b2), v1 - a1 / 4.0
+        b1, b2 = y[i] + 0.2 * v0, y[i] + 0.4 * v0 + 0.05 * a0
+        b4, b3 = y_new[i] - 0.2 * v1, y_new[i] - 0.4 * v1 + 0.05 * a1
+        d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
         least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
         margin = 1e-3 * (most - least)
         far = far or least - margin < min(h * peaks[0, n + i], min(v0, v1))
         far = far or most + margin > max(h * peaks[1, n + i], max(v0, v1))
-        up = v0 >= 0.0 and v0 + a0 / 3.0 >= 0.0 and v1 - a1 / 3.0 >= 0.0 and v1 >= 0.0
-        down = v0 <= 0.0 and v0 + a0 / 3.0 <= 0.0 and v1 - a1 / 3.0 <= 0.0 and v1 <= 0.0
-        if up or down:
-            continue
+        c1, c2 = 3.0 * v0 + a0, 3.0 * v1 - a1
+        slowest, fastest = min(min(v0, c1), min(c2, v1)), max(max(v0, c1), max(c2, v1))
+        if slowest >= 0.0 or fastest <= 0.0:
+            continue  # it rises or falls all along
         least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
         margin = 1e-3 * (most - least)
         far = far or least - margin < peaks[0, i] or most + margin > peaks[1, i]
@@ -1666,14 +1665,9 @@ def slope_at(coefficients, x, i):
 @inlined
 def may_reach(bound, h, y, y_new, k):
     """Whether the rotation's size may reach `bound` in a step, by the quintic of `widens`."""
-    q0, q1 = y[ROTATION], y_new[ROTATION]
-    v0, v1 = h * y[ROTATION_RATE] / 5.0, h * y_new[ROTATION_RATE] / 5.0
-    a0 = h * h * k[ROTATION_RATE] / 20.0
-    a1 = h * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
-    within = max(
-        max(abs(q0 + v0), abs(q0 + 2.0 * v0 + a0)), max(abs(q1 - v1), abs(q1 - 2.0 * v1 + a1))
-    )
-    return abs(q1) >= bound or 1.001 * within >= bound
+    _, b1, b2, b3, b4, b5 = gap_at_ends(1.0, h, y, y_new, k)
+    within = max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    return max(abs(b5), 1.001 * within) >= bound
 
 
 def bound_passed(coefficients, bound, b, stack):
