@@ -38,6 +38,7 @@ from rockeom.contract import (
     NO_SOLUTION,
     NOT_FINITE,
     OVERTURNED,
+    RATIO,
     REFINED,
     REFINED_TO,
     REST,
@@ -427,17 +428,13 @@ def stays_open(gap, touching):
     """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
 
     gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
-    there is no root.
+    there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
     """
     b0, b1, b2, b3, b4, b5 = gap
-    least = 1e-3 * max(b0, b5)
-    return (
-        (b0 > least or touching == 0)
-        and b1 > least
-        and b2 > least
-        and b3 > least
-        and (b4 > least and b5 > least)
-    )
+    least, grain = 1e-3 * max(b0, b5), 1e-11 * b5
+    leaves = b1 > least and b2 > least and (b0 > least or touching == 0)
+    leaves = leaves or (touching == 0 and abs(b1) <= grain and b2 >= -grain)
+    return leaves and b3 > least and b4 > least and b5 > least
 
 
 def closes_once(gap, touching):
@@ -448,12 +445,13 @@ def closes_once(gap, touching):
     """
     b0, b1, b2, b3, b4, b5 = gap
     doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    if (touching != 0 and b0 <= doubt) or b1 <= doubt or b5 >= -doubt:
+    if (touching != 0 and b0 <= doubt) or (touching == 0 and b1 <= doubt) or b5 >= -doubt:
         return NEVER
     # behind the first that is not clearly positive, none is; behind a negative one, all are
     falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
     falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
-    if not (falls and (b2 > doubt or b4 <= doubt)):
+    falls = falls and (b2 > doubt or b4 <= doubt)
+    if not (falls and (b1 > doubt or (b2 < -doubt and b3 < -doubt))):
         return NEVER
     # Newton's method within a bracket, from the parabola with the same ends and slope
     low, high = 0.0, 1.0
@@ -584,8 +582,6 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
         held_guards(w, p, ground + past * change, g)
         past, left = past + 1.0, left - 1.0
         for n_g in range(N_GUARDS):
-            if not g[n_g] > 0.0:
-                return False
             least, most = min(least, g[n_g]), max(most, g[n_g])
     return 1e-3 * most < least
 
@@ -872,10 +868,11 @@ def tabled_ratio(law, impact, y, p):
 
 
 @inlined
-def may_fade(side, y, rate, tolerance):
+def may_fade(side, y, rate, law, ratio, tolerance):
     """Whether the flight after an impact is short enough for `time_to_rest` to be finite."""
     a, v = -side * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
-    return a > 0.0 and 4.0 * v * v <= 1.001 * tolerance * tolerance * a
+    longest = tolerance * (1.0 - ratio) if law == RATIO else tolerance
+    return a > 0.0 and 4.0 * v * v <= 1.001 * longest * longest * a
 
 
 def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, kick):
@@ -1485,7 +1482,7 @@ def integrate(
         elif SIDES[contact] != 0.0:
             # -- the rest of infinitely many impacts at once
             rates(contact, y, p, ax, ay, k)
-            if not may_fade(side, y, k, rest_tolerance):
+            if not may_fade(side, y, k, law, ratio, rest_tolerance):
                 if rocks and t < last and h_next != 0.0:
                     fresh = news = 0  # the next step begins with these rates
                 continue
