@@ -37,7 +37,7 @@ PIECES = {
 THINNED = {"W4": len(range(w.PULSE_STRIDE // 2, w.PULSE_GRID, w.PULSE_STRIDE)) ** 2, "W5": 4}
 """How many of them the slow methods, and whatever is compared with them, take."""
 
-TOLERANCES = tuple(10.0**-n for n in range(3, 15))
+TOLERANCES = tuple(10.0 ** (-0.5 * n) for n in range(6, 29))
 
 
 @dataclass(frozen=True)

@@ -415,7 +415,11 @@ def dense_at(coefficients, x, out):
 
 @inlined
 def gap_at_ends(side, h, y, y_new, k):
-    """Bernstein coefficients of the quintic through gap, rate and acceleration at both ends."""
+    """Bernstein coefficients of the quintic through gap, rate and acceleration at both ends.
+
+    The gap is the rotation to a side; without one, 0.0, the rotation is meant.
+    """
+    side = 1.0 if side == 0.0 else side
     fifth, part = 0.2 * side * h, 0.05 * side * h * h
     q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
     v0, v1 = fifth * y[ROTATION_RATE], fifth * y_new[ROTATION_RATE]
@@ -1311,7 +1315,7 @@ def integrate(
                         ends = not open_ and end_closed(contact, b)
                     if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
-                beyond = may_reach(fallen, h, y, y_new, k)
+                beyond = may_reach(fallen, gap)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
                 closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
@@ -1660,9 +1664,9 @@ def slope_at(coefficients, x, i):
 
 
 @inlined
-def may_reach(bound, h, y, y_new, k):
-    """Whether the rotation's size may reach `bound` in a step, by the quintic of `widens`."""
-    _, b1, b2, b3, b4, b5 = gap_at_ends(1.0, h, y, y_new, k)
+def may_reach(bound, gap):
+    """Whether the rotation's size may reach `bound` in a step, by `gap_at_ends`."""
+    _, b1, b2, b3, b4, b5 = gap
     within = max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
     return max(abs(b5), 1.001 * within) >= bound
 
