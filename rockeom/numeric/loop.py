@@ -414,17 +414,21 @@ def dense_at(coefficients, x, out):
 
 
 @inlined
-def gap_at_ends(side, h, y, y_new, k):
-    """Bernstein coefficients of the quintic through gap, rate and acceleration at both ends.
-
-    The gap is the rotation to a side; without one, 0.0, the rotation is meant.
-    """
-    side = 1.0 if side == 0.0 else side
+def quintic_of(i, side, h, y, y_new, k):
+    """Bernstein coefficients of coordinate i to a side, by place, rate and acceleration at both
+    ends."""
+    n = N_STATES // 2
     fifth, part = 0.2 * side * h, 0.05 * side * h * h
-    q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
-    v0, v1 = fifth * y[ROTATION_RATE], fifth * y_new[ROTATION_RATE]
-    a0, a1 = part * k[ROTATION_RATE], part * k[N_STAGES * N_STATES + ROTATION_RATE]
+    q0, q1 = side * y[i], side * y_new[i]
+    v0, v1 = fifth * y[n + i], fifth * y_new[n + i]
+    a0, a1 = part * k[n + i], part * k[N_STAGES * N_STATES + n + i]
     return q0, q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1, q1
+
+
+@inlined
+def gap_at_ends(side, h, y, y_new, k):
+    """The same of the gap, the rotation to a side; of the rotation itself without one, 0.0."""
+    return quintic_of(ROTATION, 1.0 if side == 0.0 else side, h, y, y_new, k)
 
 
 @inlined
@@ -518,20 +522,16 @@ def extrapolate(h, move, y, y_new, k):
 
 @inlined
 def quintics_through_ends(h, y, y_new, k, quintics):
-    """Bernstein coefficients of the coordinates by value, rate and acceleration at both ends.
+    """The coefficients of all coordinates, those of coordinate i from 8 * i + 1 on.
 
-    Those of coordinate i stand from 8 * i + 1 on; the first and the last stand there twice, so that
-    their differences know no end.
+    The first and the last stand there twice, so that their differences know no end.
     """
-    n = N_STATES // 2
-    for i in range(n):
-        v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
-        a0, a1 = h * h * k[n + i] / 20.0, h * h * k[N_STAGES * N_STATES + n + i] / 20.0
+    for i in range(N_STATES // 2):
+        b0, b1, b2, b3, b4, b5 = quintic_of(i, 1.0, h, y, y_new, k)
         at = 8 * i
-        quintics[at] = quintics[at + 1] = y[i]
-        quintics[at + 2], quintics[at + 3] = y[i] + v0, y[i] + 2.0 * v0 + a0
-        quintics[at + 4], quintics[at + 5] = y_new[i] - 2.0 * v1 + a1, y_new[i] - v1
-        quintics[at + 6] = quintics[at + 7] = y_new[i]
+        quintics[at] = quintics[at + 1] = b0
+        quintics[at + 2], quintics[at + 3], quintics[at + 4], quintics[at + 5] = b1, b2, b3, b4
+        quintics[at + 6] = quintics[at + 7] = b5
 
 
 def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
@@ -1598,25 +1598,22 @@ def widen(peaks, y):
 def widens(peaks, h, y, y_new, k):
     """Whether a state may turn back within a step, outside of the extremes known so far.
 
-    By the Bernstein coefficients of the polynomials through both ends: the cubic of its rate
-    bounds where a coordinate may turn, the quintic of its value how far it may go, and the slope
-    of that how far its rate may.
+    By the quintics through both ends: the Bernstein coefficients of a coordinate bound how far it
+    may go, those of its slope where it may turn, and how far its rate may go.
     """
     far = False
     n = N_STATES // 2
     for i in range(n):
-        v0, v1 = h * y[n + i], h * y_new[n + i]
-        a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
-        b1, b2 = y[i] + 0.2 * v0, y[i] + 0.4 * v0 + 0.05 * a0
-        b4, b3 = y_new[i] - 0.2 * v1, y_new[i] - 0.4 * v1 + 0.05 * a1
-        d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
+        _, b1, b2, b3, b4, _ = quintic_of(i, 1.0, h, y, y_new, k)
+        v0, v1, part = h * y[n + i], h * y_new[n + i], 0.25 * h * h
+        d1, d3 = v0 + part * k[n + i], v1 - part * k[N_STAGES * N_STATES + n + i]
+        d2 = 5.0 * (b3 - b2)
+        slow, fast = min(v0, v1), max(v0, v1)
         least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
         margin = 1e-3 * (most - least)
-        far = far or least - margin < min(h * peaks[0, n + i], min(v0, v1))
-        far = far or most + margin > max(h * peaks[1, n + i], max(v0, v1))
-        c1, c2 = 3.0 * v0 + a0, 3.0 * v1 - a1
-        slowest, fastest = min(min(v0, c1), min(c2, v1)), max(max(v0, c1), max(c2, v1))
-        if slowest >= 0.0 or fastest <= 0.0:
+        far = far or least - margin < min(h * peaks[0, n + i], slow)
+        far = far or most + margin > max(h * peaks[1, n + i], fast)
+        if min(least, slow) >= 0.0 or max(most, fast) <= 0.0:
             continue  # it rises or falls all along
         least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
         margin = 1e-3 * (most - least)
