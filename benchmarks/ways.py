@@ -157,7 +157,8 @@ def families(who: str, workload: str, rests: Sequence[float] | None = None) -> I
     if who == "rockeom":
         for rest in rests:
             yield [
-                rockeom(workload, thin=thinned(workload), rtol=rtol, rest_tolerance=rest) for rtol in TOLERANCES
+                rockeom(workload, thin=thinned(workload), rtol=rtol, rest_tolerance=rest)
+                for rtol in TOLERANCES
             ]
             if workload in ("W2", "W3"):
                 for method, rtol in itertools.product(("RK45", "DOP853"), (1e-6, 1e-10)):
@@ -189,7 +190,9 @@ def families(who: str, workload: str, rests: Sequence[float] | None = None) -> I
                     for n, rtol in ((1, 1e-6), (2, 1e-6), (2, 1e-10), (3, 1e-10))
                 ]
             yield [
-                best_c(workload, thin=thinned(workload), method=method, rtol=rtol, rest_tolerance=rest)
+                best_c(
+                    workload, thin=thinned(workload), method=method, rtol=rtol, rest_tolerance=rest
+                )
                 for rtol in TOLERANCES
             ]
     elif who == "heyoka":

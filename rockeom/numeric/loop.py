@@ -586,6 +586,8 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
         held_guards(w, p, ground + past * change, g)
         past, left = past + 1.0, left - 1.0
         for n_g in range(N_GUARDS):
+            if not g[n_g] > 0.0:
+                return False
             least, most = min(least, g[n_g]), max(most, g[n_g])
     return 1e-3 * most < least
 
