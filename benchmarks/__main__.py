@@ -135,7 +135,7 @@ def measure(workload: str, quick: bool, missing: dict[str, str]) -> dict:
     second = [label for label in runs if label not in first]
 
     # beside the best C: the cheapest of both, and rockeom's default with the C that is as exact
-    add("default rockeom", ways.rockeom(workload, thin=True))
+    add("default rockeom", ways.rockeom(workload, thin=ways.thinned(workload)))
     if "C" not in missing:
         rests = (with_rockeom.options(1e-10).rest_tolerance,)
         if found := cheapest("best C", workload, errors["default rockeom"], rests):

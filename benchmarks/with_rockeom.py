@@ -24,7 +24,7 @@ def options(rtol: float, **changes) -> rk.SolverOptions:
 def _impacts(events: tuple[np.ndarray, ...], rate_at: int) -> w.Impacts:
     times, kinds, states = events
     chosen = kinds[:, 0] == IMPACT
-    return w.Impacts(times[chosen], states[chosen, 0, rate_at])
+    return w.Impacts(times[chosen], states[:, 0, rate_at][chosen])
 
 
 def loop(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:

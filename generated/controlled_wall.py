@@ -21,15 +21,13 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32.
     contacts    left, left_slack, left_yield, right, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
-    accelerations           1280   357
+    accelerations           1277   356
     guards                   254   107
     jump                     122    66
     energies                 616   213
     reactions               1893   291
     kinematics               396   126
     statics                 1240   216
-    positions                552   105
-    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -41,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "4043354e4a130bc1"
+SOURCE_HASH = "1fd3f501baac5eed"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -125,19 +123,12 @@ KINEMATICS = (
     "rotation_centre",
     "tendon_extension",
 )
-POSITIONS = ("wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("tendon",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 3
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 2
-N_FALLS = 0
 SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
 GUARDS = (3, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -241,15 +232,15 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     c5 = p[19]  # 4*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c6 = p[20]  # centroid_height**2*mass + inertia
     c7 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
-    c8 = p[22]  # mass*(-edge_distance + half_width)
-    c9 = p[23]  # 2*height**2*mass*(-edge_distance + half_width)/transition**2
-    c10 = p[24]  # edge_distance - half_width
-    c11 = p[25]  # 2*anchor_height
-    c12 = p[26]  # 4*height**2*(-edge_distance + half_width)/transition**2
-    c13 = p[27]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
-    c14 = p[28]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
-    c15 = p[29]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
-    c16 = p[30]  # anchor_depth + anchor_height
+    c8 = p[22]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
+    c9 = p[23]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c10 = p[24]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c11 = p[25]  # mass*(-edge_distance + half_width)
+    c12 = p[26]  # edge_distance - half_width
+    c13 = p[27]  # 2*anchor_height
+    c14 = p[28]  # 4*height**2*(-edge_distance + half_width)/transition**2
+    c15 = p[29]  # anchor_depth + anchor_height
+    c16 = p[30]  # 2*height**2*mass*(-edge_distance + half_width)/transition**2
     c17 = p[31]  # 2*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c18 = p[32]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     total_gravity = ay + gravity
@@ -263,37 +254,39 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     x7 = 1 - x1
     x8 = c2*x0
     x9 = math.exp(-x8)
-    x10 = c3*x9
-    x11 = x0*x10
+    x10 = c3*x0*x9
+    x11 = x2*x3
     x12 = theta_dot**2
     x13 = sin_theta*x2
     x14 = x0 + x5*x8 - x5
     x15 = x1*x14
-    x16 = cos_theta*sin_theta*x14
-    x17 = s*x7
-    x18 = c8*x17
-    x19 = x2*x3
-    x20 = c7*x19 - centroid_height
-    x21 = c13*x9
-    x22 = c14*x7
-    x23 = c10*x17
-    x24 = eccentricity + x23
-    x25 = sin_theta*x24
-    x26 = anchor_depth + anchor_height*cos_theta - x25
-    x27 = cos_theta*x24
-    x28 = anchor_height*sin_theta - eccentricity - x23 + x27
-    x29 = math.sqrt(x26**2 + x28**2)
+    x16 = s*x7
+    x17 = c11*x16
+    x18 = c7*x11 - centroid_height
+    x19 = c8*x9
+    x20 = c9*x7
+    x21 = mass*x12
+    x22 = c12*x16
+    x23 = eccentricity + x22
+    x24 = sin_theta*x23
+    x25 = anchor_depth + anchor_height*cos_theta - x24
+    x26 = cos_theta*x23
+    x27 = anchor_height*sin_theta - eccentricity - x22 + x26
+    x28 = math.sqrt(x25**2 + x27**2)
+    x29 = 1/x28
     x30 = (
-        ((1/2)*x26*(-c11*sin_theta + c12*cos_theta*s*x0*x1 - 2*x27) + (1/2)*x28*(c11*cos_theta +
-        c12*x19 - c12*x3*x6 - 2*x25))/x29
+        (1/2)*x25*(-c13*sin_theta + c14*cos_theta*s*x0*x1 - 2*x26) + (1/2)*x27*(c13*cos_theta +
+        c14*x11 - c14*x3*x6 - 2*x24)
     )
-    x31 = tendon_stiffness*x30
-    m00 = c1*x7**2 + c4*x0*x2*x7 + c6 - cos_theta**3*x11 + x11*x5 - x2*x4 + x4*x6
+    x31 = x29*x30
+    m00 = c1*x7**2 + c4*x0*x2*x7 + c6 - cos_theta**3*x10 + x10*x5 - x2*x4 + x4*x6
     f0 = (
-        ax*(-c9*x19 + cos_theta*mass*x20 - sin_theta*x18) - c17*s*x12*x15 - c18*x12*x13*x7 +
-        cos_theta*mass*x12*(c15*s*x1*x14 - x13*x22 - x16*x21) - initial_force*x30 +
-        mass*sin_theta*x12*(c15*s*x13 - x0*x21*x5 + x15*x22) + permanent_extension*x31 +
-        total_gravity*(-cos_theta*x18 - mass*sin_theta*x20) + x10*x12*x16 - x31*(-c16 + x29)
+        -ax*c16*x11 - c17*s*x12*x15 - c18*x12*x13*x7 + c3*cos_theta*sin_theta*x12*x14*x9 +
+        cos_theta*(ax*mass*x18 - total_gravity*x17 + x21*(c10*s*x1*x14 -
+        cos_theta*sin_theta*x14*x19 - x13*x20)) - initial_force*x31 +
+        permanent_extension*tendon_stiffness*x29*x30 + sin_theta*(-ax*x17 -
+        mass*total_gravity*x18 + x21*(c10*s*x13 - x0*x19*x5 + x15*x20)) -
+        tendon_stiffness*x31*(-c15 + x28)
     )
     r0 = 1.0 / m00
     theta_ddot = f0 * r0
@@ -315,11 +308,11 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     c5 = p[19]  # 4*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c6 = p[20]  # centroid_height**2*mass + inertia
     c7 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
-    c8 = p[22]  # mass*(-edge_distance + half_width)
-    c9 = p[23]  # 2*height**2*mass*(-edge_distance + half_width)/transition**2
-    c13 = p[27]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
-    c14 = p[28]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
-    c15 = p[29]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c8 = p[22]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
+    c9 = p[23]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c10 = p[24]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c11 = p[25]  # mass*(-edge_distance + half_width)
+    c16 = p[30]  # 2*height**2*mass*(-edge_distance + half_width)/transition**2
     total_gravity = ay + gravity
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
@@ -331,22 +324,24 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     x7 = c2*x0
     x8 = math.exp(-x7)
     x9 = c3*x0*x8
-    x10 = c8*x6
-    x11 = x2*x3
-    x12 = c7*x11 - centroid_height
-    x13 = theta_dot**2
-    x14 = c13*x8
-    x15 = x0 + x5*x7 - x5
-    x16 = x1*x15
-    x17 = c14*x6
-    x18 = sin_theta*x17*x2
-    x19 = c15*s*x16
-    x20 = cos_theta*sin_theta*x14*x15
+    x10 = x2*x3
+    x11 = c9*x6
+    x12 = sin_theta*x2
+    x13 = x11*x12
+    x14 = x0 + x5*x7 - x5
+    x15 = x1*x14
+    x16 = c10*s
+    x17 = x15*x16
+    x18 = c8*x8
+    x19 = cos_theta*sin_theta*x14*x18
+    x20 = mass*theta_dot**2
+    x21 = c11*s*x6
+    x22 = c7*x10 - centroid_height
     m00 = c1*x6**2 + c4*x0*x2*x6 + c6 - cos_theta**3*x9 + x1*x4*x5 - x2*x4 + x5*x9
     f0 = (
-        ax*(-c9*x11 + cos_theta*mass*x12 - x10*x3) + cos_theta*mass*x13*(-x18 + x19 - x20) +
-        mass*sin_theta*x13*(c15*x11 - x0*x14*x5 + x16*x17) + mass*x13*(-x18 - x19 + x20) +
-        total_gravity*(-cos_theta*s*x10 - mass*sin_theta*x12)
+        -ax*c16*x10 + cos_theta*(ax*mass*x22 - total_gravity*x21 + x20*(-x13 + x17 - x19)) +
+        sin_theta*(-ax*x21 - mass*total_gravity*x22 + x20*(-x0*x18*x5 + x11*x15 + x12*x16)) +
+        x20*(-x13 - x17 + x19)
     )
     r0 = 1.0 / m00
     theta_ddot = f0 * r0
@@ -372,14 +367,14 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     c5 = p[19]  # 4*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c6 = p[20]  # centroid_height**2*mass + inertia
     c7 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
-    c8 = p[22]  # mass*(-edge_distance + half_width)
-    c9 = p[23]  # 2*height**2*mass*(-edge_distance + half_width)/transition**2
-    c10 = p[24]  # edge_distance - half_width
-    c11 = p[25]  # 2*anchor_height
-    c12 = p[26]  # 4*height**2*(-edge_distance + half_width)/transition**2
-    c13 = p[27]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
-    c14 = p[28]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
-    c15 = p[29]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c8 = p[22]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
+    c9 = p[23]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c10 = p[24]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c11 = p[25]  # mass*(-edge_distance + half_width)
+    c12 = p[26]  # edge_distance - half_width
+    c13 = p[27]  # 2*anchor_height
+    c14 = p[28]  # 4*height**2*(-edge_distance + half_width)/transition**2
+    c16 = p[30]  # 2*height**2*mass*(-edge_distance + half_width)/transition**2
     c17 = p[31]  # 2*centroid_height*height**2*mass*(-edge_distance + half_width)/transition**2
     c18 = p[32]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     total_gravity = ay + gravity
@@ -393,32 +388,32 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     x7 = 1 - x1
     x8 = c2*x0
     x9 = math.exp(-x8)
-    x10 = c3*x9
-    x11 = x0*x10
+    x10 = c3*x0*x9
+    x11 = x2*x3
     x12 = theta_dot**2
     x13 = sin_theta*x2
     x14 = x0 + x5*x8 - x5
     x15 = x1*x14
-    x16 = cos_theta*sin_theta*x14
-    x17 = s*x7
-    x18 = c8*x17
-    x19 = x2*x3
-    x20 = c7*x19 - centroid_height
-    x21 = c13*x9
-    x22 = c14*x7
-    x23 = c10*x17
-    x24 = eccentricity + x23
-    x25 = sin_theta*x24
-    x26 = anchor_depth + anchor_height*cos_theta - x25
-    x27 = cos_theta*x24
-    x28 = anchor_height*sin_theta - eccentricity - x23 + x27
-    m00 = c1*x7**2 + c4*x0*x2*x7 + c6 - cos_theta**3*x11 + x11*x5 - x2*x4 + x4*x6
+    x16 = s*x7
+    x17 = c11*x16
+    x18 = c7*x11 - centroid_height
+    x19 = c8*x9
+    x20 = c9*x7
+    x21 = mass*x12
+    x22 = c12*x16
+    x23 = eccentricity + x22
+    x24 = sin_theta*x23
+    x25 = anchor_depth + anchor_height*cos_theta - x24
+    x26 = cos_theta*x23
+    x27 = anchor_height*sin_theta - eccentricity - x22 + x26
+    m00 = c1*x7**2 + c4*x0*x2*x7 + c6 - cos_theta**3*x10 + x10*x5 - x2*x4 + x4*x6
     f0 = (
-        ax*(-c9*x19 + cos_theta*mass*x20 - sin_theta*x18) - c17*s*x12*x15 - c18*x12*x13*x7 +
-        cos_theta*mass*x12*(c15*s*x1*x14 - x13*x22 - x16*x21) + mass*sin_theta*x12*(c15*s*x13 -
-        x0*x21*x5 + x15*x22) + total_gravity*(-cos_theta*x18 - mass*sin_theta*x20) + x10*x12*x16
-        - yield_force*((1/2)*x26*(-c11*sin_theta + c12*cos_theta*s*x0*x1 - 2*x27) +
-        (1/2)*x28*(c11*cos_theta + c12*x19 - c12*x3*x6 - 2*x25))/math.sqrt(x26**2 + x28**2)
+        -ax*c16*x11 - c17*s*x12*x15 - c18*x12*x13*x7 + c3*cos_theta*sin_theta*x12*x14*x9 +
+        cos_theta*(ax*mass*x18 - total_gravity*x17 + x21*(c10*s*x1*x14 -
+        cos_theta*sin_theta*x14*x19 - x13*x20)) + sin_theta*(-ax*x17 - mass*total_gravity*x18 +
+        x21*(c10*s*x13 - x0*x19*x5 + x15*x20)) - yield_force*((1/2)*x25*(-c13*sin_theta +
+        c14*cos_theta*s*x0*x1 - 2*x26) + (1/2)*x27*(c13*cos_theta + c14*x11 - c14*x3*x6 -
+        2*x24))/math.sqrt(x25**2 + x27**2)
     )
     r0 = 1.0 / m00
     theta_ddot = f0 * r0
@@ -480,13 +475,13 @@ def guards(contact, y, p, ax, ay, g):
         initial_force = p[10]
         eccentricity = p[12]
         c0 = p[14]  # height**2/transition**2
-        c10 = p[24]  # edge_distance - half_width
-        c16 = p[30]  # anchor_depth + anchor_height
+        c12 = p[26]  # edge_distance - half_width
+        c15 = p[29]  # anchor_depth + anchor_height
         c19 = p[33]  # initial_force - yield_force
-        x0 = c10*s*(1 - math.exp(-c0*sin_theta**2))
+        x0 = c12*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         x2 = (
-            tendon_stiffness*(-c16 - permanent_extension + math.sqrt((anchor_depth +
+            tendon_stiffness*(-c15 - permanent_extension + math.sqrt((anchor_depth +
             anchor_height*cos_theta - sin_theta*x1)**2 + (anchor_height*sin_theta + cos_theta*x1
             - eccentricity - x0)**2))
         )
@@ -504,13 +499,13 @@ def guards(contact, y, p, ax, ay, g):
         initial_force = p[10]
         eccentricity = p[12]
         c0 = p[14]  # height**2/transition**2
-        c10 = p[24]  # edge_distance - half_width
-        c16 = p[30]  # anchor_depth + anchor_height
-        x0 = c10*s*(1 - math.exp(-c0*sin_theta**2))
+        c12 = p[26]  # edge_distance - half_width
+        c15 = p[29]  # anchor_depth + anchor_height
+        x0 = c12*s*(1 - math.exp(-c0*sin_theta**2))
         x1 = eccentricity + x0
         g[0] = s*theta
         g[1] = (
-            -initial_force - tendon_stiffness*(-c16 - permanent_extension +
+            -initial_force - tendon_stiffness*(-c15 - permanent_extension +
             math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
@@ -523,22 +518,22 @@ def guards(contact, y, p, ax, ay, g):
         anchor_depth = p[8]
         eccentricity = p[12]
         c0 = p[14]  # height**2/transition**2
-        c10 = p[24]  # edge_distance - half_width
-        c11 = p[25]  # 2*anchor_height
-        c12 = p[26]  # 4*height**2*(-edge_distance + half_width)/transition**2
+        c12 = p[26]  # edge_distance - half_width
+        c13 = p[27]  # 2*anchor_height
+        c14 = p[28]  # 4*height**2*(-edge_distance + half_width)/transition**2
         x0 = sin_theta**2
         x1 = math.exp(-c0*x0)
-        x2 = c10*s*(1 - x1)
+        x2 = c12*s*(1 - x1)
         x3 = eccentricity + x2
         x4 = sin_theta*x3
         x5 = anchor_depth + anchor_height*cos_theta - x4
         x6 = cos_theta*x3
         x7 = anchor_height*sin_theta - eccentricity - x2 + x6
-        x8 = c12*s*x1
+        x8 = c14*s*x1
         g[0] = s*theta
         g[1] = (
-            theta_dot*((1/2)*x5*(-c11*sin_theta + c12*cos_theta*s*x0*x1 - 2*x6) +
-            (1/2)*x7*(c11*cos_theta - cos_theta**2*sin_theta*x8 + cos_theta*sin_theta*x8 -
+            theta_dot*((1/2)*x5*(-c13*sin_theta + c14*cos_theta*s*x0*x1 - 2*x6) +
+            (1/2)*x7*(c13*cos_theta - cos_theta**2*sin_theta*x8 + cos_theta*sin_theta*x8 -
             2*x4))/math.sqrt(x5**2 + x7**2)
         )
 
@@ -1172,120 +1167,6 @@ def held_guards(y, p, ax, g):
     pass
 
 
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    anchor_height = p[7]
-    anchor_depth = p[8]
-    eccentricity = p[12]
-    x0 = -half_width
-    x1 = -centroid_height
-    x2 = -centroid_height + max(anchor_height, height)
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = x2
-    out[6] = x0
-    out[7] = x2
-    out[8] = eccentricity
-    out[9] = -anchor_depth
-    out[10] = eccentricity
-    out[11] = anchor_height + x1
-
-
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
@@ -1338,15 +1219,15 @@ def prepare(parameters):
     p[19] = centroid_height*x7*x8
     p[20] = centroid_height**2*mass + inertia
     p[21] = x9
-    p[22] = x8
-    p[23] = x10
-    p[24] = x1
-    p[25] = 2*anchor_height
-    p[26] = x2*x7
-    p[27] = x3*x6
-    p[28] = x3*x5
-    p[29] = centroid_height*x9
-    p[30] = anchor_depth + anchor_height
+    p[22] = x3*x6
+    p[23] = x3*x5
+    p[24] = centroid_height*x9
+    p[25] = x8
+    p[26] = x1
+    p[27] = 2*anchor_height
+    p[28] = x2*x7
+    p[29] = anchor_depth + anchor_height
+    p[30] = x10
     p[31] = centroid_height*x10
     p[32] = x4*x5
     p[33] = initial_force - yield_force

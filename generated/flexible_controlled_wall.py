@@ -23,15 +23,13 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32; the fi
     contacts    left, left_slack, left_yield, right, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
-    accelerations           1745   535
-    guards                   254   107
+    accelerations           1739   549
+    guards                   254   109
     jump                     122    66
     energies                 951   306
     reactions               2082   378
     kinematics               399   129
     statics                 1282   282
-    positions                564   111
-    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -43,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "85e51fa197f69ceb"
+SOURCE_HASH = "6e46cc88dbb5b5e5"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -150,19 +148,12 @@ KINEMATICS = (
     "rotation_centre",
     "tendon_extension",
 )
-POSITIONS = ("wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("tendon",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
 
 N_STATES = 6
 N_GUARDS = 3
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 3
-N_FALLS = 0
 SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
 GUARDS = (3, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -273,12 +264,12 @@ def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot,
     c10 = p[26]  # centroid_height**2*mass + inertia
     c11 = p[27]  # edge_distance - half_width
     c12 = p[28]  # 2*height**2*(-edge_distance + half_width)/transition**2
-    c13 = p[29]  # 2*anchor_height
-    c14 = p[30]  # 4*height**2*(-edge_distance + half_width)/transition**2
-    c15 = p[31]  # 2*edge_distance - 2*half_width
-    c16 = p[32]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
-    c17 = p[33]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
-    c18 = p[34]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c13 = p[29]  # 4*height**2*(-edge_distance + half_width)/transition**2
+    c14 = p[30]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c15 = p[31]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
+    c16 = p[32]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c17 = p[33]  # 2*anchor_height
+    c18 = p[34]  # 2*edge_distance - 2*half_width
     c19 = p[35]  # anchor_depth + anchor_height
     c20 = p[36]  # 2*mass
     c21 = p[37]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
@@ -286,65 +277,64 @@ def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot,
     total_gravity = ay + gravity
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
-    x2 = s*sin_theta*x1
-    x3 = c1*x2
-    x4 = -cos_theta*x3
+    x2 = sin_theta*x1
+    x3 = c1*s*x2
+    x4 = cos_theta*x3
     x5 = cos_theta**2
-    x6 = c8*x2
-    x7 = 1 - x1
-    x8 = c5*x0
-    x9 = math.exp(-x8)
-    x10 = c6*x9
-    x11 = x0*x10
+    x6 = s*x2
+    x7 = c8*x6
+    x8 = 1 - x1
+    x9 = c5*x0
+    x10 = math.exp(-x9)
+    x11 = c6*x0*x10
     x12 = s*u
-    x13 = cos_theta*x0
-    x14 = x1*x7
-    x15 = mass*sin_theta
-    x16 = cos_theta*mass
-    x17 = theta_dot**2
-    x18 = mass*x17
-    x19 = x0 + x5*x8 - x5
-    x20 = x1*x19
-    x21 = c11*x7
-    x22 = c12*x20
+    x13 = x0*x1
+    x14 = cos_theta*x8
+    x15 = mass*total_gravity
+    x16 = theta_dot**2
+    x17 = mass*x16
+    x18 = ax*mass
+    x19 = x0 + x5*x9 - x5
+    x20 = c11*x8
+    x21 = x1*x19
+    x22 = c12*x21
     x23 = theta_dot*u
-    x24 = cos_theta*sin_theta
-    x25 = x14*x24
-    x26 = x19*x24
-    x27 = cos_theta*x2
-    x28 = c12*x27 - centroid_height
-    x29 = s*x21
-    x30 = u + x29
-    x31 = c16*x20
-    x32 = c17*x9
-    x33 = x1*x24
-    x34 = eccentricity + x29
-    x35 = sin_theta*x34
-    x36 = anchor_depth + anchor_height*cos_theta - x35
-    x37 = cos_theta*x34
-    x38 = anchor_height*sin_theta - eccentricity - x29 + x37
-    x39 = math.sqrt(x36**2 + x38**2)
-    x40 = (
-        ((1/2)*x36*(-c13*sin_theta + c14*cos_theta*s*x0*x1 - 2*x37) + (1/2)*x38*(c13*cos_theta -
-        c14*x2*x5 + c14*x27 - 2*x35))/x39
+    x24 = x14*x2
+    x25 = c14*x21
+    x26 = c12*cos_theta
+    x27 = -centroid_height + x26*x6
+    x28 = s*x20
+    x29 = u + x28
+    x30 = c15*x10
+    x31 = cos_theta*x2
+    x32 = eccentricity + x28
+    x33 = sin_theta*x32
+    x34 = anchor_depth + anchor_height*cos_theta - x33
+    x35 = cos_theta*x32
+    x36 = anchor_height*sin_theta - eccentricity - x28 + x35
+    x37 = math.sqrt(x34**2 + x36**2)
+    x38 = 1/x37
+    x39 = (
+        (1/2)*x34*(c13*cos_theta*s*x0*x1 - c17*sin_theta - 2*x35) +
+        (1/2)*x36*(c13*cos_theta*s*sin_theta*x1 - c13*x5*x6 + c17*cos_theta - 2*x33)
     )
-    x41 = tendon_stiffness*x40
-    m10 = c2 + x3*x5 + x4
+    x40 = x38*x39
+    m10 = c2 + x3*x5 - x4
     m11 = (
-        c10 + c3*x7**2 - c4*x12*x7 + c7*x13*x14 - c9*x1*x12*x13 - cos_theta**3*x11 -
-        cos_theta*x6 + mass*u**2 + x11*x5 + x5*x6
+        c10 + c3*x8**2 - c4*x12*x8 + c7*x13*x14 - c9*cos_theta*x12*x13 - cos_theta**3*x11 -
+        cos_theta*x7 + mass*u**2 + x11*x5 + x5*x7
     )
     f0 = (
-        -ax*x16 + c1*cos_theta*s*x17*x20 - damping*u_dot + s*x18*(x21 - x22) - stiffness*u +
-        total_gravity*x15 + u*x18
+        cos_theta*(c1*s*x1*x16*x19 - x18) - damping*u_dot + s*x17*(x20 - x22) + sin_theta*x15 -
+        stiffness*u + u*x17
     )
     f1 = (
-        ax*(x15*x30 + x16*x28 + x4) - c20*u_dot*x23 - c21*x17*x25 + cos_theta*x18*(-c18*x25 +
-        s*(c12*u*x33 + x31) - x26*x32) - initial_force*x40 +
-        mass*s*theta_dot*(c12*cos_theta*sin_theta*theta_dot*u*x1 - c15*u_dot*x7 - theta_dot*x31)
-        + permanent_extension*x41 + theta_dot*x15*(c18*theta_dot*x20*x7 + s*(c14*u_dot*x33 +
-        c16*theta_dot*x33 - x22*x23) - theta_dot*x0*x32*x5) + total_gravity*(-x15*x28 + x16*x30)
-        + x10*x17*x26 - x41*(-c19 + x39)
+        -ax*x4 - c20*u_dot*x23 - c21*x16*x24 + c6*cos_theta*sin_theta*x10*x16*x19 +
+        cos_theta*(x15*x29 + x17*(-c16*x24 - cos_theta*sin_theta*x19*x30 + s*(u*x2*x26 + x25)) +
+        x18*x27) - initial_force*x40 + mass*s*theta_dot*(c12*cos_theta*sin_theta*theta_dot*u*x1
+        - c18*u_dot*x8 - theta_dot*x25) + permanent_extension*tendon_stiffness*x38*x39 +
+        sin_theta*(mass*theta_dot*(c16*theta_dot*x21*x8 + s*(c13*u_dot*x31 + c14*theta_dot*x31 -
+        x22*x23) - theta_dot*x0*x30*x5) - x15*x27 + x18*x29) - tendon_stiffness*x40*(-c19 + x37)
     )
     r0 = c22
     l10 = m10 * r0
@@ -378,60 +368,60 @@ def accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta
     c10 = p[26]  # centroid_height**2*mass + inertia
     c11 = p[27]  # edge_distance - half_width
     c12 = p[28]  # 2*height**2*(-edge_distance + half_width)/transition**2
-    c14 = p[30]  # 4*height**2*(-edge_distance + half_width)/transition**2
-    c15 = p[31]  # 2*edge_distance - 2*half_width
-    c16 = p[32]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
-    c17 = p[33]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
-    c18 = p[34]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c13 = p[29]  # 4*height**2*(-edge_distance + half_width)/transition**2
+    c14 = p[30]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c15 = p[31]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
+    c16 = p[32]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c18 = p[34]  # 2*edge_distance - 2*half_width
     c22 = p[38]  # 1/mass
     total_gravity = ay + gravity
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
     x2 = sin_theta*x1
-    x3 = c1*s
-    x4 = x2*x3
-    x5 = -cos_theta*x4
-    x6 = cos_theta**2
-    x7 = s*x2
-    x8 = c8*x7
-    x9 = 1 - x1
-    x10 = c5*x0
-    x11 = math.exp(-x10)
-    x12 = c6*x0*x11
-    x13 = s*u
-    x14 = x0*x1
-    x15 = cos_theta*x9
-    x16 = mass*sin_theta
-    x17 = cos_theta*mass
-    x18 = theta_dot**2
-    x19 = mass*x18
-    x20 = x0 + x10*x6 - x6
-    x21 = x1*x20
-    x22 = c11*x9
-    x23 = c12*x21
-    x24 = c12*cos_theta
-    x25 = -centroid_height + x24*x7
-    x26 = s*x22 + u
-    x27 = c18*x15*x2
-    x28 = c17*x11
-    x29 = cos_theta*sin_theta*x20*x28
-    x30 = c16*x21
+    x3 = c1*s*x2
+    x4 = cos_theta*x3
+    x5 = cos_theta**2
+    x6 = s*x2
+    x7 = c8*x6
+    x8 = 1 - x1
+    x9 = c5*x0
+    x10 = math.exp(-x9)
+    x11 = c6*x0*x10
+    x12 = s*u
+    x13 = x0*x1
+    x14 = cos_theta*x8
+    x15 = mass*total_gravity
+    x16 = theta_dot**2
+    x17 = mass*x16
+    x18 = ax*mass
+    x19 = x0 + x5*x9 - x5
+    x20 = c11*x8
+    x21 = x1*x19
+    x22 = c12*x21
+    x23 = c16*x14*x2
+    x24 = c15*x10
+    x25 = cos_theta*sin_theta*x19*x24
+    x26 = c14*x21
+    x27 = mass*theta_dot
+    x28 = c12*cos_theta
+    x29 = -centroid_height + x28*x6
+    x30 = s*x20 + u
     x31 = cos_theta*x2
-    m10 = c2 + x4*x6 + x5
+    m10 = c2 + x3*x5 - x4
     m11 = (
-        c10 + c3*x9**2 - c4*x13*x9 + c7*x14*x15 - c9*cos_theta*x13*x14 - cos_theta**3*x12 -
-        cos_theta*x8 + mass*u**2 + x12*x6 + x6*x8
+        c10 + c3*x8**2 - c4*x12*x8 + c7*x13*x14 - c9*cos_theta*x12*x13 - cos_theta**3*x11 -
+        cos_theta*x7 + mass*u**2 + x11*x5 + x5*x7
     )
     f0 = (
-        -ax*x17 + cos_theta*x18*x21*x3 - damping*u_dot + s*x19*(x22 - x23) - stiffness*u +
-        total_gravity*x16 + u*x19
+        cos_theta*(c1*s*x1*x16*x19 - x18) - damping*u_dot + s*x17*(x20 - x22) + sin_theta*x15 -
+        stiffness*u + u*x17
     )
     f1 = (
-        ax*(x16*x26 + x17*x25 + x5) + cos_theta*x19*(s*(u*x2*x24 + x30) - x27 - x29) +
-        mass*theta_dot*(s*(c12*cos_theta*sin_theta*theta_dot*u*x1 - c15*u_dot*x9 -
-        theta_dot*x30) - theta_dot*x27 + theta_dot*x29 - 2*u*u_dot) +
-        theta_dot*x16*(c18*theta_dot*x21*x9 + s*(c14*u_dot*x31 + c16*theta_dot*x31 -
-        theta_dot*u*x23) - theta_dot*x0*x28*x6) + total_gravity*(-x16*x25 + x17*x26)
+        -ax*x4 + cos_theta*(x15*x30 + x17*(s*(u*x2*x28 + x26) - x23 - x25) + x18*x29) +
+        sin_theta*(-x15*x29 + x18*x30 + x27*(c16*theta_dot*x21*x8 + s*(c13*u_dot*x31 +
+        c14*theta_dot*x31 - theta_dot*u*x22) - theta_dot*x0*x24*x5)) +
+        x27*(s*(c12*cos_theta*sin_theta*theta_dot*u*x1 - c18*u_dot*x8 - theta_dot*x26) -
+        theta_dot*x23 + theta_dot*x25 - 2*u*u_dot)
     )
     r0 = c22
     l10 = m10 * r0
@@ -469,72 +459,71 @@ def accelerations_left_yield_right_yield(s, theta, u, permanent_extension, theta
     c10 = p[26]  # centroid_height**2*mass + inertia
     c11 = p[27]  # edge_distance - half_width
     c12 = p[28]  # 2*height**2*(-edge_distance + half_width)/transition**2
-    c13 = p[29]  # 2*anchor_height
-    c14 = p[30]  # 4*height**2*(-edge_distance + half_width)/transition**2
-    c15 = p[31]  # 2*edge_distance - 2*half_width
-    c16 = p[32]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
-    c17 = p[33]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
-    c18 = p[34]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c13 = p[29]  # 4*height**2*(-edge_distance + half_width)/transition**2
+    c14 = p[30]  # 2*centroid_height*height**2*(-edge_distance + half_width)/transition**2
+    c15 = p[31]  # 8*height**4*(-edge_distance + half_width)**2/transition**4
+    c16 = p[32]  # 2*height**2*(-edge_distance + half_width)**2/transition**2
+    c17 = p[33]  # 2*anchor_height
+    c18 = p[34]  # 2*edge_distance - 2*half_width
     c20 = p[36]  # 2*mass
     c21 = p[37]  # 2*height**2*mass*(-edge_distance + half_width)**2/transition**2
     c22 = p[38]  # 1/mass
     total_gravity = ay + gravity
     x0 = sin_theta**2
     x1 = math.exp(-c0*x0)
-    x2 = s*sin_theta*x1
-    x3 = c1*x2
-    x4 = -cos_theta*x3
+    x2 = sin_theta*x1
+    x3 = c1*s*x2
+    x4 = cos_theta*x3
     x5 = cos_theta**2
-    x6 = c8*x2
-    x7 = 1 - x1
-    x8 = c5*x0
-    x9 = math.exp(-x8)
-    x10 = c6*x9
-    x11 = x0*x10
+    x6 = s*x2
+    x7 = c8*x6
+    x8 = 1 - x1
+    x9 = c5*x0
+    x10 = math.exp(-x9)
+    x11 = c6*x0*x10
     x12 = s*u
-    x13 = cos_theta*x0
-    x14 = x1*x7
-    x15 = mass*sin_theta
-    x16 = cos_theta*mass
-    x17 = theta_dot**2
-    x18 = mass*x17
-    x19 = x0 + x5*x8 - x5
-    x20 = x1*x19
-    x21 = c11*x7
-    x22 = c12*x20
+    x13 = x0*x1
+    x14 = cos_theta*x8
+    x15 = mass*total_gravity
+    x16 = theta_dot**2
+    x17 = mass*x16
+    x18 = ax*mass
+    x19 = x0 + x5*x9 - x5
+    x20 = c11*x8
+    x21 = x1*x19
+    x22 = c12*x21
     x23 = theta_dot*u
-    x24 = cos_theta*sin_theta
-    x25 = x14*x24
-    x26 = x19*x24
-    x27 = cos_theta*x2
-    x28 = c12*x27 - centroid_height
-    x29 = s*x21
-    x30 = u + x29
-    x31 = c16*x20
-    x32 = c17*x9
-    x33 = x1*x24
-    x34 = eccentricity + x29
-    x35 = sin_theta*x34
-    x36 = anchor_depth + anchor_height*cos_theta - x35
-    x37 = cos_theta*x34
-    x38 = anchor_height*sin_theta - eccentricity - x29 + x37
-    m10 = c2 + x3*x5 + x4
+    x24 = x14*x2
+    x25 = c14*x21
+    x26 = c12*cos_theta
+    x27 = -centroid_height + x26*x6
+    x28 = s*x20
+    x29 = u + x28
+    x30 = c15*x10
+    x31 = cos_theta*x2
+    x32 = eccentricity + x28
+    x33 = sin_theta*x32
+    x34 = anchor_depth + anchor_height*cos_theta - x33
+    x35 = cos_theta*x32
+    x36 = anchor_height*sin_theta - eccentricity - x28 + x35
+    m10 = c2 + x3*x5 - x4
     m11 = (
-        c10 + c3*x7**2 - c4*x12*x7 + c7*x13*x14 - c9*x1*x12*x13 - cos_theta**3*x11 -
-        cos_theta*x6 + mass*u**2 + x11*x5 + x5*x6
+        c10 + c3*x8**2 - c4*x12*x8 + c7*x13*x14 - c9*cos_theta*x12*x13 - cos_theta**3*x11 -
+        cos_theta*x7 + mass*u**2 + x11*x5 + x5*x7
     )
     f0 = (
-        -ax*x16 + c1*cos_theta*s*x17*x20 - damping*u_dot + s*x18*(x21 - x22) - stiffness*u +
-        total_gravity*x15 + u*x18
+        cos_theta*(c1*s*x1*x16*x19 - x18) - damping*u_dot + s*x17*(x20 - x22) + sin_theta*x15 -
+        stiffness*u + u*x17
     )
     f1 = (
-        ax*(x15*x30 + x16*x28 + x4) - c20*u_dot*x23 - c21*x17*x25 + cos_theta*x18*(-c18*x25 +
-        s*(c12*u*x33 + x31) - x26*x32) +
-        mass*s*theta_dot*(c12*cos_theta*sin_theta*theta_dot*u*x1 - c15*u_dot*x7 - theta_dot*x31)
-        + theta_dot*x15*(c18*theta_dot*x20*x7 + s*(c14*u_dot*x33 + c16*theta_dot*x33 - x22*x23)
-        - theta_dot*x0*x32*x5) + total_gravity*(-x15*x28 + x16*x30) + x10*x17*x26 -
-        yield_force*((1/2)*x36*(-c13*sin_theta + c14*cos_theta*s*x0*x1 - 2*x37) +
-        (1/2)*x38*(c13*cos_theta - c14*x2*x5 + c14*x27 - 2*x35))/math.sqrt(x36**2 + x38**2)
+        -ax*x4 - c20*u_dot*x23 - c21*x16*x24 + c6*cos_theta*sin_theta*x10*x16*x19 +
+        cos_theta*(x15*x29 + x17*(-c16*x24 - cos_theta*sin_theta*x19*x30 + s*(u*x2*x26 + x25)) +
+        x18*x27) + mass*s*theta_dot*(c12*cos_theta*sin_theta*theta_dot*u*x1 - c18*u_dot*x8 -
+        theta_dot*x25) + sin_theta*(mass*theta_dot*(c16*theta_dot*x21*x8 + s*(c13*u_dot*x31 +
+        c14*theta_dot*x31 - x22*x23) - theta_dot*x0*x30*x5) - x15*x27 + x18*x29) -
+        yield_force*((1/2)*x34*(c13*cos_theta*s*x0*x1 - c17*sin_theta - 2*x35) +
+        (1/2)*x36*(c13*cos_theta*s*sin_theta*x1 - c13*x5*x6 + c17*cos_theta -
+        2*x33))/math.sqrt(x34**2 + x36**2)
     )
     r0 = c22
     l10 = m10 * r0
@@ -649,8 +638,8 @@ def guards(contact, y, p, ax, ay, g):
         eccentricity = p[12]
         c0 = p[16]  # height**2/transition**2
         c11 = p[27]  # edge_distance - half_width
-        c13 = p[29]  # 2*anchor_height
-        c14 = p[30]  # 4*height**2*(-edge_distance + half_width)/transition**2
+        c13 = p[29]  # 4*height**2*(-edge_distance + half_width)/transition**2
+        c17 = p[33]  # 2*anchor_height
         x0 = sin_theta**2
         x1 = math.exp(-c0*x0)
         x2 = c11*s*(1 - x1)
@@ -659,12 +648,11 @@ def guards(contact, y, p, ax, ay, g):
         x5 = anchor_depth + anchor_height*cos_theta - x4
         x6 = cos_theta*x3
         x7 = anchor_height*sin_theta - eccentricity - x2 + x6
-        x8 = c14*s*x1
         g[0] = s*theta
         g[1] = (
-            theta_dot*((1/2)*x5*(-c13*sin_theta + c14*cos_theta*s*x0*x1 - 2*x6) +
-            (1/2)*x7*(c13*cos_theta - cos_theta**2*sin_theta*x8 + cos_theta*sin_theta*x8 -
-            2*x4))/math.sqrt(x5**2 + x7**2)
+            theta_dot*((1/2)*x5*(c13*cos_theta*s*x0*x1 - c17*sin_theta - 2*x6) +
+            (1/2)*x7*(-c13*cos_theta**2*s*sin_theta*x1 + c13*cos_theta*s*sin_theta*x1 +
+            c17*cos_theta - 2*x4))/math.sqrt(x5**2 + x7**2)
         )
 
 
@@ -1383,126 +1371,6 @@ def held_guards(y, p, ax, g):
     pass
 
 
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = u - x1
-        x4 = x1 + x2*x3
-        x5 = -x0*x3
-        x6 = -half_width - x1
-        x7 = half_width - x1
-        out[0] = centroid_height*x0 + x4
-        out[1] = centroid_height*x2 + x5
-        out[2] = theta
-        out[3] = x1 + x2*x6
-        out[4] = -x0*x6
-        out[5] = 0
-        out[6] = x1 + x2*x7
-        out[7] = -x0*x7
-        out[8] = 0
-        out[9] = height*x0 + x4
-        out[10] = height*x2 + x5
-        out[11] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        u = y[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = u - x1
-        x4 = x1 + x2*x3
-        x5 = -x0*x3
-        x6 = -half_width - x1
-        x7 = half_width - x1
-        out[0] = centroid_height*x0 + x4
-        out[1] = centroid_height*x2 + x5
-        out[2] = theta
-        out[3] = x1 + x2*x6
-        out[4] = -x0*x6
-        out[5] = 0
-        out[6] = x1 + x2*x7
-        out[7] = -x0*x7
-        out[8] = 0
-        out[9] = height*x0 + x4
-        out[10] = height*x2 + x5
-        out[11] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        u = y[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = u - x1
-        x4 = x1 + x2*x3
-        x5 = -x0*x3
-        x6 = -half_width - x1
-        x7 = half_width - x1
-        out[0] = centroid_height*x0 + x4
-        out[1] = centroid_height*x2 + x5
-        out[2] = theta
-        out[3] = x1 + x2*x6
-        out[4] = -x0*x6
-        out[5] = 0
-        out[6] = x1 + x2*x7
-        out[7] = -x0*x7
-        out[8] = 0
-        out[9] = height*x0 + x4
-        out[10] = height*x2 + x5
-        out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    anchor_height = p[7]
-    anchor_depth = p[8]
-    eccentricity = p[12]
-    x0 = -half_width
-    x1 = -centroid_height
-    x2 = -centroid_height + max(anchor_height, height)
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = x2
-    out[6] = x0
-    out[7] = x2
-    out[8] = eccentricity
-    out[9] = -anchor_depth
-    out[10] = eccentricity
-    out[11] = anchor_height + x1
-
-
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
@@ -1562,12 +1430,12 @@ def prepare(parameters):
     p[26] = centroid_height**2*mass + inertia
     p[27] = x1
     p[28] = x12
-    p[29] = 2*anchor_height
-    p[30] = x11
-    p[31] = 2*edge_distance - 2*half_width
-    p[32] = centroid_height*x12
-    p[33] = x6*x9
-    p[34] = x6*x8
+    p[29] = x11
+    p[30] = centroid_height*x12
+    p[31] = x6*x9
+    p[32] = x6*x8
+    p[33] = 2*anchor_height
+    p[34] = 2*edge_distance - 2*half_width
     p[35] = anchor_depth + anchor_height
     p[36] = x3
     p[37] = x7*x8

@@ -19,7 +19,7 @@ Source: thesis 4-32.
     contacts    left, left_slack, left_yield, both, both_slack, right, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
-    accelerations             82    62
+    accelerations             78    58
     guards                   100    72
     jump                      48    46
     energies                  43    40
@@ -27,8 +27,6 @@ Operations before and after common subexpressions were shared:
     kinematics               120   105
     momentum                  60    45
     statics                   94    79
-    positions                158    77
-    shapes                     7     3
     overturning                1     1
     velocity_ratio             6     6
     sizes                      6     6
@@ -40,7 +38,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "07e2ea8adbe30b0f"
+SOURCE_HASH = "25761feeff7ccaf9"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -119,19 +117,12 @@ KINEMATICS = (
     "rotation_centre",
     "tendon_extension",
 )
-POSITIONS = ("wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("tendon",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 3
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 2
-N_FALLS = 0
 SIDES = (-1.0, -1.0, -1.0, 0.0, 0.0, 1.0, 1.0, 1.0,)
 GUARDS = (3, 2, 2, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -234,21 +225,21 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
     initial_force = p[8]
     eccentricity = p[10]
     gravity = p[11]
-    c0 = p[12]  # centroid_height*mass/pivot_inertia
-    c1 = p[13]  # half_width*mass/pivot_inertia
-    c2 = p[14]  # height**2/transition**2
-    c3 = p[15]  # edge_distance - half_width
-    c4 = p[16]  # centroid_height/pivot_inertia
+    c0 = p[12]  # height**2/transition**2
+    c1 = p[13]  # edge_distance - half_width
+    c2 = p[14]  # centroid_height/pivot_inertia
+    c3 = p[15]  # centroid_height*mass/pivot_inertia
+    c4 = p[16]  # half_width*mass/pivot_inertia
     c5 = p[17]  # half_width/pivot_inertia
     total_gravity = ay + gravity
-    x0 = c1*s
+    x0 = c4*s
     x1 = (
-        initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1 -
-        math.exp(-c2*sin_theta**2)) + half_width*(1 - cos_theta))/cos_theta)*math.tan(theta))
+        initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c1*(1 -
+        math.exp(-c0*sin_theta**2)) + half_width*(1 - cos_theta))/cos_theta)*math.tan(theta))
     )
     theta_ddot = (
-        ax*(-c0*cos_theta - sin_theta*x0) + c4*sin_theta*x1 - c5*cos_theta*s*x1 +
-        total_gravity*(c0*sin_theta - cos_theta*x0)
+        cos_theta*(-ax*c3 - c5*s*x1 - total_gravity*x0) + sin_theta*(-ax*x0 + c2*x1 +
+        c3*total_gravity)
     )
     return (theta_ddot, 0.0,)
 
@@ -258,11 +249,11 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
     """Accelerations of the coordinates with contact left_slack or right_slack."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
-    c0 = p[12]  # centroid_height*mass/pivot_inertia
-    c1 = p[13]  # half_width*mass/pivot_inertia
+    c3 = p[15]  # centroid_height*mass/pivot_inertia
+    c4 = p[16]  # half_width*mass/pivot_inertia
     total_gravity = ay + gravity
-    x0 = c1*s
-    theta_ddot = ax*(-c0*cos_theta - sin_theta*x0) + total_gravity*(c0*sin_theta - cos_theta*x0)
+    x0 = c4*s
+    theta_ddot = cos_theta*(-ax*c3 - total_gravity*x0) + sin_theta*(-ax*x0 + c3*total_gravity)
     return (theta_ddot, 0.0,)
 
 
@@ -271,15 +262,15 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
     """Accelerations of the coordinates with contact left_yield or right_yield."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
-    c0 = p[12]  # centroid_height*mass/pivot_inertia
-    c1 = p[13]  # half_width*mass/pivot_inertia
+    c3 = p[15]  # centroid_height*mass/pivot_inertia
+    c4 = p[16]  # half_width*mass/pivot_inertia
     c6 = p[18]  # centroid_height*yield_force/pivot_inertia
     c7 = p[19]  # half_width*yield_force/pivot_inertia
     total_gravity = ay + gravity
-    x0 = c1*s
+    x0 = c4*s
     theta_ddot = (
-        ax*(-c0*cos_theta - sin_theta*x0) + c6*sin_theta - c7*cos_theta*s +
-        total_gravity*(c0*sin_theta - cos_theta*x0)
+        cos_theta*(-ax*c3 - c7*s - total_gravity*x0) + sin_theta*(-ax*x0 + c3*total_gravity +
+        c6)
     )
     return (theta_ddot, 0.0,)
 
@@ -359,12 +350,12 @@ def guards(contact, y, p, ax, ay, g):
         tendon_stiffness = p[7]
         initial_force = p[8]
         eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
+        c0 = p[12]  # height**2/transition**2
+        c1 = p[13]  # edge_distance - half_width
         c8 = p[20]  # initial_force - yield_force
         x0 = (
-            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1 -
-            math.exp(-c2*sin_theta**2)) + half_width*(1 -
+            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c1*(1 -
+            math.exp(-c0*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
         g[0] = s*theta
@@ -379,12 +370,12 @@ def guards(contact, y, p, ax, ay, g):
         tendon_stiffness = p[7]
         initial_force = p[8]
         eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
+        c0 = p[12]  # height**2/transition**2
+        c1 = p[13]  # edge_distance - half_width
         g[0] = s*theta
         g[1] = (
-            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c3*(1
-            - math.exp(-c2*sin_theta**2)) + half_width*(1 -
+            -initial_force - tendon_stiffness*(-permanent_extension + (-eccentricity + s*(-c1*(1
+            - math.exp(-c0*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
     elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
@@ -394,13 +385,13 @@ def guards(contact, y, p, ax, ay, g):
         sin_theta, cos_theta = sine_cosine(theta)
         half_width = p[4]
         eccentricity = p[10]
-        c2 = p[14]  # height**2/transition**2
-        c3 = p[15]  # edge_distance - half_width
+        c0 = p[12]  # height**2/transition**2
+        c1 = p[13]  # edge_distance - half_width
         c9 = p[21]  # 2*height**2*(-edge_distance + half_width)/transition**2
         x0 = math.tan(theta)
         x1 = 1/cos_theta
-        x2 = math.exp(-c2*sin_theta**2)
-        x3 = -c3*(1 - x2) + half_width*(1 - cos_theta)
+        x2 = math.exp(-c0*sin_theta**2)
+        x3 = -c1*(1 - x2) + half_width*(1 - cos_theta)
         g[0] = s*theta
         g[1] = (
             theta_dot*(x0*(s*x1*(c9*cos_theta*sin_theta*x2 + half_width*sin_theta) +
@@ -915,144 +906,6 @@ def held_guards(y, p, ax, g):
     pass
 
 
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        x0 = math.sin(theta)
-        x1 = half_width*s
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        x0 = math.sin(theta)
-        x1 = half_width*s
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        x0 = math.sin(theta)
-        x1 = half_width*s
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == BOTH:
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        out[0] = 0
-        out[1] = centroid_height
-        out[2] = 0
-        out[3] = -half_width
-        out[4] = 0
-        out[5] = 0
-        out[6] = half_width
-        out[7] = 0
-        out[8] = 0
-        out[9] = 0
-        out[10] = height
-        out[11] = 0
-    elif contact == BOTH_SLACK:
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        out[0] = 0
-        out[1] = centroid_height
-        out[2] = 0
-        out[3] = -half_width
-        out[4] = 0
-        out[5] = 0
-        out[6] = half_width
-        out[7] = 0
-        out[8] = 0
-        out[9] = 0
-        out[10] = height
-        out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    eccentricity = p[10]
-    x0 = -half_width
-    x1 = -centroid_height
-    x2 = -centroid_height + height
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = x2
-    out[6] = x0
-    out[7] = x2
-    out[8] = eccentricity
-    out[9] = 0
-    out[10] = eccentricity
-    out[11] = x2
-
-
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/3)*math.pi
@@ -1091,19 +944,19 @@ def prepare(parameters):
     transition = parameters[6]
     initial_force = parameters[8]
     yield_force = parameters[9]
-    x0 = 1/pivot_inertia
-    x1 = centroid_height*x0
-    x2 = half_width*x0
-    x3 = height**2/transition**2
-    x4 = edge_distance - half_width
-    p[12] = mass*x1
-    p[13] = mass*x2
+    x0 = height**2/transition**2
+    x1 = edge_distance - half_width
+    x2 = 1/pivot_inertia
+    x3 = centroid_height*x2
+    x4 = half_width*x2
+    p[12] = x0
+    p[13] = x1
     p[14] = x3
-    p[15] = x4
-    p[16] = x1
-    p[17] = x2
-    p[18] = x1*yield_force
-    p[19] = x2*yield_force
+    p[15] = mass*x3
+    p[16] = mass*x4
+    p[17] = x4
+    p[18] = x3*yield_force
+    p[19] = x4*yield_force
     p[20] = initial_force - yield_force
-    p[21] = -2*x3*x4
+    p[21] = -2*x0*x1
     return p

@@ -14,7 +14,7 @@ Source: Shenton (1996).
     contacts    both, both_slides_right, both_slides_left, left, left_slides_right, left_slides_left, right, right_slides_right, right_slides_left, flight
 
 Operations before and after common subexpressions were shared:
-    rates                    140   106
+    rates                    140   108
     forces                    74    63
     guards                    39    31
     free_motion               47    29
@@ -23,11 +23,8 @@ Operations before and after common subexpressions were shared:
     energies                  36    29
     reactions                 33    30
     kinematics                17    12
-    losses                     0     0
     momentum                  12    10
     statics                   11    10
-    positions                 24    12
-    shapes                     4     2
     overturning                1     1
     velocity_ratio             0     0
     sizes                      4     2
@@ -39,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "c356fcdea99ddbd6"
+SOURCE_HASH = "810cc621060eb69c"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -85,12 +82,6 @@ REACTIONS = (
     "right_friction",
 )
 KINEMATICS = ("displacement", "left_uplift", "right_uplift", "left_slip", "right_slip",)
-POSITIONS = ("block", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("block", "block", "block", "block",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
 POINTS = ("left", "right",)
 ELEMENTS = ()
 
@@ -101,7 +92,6 @@ N_POINTS = 2
 N_ELEMENTS = 0
 ROTATION = 2
 ROTATION_RATE = 5
-N_FALLS = 0
 SIDES = (
     0.0,  # both
     0.0,  # both_slides_right
@@ -362,7 +352,7 @@ def rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     x2 = sin_theta*x1
     x3 = theta_dot**2
     x4 = cos_theta*x1
-    theta_ddot = ax*(-c1*cos_theta - sin_theta*x0) + total_gravity*(c1*sin_theta - cos_theta*x0)
+    theta_ddot = cos_theta*(-ax*c1 - total_gravity*x0) + sin_theta*(-ax*x0 + c1*total_gravity)
     speed_0 = theta_dot*x2
     drift_0 = x3*x4
     tie_0_2 = x2
@@ -392,32 +382,33 @@ def rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, 
     c9 = p[16]  # friction*half_width*height*mass
     c10 = p[17]  # half_width**2*mass + height**2*mass + inertia
     c11 = p[18]  # friction*half_width
-    c12 = p[19]  # half_width*mass
-    c13 = p[20]  # half_width*height*mass
-    c14 = p[21]  # 2*height
-    c15 = p[22]  # friction*height
+    c12 = p[19]  # friction*height
+    c13 = p[20]  # half_width*mass
+    c14 = p[21]  # half_width*height*mass
+    c15 = p[22]  # 2*height
     total_gravity = ay + gravity
     x0 = c3*cos_theta
     x1 = sigma_0*sin_theta
-    x2 = cos_theta*s
+    x2 = s*sigma_0
     x3 = sin_theta**2
-    x4 = theta_dot**2
-    x5 = c11*sigma_0
-    x6 = height + s*x5
-    x7 = s*x4
-    x8 = half_width*x2
+    x4 = cos_theta*s
+    x5 = theta_dot**2
+    x6 = c11*sigma_0
+    x7 = height + s*x6
+    x8 = s*x5
+    x9 = half_width*x4
     m00 = mass
-    m01 = -c4*x1 + c5*sigma_0*x2 + x0
+    m01 = -c4*x1 + c5*cos_theta*x2 + x0
     m10 = x0
-    m11 = c10 - c6*x3 - c7*cos_theta*x1 - c8*sin_theta*x2 + c9*s*sigma_0*x3
-    f0 = -ax*mass - c0*sigma_0*total_gravity + c4*cos_theta*sigma_0*x4 + mass*sin_theta*x4*x6
+    m11 = c10 - c6*x3 - c7*cos_theta*x1 - c8*sin_theta*x4 + c9*s*sigma_0*x3
+    f0 = -ax*mass - c0*sigma_0*total_gravity + c4*cos_theta*sigma_0*x5 + mass*sin_theta*x5*x7
     f1 = (
-        -ax*x0 + c12*cos_theta*sin_theta*x4*(-c15*s*sigma_0 + half_width) - c12*x3*x4*(c14*s +
-        x5) + c13*x7 + total_gravity*(-c12*x2 + mass*sin_theta*x6)
+        -c13*x3*x5*(c15*s + x6) + c14*x8 + cos_theta*(-ax*c3 - c13*s*total_gravity) +
+        sin_theta*(c13*cos_theta*x5*(-c12*x2 + half_width) + mass*total_gravity*x7)
     )
-    speed_1 = theta_dot*x8
-    drift_1 = -half_width*sin_theta*x7
-    tie_1_2 = x8
+    speed_1 = theta_dot*x9
+    drift_1 = -half_width*sin_theta*x8
+    tie_1_2 = x9
     det_0 = 1.0 / (m00 * m11 - m01 * m10)
     x_ddot = (f0 * m11 - m01 * f1) * det_0
     theta_ddot = (m00 * f1 - f0 * m10) * det_0
@@ -943,11 +934,6 @@ def kinematics(contact, y, p, out):
     out[4] = -half_width + x + x2
 
 
-def losses(contact, y, p, out):
-    """Power lost in dampers and by yielding, less that of declared forces [W], into out (1,)."""
-    out[0] = 0
-
-
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
@@ -971,53 +957,6 @@ def statics(contact, y, p, load, out):
     out[0] = -load
     out[1] = x0
     out[2] = -height*load*math.cos(theta) - height*x0*math.sin(theta)
-
-
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    x = y[0]
-    y_ = y[1]
-    theta = y[2]
-    half_width = p[1]
-    height = p[2]
-    x0 = math.sin(theta)
-    x1 = height*x0 + x
-    x2 = math.cos(theta)
-    x3 = height*x2 + y_
-    x4 = half_width*x2
-    x5 = half_width*x0
-    out[0] = x1
-    out[1] = x3
-    out[2] = theta
-    out[3] = x - x4
-    out[4] = x5 + y_
-    out[5] = 0
-    out[6] = x + x4
-    out[7] = -x5 + y_
-    out[8] = 0
-    out[9] = x1
-    out[10] = x3
-    out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    half_width = p[1]
-    height = p[2]
-    x0 = -half_width
-    x1 = -height
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = height
-    out[6] = x0
-    out[7] = height
 
 
 def overturning(p):
@@ -1077,10 +1016,10 @@ def prepare(parameters):
     p[16] = half_width*x8
     p[17] = x4
     p[18] = friction*half_width
-    p[19] = x7
-    p[20] = half_width*x6
-    p[21] = 2*height
-    p[22] = friction*height
+    p[19] = friction*height
+    p[20] = x7
+    p[21] = half_width*x6
+    p[22] = 2*height
     p[23] = x3
     p[24] = 1/mass
     p[25] = x10

@@ -17,7 +17,7 @@ Source: Psycharis (1990).
     contacts    both_upper_both, both_upper_left, both_upper_right, left_upper_both, right_upper_both, both, left_upper_left, left_upper_right, right_upper_left, right_upper_right, upper_both, left, right, upper_left, upper_right, flight
 
 Operations before and after common subexpressions were shared:
-    rates                   1488   929
+    rates                   1472   970
     forces                  1639   953
     guards                    74    62
     free_motion              672   218
@@ -26,13 +26,9 @@ Operations before and after common subexpressions were shared:
     energies                 281   150
     reactions                108    81
     kinematics                45    31
-    losses                     0     0
     momentum                  74    50
     statics                   59    37
-    positions                126    53
-    shapes                     8     4
     overturning                1     1
-    overturns_at               1     1
     velocity_ratio             0     0
     sizes                      8     3
     prepare                  240    97
@@ -43,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "d0a2e7f06c352b77"
+SOURCE_HASH = "2930de3f0a8a364b"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -140,12 +136,6 @@ KINEMATICS = (
     "upper_left_slip",
     "upper_right_slip",
 )
-POSITIONS = ("lower", "upper", "left", "right", "upper_left", "upper_right", "load",)
-POSITION_KINDS = ("body", "body", "foot", "foot", "point", "point", "load",)
-CORNERS = ("lower", "lower", "lower", "lower", "upper", "upper", "upper", "upper",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
 POINTS = ("left", "right", "upper_left", "upper_right",)
 ELEMENTS = ()
 
@@ -156,9 +146,6 @@ N_POINTS = 4
 N_ELEMENTS = 0
 ROTATION = 5
 ROTATION_RATE = 11
-N_FALLS = 1
-FALLS = (2,)
-FALL_RATES = (8,)
 SIDES = (
     0.0,  # both_upper_both
     0.0,  # both_upper_left
@@ -497,7 +484,7 @@ def rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, 
     x2 = sin_phi*x1
     x3 = phi_dot**2
     x4 = cos_phi*x1
-    phi_ddot = ax*(-c0*cos_phi - sin_phi*x0) + total_gravity*(c0*sin_phi - cos_phi*x0)
+    phi_ddot = cos_phi*(-ax*c0 - total_gravity*x0) + sin_phi*(-ax*x0 + c0*total_gravity)
     speed_3 = phi_dot*x2
     drift_3 = x3*x4
     tie_3_5 = x2
@@ -530,7 +517,7 @@ def rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi,
     x3 = phi_dot**2
     x4 = cos_phi*x1
     m00 = -c2*s*xi + c3 + upper_mass*xi**2
-    f0 = ax*(-c5*cos_phi + sin_phi*x0) + total_gravity*(c5*sin_phi + cos_phi*x0)
+    f0 = cos_phi*(-ax*c5 + total_gravity*x0) + sin_phi*(ax*x0 + c5*total_gravity)
     speed_0 = phi_dot*x2
     drift_0 = x3*x4
     tie_0_5 = x2
@@ -627,65 +614,61 @@ def rates_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, 
     x4 = sin_phi*sin_theta
     x5 = c17*s
     x6 = cos_phi*sin_theta
-    x7 = c6*sin_phi
+    x7 = cos_theta*sin_phi
     x8 = c14*cos_angle_2
-    x9 = cos_theta*sin_phi
-    x10 = sin_theta*xi
-    x11 = c6*cos_phi
-    x12 = cos_angle_2*s
-    x13 = c18*x12
-    x14 = c19*x12
-    x15 = c19*x2
-    x16 = phi_dot**2
-    x17 = c15*x12
-    x18 = sin_theta*x3
-    x19 = cos_angle_2*upper_half_width
-    x20 = -lower_half_width + x19
-    x21 = x1 + x20
-    x22 = c14*sin_angle_2
-    x23 = -s*x20
-    x24 = cos_theta*x11
-    x25 = s*(-c21 + x8) + upper_mass*xi
-    x26 = c23*cos_theta
-    x27 = theta_dot**2
-    x28 = c14*x2
-    x29 = s*x8
-    x30 = s*x20
-    x31 = lower_half_width*s
-    x32 = sin_theta*x31
-    x33 = cos_theta*x31
-    x34 = upper_half_width*x2
-    x35 = s*x19
+    x9 = sin_theta*xi
+    x10 = c6*cos_phi
+    x11 = cos_angle_2*s
+    x12 = c18*x11
+    x13 = c19*x11
+    x14 = c19*x2
+    x15 = phi_dot**2
+    x16 = c15*x11
+    x17 = cos_angle_2*upper_half_width
+    x18 = -lower_half_width + x17
+    x19 = x1 + x18
+    x20 = -s*x18
+    x21 = s*(-c21 + x8) + upper_mass*xi
+    x22 = c23*cos_theta
+    x23 = theta_dot**2
+    x24 = ax*s
+    x25 = s*x18
+    x26 = lower_half_width*s
+    x27 = sin_theta*x26
+    x28 = cos_theta*x26
+    x29 = upper_half_width*x2
+    x30 = s*x17
     m00 = -c10*cos_angle_2 + c11*cos_angle_2*x1 + c12 - c2*x1 + upper_mass*xi**2 + x0
     m10 = (
-        c13*cos_angle_2 + c15*x2 + c16*x4 + cos_theta*x3 + cos_theta*x7*xi - x0 - x1*x8 -
-        x10*x11 - x13*x6 + x13*x9 + x5*x6 - x5*x9
+        c13*cos_angle_2 + c15*x2 + c16*x4 + c6*x7*xi + cos_theta*x3 - x0 - x1*x8 - x10*x9 -
+        x12*x6 + x12*x7 + x5*x6 - x5*x7
     )
-    m11 = c20 + cos_phi*cos_theta*x15 + x14*x6 - x14*x9 + x15*x4
+    m11 = c20 + cos_phi*cos_theta*x14 + x13*x6 - x13*x7 + x14*x4
     f0 = (
-        ax*(-c22*cos_theta + sin_theta*x25) + total_gravity*(c22*sin_theta + cos_theta*x25) -
-        x16*x17 - x16*x18 - x16*x21*x22 + x16*x24*(x23 - xi) + x16*x7*(sin_theta*x23 - x10 +
-        x26)
+        -c14*sin_angle_2*x15*x19 + c6*sin_phi*x15*(sin_theta*x20 + x22 - x9) +
+        cos_theta*x10*x15*(x20 - xi) + cos_theta*(-ax*c22 + total_gravity*x21) +
+        sin_theta*(ax*x21 + c22*total_gravity - x15*x3) - x15*x16
     )
     f1 = (
-        ax*(-cos_theta*x28 - sin_theta*x29 - x11) + total_gravity*(-cos_theta*x29 +
-        sin_theta*x28 + x7) + x17*x27 + x18*x27 + x21*x22*x27 + x24*x27*(x30 + xi) +
-        x27*x7*(sin_theta*x30 + x10 - x26)
+        cos_phi*(-ax*c6 + c6*cos_theta*x23*(x25 + xi)) - cos_theta*s*total_gravity*x8 +
+        sin_angle_2*(-c14*cos_theta*x24 + c14*x19*x23) + sin_phi*(c6*total_gravity +
+        c6*x23*(sin_theta*x25 - x22 + x9)) + sin_theta*(c14*total_gravity*x2 + x23*x3 - x24*x8)
+        + x16*x23
     )
-    speed_0 = theta_dot*x32
-    drift_0 = x27*x33
-    tie_0_2 = x32
-    speed_1 = theta_dot*x33
-    drift_1 = -x27*x32
-    tie_1_2 = x33
-    speed_3 = phi_dot*x34 - theta_dot*x34
-    drift_3 = -c24*phi_dot*theta_dot*x12 + x16*x35 + x27*x35
-    tie_3_2 = -x34
-    tie_3_5 = x34
-    speed_4 = phi_dot*x35 - theta_dot*x35
-    drift_4 = c24*phi_dot*s*sin_angle_2*theta_dot - x16*x34 - x27*x34
-    tie_4_2 = -x35
-    tie_4_5 = x35
+    speed_0 = theta_dot*x27
+    drift_0 = x23*x28
+    tie_0_2 = x27
+    speed_1 = theta_dot*x28
+    drift_1 = -x23*x27
+    tie_1_2 = x28
+    speed_3 = phi_dot*x29 - theta_dot*x29
+    drift_3 = -c24*phi_dot*theta_dot*x11 + x15*x30 + x23*x30
+    tie_3_2 = -x29
+    tie_3_5 = x29
+    speed_4 = phi_dot*x30 - theta_dot*x30
+    drift_4 = c24*phi_dot*s*sin_angle_2*theta_dot - x15*x29 - x23*x29
+    tie_4_2 = -x30
+    tie_4_5 = x30
     r0 = 1.0 / m00
     l10 = m10 * r0
     m11 -= l10 * m10
@@ -739,26 +722,22 @@ def rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y
     x7 = c19*x2
     x8 = phi_dot**2
     x9 = c15*x6
-    x10 = c16*cos_phi*sin_theta
-    x11 = cos_angle_2*upper_half_width
-    x12 = lower_half_width + x11
-    x13 = -s*xi + x12
-    x14 = c14*sin_angle_2
-    x15 = s*x12
-    x16 = x15 - xi
-    x17 = cos_theta*x5
-    x18 = c14*cos_angle_2
-    x19 = -s*(c21 + x18) + upper_mass*xi
-    x20 = c23*cos_theta + sin_theta*x15 - x4
-    x21 = c6*sin_phi
-    x22 = theta_dot**2
-    x23 = s*x18
-    x24 = c14*x2
-    x25 = lower_half_width*s
-    x26 = sin_theta*x25
-    x27 = cos_theta*x25
-    x28 = upper_half_width*x2
-    x29 = s*x11
+    x10 = cos_angle_2*upper_half_width
+    x11 = lower_half_width + x10
+    x12 = -s*xi + x11
+    x13 = s*x11
+    x14 = x13 - xi
+    x15 = c14*cos_angle_2
+    x16 = -s*(c21 + x15) + upper_mass*xi
+    x17 = c23*cos_theta + sin_theta*x13 - x4
+    x18 = c16*cos_phi
+    x19 = theta_dot**2
+    x20 = ax*s
+    x21 = lower_half_width*s
+    x22 = sin_theta*x21
+    x23 = cos_theta*x21
+    x24 = upper_half_width*x2
+    x25 = s*x10
     m00 = c10*cos_angle_2 - c11*cos_angle_2*x1 + c12 - c2*x1 + upper_mass*xi**2 + x0
     m10 = (
         -c13*cos_angle_2 + c14*cos_angle_2*s*xi - c15*x2 + c16*cos_phi*cos_theta +
@@ -770,27 +749,28 @@ def rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y
         cos_phi*cos_theta*x7 - sin_phi*sin_theta*x7
     )
     f0 = (
-        ax*(-c22*cos_theta + sin_theta*x19) + total_gravity*(c22*sin_theta + cos_theta*x19) -
-        x10*x8 - x13*x14*x8 + x16*x17*x8 + x20*x21*x8 + x8*x9
+        -c14*sin_angle_2*x12*x8 + c6*sin_phi*x17*x8 + cos_theta*x14*x5*x8 + cos_theta*(-ax*c22 +
+        total_gravity*x16) + sin_theta*(ax*x16 + c22*total_gravity - x18*x8) + x8*x9
     )
     f1 = (
-        ax*(cos_theta*x24 + sin_theta*x23 - x5) + total_gravity*(cos_theta*x23 - sin_theta*x24 +
-        x21) + x10*x22 + x13*x14*x22 - x16*x17*x22 - x20*x21*x22 - x22*x9
+        cos_phi*(-ax*c6 - c6*cos_theta*x14*x19) + cos_theta*s*total_gravity*x15 +
+        sin_angle_2*(c14*cos_theta*x20 + c14*x12*x19) + sin_phi*(c6*total_gravity - c6*x17*x19)
+        + sin_theta*(-c14*total_gravity*x2 + x15*x20 + x18*x19) - x19*x9
     )
-    speed_0 = theta_dot*x26
-    drift_0 = x22*x27
-    tie_0_2 = x26
-    speed_1 = theta_dot*x27
-    drift_1 = -x22*x26
-    tie_1_2 = x27
-    speed_3 = -phi_dot*x28 + s*sin_angle_2*theta_dot*upper_half_width
-    drift_3 = c24*cos_angle_2*phi_dot*s*theta_dot - x22*x29 - x29*x8
-    tie_3_2 = x28
-    tie_3_5 = -x28
-    speed_4 = cos_angle_2*s*theta_dot*upper_half_width - phi_dot*x29
-    drift_4 = -c24*phi_dot*theta_dot*x2 + x22*x28 + x28*x8
-    tie_4_2 = x29
-    tie_4_5 = -x29
+    speed_0 = theta_dot*x22
+    drift_0 = x19*x23
+    tie_0_2 = x22
+    speed_1 = theta_dot*x23
+    drift_1 = -x19*x22
+    tie_1_2 = x23
+    speed_3 = -phi_dot*x24 + s*sin_angle_2*theta_dot*upper_half_width
+    drift_3 = c24*cos_angle_2*phi_dot*s*theta_dot - x19*x25 - x25*x8
+    tie_3_2 = x24
+    tie_3_5 = -x24
+    speed_4 = cos_angle_2*s*theta_dot*upper_half_width - phi_dot*x25
+    drift_4 = -c24*phi_dot*theta_dot*x2 + x19*x24 + x24*x8
+    tie_4_2 = x25
+    tie_4_5 = -x25
     r0 = 1.0 / m00
     l10 = m10 * r0
     m11 -= l10 * m10
@@ -821,18 +801,16 @@ def rates_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot
     total_gravity = ay + gravity
     x0 = upper_mass*xi
     x1 = sin_phi*x0
-    x2 = -x1
-    x3 = cos_phi*x0
-    x4 = phi_dot**2
-    x5 = c5*sin_phi
+    x2 = cos_phi*x0
+    x3 = phi_dot**2
     m10 = 0
     m11 = c25
-    m20 = c26*cos_phi + c27*cos_phi + c6*cos_phi + x2
-    m21 = -c26*sin_phi - c27*sin_phi - c6*sin_phi - x3
+    m20 = c26*cos_phi + c27*cos_phi + c6*cos_phi - x1
+    m21 = -c26*sin_phi - c27*sin_phi - c6*sin_phi - x2
     m22 = c28 + upper_mass*xi**2
-    f0 = -ax*c25 + x3*x4 + x4*x5
-    f1 = -c25*total_gravity + c5*cos_phi*x4 - x1*x4
-    f2 = ax*(-c5*cos_phi - x2) + total_gravity*(x3 + x5)
+    f0 = -ax*c25 + c5*sin_phi*x3 + x2*x3
+    f1 = -c25*total_gravity + c5*cos_phi*x3 - x1*x3
+    f2 = cos_phi*(-ax*c5 + total_gravity*upper_mass*xi) + sin_phi*(ax*x0 + c5*total_gravity)
     r0 = c29
     speed_2 = phi_dot
     tie_2_5 = 1
@@ -891,26 +869,25 @@ def rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, x
     x8 = c17*s
     x9 = cos_theta*eta
     x10 = sin_theta*xi
-    x11 = sin_theta*upper_mass
-    x12 = cos_theta*upper_mass
-    x13 = phi_dot**2
-    x14 = x13*x4
-    x15 = 2*eta_dot
-    x16 = lower_half_width*s
-    x17 = theta_dot*x16
-    x18 = theta_dot*xi - x15 - x17
-    x19 = theta_dot*upper_mass
-    x20 = x1*x13
-    x21 = 2*xi_dot
-    x22 = c23*theta_dot
-    x23 = eta*theta_dot
-    x24 = x21 + x22 + x23
-    x25 = sin_theta*x17
-    x26 = c32 + x6
-    x27 = -c4*s - x7
-    x28 = sin_theta*x16
-    x29 = theta_dot**2
-    x30 = cos_theta*x16
+    x11 = ax*upper_mass
+    x12 = phi_dot**2
+    x13 = x0*x12
+    x14 = 2*eta_dot
+    x15 = lower_half_width*s
+    x16 = theta_dot*x15
+    x17 = theta_dot*xi - x14 - x16
+    x18 = theta_dot*upper_mass
+    x19 = x1*x12
+    x20 = 2*xi_dot
+    x21 = c23*theta_dot
+    x22 = eta*theta_dot
+    x23 = x20 + x21 + x22
+    x24 = sin_theta*x16
+    x25 = c32 + x6
+    x26 = -c4*s - x7
+    x27 = sin_theta*x15
+    x28 = theta_dot**2
+    x29 = cos_theta*x15
     m10 = 0
     m11 = upper_mass
     m20 = x1 + x3
@@ -923,24 +900,25 @@ def rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, x
         cos_theta*sin_phi*x8 + eta*x3 - x0*x10 + x0*x9 + x5*xi
     )
     m33 = c12 - c2*s*xi + c31*eta + eta**2*upper_mass + upper_mass*xi**2
-    f0 = -ax*x12 + total_gravity*x11 + x13*x5 - x14 + x18*x19
-    f1 = -ax*x11 - total_gravity*x12 + x13*x3 + x19*x24 + x20
+    f0 = -cos_theta*x11 + sin_theta*(total_gravity*upper_mass - x13) + x12*x5 + x17*x18
+    f1 = -cos_theta*total_gravity*upper_mass - sin_theta*x11 + x12*x3 + x18*x23 + x19
     f2 = (
-        -ax*x0 + theta_dot*x1*x18 + theta_dot*x2*(-cos_theta*x21 - cos_theta*x22 - cos_theta*x23
-        + sin_theta*theta_dot*xi - sin_theta*x15 - x25) + theta_dot*x24*x4 + total_gravity*x2
+        cos_phi*(-ax*c6 + c6*cos_theta*theta_dot*x17) + sin_phi*(c6*theta_dot*(-cos_theta*x20 -
+        cos_theta*x21 - cos_theta*x22 + sin_theta*theta_dot*xi - sin_theta*x14 - x24) +
+        c6*total_gravity) + theta_dot*x23*x4
     )
     f3 = (
-        ax*(-cos_theta*x26 + sin_theta*x27) + c33*theta_dot*(-c23*eta_dot - eta*eta_dot +
-        lower_half_width*s*xi_dot - xi*xi_dot) + total_gravity*(cos_theta*x27 + sin_theta*x26) +
-        x13*x2*(c23*cos_theta - x10 + x28 + x9) - x14*(c23 + eta) + x20*(x16 - xi)
+        c33*theta_dot*(-c23*eta_dot - eta*eta_dot + lower_half_width*s*xi_dot - xi*xi_dot) +
+        cos_theta*(-ax*x25 + total_gravity*x26) + sin_theta*(ax*x26 + total_gravity*x25 -
+        x13*(c23 + eta)) + x12*x2*(c23*cos_theta - x10 + x27 + x9) + x19*(x15 - xi)
     )
     r0 = c8
-    speed_0 = x25
-    drift_0 = x29*x30
-    tie_0_2 = x28
-    speed_1 = cos_theta*x17
-    drift_1 = -x28*x29
-    tie_1_2 = x30
+    speed_0 = x24
+    drift_0 = x28*x29
+    tie_0_2 = x27
+    speed_1 = cos_theta*x16
+    drift_1 = -x27*x28
+    tie_1_2 = x29
     l10 = m10 * r0
     l20 = m20 * r0
     l30 = m30 * r0
@@ -1015,63 +993,63 @@ def rates_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_
     x10 = c6*cos_phi
     x11 = s*sin_angle_2
     x12 = x11*x5
-    x13 = x10 + x12 + x3
-    x14 = c6*sin_phi
-    x15 = x1*x11 + x14 - x6
-    x16 = c16*cos_phi
-    x17 = sin_phi*sin_theta
-    x18 = c18*x2
-    x19 = cos_theta*sin_phi
-    x20 = cos_phi*sin_theta
-    x21 = c19*x2
-    x22 = c19*x11
-    x23 = phi_dot**2
-    x24 = theta_dot**2
-    x25 = c14*x23
-    x26 = x24*xi
-    x27 = x23 - x24
-    x28 = cos_angle_2*upper_half_width
-    x29 = s*x28
-    x30 = c22*cos_theta
-    x31 = x10*x23
-    x32 = c15*x2
-    x33 = sin_theta*x16
-    x34 = sin_angle_2*(x28 + x8)
-    x35 = x29 + xi
-    x36 = cos_theta*x35
-    x37 = -c23*cos_theta + sin_theta*x29 + x0
-    x38 = upper_half_width*x11
+    x13 = c6*sin_phi
+    x14 = c16*cos_phi
+    x15 = sin_phi*sin_theta
+    x16 = c18*x2
+    x17 = cos_theta*sin_phi
+    x18 = cos_phi*sin_theta
+    x19 = c19*x2
+    x20 = c19*x11
+    x21 = phi_dot**2
+    x22 = theta_dot**2
+    x23 = c14*x11
+    x24 = x22*xi
+    x25 = x21 - x22
+    x26 = cos_angle_2*upper_half_width
+    x27 = s*x26
+    x28 = x10*x21
+    x29 = c15*x2
+    x30 = x26 + x8
+    x31 = x27 + xi
+    x32 = -c23*cos_theta + sin_theta*x27 + x0
+    x33 = upper_half_width*x11
     m10 = 0
     m11 = c25
     m20 = c26*cos_theta + c27*cos_theta - upper_mass*x0 - x3
     m21 = -c26*sin_theta - c27*sin_theta - x4*xi - x6
     m22 = c11*x9 + c34 + upper_mass*xi**2 + x7
-    m30 = x13
-    m31 = -x15
+    m30 = x10 + x12 + x3
+    m31 = -x1*x11 - x13 + x6
     m32 = (
-        -c14*x9 + c15*x11 + c16*x17 + cos_theta*x14*xi + cos_theta*x16 - x0*x10 + x18*x19 -
-        x18*x20 - x7
+        -c14*x9 + c15*x11 + c16*x15 + cos_theta*x13*xi + cos_theta*x14 - x0*x10 + x16*x17 -
+        x16*x18 - x7
     )
-    m33 = c20 + cos_phi*cos_theta*x22 + x17*x22 - x19*x21 + x20*x21
-    f0 = -ax*c25 + sin_theta*(c26*x24 + c27*x24 + x11*x25) + x14*x23 + x4*(x26 - x27*x29)
-    f1 = -c25*total_gravity + sin_theta*upper_mass*(-x26 + x27*x29) + x12*x23 + x24*x30 + x31
+    m33 = c20 + cos_phi*cos_theta*x20 + x15*x20 - x17*x19 + x18*x19
+    f0 = -ax*c25 + sin_theta*(c26*x22 + c27*x22 + x21*x23) + x13*x21 + x4*(x24 - x25*x27)
+    f1 = (
+        c22*cos_theta*x22 - c25*total_gravity + sin_theta*upper_mass*(-x24 + x25*x27) + x12*x21
+        + x28
+    )
     f2 = (
-        ax*(sin_theta*upper_mass*x35 - x30) - c6*sin_phi*x23*x37 + total_gravity*(c22*sin_theta
-        + x35*x4) - x23*x32 - x23*x33 - x25*x34 - x31*x36
+        -c14*sin_angle_2*x21*x30 - c6*sin_phi*x21*x32 - cos_theta*x28*x31 + cos_theta*(-ax*c22 +
+        total_gravity*upper_mass*x31) + sin_theta*(ax*upper_mass*x31 + c22*total_gravity -
+        x14*x21) - x21*x29
     )
     f3 = (
-        -ax*x13 + c14*x24*x34 + total_gravity*x15 + x10*x24*x36 + x14*x24*x37 + x24*x32 +
-        x24*x33
+        cos_phi*(-ax*c6 + c6*cos_theta*x22*x31) + sin_angle_2*(-ax*s*x5 + c14*x22*x30) +
+        sin_phi*(c6*total_gravity + c6*x22*x32) + sin_theta*(-ax*c14*x2 + total_gravity*x23 +
+        x14*x22) - total_gravity*x6 + x22*x29
     )
     r0 = c29
-    speed_3 = phi_dot*x38 - theta_dot*x38
-    drift_3 = -c24*phi_dot*theta_dot*x2 + x23*x29 + x24*x29
-    tie_3_2 = -x38
-    tie_3_5 = x38
-    speed_4 = phi_dot*x29 - theta_dot*x29
-    drift_4 = c24*phi_dot*s*sin_angle_2*theta_dot - x23*x38 - x24*x38
-    tie_4_2 = -x29
-    tie_4_5 = x29
+    speed_3 = phi_dot*x33 - theta_dot*x33
+    drift_3 = -c24*phi_dot*theta_dot*x2 + x21*x27 + x22*x27
+    tie_3_2 = -x33
+    tie_3_5 = x33
+    speed_4 = phi_dot*x27 - theta_dot*x27
+    drift_4 = c24*phi_dot*s*sin_angle_2*theta_dot - x21*x33 - x22*x33
+    tie_4_2 = -x27
+    tie_4_5 = x27
     l10 = m10 * r0
     l20 = m20 * r0
     l30 = m30 * r0
@@ -1134,26 +1112,24 @@ def rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, et
     x5 = sin_theta*x3
     x6 = sin_theta*x2
     x7 = cos_theta*x3
-    x8 = -x1*xi
-    x9 = x0*xi
-    x10 = eta*upper_mass
-    x11 = cos_theta*eta
-    x12 = sin_theta*xi
-    x13 = phi_dot**2
-    x14 = x13*x3
-    x15 = 2*eta_dot
-    x16 = -theta_dot*xi + x15
-    x17 = -x16
-    x18 = theta_dot*x17
-    x19 = theta_dot*(c26*theta_dot + c27*theta_dot + c33*xi_dot + theta_dot*x10)
-    x20 = x13*x6
-    x21 = theta_dot*upper_mass
-    x22 = x13*x4
-    x23 = 2*xi_dot
-    x24 = c23*theta_dot
-    x25 = eta*theta_dot
-    x26 = x23 + x24 + x25
-    x27 = c32 + x10
+    x8 = eta*upper_mass
+    x9 = upper_mass*xi
+    x10 = cos_theta*eta
+    x11 = sin_theta*xi
+    x12 = phi_dot**2
+    x13 = x12*x3
+    x14 = 2*eta_dot
+    x15 = -theta_dot*xi + x14
+    x16 = -x15
+    x17 = theta_dot*(c26*theta_dot + c27*theta_dot + c33*xi_dot + theta_dot*x8)
+    x18 = x12*x2
+    x19 = theta_dot*upper_mass
+    x20 = x12*x4
+    x21 = 2*xi_dot
+    x22 = c23*theta_dot
+    x23 = eta*theta_dot
+    x24 = x21 + x22 + x23
+    x25 = c32 + x8
     m10 = 0
     m11 = c25
     m20 = x0
@@ -1168,24 +1144,25 @@ def rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, et
     m42 = x4 + x5
     m43 = x6 - x7
     m44 = c7
-    m50 = c26*cos_theta + c27*cos_theta + eta*x0 + x8
-    m51 = -c26*sin_theta - c27*sin_theta - eta*x1 - x9
-    m52 = c27 + x10
-    m53 = -upper_mass*xi
-    m54 = c16*cos_phi*cos_theta + c16*sin_phi*sin_theta + eta*x5 + x11*x2 - x12*x2 + x7*xi
+    m50 = c26*cos_theta + c27*cos_theta + eta*x0 - x1*xi
+    m51 = -c26*sin_theta - c27*sin_theta - eta*x1 - x0*xi
+    m52 = c27 + x8
+    m53 = -x9
+    m54 = c16*cos_phi*cos_theta + c16*sin_phi*sin_theta + eta*x5 + x10*x2 - x11*x2 + x7*xi
     m55 = c31*eta + c34 + eta**2*upper_mass + upper_mass*xi**2
-    f0 = -ax*c25 + sin_theta*x19 + x0*x18 + x14
-    f1 = -c25*total_gravity + cos_theta*x19 + theta_dot*x1*x16 + x13*x2
-    f2 = -ax*x0 + total_gravity*x1 + x13*x7 + x17*x21 - x20
-    f3 = -ax*x1 - total_gravity*x0 + x13*x5 + x21*x26 + x22
+    f0 = -ax*c25 + sin_theta*x17 + theta_dot*x0*x16 + x13
+    f1 = -c25*total_gravity + cos_theta*x17 + theta_dot*x1*x15 + x18
+    f2 = -ax*x0 + sin_theta*(total_gravity*upper_mass - x18) + x12*x7 + x16*x19
+    f3 = -ax*x1 - total_gravity*x0 + x12*x5 + x19*x24 + x20
     f4 = (
-        -ax*x2 + theta_dot*x26*x6 + theta_dot*x3*(-cos_theta*x23 - cos_theta*x24 - cos_theta*x25
-        + sin_theta*theta_dot*xi - sin_theta*x15) + total_gravity*x3 + x18*x4
+        cos_phi*(-ax*c6 + c6*cos_theta*theta_dot*x16) + sin_phi*(c6*theta_dot*(-cos_theta*x21 -
+        cos_theta*x22 - cos_theta*x23 + sin_theta*theta_dot*xi - sin_theta*x14) +
+        c6*total_gravity) + theta_dot*x24*x6
     )
     f5 = (
-        ax*(-cos_theta*x27 - x8) - c33*theta_dot*(c23*eta_dot + eta*eta_dot + xi*xi_dot) +
-        total_gravity*(sin_theta*x27 + x9) + x14*(c23*cos_theta + x11 - x12) - x20*(c23 + eta) -
-        x22*xi
+        -c33*theta_dot*(c23*eta_dot + eta*eta_dot + xi*xi_dot) + cos_theta*(-ax*x25 +
+        total_gravity*upper_mass*xi) + sin_theta*(ax*x9 + total_gravity*x25 - x18*(c23 + eta)) +
+        x13*(c23*cos_theta + x10 - x11) - x20*xi
     )
     r0 = c29
     l10 = m10 * r0
@@ -3047,11 +3024,6 @@ def kinematics(contact, y, p, out):
     out[8] = -upper_half_width + x6 + xi
 
 
-def losses(contact, y, p, out):
-    """Power lost in dampers and by yielding, less that of declared forces [W], into out (1,)."""
-    out[0] = 0
-
-
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
@@ -3115,98 +3087,9 @@ def statics(contact, y, p, load, out):
     out[5] = -load*upper_half_height*math.cos(phi) - upper_half_height*x1*math.sin(phi)
 
 
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    x = y[0]
-    y_ = y[1]
-    theta = y[2]
-    xi = y[3]
-    eta = y[4]
-    phi = y[5]
-    lower_half_width = p[1]
-    lower_half_height = p[2]
-    upper_half_width = p[5]
-    upper_half_height = p[6]
-    x0 = math.sin(theta)
-    x1 = math.cos(theta)
-    x2 = eta + 2*lower_half_height
-    x3 = upper_half_height*math.sin(phi) + x + x0*x2 + x1*xi
-    x4 = upper_half_height*math.cos(phi) - x0*xi + x1*x2 + y_
-    x5 = lower_half_width*x1
-    x6 = lower_half_width*x0
-    x7 = phi - theta
-    x8 = upper_half_width*math.cos(x7)
-    x9 = -x8 + xi
-    x10 = upper_half_width*math.sin(x7)
-    x11 = x10 + x2
-    x12 = x8 + xi
-    x13 = -x10 + x2
-    out[0] = lower_half_height*x0 + x
-    out[1] = lower_half_height*x1 + y_
-    out[2] = theta
-    out[3] = x3
-    out[4] = x4
-    out[5] = phi
-    out[6] = x - x5
-    out[7] = x6 + y_
-    out[8] = 0
-    out[9] = x + x5
-    out[10] = -x6 + y_
-    out[11] = 0
-    out[12] = x + x0*x11 + x1*x9
-    out[13] = -x0*x9 + x1*x11 + y_
-    out[14] = 0
-    out[15] = x + x0*x13 + x1*x12
-    out[16] = -x0*x12 + x1*x13 + y_
-    out[17] = 0
-    out[18] = x3
-    out[19] = x4
-    out[20] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    lower_half_width = p[1]
-    lower_half_height = p[2]
-    upper_half_width = p[5]
-    upper_half_height = p[6]
-    x0 = -lower_half_width
-    x1 = -lower_half_height
-    x2 = -upper_half_width
-    x3 = -upper_half_height
-    out[0] = x0
-    out[1] = x1
-    out[2] = lower_half_width
-    out[3] = x1
-    out[4] = lower_half_width
-    out[5] = lower_half_height
-    out[6] = x0
-    out[7] = lower_half_height
-    out[8] = x2
-    out[9] = x3
-    out[10] = upper_half_width
-    out[11] = x3
-    out[12] = upper_half_width
-    out[13] = upper_half_height
-    out[14] = x2
-    out[15] = upper_half_height
-
-
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
-    return value
-
-
-def overturns_at(number, p):
-    """Size of a coordinate of FALLS, by its number, at which the structure has fallen."""
-    value = 0.0
-    if number == 0:
-        value = (1/2)*math.pi
     return value
 
 

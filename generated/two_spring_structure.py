@@ -17,14 +17,12 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
     contacts    left, both, flight, right
 
 Operations before and after common subexpressions were shared:
-    accelerations             81    79
+    accelerations             78    76
     guards                   166    76
     energies                 248   181
     reactions                146    98
     kinematics                24    15
     statics                   92    74
-    positions                153    57
-    shapes                     4     2
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -36,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5c0d65dd4277abc6"
+SOURCE_HASH = "af79e0ad5321f1d2"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -85,19 +83,12 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("superstructure", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "spring_and_damper", "spring_and_damper", "load",)
-CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("rod",)
-MEMBER_ENDS = ("base", "superstructure",)
-COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 2
 N_PARTS = 4
 ROTATION = 0
 ROTATION_RATE = 2
-N_FALLS = 0
 SIDES = (-1.0, 0.0, 0.0, 1.0,)
 GUARDS = (2, 2, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -180,8 +171,8 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     c1 = p[11]  # height*mass
     c2 = p[12]  # base_mass + mass
     c3 = p[13]  # base_height*base_mass + height*mass
-    c4 = p[14]  # 2*foundation_damping*half_width**2
-    c5 = p[15]  # 2*foundation_stiffness*half_width**2
+    c4 = p[14]  # 2*foundation_stiffness*half_width**2
+    c5 = p[15]  # 2*foundation_damping*half_width**2
     c6 = p[16]  # 2*foundation_damping
     c7 = p[17]  # 2*foundation_stiffness
     c8 = p[18]  # base_mass*gravity + gravity*mass
@@ -190,8 +181,8 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
     m10 = -c0*sin_theta - c1*sin_theta
     m11 = c2
     f0 = (
-        -ax*c3*cos_theta + c3*sin_theta*total_gravity - c4*cos_theta**2*theta_dot -
-        c5*cos_theta*sin_theta
+        -ax*c3*cos_theta - c5*cos_theta**2*theta_dot + sin_theta*(c3*total_gravity -
+        c4*cos_theta)
     )
     f1 = -c2*total_gravity + c3*cos_theta*theta_dot**2 - c6*heave_dot - c7*heave + c8
     r0 = c9
@@ -217,9 +208,9 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     c2 = p[12]  # base_mass + mass
     c3 = p[13]  # base_height*base_mass + height*mass
     c9 = p[19]  # 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
-    c10 = p[20]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
-    c11 = p[21]  # foundation_damping*half_width**2
-    c12 = p[22]  # foundation_stiffness*half_width**2
+    c10 = p[20]  # foundation_stiffness*half_width**2
+    c11 = p[21]  # (1/2)*base_mass*gravity + (1/2)*gravity*mass
+    c12 = p[22]  # foundation_damping*half_width**2
     c13 = p[23]  # foundation_damping*half_width
     c14 = p[24]  # foundation_stiffness*half_width
     total_gravity = ay + gravity
@@ -228,11 +219,11 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
     m10 = -c0*sin_theta - c1*sin_theta
     m11 = c2
     f0 = (
-        -ax*c3*cos_theta - c11*cos_theta**2*theta_dot - c12*cos_theta*sin_theta +
-        c3*sin_theta*total_gravity + cos_theta*half_width*s*(-c10 + x0 + x1)
+        -c12*cos_theta**2*theta_dot + cos_theta*(-ax*c3 + half_width*s*(-c11 + x0 + x1)) +
+        sin_theta*(-c10*cos_theta + c3*total_gravity)
     )
     f1 = (
-        c10 + c14*s*sin_theta - c2*total_gravity + cos_theta*theta_dot*(c0*theta_dot +
+        c11 + c14*s*sin_theta - c2*total_gravity + cos_theta*theta_dot*(c0*theta_dot +
         c1*theta_dot + c13*s) - x0 - x1
     )
     r0 = c9
@@ -716,133 +707,6 @@ def held_guards(y, p, ax, g):
     pass
 
 
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == BOTH:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.sin(theta)
-        x1 = height*x0
-        x2 = math.cos(theta)
-        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x4 = heave - x3
-        x5 = height*x2 + x4
-        x6 = half_width*x2
-        x7 = half_width*x0
-        out[0] = x1
-        out[1] = x5
-        out[2] = theta
-        out[3] = base_height*x0
-        out[4] = base_height*x2 + x4
-        out[5] = theta
-        out[6] = -x6
-        out[7] = x4 + x7
-        out[8] = 0
-        out[9] = x6
-        out[10] = heave - x3 - x7
-        out[11] = 0
-        out[12] = x1
-        out[13] = x5
-        out[14] = 0
-    elif contact == LEFT or contact == RIGHT:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.sin(theta)
-        x1 = height*x0
-        x2 = math.cos(theta)
-        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x4 = heave - x3
-        x5 = height*x2 + x4
-        x6 = half_width*x2
-        x7 = half_width*x0
-        out[0] = x1
-        out[1] = x5
-        out[2] = theta
-        out[3] = base_height*x0
-        out[4] = base_height*x2 + x4
-        out[5] = theta
-        out[6] = -x6
-        out[7] = x4 + x7
-        out[8] = 0
-        out[9] = x6
-        out[10] = heave - x3 - x7
-        out[11] = 0
-        out[12] = x1
-        out[13] = x5
-        out[14] = 0
-    elif contact == FLIGHT:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.sin(theta)
-        x1 = height*x0
-        x2 = math.cos(theta)
-        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x4 = heave - x3
-        x5 = height*x2 + x4
-        x6 = half_width*x2
-        x7 = half_width*x0
-        out[0] = x1
-        out[1] = x5
-        out[2] = theta
-        out[3] = base_height*x0
-        out[4] = base_height*x2 + x4
-        out[5] = theta
-        out[6] = -x6
-        out[7] = x4 + x7
-        out[8] = 0
-        out[9] = x6
-        out[10] = heave - x3 - x7
-        out[11] = 0
-        out[12] = x1
-        out[13] = x5
-        out[14] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    base_height = p[4]
-    half_width = p[6]
-    x0 = -half_width
-    x1 = -base_height
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = base_height
-    out[6] = x0
-    out[7] = base_height
-    out[8] = 0
-    out[9] = base_height
-    out[10] = 0
-    out[11] = 0
-
-
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
@@ -879,8 +743,8 @@ def prepare(parameters):
     x1 = height*mass
     x2 = base_mass + mass
     x3 = half_width**2
-    x4 = 2*foundation_damping
-    x5 = 2*foundation_stiffness
+    x4 = 2*foundation_stiffness
+    x5 = 2*foundation_damping
     x6 = base_mass*gravity
     x7 = gravity*mass
     p[10] = x0
@@ -889,13 +753,13 @@ def prepare(parameters):
     p[13] = x0 + x1
     p[14] = x3*x4
     p[15] = x3*x5
-    p[16] = x4
-    p[17] = x5
+    p[16] = x5
+    p[17] = x4
     p[18] = x6 + x7
     p[19] = 1/(base_height**2*base_mass + base_inertia + height**2*mass + inertia)
-    p[20] = (1/2)*x6 + (1/2)*x7
-    p[21] = foundation_damping*x3
-    p[22] = foundation_stiffness*x3
+    p[20] = foundation_stiffness*x3
+    p[21] = (1/2)*x6 + (1/2)*x7
+    p[22] = foundation_damping*x3
     p[23] = foundation_damping*half_width
     p[24] = foundation_stiffness*half_width
     p[25] = (1/2)*gravity*x2/foundation_stiffness

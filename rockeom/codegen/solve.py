@@ -52,7 +52,7 @@ def eliminated(
         if gravity is None:
             return expr
         sums = by_states(text, expr)
-        return _collected(expr, gravity) if sums is None else sums
+        return _collected(text, expr, gravity) if sums is None else sums
 
     M, F = matrix.copy(), right.copy()
     left, last = eliminate(text, M, F)
@@ -97,7 +97,7 @@ def unsymmetric(
         for a, i in enumerate(order)
         for b, j in enumerate(order)
     }  # fmt: skip
-    entries |= {f"f{a}": _collected(right[i], gravity) for a, i in enumerate(order)}
+    entries |= {f"f{a}": _collected(text, right[i], gravity) for a, i in enumerate(order)}
     lines = []
     for j in range(alone):
         lines.append(f"r{j} = 1.0 / m{j}{j}")
@@ -161,19 +161,21 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
     return sp.Add(rest, *(f * x for f, x in zip(factors, variables, strict=True)))
 
 
-def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
-    """Collected by g + a_y and by the horizontal ground acceleration, then by angles."""
+def _collected(text: Text, expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
+    """Collected by angles, then by g + a_y and by the horizontal ground acceleration.
+
+    What a sine is multiplied by is found while the processor still works on the sine.
+    """
     expr = sp.expand(expr.subs(GROUND_Y, TOTAL_GRAVITY - gravity))
-    angles = sorted(expr.atoms(sp.sin, sp.cos), key=sp.default_sort_key)
-    parts = sp.collect(expr, [TOTAL_GRAVITY, GROUND_X], evaluate=False)
+    moving = (f for f in expr.atoms(sp.sin, sp.cos) if not text.fixed(f))
 
     def by_side(e: sp.Expr) -> sp.Expr:
         return sp.factor_terms(sp.collect(sp.expand(e), SIDE))
 
-    return sum(
-        (k * sp.collect(part, angles, func=by_side) for k, part in parts.items()),
-        sp.Integer(0),
-    )
+    def by_ground(e: sp.Expr) -> sp.Expr:
+        return sp.collect(sp.expand(e), [TOTAL_GRAVITY, GROUND_X], func=by_side)
+
+    return sp.collect(expr, sorted(moving, key=sp.default_sort_key), func=by_ground)
 
 
 def _symmetric(n: int, out: Sequence[str], indent: str, known: bool = False) -> list[str]:

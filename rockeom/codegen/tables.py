@@ -77,7 +77,6 @@ def _falls(text: Text) -> list[str]:
     return [
         f"N_FALLS = {len(falls)}",
         f"FALLS = ({', '.join(str(text.index(c.position)) for c in falls)},)",
-        f"FALL_RATES = ({', '.join(str(text.index(c.velocity)) for c in falls)},)",
     ]
 
 

@@ -432,10 +432,10 @@ class _Results:
         """Run a part and write its rows; those of motions that are stopped stay as not run."""
         q, rows = part.problems, part.rows
         n, width = q.y0.shape
-        final, peaks = q.y0.copy(), np.repeat(q.y0[:, None], 2, axis=1)
+        final, peaks = q.y0.copy(), np.empty((n, 2, width))
         times = np.full((n, self.times.shape[1]), np.nan)
-        status = np.tile(AT_THE_START, (n, 1))
-        status[:, CONTACT] = q.contact
+        status = np.empty((n, len(AT_THE_START)), np.int64)
+        peaks[:], status[:], status[:, CONTACT] = q.y0[:, None], AT_THE_START, q.contact
         clock = np.zeros((n, 4))
         state = status, clock, final, np.zeros((n, width))
         outcome = np.full(n, FULL)

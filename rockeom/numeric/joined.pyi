@@ -24,7 +24,6 @@ ROTATION: int
 ROTATION_RATE: int
 N_FALLS: int
 FALLS: tuple[int, ...]
-FALL_RATES: tuple[int, ...]
 SIDES: tuple[float, ...]
 GUARDS: tuple[int, ...]
 KINDS: tuple[tuple[int, ...], ...]

@@ -38,6 +38,7 @@ from rockeom.contract import (
     NO_SOLUTION,
     NOT_FINITE,
     OVERTURNED,
+    RATIO,
     REFINED,
     REFINED_TO,
     REST,
@@ -59,7 +60,6 @@ if TYPE_CHECKING:  # joined before this text
         CLOSED,
         COARSE,
         ERROR_EXPONENT,
-        FALL_RATES,
         FALLS,
         GUARDS,
         HELD,
@@ -417,14 +417,21 @@ def dense_at(coefficients, x, out):
 
 
 @inlined
-def gap_at_ends(side, h, y, y_new, k):
-    """Bernstein coefficients of the quintic through gap, rate and acceleration at both ends."""
-    scaled = side * h
-    q0, q1 = side * y[ROTATION], side * y_new[ROTATION]
-    v0, v1 = scaled * y[ROTATION_RATE] / 5.0, scaled * y_new[ROTATION_RATE] / 5.0
-    a0 = scaled * h * k[ROTATION_RATE] / 20.0
-    a1 = scaled * h * k[N_STAGES * N_STATES + ROTATION_RATE] / 20.0
+def quintic_of(i, side, h, y, y_new, k):
+    """Bernstein coefficients of coordinate i to a side, by place, rate and acceleration at both
+    ends."""
+    n = N_STATES // 2
+    fifth, part = 0.2 * side * h, 0.05 * side * h * h
+    q0, q1 = side * y[i], side * y_new[i]
+    v0, v1 = fifth * y[n + i], fifth * y_new[n + i]
+    a0, a1 = part * k[n + i], part * k[N_STAGES * N_STATES + n + i]
     return q0, q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1, q1
+
+
+@inlined
+def gap_at_ends(side, h, y, y_new, k):
+    """The same of the gap, the rotation to a side; of the rotation itself without one, 0.0."""
+    return quintic_of(ROTATION, 1.0 if side == 0.0 else side, h, y, y_new, k)
 
 
 @inlined
@@ -432,17 +439,13 @@ def stays_open(gap, touching):
     """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
 
     gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
-    there is no root.
+    there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
     """
     b0, b1, b2, b3, b4, b5 = gap
-    least = 1e-3 * max(b0, b5)
-    return (
-        (b0 > least or touching == 0)
-        and b1 > least
-        and b2 > least
-        and b3 > least
-        and (b4 > least and b5 > least)
-    )
+    least, grain = 1e-3 * max(b0, b5), 1e-11 * b5
+    leaves = b1 > least and b2 > least and (b0 > least or touching == 0)
+    leaves = leaves or (touching == 0 and abs(b1) <= grain and b2 >= -grain)
+    return leaves and b3 > least and b4 > least and b5 > least
 
 
 def closes_once(gap, touching):
@@ -453,12 +456,13 @@ def closes_once(gap, touching):
     """
     b0, b1, b2, b3, b4, b5 = gap
     doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    if (touching != 0 and b0 <= doubt) or b1 <= doubt or b5 >= -doubt:
+    if (touching != 0 and b0 <= doubt) or (touching == 0 and b1 <= doubt) or b5 >= -doubt:
         return NEVER
     # behind the first that is not clearly positive, none is; behind a negative one, all are
     falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
     falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
-    if not (falls and (b2 > doubt or b4 <= doubt)):
+    falls = falls and (b2 > doubt or b4 <= doubt)
+    if not (falls and (b1 > doubt or (b2 < -doubt and b3 < -doubt))):
         return NEVER
     # Newton's method within a bracket, from the parabola with the same ends and slope
     low, high = 0.0, 1.0
@@ -521,20 +525,16 @@ def extrapolate(h, move, y, y_new, k):
 
 @inlined
 def quintics_through_ends(h, y, y_new, k, quintics):
-    """Bernstein coefficients of the coordinates by value, rate and acceleration at both ends.
+    """The coefficients of all coordinates, those of coordinate i from 8 * i + 1 on.
 
-    Those of coordinate i stand from 8 * i + 1 on; the first and the last stand there twice, so that
-    their differences know no end.
+    The first and the last stand there twice, so that their differences know no end.
     """
-    n = N_STATES // 2
-    for i in range(n):
-        v0, v1 = h * y[n + i] / 5.0, h * y_new[n + i] / 5.0
-        a0, a1 = h * h * k[n + i] / 20.0, h * h * k[N_STAGES * N_STATES + n + i] / 20.0
+    for i in range(N_STATES // 2):
+        b0, b1, b2, b3, b4, b5 = quintic_of(i, 1.0, h, y, y_new, k)
         at = 8 * i
-        quintics[at] = quintics[at + 1] = y[i]
-        quintics[at + 2], quintics[at + 3] = y[i] + v0, y[i] + 2.0 * v0 + a0
-        quintics[at + 4], quintics[at + 5] = y_new[i] - 2.0 * v1 + a1, y_new[i] - v1
-        quintics[at + 6] = quintics[at + 7] = y_new[i]
+        quintics[at] = quintics[at + 1] = b0
+        quintics[at + 2], quintics[at + 3], quintics[at + 4], quintics[at + 5] = b1, b2, b3, b4
+        quintics[at + 6] = quintics[at + 7] = b5
 
 
 def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
@@ -877,10 +877,11 @@ def tabled_ratio(law, impact, y, p):
 
 
 @inlined
-def may_fade(side, y, rate, tolerance):
+def may_fade(side, y, rate, law, ratio, tolerance):
     """Whether the flight after an impact is short enough for `time_to_rest` to be finite."""
     a, v = -side * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
-    return a > 0.0 and 4.0 * v * v <= 1.001 * tolerance * tolerance * a
+    longest = tolerance * (1.0 - ratio) if law == RATIO else tolerance
+    return a > 0.0 and 4.0 * v * v <= 1.001 * longest * longest * a
 
 
 def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, kick):
@@ -1319,7 +1320,7 @@ def integrate(
                         ends = not open_ and end_closed(contact, b)
                     if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
-                beyond = may_fall(fallen, h, y, y_new, k, p)
+                beyond = may_fall(fallen, gap, h, y, y_new, k, p)
                 turned = follow and widens(peaks, h, y, y_new, k)
                 leaves = NARROW and touching >= 0 and beside_gap(contact, touching, y, y_new)
                 closes = NARROW and landed >= 0 and beside_gap(contact, landed, y_new, y)
@@ -1490,7 +1491,7 @@ def integrate(
         elif SIDES[contact] != 0.0:
             # -- the rest of infinitely many impacts at once
             rates(contact, y, p, ax, ay, k)
-            if not may_fade(side, y, k, rest_tolerance):
+            if not may_fade(side, y, k, law, ratio, rest_tolerance):
                 if rocks and t < last and h_next != 0.0:
                     fresh = news = 0  # the next step begins with these rates
                 continue
@@ -1602,26 +1603,23 @@ def widen(peaks, y):
 def widens(peaks, h, y, y_new, k):
     """Whether a state may turn back within a step, outside of the extremes known so far.
 
-    By the Bernstein coefficients of the polynomials through both ends: the cubic of its rate
-    bounds where a coordinate may turn, the quintic of its value how far it may go, and the slope
-    of that how far its rate may.
+    By the quintics through both ends: the Bernstein coefficients of a coordinate bound how far it
+    may go, those of its slope where it may turn, and how far its rate may go.
     """
     far = False
     n = N_STATES // 2
     for i in range(n):
-        v0, v1 = h * y[n + i], h * y_new[n + i]
-        a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
-        b1, b2 = y[i] + v0 / 5.0, y[i] + 2.0 * v0 / 5.0 + a0 / 20.0
-        b4, b3 = y_new[i] - v1 / 5.0, y_new[i] - 2.0 * v1 / 5.0 + a1 / 20.0
-        d1, d2, d3 = v0 + a0 / 4.0, 5.0 * (b3 - b2), v1 - a1 / 4.0
+        _, b1, b2, b3, b4, _ = quintic_of(i, 1.0, h, y, y_new, k)
+        v0, v1, part = h * y[n + i], h * y_new[n + i], 0.25 * h * h
+        d1, d3 = v0 + part * k[n + i], v1 - part * k[N_STAGES * N_STATES + n + i]
+        d2 = 5.0 * (b3 - b2)
+        slow, fast = min(v0, v1), max(v0, v1)
         least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
         margin = 1e-3 * (most - least)
-        far = far or least - margin < min(h * peaks[0, n + i], min(v0, v1))
-        far = far or most + margin > max(h * peaks[1, n + i], max(v0, v1))
-        up = v0 >= 0.0 and v0 + a0 / 3.0 >= 0.0 and v1 - a1 / 3.0 >= 0.0 and v1 >= 0.0
-        down = v0 <= 0.0 and v0 + a0 / 3.0 <= 0.0 and v1 - a1 / 3.0 <= 0.0 and v1 <= 0.0
-        if up or down:
-            continue
+        far = far or least - margin < min(h * peaks[0, n + i], slow)
+        far = far or most + margin > max(h * peaks[1, n + i], fast)
+        if min(least, slow) >= 0.0 or max(most, fast) <= 0.0:
+            continue  # it rises or falls all along
         least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
         margin = 1e-3 * (most - least)
         far = far or least - margin < peaks[0, i] or most + margin > peaks[1, i]
@@ -1668,26 +1666,24 @@ def slope_at(coefficients, x, i):
 
 
 @inlined
-def may_fall(fallen, h, y, y_new, k, p):
-    """Whether the rotation, or another coordinate that falls, may reach its bound in a step."""
-    may = may_reach(ROTATION, ROTATION_RATE, fallen, h, y, y_new, k)
+def may_fall(fallen, gap, h, y, y_new, k, p):
+    """Whether the rotation, or another coordinate that falls, may reach its bound in a step.
+
+    gap : as of `gap_at_ends`.
+    """
+    may = may_reach(fallen, gap)
     if N_FALLS > 0:
         for i in range(N_FALLS):
-            may |= may_reach(FALLS[i], FALL_RATES[i], overturns_at(i, p), h, y, y_new, k)
+            may |= may_reach(overturns_at(i, p), quintic_of(FALLS[i], 1.0, h, y, y_new, k))
     return may
 
 
 @inlined
-def may_reach(state, rate, bound, h, y, y_new, k):
-    """Whether the size of a state may reach `bound` in a step, by the quintic of `widens`."""
-    q0, q1 = y[state], y_new[state]
-    v0, v1 = h * y[rate] / 5.0, h * y_new[rate] / 5.0
-    a0 = h * h * k[rate] / 20.0
-    a1 = h * h * k[N_STAGES * N_STATES + rate] / 20.0
-    within = max(
-        max(abs(q0 + v0), abs(q0 + 2.0 * v0 + a0)), max(abs(q1 - v1), abs(q1 - 2.0 * v1 + a1))
-    )
-    return abs(q1) >= bound or 1.001 * within >= bound
+def may_reach(bound, quintic):
+    """Whether the size of a coordinate may reach `bound` in a step, by `quintic_of`."""
+    _, b1, b2, b3, b4, b5 = quintic
+    within = max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    return max(abs(b5), 1.001 * within) >= bound
 
 
 def falls_at(coefficients, fallen, p, b, stack):

@@ -183,7 +183,7 @@ class Bound:
                     f"{self.function.name}: {name} is {value.dtype}, {value.ndim} dimensions: an "
                     f"array of {wanted}, {type_.dimensions} dimensions, in C order is wanted"
                 )
-            self._integers[place] = value.__array_interface__["data"][0]
+            self._integers[place] = _address(value)
             for i, length in enumerate(value.shape, place + 1):
                 self._integers[i] = length
             self.arrays[name] = value
@@ -192,6 +192,14 @@ class Bound:
         self._call(self._row)
         found, convert = self._found[-1], self.function.convert
         return convert(found) if convert else found
+
+
+def _address(array: np.ndarray) -> int:
+    """Where the numbers of an array begin."""
+    try:
+        return ctypes.addressof(ctypes.c_char.from_buffer(array.data))  # in a fifth of the time
+    except (TypeError, ValueError):  # it may not be written to, or is empty
+        return array.__array_interface__["data"][0]
 
 
 _ELEMENTS = {FLOAT: np.dtype(np.float64), INT: np.dtype(np.int64)}

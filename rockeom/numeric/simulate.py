@@ -106,8 +106,10 @@ def _benches(compiled: Program, keep: bool) -> list[_Bench]:
     return []
 
 
-_STEPS, _EVENTS = 1024, 256
+_STEPS, _EVENTS = 1024, 4096
 """How many are recorded before the record is emptied."""
+
+_TINY = float(np.finfo(float).tiny)
 
 
 class _Bench:
@@ -159,7 +161,7 @@ class _Bench:
             chunks[0] if len(chunks) == 1 else map(np.concatenate, zip(*chunks, strict=True))
         )
         if len(span) == 0:  # ended before the first step: keep the start
-            span, contacts = np.array([[0.0, np.finfo(float).tiny]]), np.array([q.contact])
+            span, contacts = np.array([[0.0, _TINY]]), np.array([q.contact])
             powers = np.zeros((1, 8, len(q.y0)))
             powers[0, 0] = q.y0
         outcome = _OUTCOMES[code]

@@ -146,7 +146,7 @@ def test_time_to_rest_is_that_of_all_flights_one_by_one(ratio):
         rests, _ = f["time_to_rest"](
             right, y, p, 0, ratio, 0, ax, 0.0, 1e-2, np.zeros(4), out, np.zeros(8)
         )
-        assert math.isinf(rests) or f["may_fade"](1.0, y, rate, 1e-2)
+        assert math.isinf(rests) or f["may_fade"](1.0, y, rate, 0, ratio, 1e-2)
         if math.isinf(rests):
             continue
         finite += 1

@@ -321,6 +321,29 @@ def test_gap_that_clearly_closes_or_stays_open(start, rest):
         assert abs(rest[4]) > 0.01 * size or all(x > 0.5 for x in roots)
 
 
+@pytest.mark.parametrize("second", [0.002, 0.0, -0.0005, -0.05, -0.18])
+def test_gap_that_closes_early_in_a_step_is_certain_too(second):
+    """Whatever the second coefficient is: behind a clear fall there is one change of sign."""
+    gap = [0.1, second, -0.2, -0.45, -0.7, -1.0]
+    (root,) = roots_of_quintic(gap)
+    assert of_gap(gap)[1] == pytest.approx(root, abs=1e-9)
+    closed = of_gap([0.0, *gap[1:]], touching=True)[1]
+    assert (closed < NEVER) == (second > 0.001)  # else it rises in no time, if at all
+    assert of_gap([0.1, second, -0.2, -0.0001, -0.7, -1.0])[1] == NEVER  # there may be two more
+
+
+@pytest.mark.parametrize(
+    ("curvature", "leaves"), [(0.0, True), (1e-4, True), (-1e-13, True), (-1e-6, False)]
+)
+def test_gap_that_leaves_from_rest(curvature, leaves):
+    """Without speed, and with no acceleration but by rounding, the change of that opens it."""
+    gap = [0.0, 0.0, curvature, 0.1, 0.4, 1.0]
+    assert of_gap(gap, touching=True)[0] == leaves
+    assert not of_gap(gap)[0]  # a gap that was not closed by an event is not there
+    assert not of_gap([0.0, -1e-6, *gap[2:]], touching=True)[0]  # it closes first
+    assert not of_gap([*gap[:3], 1e-4, 0.4, 1.0], touching=True)[0]
+
+
 def test_samples_stay_open_where_all_coefficients_of_their_polynomial_do():
     """Not where one of the eight is no number: nothing is known of that guard."""
     random = np.random.default_rng(5)
