@@ -19,6 +19,7 @@ from rockeom.contract import (
     IMPOSSIBLE,
     LANDING,
     LIFTING,
+    NEVER_SLIPS,
     OPEN,
     SLIPPING,
     STICK,
@@ -53,6 +54,7 @@ if TYPE_CHECKING:  # joined before this text
 
 N_COORDINATES = N_STATES // 2
 POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
+N_MATRIX = N_COORDINATES * N_COORDINATES
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
 GRAIN = 4e-15  # relative rounding error of a gap
 LEAST_HOP = 1e-11  # relative to the terms of a gap: lower flights are summed up
@@ -270,7 +272,7 @@ def through_mass(matrix, b, width):
     matrix (n, n) : M, which is kept. What has no inertia does not move.
     """
     n = N_COORDINATES
-    a, inverse = np.empty(N_COORDINATES * N_COORDINATES), np.empty(N_COORDINATES)
+    a, inverse = np.empty(N_MATRIX), np.empty(N_COORDINATES)
     for i in range(n * n):
         a[i] = matrix[i]
     for i in range(n):
@@ -291,15 +293,15 @@ def through_mass(matrix, b, width):
             b[i * width + m] = value * inverse[i]
 
 
-def response_to_impulses(y, p, ax, ay, contact, told, spread, coupling):
+def response_to_impulses(y, p, contact, told, matrix, spread, coupling):
     """What unit impulses at the points do: to the velocities, and to those of the points.
 
-    told : of `points`. spread (n, ROWS) : M^-1 J'; coupling (ROWS, ROWS) : J M^-1 J'.
-    Returns the inertia that the rotation has.
+    told : of `points`. matrix (n, n) : M; spread (n, ROWS) : M^-1 J'; coupling (ROWS, ROWS) :
+    J M^-1 J'. They follow from the places alone.
     """
     n = N_COORDINATES
-    matrix, forces = np.empty(N_COORDINATES * N_COORDINATES), np.empty(N_COORDINATES)
-    free_motion(y, p, ax, ay, contact, matrix, forces)
+    forces = np.empty(N_COORDINATES)
+    free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
             spread[i * ROWS + 2 * r] = told[r * POINT + 5 + i]
@@ -307,17 +309,16 @@ def response_to_impulses(y, p, ax, ay, contact, told, spread, coupling):
     through_mass(matrix, spread, ROWS)
     for r in range(ROWS):
         for s in range(r, ROWS):
-            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(told, r, spread, s)
-    return matrix[ROTATION * n + ROTATION]
+            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(told, r, spread, s, ROWS)
 
 
 @inlined
-def along(told, row, spread, s):
-    """J of a row times column s of `spread`."""
+def along(told, row, b, s, width):
+    """J of a row times column s of b (n, width)."""
     start = row_of_point(row)
     total = 0.0
     for i in range(N_COORDINATES):
-        total += told[start + i] * spread[i * ROWS + s]
+        total += told[start + i] * b[i * width + s]
     return total
 
 
@@ -397,12 +398,23 @@ def may_follow(candidate, contact, near, sliding):
     return True
 
 
-def impulses_of(candidate, wanted, laws, coupling, fractions, impulse):
-    """The impulses with which points come to be as a contact state says, into impulse (ROWS,).
+def impulses_of(candidate, wanted, laws, told, coupling, impulse):
+    """The impulses, or forces, with which points come to be as a contact state says, (ROWS,).
 
-    wanted (ROWS,) : changes of the velocities where points are closed. fractions (N_POINTS,) :
-    where sticking points share their friction, the part of the normal impulse that it is; not a
-    number where it is to be found.
+    wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
+    """
+    fractions = np.empty(N_POINTS)
+    for i in range(N_POINTS):
+        fractions[i] = np.nan
+    held_by(candidate, wanted, laws, coupling, fractions, impulse)
+    if share(candidate, told, impulse, fractions):
+        held_by(candidate, wanted, laws, coupling, fractions, impulse)
+
+
+def held_by(candidate, wanted, laws, coupling, fractions, impulse):
+    """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
+
+    These are the parts of the normal impulse that it is; not a number where it is to be found.
     """
     a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
     ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
@@ -435,129 +447,6 @@ def impulses_of(candidate, wanted, laws, coupling, fractions, impulse):
         impulse[unknown[m]] = a[m * width + order]
         if ties[m] != 0.0:
             impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
-
-
-def impulses_fit(candidate, near, arriving, leaving, laws, impulse, sizes):
-    """The least margin by which impulses fit; negative where they do not.
-
-    They press, friction is within its bound, and all points leave as they may. A margin is relative
-    to sizes (ROWS + N_POINTS,), the velocities and the normal impulses of the whole motion.
-    """
-    least = np.inf
-    for i in range(N_POINTS):
-        if near[i] == 0:
-            continue
-        state, normal = POINT_STATES[candidate][i], 2 * i
-        if state == OPEN:
-            opens = leaving[normal] + laws[normal] * min(arriving[normal], 0.0)
-            least = min(least, opens / sizes[normal])
-            continue
-        least = min(least, impulse[normal] / sizes[ROWS + i])
-        if state == STICK:
-            along_, bound = 0.0, 0.0
-            for j in range(N_POINTS):
-                if POINT_STATES[candidate][j] == STICK and (
-                    SHARED[candidate][j] == SHARED[candidate][i]
-                ):
-                    along_ += impulse[2 * j + 1]
-                    bound += laws[2 * j + 1] * max(impulse[2 * j], 0.0)
-            least = min(least, (bound - abs(along_)) / sizes[ROWS + i])
-        else:
-            least = min(least, SIGN_OF[state] * leaving[normal + 1] / sizes[normal + 1])
-    return least
-
-
-def collide(contact, near, y, p, laws, told, spread, coupling, out):
-    """Velocities after all touching points have met, into out[n:].
-
-    The law is the algebraic one: each closing gap opens at the rate e times that at which it
-    closed, or faster where nothing presses; friction opposes the slip after the impact; all points
-    at once. Returns a contact state of the impulses that fit, the best of those that lead to the
-    same velocities, or IMPOSSIBLE, or AMBIGUOUS.
-    """
-    n = N_COORDINATES
-    arriving, leaving, sizes = np.empty(ROWS), np.empty(ROWS), np.empty(ROWS + N_POINTS)
-    impulse, after, apart = np.empty(ROWS), np.empty(N_COORDINATES), np.empty(N_COORDINATES)
-    chosen, forces = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
-    matrix = np.empty(N_COORDINATES * N_COORDINATES)
-    free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
-    fractions, wanted = np.empty(N_POINTS), np.empty(ROWS)
-    sliding = np.zeros(N_POINTS)
-    for i in range(n):
-        apart[i] = y[n + i]
-    whole = squared(matrix, apart)
-    for r in range(ROWS):
-        arriving[r], _ = rate_of(told, r, y, n)
-        wanted[r] = -arriving[r]
-        sizes[r] = math.sqrt(coupling[r * ROWS + r] * whole) + 1e-300
-    for i in range(N_POINTS):
-        wanted[2 * i] -= laws[2 * i] * min(arriving[2 * i], 0.0)
-        sizes[ROWS + i] = math.sqrt(whole / coupling[2 * i * ROWS + 2 * i]) + 1e-300
-    found, best = IMPOSSIBLE, -np.inf
-    for candidate in range(len(POINT_STATES)):
-        if not may_follow(candidate, contact, near, sliding):
-            continue
-        for i in range(N_POINTS):
-            fractions[i] = np.nan
-        impulses_of(candidate, wanted, laws, coupling, fractions, impulse)
-        if share(candidate, told, impulse, fractions):
-            impulses_of(candidate, wanted, laws, coupling, fractions, impulse)
-        for r in range(ROWS):
-            leaving[r] = arriving[r]
-            for s in range(ROWS):
-                leaving[r] += coupling[r * ROWS + s] * impulse[s]
-        margin = impulses_fit(candidate, near, arriving, leaving, laws, impulse, sizes)
-        if not margin >= -FITS:
-            continue
-        for i in range(n):
-            value = y[n + i]
-            for r in range(ROWS):
-                value += spread[i * ROWS + r] * impulse[r]
-            if found < 0:
-                after[i] = value
-            apart[i] = value - after[i]
-        if squared(matrix, apart) > 1e-18 * whole:
-            return AMBIGUOUS
-        if margin > best:
-            found, best = candidate, margin
-            for i in range(n):
-                chosen[i] = after[i] + apart[i]
-    for i in range(n):
-        out[n + i] = chosen[i] if found >= 0 else y[n + i]
-    return found
-
-
-def touching_points(contact, y, p, told, near, sliding):
-    """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
-
-    told : of `points`, found here. A point that a contact state has closed does.
-    """
-    points(y, p, told)
-    for i in range(N_POINTS):
-        _, size = rate_of(told, 2 * i, y, 0)
-        _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
-        slip, slips = rate_of(told, 2 * i + 1, y, N_COORDINATES)
-        closed = told[i * POINT] <= 1e-9 * size and abs(told[i * POINT + 1]) <= 1e-9 * speed
-        near[i] = 1 if closed or POINT_STATES[contact][i] != OPEN else 0
-        sliding[i] = 0.0
-        if near[i] == 1 and abs(slip) > 1e-9 * slips:
-            sliding[i] = 1.0 if slip > 0.0 else -1.0
-
-
-def fits_by_forces(contact, y, p, ax, ay):
-    """The contact state that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
-
-    contact : that which the state's gaps and velocities tell of, with its elements.
-    """
-    told = np.empty(POINT * N_POINTS)
-    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
-    near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    touching_points(contact, y, p, told, near, sliding)
-    response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
-    scales = np.empty(ROWS + N_POINTS)
-    return go_on_as(
-        contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, told, coupling, scales
-    )
 
 
 def share(candidate, told, force, fractions):
@@ -594,91 +483,182 @@ def share(candidate, told, force, fractions):
     return True
 
 
-def forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g):
-    """The least margin by which forces and accelerations fit; negative where they do not.
+@inlined
+def exceeds(row, wanted, coupling, impulse):
+    """By how much impulses change the velocity of a row more than it is wanted to."""
+    total = -wanted[row]
+    for s in range(ROWS):
+        total += coupling[row * ROWS + s] * impulse[s]
+    return total
 
-    A margin is relative to scales, see `sizes_of`. dy (N,), g : rates and guards found.
+
+def margin_of(candidate, near, sliding, wanted, laws, coupling, sizes, impulse, least_of_all):
+    """The least margin by which impulses, or forces, fit; negative where they do not.
+
+    They press, friction is within its bound and opposes the slip, and open points leave as they
+    may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` nothing
+    else is asked.
     """
-    rates(candidate, y, p, ax, ay, dy)
-    guards(candidate, y, p, ax, ay, g)
     least = np.inf
-    for i in range(GUARDS[candidate]):
-        if KINDS[candidate][i] == LIFTING or KINDS[candidate][i] == SLIPPING:
-            least = min(least, g[i] / scales[ROWS + SUBJECTS[candidate][i]])
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
-        state = POINT_STATES[candidate][i]
+        state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
-            least = min(least, acceleration_of(told, 2 * i, dy) / scales[2 * i])
-        elif state != STICK and sliding[i] == 0.0:
-            pushed = SIGN_OF[state] * acceleration_of(told, 2 * i + 1, dy)
-            least = min(least, pushed / scales[2 * i + 1])
+            least = min(least, exceeds(normal, wanted, coupling, impulse) / sizes[normal])
+        else:
+            least = min(least, impulse[normal] / sizes[ROWS + i])
+        if not least >= least_of_all:
+            return least
+        if state == STICK:
+            sum_, bound = 0.0, 0.0
+            for j in range(N_POINTS):
+                if POINT_STATES[candidate][j] == STICK and (
+                    SHARED[candidate][j] == SHARED[candidate][i]
+                ):
+                    sum_ += impulse[2 * j + 1]
+                    most = laws[2 * j + 1] * max(impulse[2 * j], 0.0)
+                    bound += most if laws[2 * j + 1] < NEVER_SLIPS else np.inf
+            least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
+        elif state != OPEN and sliding[i] == 0.0:
+            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, coupling, impulse)
+            least = min(least, slips / sizes[normal + 1])
     return least
 
 
-def go_on_as(
-    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, told, coupling, scales
+def fitting_states(
+    contact, near, sliding, wanted, laws, told, matrix, spread, coupling, sizes, tolerance, alike,
+    fitting, change,
 ):  # fmt: skip
-    """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
+    """(best, several): of all contact states those whose impulses, or forces, fit.
 
-    ends : whether `contact` has come to its end, so that it follows only where nothing else does.
-    later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
-    move alike decide between them. scales (ROWS + N_POINTS,) : of `sizes_of`, found here.
+    Where they fit they fit by `tolerance`, and what they change of the velocities, or accelerations,
+    differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
+    IMPOSSIBLE if none fits. fitting : the first `several` of it are they. change (n,) : of the
+    best, by its margin.
     """
-    n = N_COORDINATES
-    dy, g, first = np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS), np.empty(N_COORDINATES)
-    w = np.empty(N_STATES)
-    later, apart = np.empty(POINT * N_POINTS), np.empty(N_COORDINATES)
-    matrix = np.empty(N_COORDINATES * N_COORDINATES)
-    free = sizes_of(y, p, ax, ay, contact, coupling, matrix, scales)
-    found, several = IMPOSSIBLE, 0
-    fitting = np.empty(len(POINT_STATES), np.int64)  # the first `several` of it
+    impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
+    this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
+    best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
-        fit = forces_fit(candidate, near, sliding, y, p, ax, ay, told, scales, dy, g)
-        if not fit >= -NEARLY:
+        impulses_of(candidate, wanted, laws, told, coupling, impulse)
+        margin = margin_of(
+            candidate, near, sliding, wanted, laws, coupling, sizes, impulse, -tolerance
+        )
+        if not margin >= -tolerance:
             continue
+        for i in range(N_COORDINATES):
+            this[i] = 0.0
+            for r in range(ROWS):
+                this[i] += spread[i * ROWS + r] * impulse[r]
+            if several == 0:
+                first[i] = this[i]
+            apart[i] = this[i] - first[i]
+        if several > 0 and squared(matrix, apart) > alike:
+            return AMBIGUOUS, several
         fitting[several] = candidate
         several += 1
-        if found < 0:
-            found = candidate
-            for i in range(n):
-                first[i] = dy[n + i]
-            continue
-        for i in range(n):
-            apart[i] = dy[n + i] - first[i]
-        if squared(matrix, apart) > ALIKE * ALIKE * free:
-            return AMBIGUOUS
-    if several == 0 or (several == 1 and not (ends and found == contact)):
-        return found
-    # of those that move alike now, what fits best a little later
+        if margin > most:
+            best, most = candidate, margin
+            for i in range(N_COORDINATES):
+                change[i] = this[i]
+    return best, several
+
+
+def sizes_of(whole, coupling, sizes):
+    """How large what points do is, relative to the whole motion, into sizes (ROWS + N_POINTS,).
+
+    whole : the velocities, or accelerations, squared in the measure of the mass. Of those of the
+    points, and then of normal impulses, or forces.
+    """
+    for r in range(ROWS):
+        sizes[r] = math.sqrt(coupling[r * ROWS + r] * whole) + 1e-300
+    for i in range(N_POINTS):
+        sizes[ROWS + i] = math.sqrt(whole / coupling[2 * i * ROWS + 2 * i]) + 1e-300
+
+
+def squared(matrix, x):
+    """In the measure of the mass."""
+    total = 0.0
+    for i in range(N_COORDINATES):
+        for j in range(N_COORDINATES):
+            total += x[i] * matrix[i * N_COORDINATES + j] * x[j]
+    return total
+
+
+def collide(contact, near, laws, told, matrix, spread, coupling, y):
+    """Velocities y[n:] after all touching points have met.
+
+    The law is the algebraic one: each closing gap opens at the rate e times that at which it
+    closed, or faster where nothing presses; friction opposes the slip after the impact; all points
+    at once. Returns a contact state of the impulses that fit, the best of those that lead to the
+    same velocities, or IMPOSSIBLE, or AMBIGUOUS.
+    """
+    n = N_COORDINATES
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    change, sliding = np.empty(N_COORDINATES), np.zeros(N_POINTS)
+    fitting = np.empty(len(POINT_STATES), np.int64)
     for i in range(n):
-        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * first[i])
-        w[n + i] = y[n + i] + tau * first[i]
-    points(w, p, later)
-    best = -np.inf
-    for i in range(several):
-        candidate = fitting[i]
-        margin = forces_fit(candidate, near, sliding, w, p, later_x, later_y, later, scales, dy, g)
-        if candidate == contact and ends:
-            # what has come to its end goes on only where nothing but rounding errors ended it
-            if several == 1 and margin < -FITS:
-                return IMPOSSIBLE
-            margin = np.inf if margin >= -FITS else -1e300
-        # of those that fit as well, the one that keeps more points closed, which stands first
-        if margin > best + FITS:
-            found, best = candidate, margin
+        change[i] = y[n + i]
+    whole = squared(matrix, change)
+    sizes_of(whole, coupling, sizes)
+    for r in range(ROWS):
+        arriving, _ = rate_of(told, r, y, n)
+        wanted[r] = -arriving
+        if 2 * int(r * 0.5) == r:
+            wanted[r] -= laws[r] * min(arriving, 0.0)
+    found, _ = fitting_states(
+        contact, near, sliding, wanted, laws, told, matrix, spread, coupling, sizes, FITS,
+        1e-18 * whole, fitting, change,
+    )  # fmt: skip
+    if found >= 0:
+        for i in range(n):
+            y[n + i] += change[i]
     return found
 
 
-def sizes_of(y, p, ax, ay, contact, coupling, matrix, scales):
-    """How large accelerations and forces are: those of the motion without contacts, squared.
+def touching_points(contact, y, p, told, near, sliding):
+    """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
 
-    In the measure of the mass, see `squared`; with the ground at rest, too, so that they do not
-    vanish with the weight. scales (ROWS + N_POINTS,) : of the accelerations of points, and of the
-    normal forces.
+    told : of `points`, found here. A point that a contact state has closed does.
+    """
+    points(y, p, told)
+    for i in range(N_POINTS):
+        _, size = rate_of(told, 2 * i, y, 0)
+        _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
+        slip, slips = rate_of(told, 2 * i + 1, y, N_COORDINATES)
+        closed = told[i * POINT] <= 1e-9 * size and abs(told[i * POINT + 1]) <= 1e-9 * speed
+        near[i] = 1 if closed or POINT_STATES[contact][i] != OPEN else 0
+        sliding[i] = 0.0
+        if near[i] == 1 and abs(slip) > 1e-9 * slips:
+            sliding[i] = 1.0 if slip > 0.0 else -1.0
+
+
+def fits_by_forces(contact, y, p, ax, ay):
+    """The contact state that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
+
+    contact : that which the state's gaps and velocities tell of, with its elements.
+    """
+    told, laws, matrix = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(N_MATRIX)
+    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
+    near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
+    touching_points(contact, y, p, told, near, sliding)
+    point_laws(p, laws)
+    response_to_impulses(y, p, contact, told, matrix, spread, coupling)
+    sizes = np.empty(ROWS + N_POINTS)
+    return go_on_as(
+        contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, laws, told, matrix, spread,
+        coupling, sizes,
+    )  # fmt: skip
+
+
+def without_forces(y, p, ax, ay, contact, told, matrix, coupling, wanted, sizes):
+    """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
+
+    sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
+    that they do not vanish with the weight. Returns the larger of both, squared.
     """
     n = N_COORDINATES
     forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
@@ -692,20 +672,71 @@ def sizes_of(y, p, ax, ay, contact, coupling, matrix, scales):
     for i in range(n):
         moved += forces[i] * both[2 * i]
         quiet += at_rest[i] * both[2 * i + 1]
-    free = max(moved, quiet)
-    for r in range(ROWS):
-        scales[r] = math.sqrt(coupling[r * ROWS + r] * free) + 1e-300
     for i in range(N_POINTS):
-        scales[ROWS + i] = math.sqrt(free / coupling[2 * i * ROWS + 2 * i]) + 1e-300
-    return free
+        for m in range(2):
+            wanted[2 * i + m] = -along(told, 2 * i + m, both, 0, 2) - told[i * POINT + 3 + m]
+    whole = max(moved, quiet)
+    sizes_of(whole, coupling, sizes)
+    return whole
 
 
-def squared(matrix, x):
-    total = 0.0
-    for i in range(N_COORDINATES):
-        for j in range(N_COORDINATES):
-            total += x[i] * matrix[i * N_COORDINATES + j] * x[j]
-    return total
+def go_on_as(
+    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, laws, told, matrix, spread,
+    coupling, sizes,
+):  # fmt: skip
+    """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
+
+    ends : whether `contact` has come to its end, so that it follows only where nothing else does.
+    later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
+    move alike decide between them. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
+    """
+    wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
+    fitting = np.empty(len(POINT_STATES), np.int64)
+    whole = without_forces(y, p, ax, ay, contact, told, matrix, coupling, wanted, sizes)
+    found, several = fitting_states(
+        contact, near, sliding, wanted, laws, told, matrix, spread, coupling, sizes, NEARLY,
+        ALIKE * ALIKE * whole, fitting, change,
+    )  # fmt: skip
+    if found < 0 or (several == 1 and not (ends and found == contact)):
+        return found
+    return best_later(
+        contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, laws,
+        sizes,
+    )  # fmt: skip
+
+
+def best_later(
+    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, laws, sizes
+):  # fmt: skip
+    """Of contact states that move alike now, what fits best a little later, see `go_on_as`."""
+    n = N_COORDINATES
+    dy, w = np.empty(N_STATES), np.empty(N_STATES)
+    told, impulse, wanted = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(ROWS)
+    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
+    matrix, of_then = np.empty(N_MATRIX), np.empty(ROWS + N_POINTS)
+    rates(fitting[0], y, p, ax, ay, dy)
+    for i in range(n):
+        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
+        w[n + i] = y[n + i] + tau * dy[n + i]
+    points(w, p, told)
+    response_to_impulses(w, p, contact, told, matrix, spread, coupling)
+    without_forces(w, p, later_x, later_y, contact, told, matrix, coupling, wanted, of_then)
+    found, best = IMPOSSIBLE, -np.inf
+    for i in range(several):
+        candidate = fitting[i]
+        impulses_of(candidate, wanted, laws, told, coupling, impulse)
+        margin = margin_of(
+            candidate, near, sliding, wanted, laws, coupling, sizes, impulse, -np.inf
+        )
+        if candidate == contact and ends:
+            # what has come to its end goes on only where nothing but rounding errors ended it
+            if several == 1 and margin < -FITS:
+                return IMPOSSIBLE
+            margin = np.inf if margin >= -FITS else -1e300
+        # of those that fit as well, the one that keeps more points closed, which stands first
+        if margin > best + FITS:
+            found, best = candidate, margin
+    return found
 
 
 # -- passages ------------------------------------------------------------------------------------
@@ -727,13 +758,13 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             if SUBJECTS[follows][i] == subject:
                 touching = int(1.0 / HALVES[i])
         return follows, touching
-    told, laws = np.empty(POINT * N_POINTS), np.empty(ROWS)
+    told, laws, matrix = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(N_MATRIX)
     spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
     points(out, p, told)
     point_laws(p, laws)
-    response_to_impulses(out, p, ax, ay, contact, told, spread, coupling)
+    response_to_impulses(out, p, contact, told, matrix, spread, coupling)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
         closed = POINT_STATES[contact][i] != OPEN or (kind == LANDING and i == subject)
@@ -746,31 +777,28 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
     put_on(rows, wanted, 0, told, spread, coupling, out)
     return meet(
-        contact, guard, kind, near, y, p, ax, ay, later_x, later_y, tau, told, laws, spread,
+        contact, guard, near, y, p, ax, ay, later_x, later_y, tau, laws, told, matrix, spread,
         coupling, out,
     )  # fmt: skip
 
 
 def meet(
-    contact, guard, kind, near, y, p, ax, ay, later_x, later_y, tau, told, laws, spread, coupling,
+    contact, guard, near, y, p, ax, ay, later_x, later_y, tau, laws, told, matrix, spread, coupling,
     out,
 ):  # fmt: skip
     """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
 
-    out (N,) : the state, at first that before. Returns as `pass_on`.
+    told : of `points`, at the places of out (N,), the state, at first that before. Returns as
+    `pass_on`.
     """
-    n, subject = N_COORDINATES, SUBJECTS[contact][guard]
+    n, kind, subject = N_COORDINATES, KINDS[contact][guard], SUBJECTS[contact][guard]
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
-    for i in range(N_POINTS):
-        rows[2 * i] = near[i]
-    points(out, p, told)
-    # -- which of them move along, or leave
     as_said = contact  # by the velocities of this contact state
     if kind == LANDING:
-        as_said = collide(contact, near, out, p, laws, told, spread, coupling, out)
+        as_said = collide(contact, near, laws, told, matrix, spread, coupling, out)
         if as_said < 0:
             return as_said, -1
-    points(out, p, told)
+    # -- which of them stay, and move along, or leave
     leaving = np.zeros(N_POINTS, np.int64)
     for i in range(N_POINTS):
         if near[i] == 0:
@@ -781,9 +809,8 @@ def meet(
         leaves = rate > FITS * max(size, size_before)
         if leaves and (state == OPEN or laws[2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
-            rows[2 * i] = 0
             continue
-        wanted[2 * i] = -rate
+        rows[2 * i], wanted[2 * i] = 1, -rate
         slip, size = rate_of(told, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * size
         if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:
@@ -795,18 +822,19 @@ def meet(
     put_on(rows, wanted, n, told, spread, coupling, out)
     points(out, p, told)
     ends = kind in (LIFTING, SLIPPING)
-    scales = np.empty(ROWS + N_POINTS)
+    sizes = np.empty(ROWS + N_POINTS)
     follows = go_on_as(
-        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, told, coupling, scales
-    )
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, laws, told, matrix,
+        spread, coupling, sizes,
+    )  # fmt: skip
     if follows < 0:
         return follows, -1
     return follows, closed_guards(
-        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, scales
+        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, sizes
     )
 
 
-def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, scales):
+def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, sizes):
     """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
     g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, y, p, ax, ay, g)
@@ -819,7 +847,7 @@ def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay,
         elif kind == STICKING:
             closed = sliding[subject] == 0.0
         elif kind in (LIFTING, SLIPPING):
-            closed = closed or abs(g[i]) <= NEARLY * scales[ROWS + subject]
+            closed = closed or abs(g[i]) <= NEARLY * sizes[ROWS + subject]
         if closed:
             touching += int(1.0 / HALVES[i])
     return touching if touching > 0 else -1
@@ -858,117 +886,83 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
 
     From a landing after which points leave what they touched: close to the end flights are
     parabolas, each from the rates of the state in which it begins, and the impacts between are
-    those of any landing. They are followed until their times are a geometric series to the last
-    digits, whose rest is summed. out (N,) : the state then, all these points closed.
+    those of any landing. They are followed until one is like another before it but for its speed:
+    what is left is a geometric series then. out (N,) : the state after it, all these points closed.
     Returns (inf, contact) while the time is longer than `tolerance` times sqrt(l/a), a the
     acceleration that closes the gap and l the radius of gyration.
     """
     n = N_COORDINATES
-    told, laws = np.empty(POINT * N_POINTS), np.empty(ROWS)
+    told, laws, matrix = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(N_MATRIX)
     spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    bouncing = np.zeros(N_POINTS, np.int64)
+    bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    heights = np.zeros(N_POINTS)  # by themselves: they are lost among the last digits of a state
     points(y, p, told)
+    rates(contact, y, p, ax, ay, dy)
+    start, limit = slow_bounces(
+        contact, y, p, tolerance, told, dy, matrix, spread, coupling, bouncing, heights
+    )
+    if start == 0.0:
+        return np.inf, contact
     for i in range(N_STATES):
         w[i] = y[i]
-    rates(contact, w, p, ax, ay, dy)
     point_laws(p, laws)
-    limit = np.inf
-    lost = True
-    inertia = longest = start = 0.0
-    for i in range(N_POINTS):
-        gap, rate = told[i * POINT], told[i * POINT + 1]
-        _, size = rate_of(told, 2 * i, y, 0)
-        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
-            continue
-        a = -acceleration_of(told, 2 * i, dy)
-        if not a > 0.0:
-            return np.inf, contact
-        bouncing[i] = 1
-        if 2.0 * rate / a > tolerance * SLOWEST:
-            return np.inf, contact
-        if start == 0.0:
-            inertia = response_to_impulses(y, p, ax, ay, contact, told, spread, coupling)
-        start = max(start, rate)
-        longest = max(longest, 2.0 * rate / a)
-        radius = math.sqrt(inertia * coupling[2 * i * ROWS + 2 * i])
-        limit = min(limit, tolerance * math.sqrt(radius / a))
-        lost = lost and 0.5 * rate * rate < LEAST_HOP * size * a
-    if lost:
-        limit = SLOWEST * longest  # flights so low end among rounding errors
-    if start == 0.0 or longest > limit:
-        return np.inf, contact
-    # counted by themselves: they are lost among the last digits of a state
-    heights = np.zeros(N_POINTS)
-    for i in range(N_POINTS):
-        # others that are in flight, and land as soon
-        gap, rate = told[i * POINT], told[i * POINT + 1]
-        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
-            a = -acceleration_of(told, 2 * i, dy)
-            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
-                bouncing[i], heights[i] = 1, gap
-    near, met = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
-    total = flight = before = last = 0.0
+    total = last = 0.0
     here = contact
+    # a flight before, with which others are compared
+    first, first_here, first_total, rate_then, ratio_then = -1, -1, 0.0, 0.0, 0.0
+    w_then = np.empty(N_STATES)
+    flights, patience = 0, 2
     for _turn in range(4000):
-        # the next landing of those that bounce
-        points(w, p, told)
-        rates(here, w, p, ax, ay, dy)
-        flight, which, fastest, whole = np.inf, -1, 0.0, 0.0
-        for i in range(N_POINTS):
-            if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
-                continue
-            rate = told[i * POINT + 1]
-            a = -acceleration_of(told, 2 * i, dy)
-            if not a > 0.0:
-                return np.inf, contact
-            lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
-            fastest = max(fastest, rate)
-            if lasts < flight:
-                flight, which = lasts, i
-        if which < 0:
-            break
-        for i in range(N_POINTS):
-            _, speed = rate_of(told, 2 * i, w, n)
-            whole = max(whole, speed)
-        if fastest <= max(1e-7 * start, 1e-8 * whole):  # behind that are the digits of the others
+        if _turn > 0:
+            rates(here, w, p, ax, ay, dy)
+        flight, which = next_landing(here, bouncing, heights, told, dy)
+        if flight < 0.0:
+            return np.inf, contact
+        if which < 0 or is_slow(here, bouncing, start, told, w):
             break
         if total + flight > limit:
             # where the last flights were nothing, some have come to their end and others fly on
-            if not last < 1e-6 * total:
-                return np.inf, contact
-            ended = False
-            for i in range(N_POINTS):
-                if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-                    bouncing[i] = 0
-                else:
-                    ended = ended or bouncing[i] == 1
-            if not ended:
+            if not (last < 1e-6 * total and some_ended(here, bouncing)):
                 return np.inf, contact
             break
-        before, last = last, flight
+        rate = told[which * POINT + 1]
+        alike = which == first and here == first_here
+        if alike:
+            ratio, period = rate / rate_then, total - first_total
+            left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
+            if total + left * period > limit:
+                return np.inf, contact
+            all_landed = True
+            for i in range(N_POINTS):
+                all_landed = all_landed and landed[i] >= bouncing[i]
+            if left > 0.0 and all_landed and abs(ratio - ratio_then) <= 1e-9 * (1.0 - ratio):
+                to_the_end(ratio, period, w_then, w)
+                total += left * period
+                break
+            ratio_then = ratio
+        if alike or first < 0 or flights == patience:
+            if flights == patience and not alike:
+                patience *= 2
+            first, first_here, first_total, rate_then, flights = which, here, total, rate, 0
+            for i in range(N_STATES):
+                w_then[i] = w[i]
+            for i in range(N_POINTS):
+                landed[i] = 0
+        flights += 1
+        last = flight
         total += flight
+        fly(here, which, flight, told, dy, bouncing, heights, near, w)
         for i in range(N_POINTS):
-            near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
-            if bouncing[i] == 1 and near[i] == 0:
-                rise = told[i * POINT + 1] * flight
-                drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
-                heights[i] += rise - drop
-                if i == which or heights[i] <= 1e-9 * drop:
-                    heights[i], near[i] = 0.0, 1
             met[i] = near[i]
-        for i in range(n):
-            w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
-            w[n + i] += flight * dy[n + i]
-        guard = -1
-        for i in range(GUARDS[here]):
-            if KINDS[here][i] == LANDING and SUBJECTS[here][i] == which:
-                guard = i
+            landed[i] = max(landed[i], near[i])
         for i in range(N_STATES):
             out[i] = w[i]
+        points(w, p, told)
         here, _ = meet(
-            here, guard, LANDING, near, w, p, ax, ay, ax, ay, 1e-3 * flight, told, laws, spread,
-            coupling, out,
+            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, laws, told,
+            matrix, spread, coupling, out,
         )  # fmt: skip
         if here < 0:
             return np.inf, contact
@@ -978,14 +972,144 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         for i in range(N_POINTS):
             if met[i] == 1 and POINT_STATES[here][i] == OPEN and told[i * POINT + 1] > 0.0:
                 bouncing[i] = 1
-    if last > 0.0 and before > last:
-        total += last * last / (before - last)
-    # all of them closed: what follows then
+    follows = all_closed(here, bouncing, start, p, ax, ay, laws, told, near, w, out)
+    return (total, follows) if follows >= 0 else (np.inf, contact)
+
+
+def slow_bounces(
+    contact, y, p, tolerance, told, dy, matrix, spread, coupling, bouncing, heights
+):  # fmt: skip
+    """(start, limit): the fastest rate at which points leave, and the longest time of their bounces.
+
+    told, dy : points and rates of the state. bouncing (N_POINTS,) : set to 1 for these points, and
+    for others in flight that land as soon, from their heights (N_POINTS,). Zero where no point
+    leaves, or where one is too fast for such a time.
+    """
+    longest = start = 0.0
+    lost = True
+    for i in range(N_POINTS):
+        gap, rate = told[i * POINT], told[i * POINT + 1]
+        _, size = rate_of(told, 2 * i, y, 0)
+        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
+            continue
+        a = -acceleration_of(told, 2 * i, dy)
+        if not a > 0.0 or 2.0 * rate / a > tolerance * SLOWEST:
+            return 0.0, 0.0
+        bouncing[i] = 1
+        start = max(start, rate)
+        longest = max(longest, 2.0 * rate / a)
+        lost = lost and 0.5 * rate * rate < LEAST_HOP * size * a
+    if start == 0.0:
+        return 0.0, 0.0
+    response_to_impulses(y, p, contact, told, matrix, spread, coupling)
+    inertia = matrix[ROTATION * N_COORDINATES + ROTATION]
+    limit = np.inf
+    for i in range(N_POINTS):
+        if bouncing[i] == 1:
+            radius = math.sqrt(inertia * coupling[2 * i * ROWS + 2 * i])
+            limit = min(limit, tolerance * math.sqrt(-radius / acceleration_of(told, 2 * i, dy)))
+    if lost:
+        limit = SLOWEST * longest  # flights so low end among rounding errors
+    if longest > limit:
+        return 0.0, 0.0
+    for i in range(N_POINTS):
+        gap, rate = told[i * POINT], told[i * POINT + 1]
+        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
+            a = -acceleration_of(told, 2 * i, dy)
+            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
+                bouncing[i], heights[i] = 1, gap
+    return start, limit
+
+
+def next_landing(here, bouncing, heights, told, dy):
+    """(time, point) of the next landing of those that bounce: negative where one does not land."""
+    flight, which = np.inf, -1
+    for i in range(N_POINTS):
+        if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
+            continue
+        rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
+        if not a > 0.0:
+            return -1.0, i
+        lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
+        if lasts < flight:
+            flight, which = lasts, i
+    return flight, which
+
+
+def landing_of(contact, point):
+    """The guard of a point's landing."""
+    guard = -1
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] == LANDING and SUBJECTS[contact][i] == point:
+            guard = i
+    return guard
+
+
+def is_slow(here, bouncing, start, told, w):
+    """Whether nothing but the digits of other velocities is left of those of the bounces."""
+    fastest = whole = 0.0
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+            fastest = max(fastest, told[i * POINT + 1])
+        _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
+        whole = max(whole, speed)
+    return fastest <= max(1e-7 * start, 1e-8 * whole)
+
+
+def some_ended(here, bouncing):
+    """Whether some points that bounced are closed: of those still in flight it is taken back."""
+    ended = False
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+            bouncing[i] = 0
+        else:
+            ended = ended or bouncing[i] == 1
+    return ended
+
+
+def fly(here, which, flight, told, dy, bouncing, heights, near, w):
+    """Move a state w to the next landing, and say which points touch there, in near."""
+    n = N_COORDINATES
+    for i in range(N_POINTS):
+        near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
+        if bouncing[i] == 1 and near[i] == 0:
+            rise = told[i * POINT + 1] * flight
+            drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
+            heights[i] += rise - drop
+            if i == which or heights[i] <= 1e-9 * drop:
+                heights[i], near[i] = 0.0, 1
+    for i in range(n):
+        w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
+        w[n + i] += flight * dy[n + i]
+
+
+def to_the_end(ratio, period, w_then, w):
+    """Move a state w on through periods each of which is the last one times a ratio.
+
+    w_then : a period before w. In that time a velocity is what it ends at, and what shrinks with
+    each period; so a place moves by the first times the period, and by what shrinks with its square.
+    """
+    n = N_COORDINATES
+    left, left_of_squares = ratio / (1.0 - ratio), ratio * ratio / (1.0 - ratio * ratio)
+    for i in range(n):
+        w[n + i] += left * (w[n + i] - w_then[n + i])
+        along_ = period * w[n + i]
+        w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
+
+
+def all_closed(here, bouncing, start, p, ax, ay, laws, told, near, w, out):
+    """The contact state that follows once all points that bounce are closed, or a negative number.
+
+    w : the state until then; out : with them closed. told, near : scratch.
+    """
+    n = N_COORDINATES
+    matrix, spread = np.empty(N_MATRIX), np.empty(N_COORDINATES * ROWS)
+    coupling, sizes = np.empty(ROWS * ROWS), np.empty(ROWS + N_POINTS)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     for i in range(N_STATES):
         out[i] = w[i]
     points(out, p, told)
-    response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
+    response_to_impulses(out, p, here, told, matrix, spread, coupling)
     for i in range(N_POINTS):
         closed = bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
@@ -995,7 +1119,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     points(out, p, told)
     for i in range(N_POINTS):
         if near[i] == 0 and told[i * POINT] <= 0.0 and told[i * POINT + 1] <= 0.0:
-            return np.inf, contact  # it landed before
+            return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue
         wanted[2 * i] = -told[i * POINT + 1]
@@ -1005,16 +1129,13 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
-    response_to_impulses(out, p, ax, ay, here, told, spread, coupling)
     put_on(rows, wanted, n, told, spread, coupling, out)
     points(out, p, told)
-    scales = np.empty(ROWS + N_POINTS)
     follows = go_on_as(
-        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, told, coupling, scales
-    )
-    if follows < 0:
-        return np.inf, contact
+        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, laws, told, matrix, spread,
+        coupling, sizes,
+    )  # fmt: skip
     for i in range(N_POINTS):
-        if bouncing[i] == 1 and POINT_STATES[follows][i] == OPEN:
-            return np.inf, contact
-    return total, follows
+        if bouncing[i] == 1 and follows >= 0 and POINT_STATES[follows][i] == OPEN:
+            return IMPOSSIBLE
+    return follows
