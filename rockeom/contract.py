@@ -26,6 +26,9 @@ LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 
+# What is said of a step in which no guard is known to fall
+STAYS_OPEN, UNCLEAR = -1, -2
+
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never does."""
 

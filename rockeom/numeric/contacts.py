@@ -23,8 +23,10 @@ from rockeom.contract import (
     OPEN,
     SLIPPING,
     STICK,
+    STAYS_OPEN,
     STICKING,
     SWITCH,
+    UNCLEAR,
 )
 from rockeom.marks import inlined
 
@@ -99,16 +101,39 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled, touching):
-    """Whether all guards of a contact state stay far from zero in a step.
+def only_hop(contact, touching, y, p, dy):
+    """(guard, time): the one gap that opens from closed, and when its parabola closes it again.
 
-    They are parabolas, all but a tenth, through four samples on the quintics through both ends, and
-    above a quarter of their size. Those that are closed at the start, see `is_closed`, open as
-    clearly.
+    (-1, inf) where none does, or several. dy (N,) : rates. touching : see `is_closed`.
+    """
+    told = np.empty(POINT * N_POINTS)
+    points(y, p, told)
+    hop, lasts = -1, np.inf
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] != LANDING or not is_closed(touching, i):
+            continue
+        point = SUBJECTS[contact][i]
+        rate, a = told[point * POINT + 1], -acceleration_of(told, 2 * point, dy)
+        # a hop must not be lost among the smallest numbers
+        if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > 1e-290 * a):
+            return -1, np.inf
+        hop, lasts = i, 2.0 * rate / a
+    return hop, lasts
+
+
+def fall_within(
+    contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled, touching, hop
+):  # fmt: skip
+    """(guard, place): which guard of a contact state falls through zero in a step, and where.
+
+    STAYS_OPEN where all of them stay far from zero, UNCLEAR where that cannot be said so easily.
+    They are sampled on the quintics through both ends: parabolas through the ends and the middle,
+    but for what they miss at three quarters.
 
     k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
     samples (4 * guards,) : those of each guard. sampled : whether they are those of the step
-    before, whose last are the first of this one.
+    before, whose last are the first of this one. touching : which are closed, see `is_closed`.
+    hop : a gap that opens at the start and should be closed again at the end, or -1.
     """
     for i in range(GUARDS[contact] if sampled else 0):
         samples[4 * i] = samples[4 * i + 3]
@@ -122,27 +147,80 @@ def stays_within(contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, samp
         guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
         for i in range(GUARDS[contact]):
             samples[4 * i + m] = g[i]
+    falls, place = STAYS_OPEN, 0.0
     for i in range(GUARDS[contact]):
-        first, middle, later, last = (
-            samples[4 * i],
-            samples[4 * i + 1],
-            samples[4 * i + 2],
-            samples[4 * i + 3],
-        )
-        opens = is_closed(touching, i)
-        first = 0.0 if opens else first
-        bend = 2.0 * middle - 0.5 * (first + last)
-        least = min(bend, last) if opens else min(first, min(bend, last))
-        if not least > 0.25 * max(first, max(abs(bend), last)):
-            return False
-        most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
-        if not abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least:
-            return False
-    return True
+        opens = touching > 0 and is_closed(touching, i)
+        if i != hop and stays_open_by(samples, 4 * i, opens):
+            continue
+        if falls != STAYS_OPEN or KINDS[contact][i] != LANDING:
+            return UNCLEAR, 0.0
+        falls, place = i, falls_by(samples, 4 * i, opens, i == hop)
+        if place == 0.0:
+            return UNCLEAR, 0.0
+    return falls, place
+
+
+def stays_open_by(samples, at, opens):
+    """Whether a guard of four samples from `at` on stays above a quarter of its size.
+
+    All but a tenth it is a parabola. opens : it is closed at the start, and opens as clearly.
+    """
+    first, middle, later, last = samples[at], samples[at + 1], samples[at + 2], samples[at + 3]
+    first = 0.0 if opens else first
+    bend = 2.0 * middle - 0.5 * (first + last)
+    least = min(bend, last) if opens else min(first, min(bend, last))
+    if not least > 0.25 * max(first, max(abs(bend), last)):
+        return False
+    most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
+    return abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least
+
+
+def falls_by(samples, at, opens, at_end):
+    """Where a guard of four samples falls through zero, if it clearly does once; or zero.
+
+    A parabola from f to -g has one root between, where its slope is at least 2 sqrt(f g); one that
+    opens from zero has the slope there, and less that slope where it falls. What it misses at three
+    quarters, d, and not at the ends and in the middle, has a slope less than 11 d if it is a cubic.
+    So there is one root as long as f, or half of the slope, and g are above 6 d; here they are far
+    above, for what is no cubic.
+
+    at_end : whether it should open from zero, and be beside zero at the end.
+    """
+    first, middle, later, last = samples[at], samples[at + 1], samples[at + 2], samples[at + 3]
+    first = 0.0 if opens else first
+    bend = 2.0 * middle - 0.5 * (first + last)
+    missed = later - (0.0625 * first + 0.375 * bend + 0.5625 * last)
+    if at_end:
+        return 1.0 if abs(missed) <= 0.02 * bend and abs(last) < 0.1 * bend else 0.0
+    if not min(bend if opens else first, -last) > 50.0 * abs(missed):
+        return 0.0
+    rise, curve, cubic = 2.0 * (bend - first), first - 2.0 * bend + last, missed / -0.046875
+    root = math.sqrt(rise * rise - 4.0 * curve * first)
+    x = (rise + root) / (-2.0 * curve) if rise > 0.0 else 2.0 * first / (root - rise)
+    for _ in range(3):
+        value = first + x * (rise + x * curve) + cubic * x * (x - 0.5) * (x - 1.0)
+        slope = rise + 2.0 * x * curve + cubic * (x * (3.0 * x - 3.0) + 0.5)
+        x -= value / slope
+    return x if 1e-6 < x < 1.0 else 0.0
+
+
+def to_landing(contact, guard, y, p, dy):
+    """Time from the end of a step to the landing beside it; infinite where the gap does not close.
+
+    By the parabola there, from which it differs by the third power of that time. dy (N,) : rates.
+    """
+    told = np.empty(POINT * N_POINTS)
+    points(y, p, told)
+    point = SUBJECTS[contact][guard]
+    gap, rate = told[point * POINT], told[point * POINT + 1]
+    if not rate < 0.0:
+        return np.inf
+    move = -gap / rate
+    return move - 0.5 * acceleration_of(told, 2 * point, dy) * move * move / rate
 
 
 def end_closed(contact, samples):
-    """Whether a guard is closed at the end of a step, by the samples of `stays_within`."""
+    """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
     closed = False
     for i in range(GUARDS[contact]):
         closed = closed or samples[4 * i + 3] < 0.0

@@ -44,6 +44,7 @@ from rockeom.contract import (
     SEVERAL_SOLUTIONS,
     SLIPPING,
     STALLED,
+    STAYS_OPEN,
     STEPS_KEPT,
     SWITCH,
     TAKEN,
@@ -84,6 +85,7 @@ if TYPE_CHECKING:  # joined before this text
         dense_output,
         end_closed,
         energies,
+        fall_within,
         fits_by_forces,
         guard_noise,
         guards,
@@ -94,13 +96,14 @@ if TYPE_CHECKING:  # joined before this text
         kinematics,
         longest_turn,
         nothing_moves,
+        only_hop,
         opening_acceleration,
         pass_on,
         rates,
         reactions,
-        stays_within,
         take_step,
         time_of_bounces,
+        to_landing,
     )
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -1207,6 +1210,7 @@ def integrate(
             sampled = sampled and touching < 0 and not still
             corrections = overlooked = 0
             beyond = turned = hops = False
+            lands = False  # whether it is known that nothing but a landing ends it
             stands = still and last - t <= h_max
             stands = stands and stands_until(contact, t, last, y, p, gx, gy, g)
             if stands:
@@ -1228,6 +1232,13 @@ def integrate(
                     h = flight
                     cut = False
                     hops = True
+            whole, hop = h, 0
+            if N_POINTS > 0:
+                if touching > 0:
+                    hop, flight = only_hop(contact, touching, y, p, k)
+                    if flight < 0.9 * h:
+                        h = flight
+                        hops = True
             while not stands:
                 taken += 1
                 error = 0.0
@@ -1240,7 +1251,7 @@ def integrate(
                         equal, bound = False, 1.0
                         refined_to = last
                         refined += 1
-                    cut = hops = False
+                    cut = hops = lands = False
                     target = -1
                     corrections = 0
                     shrink = 0.9 * error**ERROR_EXPONENT if finite else 0.1
@@ -1255,23 +1266,38 @@ def integrate(
                 if hops:
                     # it ends there if the gap clearly stays open until then
                     hops = False
-                    if not (abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap)):
+                    if N_POINTS > 0:
+                        falls, place = fall_within(
+                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
+                            False, touching, hop,
+                        )  # fmt: skip
+                        if falls != hop:
+                            h = whole
+                            continue
+                        cut = False
+                        lands = True
+                    elif not (abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap)):
                         h *= 0.5  # no parabola: a step must not end just beside an impact
                         continue
-                    target = 0
+                    target = hop
                 if target >= 0:
                     # this step ends at the event: correct what is left of the guard there
                     tau = t + h
                     if rocks:
                         move = to_impact(side, y_new, k)
                         near = 0.1 if corrections == 0 else 0.01
+                    elif lands:
+                        near = 0.1 if corrections == 0 else 0.01
+                        move = 0.0
+                        if N_POINTS > 0:
+                            move = to_landing(contact, target, y_new, p, k[N_STAGES * N_STATES :])
                     else:
                         guards(contact, y_new, p, shaking(gx, tau), shaking(gy, tau), g)
                         move = -g[target] / slope if slope < 0.0 else 0.0
                         near = 0.01
                     least = max(2.0 * EPS * tau, 1e-5 * rtol * h)
                     small = math.sqrt(max(1e-13, min(1e-6, rtol))) * h
-                    if rocks and not NARROW and abs(move) <= small:
+                    if (rocks or lands) and not NARROW and abs(move) <= small:
                         extrapolate(h, move, y, y_new, k)
                         more = move
                     elif corrections < 8 and least < abs(move) < near * h:
@@ -1280,11 +1306,12 @@ def integrate(
                         continue
                     misplaced = abs(move) >= 0.01 * h
                     misplaced = misplaced or (
-                        not rocks and closed_before(contact, target, h, y_new, g, b)
+                        not (rocks or lands) and closed_before(contact, target, h, y_new, g, b)
                     )
                     if misplaced and h > 1e-6 * longest:
                         # the guard is not where its polynomial put it: look again in less time
                         h *= 0.5
+                        lands = False
                         target = -1
                         corrections = 0
                         continue
@@ -1308,10 +1335,16 @@ def integrate(
                 elif landed < 0 and (touching < 0 or N_POINTS > 0) and not still:
                     ends = False
                     if N_POINTS > 0:
-                        open_ = sampled = stays_within(
+                        falls, place = fall_within(
                             contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
-                            sampled, touching,
+                            sampled, touching, -1,
                         )  # fmt: skip
+                        open_ = sampled = falls == STAYS_OPEN
+                        if falls >= 0:
+                            lands, target = True, falls
+                            h *= place
+                            cut = False
+                            continue
                         ends = not open_ and end_closed(contact, b)
                     if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
