@@ -122,7 +122,7 @@ def only_hop(contact, touching, y, p, dy):
 
 
 def fall_within(
-    contact, t, h, y, y_new, k, end, p, gx, gy, w, g, samples, sampled, touching, hop
+    contact, t, h, y, y_new, k, end, p, gx, gy, w, samples, sampled, touching, hop
 ):  # fmt: skip
     """(guard, place): which guard of a contact state falls through zero in a step, and where.
 
@@ -131,41 +131,53 @@ def fall_within(
     but for what they miss at three quarters.
 
     k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
-    samples (4 * guards,) : those of each guard. sampled : whether they are those of the step
+    samples : four rows of all guards, see `samples_of`. sampled : whether they are those of the step
     before, whose last are the first of this one. touching : which are closed, see `is_closed`.
     hop : a gap that opens at the start and should be closed again at the end, or -1.
     """
-    for i in range(GUARDS[contact] if sampled else 0):
-        samples[4 * i] = samples[4 * i + 3]
-    for m in range(1 if sampled else 0, 4):
-        if m == 1 or m == 2:
-            between(h, m - 1, y, y_new, k, end, w)
-        else:
-            for i in range(N_STATES):
-                w[i] = y[i] if m == 0 else y_new[i]
-        tau = t + (0.5 * m if m < 2 else 0.25 * (m + 1)) * h
-        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+    at_end = samples[3 * N_GUARDS :]
+    if sampled:
         for i in range(GUARDS[contact]):
-            samples[4 * i + m] = g[i]
+            samples[i] = at_end[i]
+    else:
+        guards_at(contact, t, y, p, gx, gy, samples)
+    between(h, 0, y, y_new, k, end, w)
+    guards_at(contact, t + 0.5 * h, w, p, gx, gy, samples[N_GUARDS:])
+    between(h, 1, y, y_new, k, end, w)
+    guards_at(contact, t + 0.75 * h, w, p, gx, gy, samples[2 * N_GUARDS :])
+    guards_at(contact, t + h, y_new, p, gx, gy, at_end)
     falls, place = STAYS_OPEN, 0.0
     for i in range(GUARDS[contact]):
         opens = touching > 0 and is_closed(touching, i)
-        if i != hop and stays_open_by(samples, 4 * i, opens):
+        if i != hop and stays_open_by(samples, i, opens):
             continue
         if falls != STAYS_OPEN or KINDS[contact][i] != LANDING:
             return UNCLEAR, 0.0
-        falls, place = i, falls_by(samples, 4 * i, opens, i == hop)
+        falls, place = i, falls_by(samples, i, opens, i == hop)
         if place == 0.0:
             return UNCLEAR, 0.0
     return falls, place
 
 
-def stays_open_by(samples, at, opens):
-    """Whether a guard of four samples from `at` on stays above a quarter of its size.
+@inlined
+def guards_at(contact, t, y, p, gx, gy, g):
+    """Guards of a state at a time of the ground's laws, into g."""
+    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
+
+
+@inlined
+def samples_of(samples, i):
+    """Those of guard i at the start of a step, in the middle, at three quarters and at the end."""
+    return samples[i], samples[N_GUARDS + i], samples[2 * N_GUARDS + i], samples[3 * N_GUARDS + i]
+
+
+@inlined
+def stays_open_by(samples, i, opens):
+    """Whether guard i stays above a quarter of its size.
 
     All but a tenth it is a parabola. opens : it is closed at the start, and opens as clearly.
     """
-    first, middle, later, last = samples[at], samples[at + 1], samples[at + 2], samples[at + 3]
+    first, middle, later, last = samples_of(samples, i)
     first = 0.0 if opens else first
     bend = 2.0 * middle - 0.5 * (first + last)
     least = min(bend, last) if opens else min(first, min(bend, last))
@@ -175,8 +187,8 @@ def stays_open_by(samples, at, opens):
     return abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least
 
 
-def falls_by(samples, at, opens, at_end):
-    """Where a guard of four samples falls through zero, if it clearly does once; or zero.
+def falls_by(samples, i, opens, at_end):
+    """Where guard i falls through zero, if it clearly does once; or zero.
 
     A parabola from f to -g has one root between, where its slope is at least 2 sqrt(f g); one that
     opens from zero has the slope there, and less that slope where it falls. What it misses at three
@@ -186,7 +198,7 @@ def falls_by(samples, at, opens, at_end):
 
     at_end : whether it should open from zero, and be beside zero at the end.
     """
-    first, middle, later, last = samples[at], samples[at + 1], samples[at + 2], samples[at + 3]
+    first, middle, later, last = samples_of(samples, i)
     first = 0.0 if opens else first
     bend = 2.0 * middle - 0.5 * (first + last)
     missed = later - (0.0625 * first + 0.375 * bend + 0.5625 * last)
@@ -223,10 +235,11 @@ def end_closed(contact, samples):
     """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
     closed = False
     for i in range(GUARDS[contact]):
-        closed = closed or samples[4 * i + 3] < 0.0
+        closed = closed or samples[3 * N_GUARDS + i] < 0.0
     return closed
 
 
+@inlined
 def between(h, place, y, y_new, k, end, w):
     """The state in the middle of a step, or at three quarters, on the quintics through both ends.
 

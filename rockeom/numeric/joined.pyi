@@ -68,7 +68,7 @@ def guard_noise(
 def longest_turn(y: Floats) -> float: ...
 def fall_within(
     contact: Int, t: Float, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
-    gx: Row, gy: Row, w: Floats, g: Floats, samples: Floats,
+    gx: Row, gy: Row, w: Floats, samples: Floats,
     sampled: bool, touching: Int, hop: Int,
 ) -> tuple[Int, Float]: ...  # fmt: skip
 def only_hop(

@@ -1268,7 +1268,7 @@ def integrate(
                     hops = False
                     if N_POINTS > 0:
                         falls, place = fall_within(
-                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
+                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, b,
                             False, touching, hop,
                         )  # fmt: skip
                         if falls != hop:
@@ -1336,7 +1336,7 @@ def integrate(
                     ends = False
                     if N_POINTS > 0:
                         falls, place = fall_within(
-                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
+                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, b,
                             sampled, touching, -1,
                         )  # fmt: skip
                         open_ = sampled = falls == STAYS_OPEN
