@@ -57,7 +57,17 @@ if TYPE_CHECKING:  # joined before this text
 N_COORDINATES = N_STATES // 2
 POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
 N_MATRIX = N_COORDINATES * N_COORDINATES
+ROW = N_GUARDS + N_PARTS  # what `guards` fills
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
+
+# Places in what is known of the points of a state, `known` (N_KNOWN,): what `points` tells, the
+# laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
+LAWS = POINT * N_POINTS
+MATRIX = LAWS + ROWS
+SPREAD = MATRIX + N_MATRIX
+COUPLING = SPREAD + N_COORDINATES * ROWS
+N_KNOWN = COUPLING + ROWS * ROWS
+
 GRAIN = 4e-15  # relative rounding error of a gap
 LEAST_HOP = 1e-11  # relative to the terms of a gap: lower flights are summed up
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
@@ -135,16 +145,16 @@ def fall_within(
     before, whose last are the first of this one. touching : which are closed, see `is_closed`.
     hop : a gap that opens at the start and should be closed again at the end, or -1.
     """
-    at_end = samples[3 * N_GUARDS :]
+    at_end = samples[3 * ROW :]
     if sampled:
         for i in range(GUARDS[contact]):
             samples[i] = at_end[i]
     else:
         guards_at(contact, t, y, p, gx, gy, samples)
     between(h, 0, y, y_new, k, end, w)
-    guards_at(contact, t + 0.5 * h, w, p, gx, gy, samples[N_GUARDS:])
+    guards_at(contact, t + 0.5 * h, w, p, gx, gy, samples[ROW:])
     between(h, 1, y, y_new, k, end, w)
-    guards_at(contact, t + 0.75 * h, w, p, gx, gy, samples[2 * N_GUARDS :])
+    guards_at(contact, t + 0.75 * h, w, p, gx, gy, samples[2 * ROW :])
     guards_at(contact, t + h, y_new, p, gx, gy, at_end)
     falls, place = STAYS_OPEN, 0.0
     for i in range(GUARDS[contact]):
@@ -168,7 +178,7 @@ def guards_at(contact, t, y, p, gx, gy, g):
 @inlined
 def samples_of(samples, i):
     """Those of guard i at the start of a step, in the middle, at three quarters and at the end."""
-    return samples[i], samples[N_GUARDS + i], samples[2 * N_GUARDS + i], samples[3 * N_GUARDS + i]
+    return samples[i], samples[ROW + i], samples[2 * ROW + i], samples[3 * ROW + i]
 
 
 @inlined
@@ -235,7 +245,7 @@ def end_closed(contact, samples):
     """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
     closed = False
     for i in range(GUARDS[contact]):
-        closed = closed or samples[3 * N_GUARDS + i] < 0.0
+        closed = closed or samples[3 * ROW + i] < 0.0
     return closed
 
 
@@ -384,23 +394,25 @@ def through_mass(matrix, b, width):
             b[i * width + m] = value * inverse[i]
 
 
-def response_to_impulses(y, p, contact, told, matrix, spread, coupling):
-    """What unit impulses at the points do: to the velocities, and to those of the points.
+def all_known(y, p, contact, known):
+    """What is known of the points in a state, into known (N_KNOWN,), with what impulses do there.
 
-    told : of `points`. matrix (n, n) : M; spread (n, ROWS) : M^-1 J'; coupling (ROWS, ROWS) :
-    J M^-1 J'. They follow from the places alone.
+    All but what `points` tells follows from the places alone.
     """
     n = N_COORDINATES
     forces = np.empty(N_COORDINATES)
+    matrix, spread, coupling = known[MATRIX:], known[SPREAD:], known[COUPLING:]
+    points(y, p, known)
+    point_laws(p, known[LAWS:])
     free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
-            spread[i * ROWS + 2 * r] = told[r * POINT + 5 + i]
-            spread[i * ROWS + 2 * r + 1] = told[r * POINT + 5 + n + i]
+            spread[i * ROWS + 2 * r] = known[r * POINT + 5 + i]
+            spread[i * ROWS + 2 * r + 1] = known[r * POINT + 5 + n + i]
     through_mass(matrix, spread, ROWS)
     for r in range(ROWS):
         for s in range(r, ROWS):
-            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(told, r, spread, s, ROWS)
+            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(known, r, spread, s, ROWS)
 
 
 @inlined
@@ -439,7 +451,7 @@ def acceleration_of(told, row, dy):
     return total + told[point * POINT + 3 + row - 2 * point]
 
 
-def put_on(rows, wanted, first, told, spread, coupling, y):
+def put_on(rows, wanted, first, known, y):
     """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
 
     rows (ROWS,) : 1 where a row is held.
@@ -453,13 +465,13 @@ def put_on(rows, wanted, first, told, spread, coupling, y):
     width = order + 1
     for r in range(order):
         for s in range(order):
-            a[r * width + s] = coupling[held[r] * ROWS + held[s]]
+            a[r * width + s] = known[COUPLING + held[r] * ROWS + held[s]]
         a[r * width + order] = wanted[held[r]]
     eliminate(a, order, width)
     for i in range(N_COORDINATES):
         value, size = y[first + i], abs(y[first + i])
         for r in range(order):
-            change = spread[i * ROWS + held[r]] * a[r * width + order]
+            change = known[SPREAD + i * ROWS + held[r]] * a[r * width + order]
             value += change
             size += abs(change)
         y[first + i] = value if abs(value) > 1e-14 * size else 0.0  # but for rounding
@@ -489,7 +501,7 @@ def may_follow(candidate, contact, near, sliding):
     return True
 
 
-def impulses_of(candidate, wanted, laws, told, coupling, impulse):
+def impulses_of(candidate, wanted, known, impulse):
     """The impulses, or forces, with which points come to be as a contact state says, (ROWS,).
 
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
@@ -497,12 +509,12 @@ def impulses_of(candidate, wanted, laws, told, coupling, impulse):
     fractions = np.empty(N_POINTS)
     for i in range(N_POINTS):
         fractions[i] = np.nan
-    held_by(candidate, wanted, laws, coupling, fractions, impulse)
-    if share(candidate, told, impulse, fractions):
-        held_by(candidate, wanted, laws, coupling, fractions, impulse)
+    held_by(candidate, wanted, known, fractions, impulse)
+    if share(candidate, known, impulse, fractions):
+        held_by(candidate, wanted, known, fractions, impulse)
 
 
-def held_by(candidate, wanted, laws, coupling, fractions, impulse):
+def held_by(candidate, wanted, known, fractions, impulse):
     """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
 
     These are the parts of the normal impulse that it is; not a number where it is to be found.
@@ -518,7 +530,7 @@ def held_by(candidate, wanted, laws, coupling, fractions, impulse):
         unknown[order], ties[order] = normal, 0.0
         order += 1
         if state != STICK:
-            ties[order - 1] = -laws[normal + 1] * SIGN_OF[state]
+            ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
             ties[order - 1] = fractions[i]
         elif SHARED[candidate][i] == i:
@@ -526,11 +538,11 @@ def held_by(candidate, wanted, laws, coupling, fractions, impulse):
             order += 1
     width = order + 1
     for m in range(order):
-        row = unknown[m] * ROWS
+        row = COUPLING + unknown[m] * ROWS
         for s in range(order):
-            value = coupling[row + unknown[s]]
+            value = known[row + unknown[s]]
             if ties[s] != 0.0:
-                value += ties[s] * coupling[row + unknown[s] + 1]
+                value += ties[s] * known[row + unknown[s] + 1]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
@@ -575,15 +587,15 @@ def share(candidate, told, force, fractions):
 
 
 @inlined
-def exceeds(row, wanted, coupling, impulse):
+def exceeds(row, wanted, known, impulse):
     """By how much impulses change the velocity of a row more than it is wanted to."""
     total = -wanted[row]
     for s in range(ROWS):
-        total += coupling[row * ROWS + s] * impulse[s]
+        total += known[COUPLING + row * ROWS + s] * impulse[s]
     return total
 
 
-def margin_of(candidate, near, sliding, wanted, laws, coupling, sizes, impulse, least_of_all):
+def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_all):
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
     They press, friction is within its bound and opposes the slip, and open points leave as they
@@ -596,7 +608,7 @@ def margin_of(candidate, near, sliding, wanted, laws, coupling, sizes, impulse, 
             continue
         state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
-            least = min(least, exceeds(normal, wanted, coupling, impulse) / sizes[normal])
+            least = min(least, exceeds(normal, wanted, known, impulse) / sizes[normal])
         else:
             least = min(least, impulse[normal] / sizes[ROWS + i])
         if not least >= least_of_all:
@@ -608,18 +620,17 @@ def margin_of(candidate, near, sliding, wanted, laws, coupling, sizes, impulse, 
                     SHARED[candidate][j] == SHARED[candidate][i]
                 ):
                     sum_ += impulse[2 * j + 1]
-                    most = laws[2 * j + 1] * max(impulse[2 * j], 0.0)
-                    bound += most if laws[2 * j + 1] < NEVER_SLIPS else np.inf
+                    most = known[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
+                    bound += most if known[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
             least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
         elif state != OPEN and sliding[i] == 0.0:
-            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, coupling, impulse)
+            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
             least = min(least, slips / sizes[normal + 1])
     return least
 
 
 def fitting_states(
-    contact, near, sliding, wanted, laws, told, matrix, spread, coupling, sizes, tolerance, alike,
-    fitting, change,
+    contact, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
 ):  # fmt: skip
     """(best, several): of all contact states those whose impulses, or forces, fit.
 
@@ -634,20 +645,18 @@ def fitting_states(
     for candidate in range(len(POINT_STATES)):
         if not may_follow(candidate, contact, near, sliding):
             continue
-        impulses_of(candidate, wanted, laws, told, coupling, impulse)
-        margin = margin_of(
-            candidate, near, sliding, wanted, laws, coupling, sizes, impulse, -tolerance
-        )
+        impulses_of(candidate, wanted, known, impulse)
+        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -tolerance)
         if not margin >= -tolerance:
             continue
         for i in range(N_COORDINATES):
             this[i] = 0.0
             for r in range(ROWS):
-                this[i] += spread[i * ROWS + r] * impulse[r]
+                this[i] += known[SPREAD + i * ROWS + r] * impulse[r]
             if several == 0:
                 first[i] = this[i]
             apart[i] = this[i] - first[i]
-        if several > 0 and squared(matrix, apart) > alike:
+        if several > 0 and squared(known, apart) > alike:
             return AMBIGUOUS, several
         fitting[several] = candidate
         several += 1
@@ -658,28 +667,28 @@ def fitting_states(
     return best, several
 
 
-def sizes_of(whole, coupling, sizes):
+def sizes_of(whole, known, sizes):
     """How large what points do is, relative to the whole motion, into sizes (ROWS + N_POINTS,).
 
     whole : the velocities, or accelerations, squared in the measure of the mass. Of those of the
     points, and then of normal impulses, or forces.
     """
     for r in range(ROWS):
-        sizes[r] = math.sqrt(coupling[r * ROWS + r] * whole) + 1e-300
+        sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + 1e-300
     for i in range(N_POINTS):
-        sizes[ROWS + i] = math.sqrt(whole / coupling[2 * i * ROWS + 2 * i]) + 1e-300
+        sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + 1e-300
 
 
-def squared(matrix, x):
+def squared(known, x):
     """In the measure of the mass."""
     total = 0.0
     for i in range(N_COORDINATES):
         for j in range(N_COORDINATES):
-            total += x[i] * matrix[i * N_COORDINATES + j] * x[j]
+            total += x[i] * known[MATRIX + i * N_COORDINATES + j] * x[j]
     return total
 
 
-def collide(contact, near, laws, told, matrix, spread, coupling, y):
+def collide(contact, near, known, y):
     """Velocities y[n:] after all touching points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
@@ -693,29 +702,27 @@ def collide(contact, near, laws, told, matrix, spread, coupling, y):
     fitting = np.empty(len(POINT_STATES), np.int64)
     for i in range(n):
         change[i] = y[n + i]
-    whole = squared(matrix, change)
-    sizes_of(whole, coupling, sizes)
+    whole = squared(known, change)
+    sizes_of(whole, known, sizes)
     for r in range(ROWS):
-        arriving, _ = rate_of(told, r, y, n)
+        arriving, _ = rate_of(known, r, y, n)
         wanted[r] = -arriving
         if 2 * int(r * 0.5) == r:
-            wanted[r] -= laws[r] * min(arriving, 0.0)
+            wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
     found, _ = fitting_states(
-        contact, near, sliding, wanted, laws, told, matrix, spread, coupling, sizes, FITS,
-        1e-18 * whole, fitting, change,
-    )  # fmt: skip
+        contact, near, sliding, wanted, known, sizes, FITS, 1e-18 * whole, fitting, change
+    )
     if found >= 0:
         for i in range(n):
             y[n + i] += change[i]
     return found
 
 
-def touching_points(contact, y, p, told, near, sliding):
+def touching_points(contact, y, told, near, sliding):
     """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
 
-    told : of `points`, found here. A point that a contact state has closed does.
+    told : of `points`. A point that a contact state has closed does.
     """
-    points(y, p, told)
     for i in range(N_POINTS):
         _, size = rate_of(told, 2 * i, y, 0)
         _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
@@ -732,20 +739,14 @@ def fits_by_forces(contact, y, p, ax, ay):
 
     contact : that which the state's gaps and velocities tell of, with its elements.
     """
-    told, laws, matrix = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(N_MATRIX)
-    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
+    known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    touching_points(contact, y, p, told, near, sliding)
-    point_laws(p, laws)
-    response_to_impulses(y, p, contact, told, matrix, spread, coupling)
-    sizes = np.empty(ROWS + N_POINTS)
-    return go_on_as(
-        contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, laws, told, matrix, spread,
-        coupling, sizes,
-    )  # fmt: skip
+    all_known(y, p, contact, known)
+    touching_points(contact, y, known, near, sliding)
+    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, known, sizes)
 
 
-def without_forces(y, p, ax, ay, contact, told, matrix, coupling, wanted, sizes):
+def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
     """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
 
     sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
@@ -753,7 +754,7 @@ def without_forces(y, p, ax, ay, contact, told, matrix, coupling, wanted, sizes)
     """
     n = N_COORDINATES
     forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
-    both = np.empty(2 * N_COORDINATES)
+    both, matrix = np.empty(2 * N_COORDINATES), known[MATRIX:]
     free_motion(y, p, ax, ay, contact, matrix, forces)
     free_motion(y, p, 0.0, 0.0, contact, matrix, at_rest)
     for i in range(n):
@@ -765,15 +766,14 @@ def without_forces(y, p, ax, ay, contact, told, matrix, coupling, wanted, sizes)
         quiet += at_rest[i] * both[2 * i + 1]
     for i in range(N_POINTS):
         for m in range(2):
-            wanted[2 * i + m] = -along(told, 2 * i + m, both, 0, 2) - told[i * POINT + 3 + m]
+            wanted[2 * i + m] = -along(known, 2 * i + m, both, 0, 2) - known[i * POINT + 3 + m]
     whole = max(moved, quiet)
-    sizes_of(whole, coupling, sizes)
+    sizes_of(whole, known, sizes)
     return whole
 
 
 def go_on_as(
-    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, laws, told, matrix, spread,
-    coupling, sizes,
+    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, known, sizes
 ):  # fmt: skip
     """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
@@ -783,42 +783,36 @@ def go_on_as(
     """
     wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
     fitting = np.empty(len(POINT_STATES), np.int64)
-    whole = without_forces(y, p, ax, ay, contact, told, matrix, coupling, wanted, sizes)
+    whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
     found, several = fitting_states(
-        contact, near, sliding, wanted, laws, told, matrix, spread, coupling, sizes, NEARLY,
-        ALIKE * ALIKE * whole, fitting, change,
-    )  # fmt: skip
+        contact, near, sliding, wanted, known, sizes, NEARLY, ALIKE * ALIKE * whole, fitting, change
+    )
     if found < 0 or (several == 1 and not (ends and found == contact)):
         return found
     return best_later(
-        contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, laws,
-        sizes,
-    )  # fmt: skip
+        contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
+    )
 
 
 def best_later(
-    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, laws, sizes
+    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
 ):  # fmt: skip
     """Of contact states that move alike now, what fits best a little later, see `go_on_as`."""
     n = N_COORDINATES
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    told, impulse, wanted = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(ROWS)
-    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
-    matrix, of_then = np.empty(N_MATRIX), np.empty(ROWS + N_POINTS)
+    known, of_then = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    impulse, wanted = np.empty(ROWS), np.empty(ROWS)
     rates(fitting[0], y, p, ax, ay, dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
-    points(w, p, told)
-    response_to_impulses(w, p, contact, told, matrix, spread, coupling)
-    without_forces(w, p, later_x, later_y, contact, told, matrix, coupling, wanted, of_then)
+    all_known(w, p, contact, known)
+    without_forces(w, p, later_x, later_y, contact, known, wanted, of_then)
     found, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
-        impulses_of(candidate, wanted, laws, told, coupling, impulse)
-        margin = margin_of(
-            candidate, near, sliding, wanted, laws, coupling, sizes, impulse, -np.inf
-        )
+        impulses_of(candidate, wanted, known, impulse)
+        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -np.inf)
         if candidate == contact and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
             if several == 1 and margin < -FITS:
@@ -833,7 +827,7 @@ def best_later(
 # -- passages ------------------------------------------------------------------------------------
 
 
-def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
+def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, known, out):
     """The end of a contact state by a guard: state after into out (N,).
 
     Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
@@ -849,44 +843,35 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, out):
             if SUBJECTS[follows][i] == subject:
                 touching = int(1.0 / HALVES[i])
         return follows, touching
-    told, laws, matrix = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(N_MATRIX)
-    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
-    points(out, p, told)
-    point_laws(p, laws)
-    response_to_impulses(out, p, contact, told, matrix, spread, coupling)
+    all_known(out, p, contact, known)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
         closed = POINT_STATES[contact][i] != OPEN or (kind == LANDING and i == subject)
         if not closed and kind == LANDING:
-            gap, rate = told[i * POINT], told[i * POINT + 1]
-            _, size = rate_of(told, 2 * i, out, 0)
+            gap, rate = known[i * POINT], known[i * POINT + 1]
+            _, size = rate_of(known, 2 * i, out, 0)
             closed = rate <= 0.0 and gap <= 1e-9 * h * abs(rate) + 1e-13 * size
         if closed:
             near[i] = 1
-            rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
-    put_on(rows, wanted, 0, told, spread, coupling, out)
+            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
+    put_on(rows, wanted, 0, known, out)
     return meet(
-        contact, guard, near, y, p, ax, ay, later_x, later_y, tau, laws, told, matrix, spread,
-        coupling, out,
-    )  # fmt: skip
+        contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out
+    )
 
 
-def meet(
-    contact, guard, near, y, p, ax, ay, later_x, later_y, tau, laws, told, matrix, spread, coupling,
-    out,
-):  # fmt: skip
+def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
     """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
 
-    told : of `points`, at the places of out (N,), the state, at first that before. Returns as
-    `pass_on`.
+    out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
     """
     n, kind, subject = N_COORDINATES, KINDS[contact][guard], SUBJECTS[contact][guard]
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     as_said = contact  # by the velocities of this contact state
     if kind == LANDING:
-        as_said = collide(contact, near, laws, told, matrix, spread, coupling, out)
+        as_said = collide(contact, near, known, out)
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave
@@ -895,14 +880,14 @@ def meet(
         if near[i] == 0:
             continue
         state = POINT_STATES[as_said][i]
-        rate, size = rate_of(told, 2 * i, out, n)
-        _before, size_before = rate_of(told, 2 * i, y, n)
+        rate, size = rate_of(known, 2 * i, out, n)
+        _before, size_before = rate_of(known, 2 * i, y, n)
         leaves = rate > FITS * max(size, size_before)
-        if leaves and (state == OPEN or laws[2 * i] > 0.0) and kind == LANDING:
+        if leaves and (state == OPEN or known[LAWS + 2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
             continue
         rows[2 * i], wanted[2 * i] = 1, -rate
-        slip, size = rate_of(told, 2 * i + 1, out, n)
+        slip, size = rate_of(known, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * size
         if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:
             still = True
@@ -910,14 +895,13 @@ def meet(
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
-    put_on(rows, wanted, n, told, spread, coupling, out)
-    points(out, p, told)
+    put_on(rows, wanted, n, known, out)
+    points(out, p, known)
     ends = kind in (LIFTING, SLIPPING)
     sizes = np.empty(ROWS + N_POINTS)
     follows = go_on_as(
-        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, laws, told, matrix,
-        spread, coupling, sizes,
-    )  # fmt: skip
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, known, sizes
+    )
     if follows < 0:
         return follows, -1
     return follows, closed_guards(
@@ -972,7 +956,7 @@ def held_upright(contact, y, p):
 # -- infinitely many impacts ---------------------------------------------------------------------
 
 
-def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
+def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
     From a landing after which points leave what they touched: close to the end flights are
@@ -983,22 +967,16 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     acceleration that closes the gap and l the radius of gyration.
     """
     n = N_COORDINATES
-    told, laws, matrix = np.empty(POINT * N_POINTS), np.empty(ROWS), np.empty(N_MATRIX)
-    spread, coupling = np.empty(N_COORDINATES * ROWS), np.empty(ROWS * ROWS)
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
     bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     heights = np.zeros(N_POINTS)  # by themselves: they are lost among the last digits of a state
-    points(y, p, told)
     rates(contact, y, p, ax, ay, dy)
-    start, limit = slow_bounces(
-        contact, y, p, tolerance, told, dy, matrix, spread, coupling, bouncing, heights
-    )
+    start, limit = slow_bounces(contact, y, tolerance, known, dy, bouncing, heights)
     if start == 0.0:
         return np.inf, contact
     for i in range(N_STATES):
         w[i] = y[i]
-    point_laws(p, laws)
     total = last = 0.0
     here = contact
     # a flight before, with which others are compared
@@ -1008,17 +986,17 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
     for _turn in range(4000):
         if _turn > 0:
             rates(here, w, p, ax, ay, dy)
-        flight, which = next_landing(here, bouncing, heights, told, dy)
+        flight, which = next_landing(here, bouncing, heights, known, dy)
         if flight < 0.0:
             return np.inf, contact
-        if which < 0 or is_slow(here, bouncing, start, told, w):
+        if which < 0 or is_slow(here, bouncing, start, known, w):
             break
         if total + flight > limit:
             # where the last flights were nothing, some have come to their end and others fly on
             if not (last < 1e-6 * total and some_ended(here, bouncing)):
                 return np.inf, contact
             break
-        rate = told[which * POINT + 1]
+        rate = known[which * POINT + 1]
         alike = which == first and here == first_here
         if alike:
             ratio, period = rate / rate_then, total - first_total
@@ -1044,46 +1022,43 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, out):
         flights += 1
         last = flight
         total += flight
-        fly(here, which, flight, told, dy, bouncing, heights, near, w)
+        fly(here, which, flight, known, dy, bouncing, heights, near, w)
         for i in range(N_POINTS):
             met[i] = near[i]
             landed[i] = max(landed[i], near[i])
         for i in range(N_STATES):
             out[i] = w[i]
-        points(w, p, told)
+        points(w, p, known)
         here, _ = meet(
-            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, laws, told,
-            matrix, spread, coupling, out,
-        )  # fmt: skip
+            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, known, out
+        )
         if here < 0:
             return np.inf, contact
         for i in range(n, N_STATES):
             w[i] = out[i]
-        points(w, p, told)
+        points(w, p, known)
         for i in range(N_POINTS):
-            if met[i] == 1 and POINT_STATES[here][i] == OPEN and told[i * POINT + 1] > 0.0:
+            if met[i] == 1 and POINT_STATES[here][i] == OPEN and known[i * POINT + 1] > 0.0:
                 bouncing[i] = 1
-    follows = all_closed(here, bouncing, start, p, ax, ay, laws, told, near, w, out)
+    follows = all_closed(here, bouncing, start, p, ax, ay, known, near, w, out)
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
-def slow_bounces(
-    contact, y, p, tolerance, told, dy, matrix, spread, coupling, bouncing, heights
-):  # fmt: skip
+def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
     """(start, limit): the fastest rate at which points leave, and the longest time of their bounces.
 
-    told, dy : points and rates of the state. bouncing (N_POINTS,) : set to 1 for these points, and
+    dy (N,) : rates of the state. bouncing (N_POINTS,) : set to 1 for these points, and
     for others in flight that land as soon, from their heights (N_POINTS,). Zero where no point
     leaves, or where one is too fast for such a time.
     """
     longest = start = 0.0
     lost = True
     for i in range(N_POINTS):
-        gap, rate = told[i * POINT], told[i * POINT + 1]
-        _, size = rate_of(told, 2 * i, y, 0)
+        gap, rate = known[i * POINT], known[i * POINT + 1]
+        _, size = rate_of(known, 2 * i, y, 0)
         if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
             continue
-        a = -acceleration_of(told, 2 * i, dy)
+        a = -acceleration_of(known, 2 * i, dy)
         if not a > 0.0 or 2.0 * rate / a > tolerance * SLOWEST:
             return 0.0, 0.0
         bouncing[i] = 1
@@ -1092,21 +1067,20 @@ def slow_bounces(
         lost = lost and 0.5 * rate * rate < LEAST_HOP * size * a
     if start == 0.0:
         return 0.0, 0.0
-    response_to_impulses(y, p, contact, told, matrix, spread, coupling)
-    inertia = matrix[ROTATION * N_COORDINATES + ROTATION]
+    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
     limit = np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            radius = math.sqrt(inertia * coupling[2 * i * ROWS + 2 * i])
-            limit = min(limit, tolerance * math.sqrt(-radius / acceleration_of(told, 2 * i, dy)))
+            radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
+            limit = min(limit, tolerance * math.sqrt(-radius / acceleration_of(known, 2 * i, dy)))
     if lost:
         limit = SLOWEST * longest  # flights so low end among rounding errors
     if longest > limit:
         return 0.0, 0.0
     for i in range(N_POINTS):
-        gap, rate = told[i * POINT], told[i * POINT + 1]
+        gap, rate = known[i * POINT], known[i * POINT + 1]
         if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
-            a = -acceleration_of(told, 2 * i, dy)
+            a = -acceleration_of(known, 2 * i, dy)
             if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bouncing[i], heights[i] = 1, gap
     return start, limit
@@ -1188,44 +1162,41 @@ def to_the_end(ratio, period, w_then, w):
         w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
 
 
-def all_closed(here, bouncing, start, p, ax, ay, laws, told, near, w, out):
+def all_closed(here, bouncing, start, p, ax, ay, known, near, w, out):
     """The contact state that follows once all points that bounce are closed, or a negative number.
 
-    w : the state until then; out : with them closed. told, near : scratch.
+    w : the state until then; out : with them closed. known, near : scratch.
     """
     n = N_COORDINATES
-    matrix, spread = np.empty(N_MATRIX), np.empty(N_COORDINATES * ROWS)
-    coupling, sizes = np.empty(ROWS * ROWS), np.empty(ROWS + N_POINTS)
+    sizes = np.empty(ROWS + N_POINTS)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     for i in range(N_STATES):
         out[i] = w[i]
-    points(out, p, told)
-    response_to_impulses(out, p, here, told, matrix, spread, coupling)
+    all_known(out, p, here, known)
     for i in range(N_POINTS):
         closed = bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
         if closed:
-            rows[2 * i], wanted[2 * i] = 1, -told[i * POINT]
-    put_on(rows, wanted, 0, told, spread, coupling, out)
-    points(out, p, told)
+            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
+    put_on(rows, wanted, 0, known, out)
+    points(out, p, known)
     for i in range(N_POINTS):
-        if near[i] == 0 and told[i * POINT] <= 0.0 and told[i * POINT + 1] <= 0.0:
+        if near[i] == 0 and known[i * POINT] <= 0.0 and known[i * POINT + 1] <= 0.0:
             return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue
-        wanted[2 * i] = -told[i * POINT + 1]
-        slip, size = rate_of(told, 2 * i + 1, out, n)
+        wanted[2 * i] = -known[i * POINT + 1]
+        slip, size = rate_of(known, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK
         if sticks or abs(slip) <= start + FITS * size:  # so slow a slip has ended, too
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
-    put_on(rows, wanted, n, told, spread, coupling, out)
-    points(out, p, told)
+    put_on(rows, wanted, n, known, out)
+    points(out, p, known)
     follows = go_on_as(
-        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, laws, told, matrix, spread,
-        coupling, sizes,
-    )  # fmt: skip
+        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, known, sizes
+    )
     for i in range(N_POINTS):
         if bouncing[i] == 1 and follows >= 0 and POINT_STATES[follows][i] == OPEN:
             return IMPOSSIBLE

@@ -65,6 +65,7 @@ if TYPE_CHECKING:  # joined before this text
         KINDS,
         N_ALL_STAGES,
         N_GUARDS,
+        N_KNOWN,
         N_PARTS,
         N_POINTS,
         N_STAGES,
@@ -119,7 +120,8 @@ _GUARDS = _POWERS + 8 * N_STATES
 _BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
 _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 _NOISE = _STACK + 640
-SCRATCH = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+_KNOWN = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+SCRATCH = _KNOWN + N_KNOWN
 
 EPS = 2.220446049250313e-16
 EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
@@ -1123,7 +1125,8 @@ def integrate(
     g = scratch[_GUARDS:_BERNSTEIN]
     b = scratch[_BERNSTEIN:_STACK]
     stack = scratch[_STACK:_NOISE]
-    noises = scratch[_NOISE:SCRATCH]
+    noises = scratch[_NOISE:_KNOWN]
+    known = scratch[_KNOWN:SCRATCH]
     contact, touching = status[CONTACT], status[TOUCHING]
     impacts, taken, refined = status[IMPACTS], status[TAKEN], status[REFINED]
     idle, news, fresh = status[IDLE], status[NEWS], status[FRESH]
@@ -1460,7 +1463,7 @@ def integrate(
             tau = 1e-5 * length
             contact, touching = pass_on(
                 before, landed, length, y, p, shaking(gx, t), shaking(gy, t),
-                shaking(gx, t + tau), shaking(gy, t + tau), tau, after,
+                shaking(gx, t + tau), shaking(gy, t + tau), tau, known, after,
             )  # fmt: skip
             if contact < 0:
                 outcome = NO_SOLUTION if contact == IMPOSSIBLE else SEVERAL_SOLUTIONS
@@ -1493,7 +1496,9 @@ def integrate(
             break
         ax, ay = shaking(gx, t), shaking(gy, t)
         if N_POINTS > 0:
-            rests, follows = time_of_bounces(contact, y, p, ax, ay, rest_tolerance, y_new)
+            rests, follows = time_of_bounces(
+                contact, y, p, ax, ay, rest_tolerance, known, y_new
+            )
             if t + rests < last or rests < 16.0 * EPS * t:
                 if keep and t + rests > t:
                     for i in range(8 * N_STATES):

@@ -189,7 +189,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
 def _contacts(generated: ModuleType) -> str:
     """What finds the contact state that follows, where a structure does not declare it."""
     if not getattr(generated, "N_POINTS", 0):
-        return "N_POINTS = 0\n"
+        return "N_POINTS = N_KNOWN = 0\n"
     return f"{_own('contacts.py')}\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
 
 
