@@ -93,6 +93,7 @@ HALVES = (
 )  # fmt: skip
 
 
+@inlined
 def is_closed(touching, i):
     """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
     n = int(touching * HALVES[i])
@@ -349,21 +350,38 @@ def eliminate(a, order, width):
 
 
 def solved_at_once(a, order):
-    """Whether it was one equation, or two that are far from saying the same: then they are solved.
+    """Whether it was one equation, or two or three that are far from saying the same: solved then.
 
     Most of those at an event are; arguments as of `eliminate`.
     """
     if order == 1:
         a[1] = a[1] / a[0] if a[0] != 0.0 else 0.0
         return True
-    if order > 2:
+    if order == 2:
+        largest = max(max(abs(a[0]), abs(a[1])), max(abs(a[3]), abs(a[4])))
+        determinant = a[0] * a[4] - a[1] * a[3]
+        if not abs(determinant) > 1e-6 * largest * largest:
+            return False
+        inverse = 1.0 / determinant
+        a[2], a[5] = (a[2] * a[4] - a[1] * a[5]) * inverse, (a[0] * a[5] - a[2] * a[3]) * inverse
+        return True
+    if order > 3:
         return False
-    largest = max(max(abs(a[0]), abs(a[1])), max(abs(a[3]), abs(a[4])))
-    determinant = a[0] * a[4] - a[1] * a[3]
-    if not abs(determinant) > 1e-6 * largest * largest:
+    # by the crosswise products of the last two rows, and of each with the right-hand side
+    c0, c1, c2 = a[5] * a[10] - a[6] * a[9], a[6] * a[8] - a[4] * a[10], a[4] * a[9] - a[5] * a[8]
+    largest = 0.0
+    for i in range(3):
+        for j in range(3):
+            largest = max(largest, abs(a[4 * i + j]))
+    determinant = a[0] * c0 + a[1] * c1 + a[2] * c2
+    if not abs(determinant) > 1e-4 * largest * largest * largest:
         return False
     inverse = 1.0 / determinant
-    a[2], a[5] = (a[2] * a[4] - a[1] * a[5]) * inverse, (a[0] * a[5] - a[2] * a[3]) * inverse
+    d0, d1, d2 = a[7] * a[8] - a[4] * a[11], a[7] * a[9] - a[5] * a[11], a[7] * a[10] - a[6] * a[11]
+    x = a[3] * c0 - a[1] * d2 + a[2] * d1
+    y = a[3] * c1 + a[0] * d2 - a[2] * d0
+    z = a[3] * c2 - a[0] * d1 + a[1] * d0
+    a[3], a[7], a[11] = x * inverse, y * inverse, z * inverse
     return True
 
 
@@ -506,12 +524,44 @@ def impulses_of(candidate, wanted, known, impulse):
 
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
     """
+    closed = point = 0
+    for i in range(N_POINTS):
+        impulse[2 * i] = impulse[2 * i + 1] = 0.0
+        if POINT_STATES[candidate][i] != OPEN:
+            closed, point = closed + 1, i
+    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, known, impulse)):
+        return
     fractions = np.empty(N_POINTS)
     for i in range(N_POINTS):
         fractions[i] = np.nan
     held_by(candidate, wanted, known, fractions, impulse)
     if share(candidate, known, impulse, fractions):
         held_by(candidate, wanted, known, fractions, impulse)
+
+
+@inlined
+def held_alone(candidate, point, wanted, known, impulse):
+    """`impulses_of` where one point is closed: whether its equations are far from saying the same.
+
+    Most of those at an event are such ones.
+    """
+    normal, state = 2 * point, POINT_STATES[candidate][point]
+    at = COUPLING + normal * ROWS + normal
+    across, between_, along_ = known[at], known[at + 1], known[at + ROWS + 1]
+    if state != STICK:
+        tie = -known[LAWS + normal + 1] * SIGN_OF[state]
+        presses = across + tie * between_ if tie != 0.0 else across
+        impulse[normal] = wanted[normal] / presses if presses != 0.0 else 0.0
+        impulse[normal + 1] = tie * impulse[normal]
+        return True
+    largest = max(across, max(along_, abs(between_)))
+    determinant = across * along_ - between_ * between_
+    if not determinant > 1e-6 * largest * largest:
+        return False
+    inverse = 1.0 / determinant
+    impulse[normal] = (wanted[normal] * along_ - between_ * wanted[normal + 1]) * inverse
+    impulse[normal + 1] = (across * wanted[normal + 1] - wanted[normal] * between_) * inverse
+    return True
 
 
 def held_by(candidate, wanted, known, fractions, impulse):
@@ -524,7 +574,6 @@ def held_by(candidate, wanted, known, fractions, impulse):
     order = 0
     for i in range(N_POINTS):
         state, normal = POINT_STATES[candidate][i], 2 * i
-        impulse[normal] = impulse[normal + 1] = 0.0
         if state == OPEN:
             continue
         unknown[order], ties[order] = normal, 0.0
