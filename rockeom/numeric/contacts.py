@@ -73,6 +73,7 @@ LEAST_HOP = 1e-11  # relative to the terms of a gap: lower flights are summed up
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
 SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
+NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
 ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
 INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope
     (0.5, 0.15625, -0.15625, 0.015625, 0.015625, 1.875, -0.4375, -0.4375, -0.03125, 0.03125),
@@ -767,20 +768,18 @@ def collide(contact, near, known, y):
     return found
 
 
-def touching_points(contact, y, told, near, sliding):
+def touching_points(y, told, near, sliding):
     """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
 
-    told : of `points`. A point that a contact state has closed does.
+    told : of `points`. One touches whose gap is closed, and does not open.
     """
     for i in range(N_POINTS):
         _, size = rate_of(told, 2 * i, y, 0)
         _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
-        slip, slips = rate_of(told, 2 * i + 1, y, N_COORDINATES)
-        closed = told[i * POINT] <= 1e-9 * size and abs(told[i * POINT + 1]) <= 1e-9 * speed
-        near[i] = 1 if closed or POINT_STATES[contact][i] != OPEN else 0
-        sliding[i] = 0.0
-        if near[i] == 1 and abs(slip) > 1e-9 * slips:
-            sliding[i] = 1.0 if slip > 0.0 else -1.0
+        closed = told[i * POINT] <= NOTHING * size
+        near[i] = 1 if closed and abs(told[i * POINT + 1]) <= NOTHING * speed else 0
+        slip, size = rate_of(told, 2 * i + 1, y, N_COORDINATES)
+        sliding[i] = 0.0 if abs(slip) <= NOTHING * size else 1.0 if slip > 0.0 else -1.0
 
 
 def fits_by_forces(contact, y, p, ax, ay):
@@ -791,7 +790,10 @@ def fits_by_forces(contact, y, p, ax, ay):
     known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
     all_known(y, p, contact, known)
-    touching_points(contact, y, known, near, sliding)
+    touching_points(y, known, near, sliding)
+    for i in range(N_POINTS):
+        if POINT_STATES[contact][i] != OPEN:
+            near[i] = 1
     return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, known, sizes)
 
 

@@ -1495,34 +1495,14 @@ def integrate(
             outcome = TOO_MANY_IMPACTS
             break
         ax, ay = shaking(gx, t), shaking(gy, t)
+        # -- the rest of infinitely many impacts at once
         if N_POINTS > 0:
             rests, follows = time_of_bounces(
                 contact, y, p, ax, ay, rest_tolerance, known, y_new
             )
-            if t + rests < last or rests < 16.0 * EPS * t:
-                if keep and t + rests > t:
-                    for i in range(8 * N_STATES):
-                        coefficients[i] = 0.0
-                    for i in range(N_STATES):
-                        coefficients[i] = y[i]
-                        coefficients[N_STATES + i] = y_new[i] - y[i]
-                    record_step(
-                        n_steps, t, rests, contact, coefficients, steps, step_contact, step_states
-                    )
-                    n_steps += 1
-                t += rests
-                record_event(
-                    n_events, t, REST, contact, follows, -1, y, y_new, events, event_kinds,
-                    event_states,
-                )  # fmt: skip
-                n_events += 1
-                if follow:
-                    widen(peaks, y_new)
-                for i in range(N_STATES):
-                    y[i] = y_new[i]
-                contact, touching, h_next = follows, -1, 0.0
-        elif SIDES[contact] != 0.0:
-            # -- the rest of infinitely many impacts at once
+        elif SIDES[contact] == 0.0:
+            continue
+        else:
             rates(contact, y, p, ax, ay, k)
             if not may_fade(side, y, k, rest_tolerance):
                 if rocks and t < last and h_next != 0.0:
@@ -1531,33 +1511,40 @@ def integrate(
             rests, follows = time_to_rest(
                 contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
             )
-            if (t + rests < last or rests < 16.0 * EPS * t) and stand(
-                follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new
-            ):
-                if keep and t + rests > t:
-                    dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
-                    record_step(
-                        n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
-                    )
-                    n_steps += 1
-                t += rests
-                for i in range(N_STATES):
-                    w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
-                    after[i] = y_new[i]
-                record_event(
-                    n_events, t, REST, contact, follows, -1, w, after,
-                    events, event_kinds, event_states,
-                )  # fmt: skip
-                n_events += 1
-                if follow:
-                    widen(peaks, after)
-                for i in range(N_STATES):
-                    y[i] = after[i]
-                contact = follows
-                rocks = rocking(contact)
-                side = SIDES[contact]
-                touching = -1
-                h_next = 0.0
+        if not (t + rests < last or rests < 16.0 * EPS * t):
+            continue
+        kept = contact  # in which the time of the rest is recorded
+        if N_POINTS > 0:
+            for i in range(8 * N_STATES):
+                coefficients[i] = 0.0
+            for i in range(N_STATES):
+                coefficients[i] = w[i] = y[i]
+                coefficients[N_STATES + i] = y_new[i] - y[i]
+        else:
+            kept = follows
+            if not stand(follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new):
+                continue
+            if keep and t + rests > t:
+                dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
+            for i in range(N_STATES):
+                w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
+        if keep and t + rests > t:
+            record_step(n_steps, t, rests, kept, coefficients, steps, step_contact, step_states)
+            n_steps += 1
+        t += rests
+        record_event(
+            n_events, t, REST, contact, follows, -1, w, y_new, events, event_kinds, event_states
+        )
+        n_events += 1
+        if follow:
+            widen(peaks, y_new)
+        for i in range(N_STATES):
+            y[i] = y_new[i]
+        contact = follows
+        rocks = rocking(contact)
+        side = SIDES[contact]
+        touching = -1
+        h_next = 0.0
 
     status[CONTACT], status[TOUCHING] = contact, touching
     status[IMPACTS], status[TAKEN], status[REFINED] = impacts, taken, refined
