@@ -23,16 +23,13 @@ from rockeom.contract import (
     OPEN,
     SLIPPING,
     STICK,
-    STAYS_OPEN,
     STICKING,
     SWITCH,
-    UNCLEAR,
 )
 from rockeom.marks import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
-        ANGLES,
         ELEMENT_STATES,
         GUARDS,
         KINDS,
@@ -51,7 +48,6 @@ if TYPE_CHECKING:  # joined before this text
         point_laws,
         points,
         rates,
-        shaking,
     )
 
 N_COORDINATES = N_STATES // 2
@@ -69,29 +65,12 @@ COUPLING = SPREAD + N_COORDINATES * ROWS
 N_KNOWN = COUPLING + ROWS * ROWS
 
 GRAIN = 4e-15  # relative rounding error of a gap
-LEAST_HOP = 1e-11  # relative to the terms of a gap: lower flights are summed up
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
-SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
 NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
 ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
-INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope
-    (0.5, 0.15625, -0.15625, 0.015625, 0.015625, 1.875, -0.4375, -0.4375, -0.03125, 0.03125),
-    (
-        459 / 512, 39 / 1024, -189 / 1024, 9 / 2048, 27 / 2048, 135 / 128, -95 / 256, 81 / 256,
-        -21 / 512, -27 / 512,
-    ),
-)  # fmt: skip
 SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
-HALVES = (
-    1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125,
-    0.0009765625, 0.00048828125, 0.000244140625, 0.0001220703125, 6.103515625e-05,
-    3.0517578125e-05, 1.52587890625e-05, 7.62939453125e-06, 3.814697265625e-06,
-    1.9073486328125e-06, 9.5367431640625e-07, 4.76837158203125e-07, 2.384185791015625e-07,
-    1.1920928955078125e-07, 5.960464477539063e-08, 2.9802322387695312e-08,
-    1.4901161193847656e-08, 7.450580596923828e-09, 3.725290298461914e-09, 1.862645149230957e-09,
-    9.313225746154785e-10, 4.656612873077393e-10,
-)  # fmt: skip
+HALVES = 0.5 ** np.arange(32.0)
 
 
 @inlined
@@ -99,176 +78,6 @@ def is_closed(touching, i):
     """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
     n = int(touching * HALVES[i])
     return touching > 0 and n - 2 * int(n * 0.5) == 1
-
-
-# -- steps ---------------------------------------------------------------------------------------
-
-
-@inlined
-def longest_turn(y):
-    """The longest step in which angles change so little that eight samples follow a gap."""
-    fastest = 1e-300
-    for i in range(N_COORDINATES):
-        fastest = max(fastest, ANGLES[i] * abs(y[N_COORDINATES + i]))
-    return 1.0 / fastest
-
-
-def only_hop(contact, touching, y, p, dy):
-    """(guard, time): the one gap that opens from closed, and when its parabola closes it again.
-
-    (-1, inf) where none does, or several. dy (N,) : rates. touching : see `is_closed`.
-    """
-    told = np.empty(POINT * N_POINTS)
-    points(y, p, told)
-    hop, lasts = -1, np.inf
-    for i in range(GUARDS[contact]):
-        if KINDS[contact][i] != LANDING or not is_closed(touching, i):
-            continue
-        point = SUBJECTS[contact][i]
-        rate, a = told[point * POINT + 1], -acceleration_of(told, 2 * point, dy)
-        # a hop must not be lost among the smallest numbers
-        if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > 1e-290 * a):
-            return -1, np.inf
-        hop, lasts = i, 2.0 * rate / a
-    return hop, lasts
-
-
-def fall_within(
-    contact, t, h, y, y_new, k, end, p, gx, gy, w, samples, sampled, touching, hop
-):  # fmt: skip
-    """(guard, place): which guard of a contact state falls through zero in a step, and where.
-
-    STAYS_OPEN where all of them stay far from zero, UNCLEAR where that cannot be said so easily.
-    They are sampled on the quintics through both ends: parabolas through the ends and the middle,
-    but for what they miss at three quarters.
-
-    k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
-    samples : four rows of all guards, see `samples_of`. sampled : whether they are those of the step
-    before, whose last are the first of this one. touching : which are closed, see `is_closed`.
-    hop : a gap that opens at the start and should be closed again at the end, or -1.
-    """
-    at_end = samples[3 * ROW :]
-    if sampled:
-        for i in range(GUARDS[contact]):
-            samples[i] = at_end[i]
-    else:
-        guards_at(contact, t, y, p, gx, gy, samples)
-    between(h, 0, y, y_new, k, end, w)
-    guards_at(contact, t + 0.5 * h, w, p, gx, gy, samples[ROW:])
-    between(h, 1, y, y_new, k, end, w)
-    guards_at(contact, t + 0.75 * h, w, p, gx, gy, samples[2 * ROW :])
-    guards_at(contact, t + h, y_new, p, gx, gy, at_end)
-    falls, place = STAYS_OPEN, 0.0
-    for i in range(GUARDS[contact]):
-        opens = touching > 0 and is_closed(touching, i)
-        if i != hop and stays_open_by(samples, i, opens):
-            continue
-        if falls != STAYS_OPEN or KINDS[contact][i] != LANDING:
-            return UNCLEAR, 0.0
-        falls, place = i, falls_by(samples, i, opens, i == hop)
-        if place == 0.0:
-            return UNCLEAR, 0.0
-    return falls, place
-
-
-@inlined
-def guards_at(contact, t, y, p, gx, gy, g):
-    """Guards of a state at a time of the ground's laws, into g."""
-    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
-
-
-@inlined
-def samples_of(samples, i):
-    """Those of guard i at the start of a step, in the middle, at three quarters and at the end."""
-    return samples[i], samples[ROW + i], samples[2 * ROW + i], samples[3 * ROW + i]
-
-
-@inlined
-def stays_open_by(samples, i, opens):
-    """Whether guard i stays above a quarter of its size.
-
-    All but a tenth it is a parabola. opens : it is closed at the start, and opens as clearly.
-    """
-    first, middle, later, last = samples_of(samples, i)
-    first = 0.0 if opens else first
-    bend = 2.0 * middle - 0.5 * (first + last)
-    least = min(bend, last) if opens else min(first, min(bend, last))
-    if not least > 0.25 * max(first, max(abs(bend), last)):
-        return False
-    most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
-    return abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least
-
-
-def falls_by(samples, i, opens, at_end):
-    """Where guard i falls through zero, if it clearly does once; or zero.
-
-    A parabola from f to -g has one root between, where its slope is at least 2 sqrt(f g); one that
-    opens from zero has the slope there, and less that slope where it falls. What it misses at three
-    quarters, d, and not at the ends and in the middle, has a slope less than 11 d if it is a cubic.
-    So there is one root as long as f, or half of the slope, and g are above 6 d; here they are far
-    above, for what is no cubic.
-
-    at_end : whether it should open from zero, and be beside zero at the end.
-    """
-    first, middle, later, last = samples_of(samples, i)
-    first = 0.0 if opens else first
-    bend = 2.0 * middle - 0.5 * (first + last)
-    missed = later - (0.0625 * first + 0.375 * bend + 0.5625 * last)
-    if at_end:
-        return 1.0 if abs(missed) <= 0.02 * bend and abs(last) < 0.1 * bend else 0.0
-    if not min(bend if opens else first, -last) > 50.0 * abs(missed):
-        return 0.0
-    rise, curve, cubic = 2.0 * (bend - first), first - 2.0 * bend + last, missed / -0.046875
-    root = math.sqrt(rise * rise - 4.0 * curve * first)
-    x = (rise + root) / (-2.0 * curve) if rise > 0.0 else 2.0 * first / (root - rise)
-    for _ in range(3):
-        value = first + x * (rise + x * curve) + cubic * x * (x - 0.5) * (x - 1.0)
-        slope = rise + 2.0 * x * curve + cubic * (x * (3.0 * x - 3.0) + 0.5)
-        x -= value / slope
-    return x if 1e-6 < x < 1.0 else 0.0
-
-
-def to_landing(contact, guard, y, p, dy):
-    """Time from the end of a step to the landing beside it; infinite where the gap does not close.
-
-    By the parabola there, from which it differs by the third power of that time. dy (N,) : rates.
-    """
-    told = np.empty(POINT * N_POINTS)
-    points(y, p, told)
-    point = SUBJECTS[contact][guard]
-    gap, rate = told[point * POINT], told[point * POINT + 1]
-    if not rate < 0.0:
-        return np.inf
-    move = -gap / rate
-    return move - 0.5 * acceleration_of(told, 2 * point, dy) * move * move / rate
-
-
-def end_closed(contact, samples):
-    """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
-    closed = False
-    for i in range(GUARDS[contact]):
-        closed = closed or samples[3 * ROW + i] < 0.0
-    return closed
-
-
-@inlined
-def between(h, place, y, y_new, k, end, w):
-    """The state in the middle of a step, or at three quarters, on the quintics through both ends.
-
-    place : the row of INSIDE. w (N,) : the state.
-    """
-    n, rate, hh = N_COORDINATES, 1.0 / h, h * h
-    for i in range(n):
-        way, v0, v1 = y_new[i] - y[i], h * y[n + i], h * y_new[n + i]
-        a0, a1 = hh * k[n + i], hh * k[end + n + i]
-        w[i] = y[i] + (
-            INSIDE[place][0] * way + INSIDE[place][1] * v0 + INSIDE[place][2] * v1
-            + INSIDE[place][3] * a0 + INSIDE[place][4] * a1
-        )  # fmt: skip
-        w[n + i] = rate * (
-            INSIDE[place][5] * way + INSIDE[place][6] * v0 + INSIDE[place][7] * v1
-            + INSIDE[place][8] * a0 + INSIDE[place][9] * a1
-        )  # fmt: skip
 
 
 def guard_noise(contact, index, y, p, b, stride):
@@ -684,7 +493,7 @@ def fitting_states(
 ):  # fmt: skip
     """(best, several): of all contact states those whose impulses, or forces, fit.
 
-    Where they fit they fit by `tolerance`, and what they change of the velocities, or accelerations,
+    They fit by `tolerance`, and what they change of the velocities, or accelerations,
     differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
     IMPOSSIBLE if none fits. fitting : the first `several` of it are they. change (n,) : of the
     best, by its margin.
@@ -908,9 +717,7 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, known, out):
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
-    return meet(
-        contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out
-    )
+    return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out)
 
 
 def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
@@ -1002,253 +809,3 @@ def held_upright(contact, y, p):
     for i in range(N_POINTS):
         held = held or POINT_STATES[contact][i] != OPEN
     return held and dy[ROTATION + N_COORDINATES] == 0.0
-
-
-# -- infinitely many impacts ---------------------------------------------------------------------
-
-
-def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
-    """(time, contact): when the infinitely many impacts to come will all have happened.
-
-    From a landing after which points leave what they touched: close to the end flights are
-    parabolas, each from the rates of the state in which it begins, and the impacts between are
-    those of any landing. They are followed until one is like another before it but for its speed:
-    what is left is a geometric series then. out (N,) : the state after it, all these points closed.
-    Returns (inf, contact) while the time is longer than `tolerance` times sqrt(l/a), a the
-    acceleration that closes the gap and l the radius of gyration.
-    """
-    n = N_COORDINATES
-    dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
-    met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
-    heights = np.zeros(N_POINTS)  # by themselves: they are lost among the last digits of a state
-    rates(contact, y, p, ax, ay, dy)
-    start, limit = slow_bounces(contact, y, tolerance, known, dy, bouncing, heights)
-    if start == 0.0:
-        return np.inf, contact
-    for i in range(N_STATES):
-        w[i] = y[i]
-    total = last = 0.0
-    here = contact
-    # a flight before, with which others are compared
-    first, first_here, first_total, rate_then, ratio_then = -1, -1, 0.0, 0.0, 0.0
-    w_then = np.empty(N_STATES)
-    flights, patience = 0, 2
-    for _turn in range(4000):
-        if _turn > 0:
-            rates(here, w, p, ax, ay, dy)
-        flight, which = next_landing(here, bouncing, heights, known, dy)
-        if flight < 0.0:
-            return np.inf, contact
-        if which < 0 or is_slow(here, bouncing, start, known, w):
-            break
-        if total + flight > limit:
-            # where the last flights were nothing, some have come to their end and others fly on
-            if not (last < 1e-6 * total and some_ended(here, bouncing)):
-                return np.inf, contact
-            break
-        rate = known[which * POINT + 1]
-        alike = which == first and here == first_here
-        if alike:
-            ratio, period = rate / rate_then, total - first_total
-            left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
-            if total + left * period > limit:
-                return np.inf, contact
-            all_landed = True
-            for i in range(N_POINTS):
-                all_landed = all_landed and landed[i] >= bouncing[i]
-            if left > 0.0 and all_landed and abs(ratio - ratio_then) <= 1e-9 * (1.0 - ratio):
-                to_the_end(ratio, period, w_then, w)
-                total += left * period
-                break
-            ratio_then = ratio
-        if alike or first < 0 or flights == patience:
-            if flights == patience and not alike:
-                patience *= 2
-            first, first_here, first_total, rate_then, flights = which, here, total, rate, 0
-            for i in range(N_STATES):
-                w_then[i] = w[i]
-            for i in range(N_POINTS):
-                landed[i] = 0
-        flights += 1
-        last = flight
-        total += flight
-        fly(here, which, flight, known, dy, bouncing, heights, near, w)
-        for i in range(N_POINTS):
-            met[i] = near[i]
-            landed[i] = max(landed[i], near[i])
-        for i in range(N_STATES):
-            out[i] = w[i]
-        points(w, p, known)
-        here, _ = meet(
-            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, known, out
-        )
-        if here < 0:
-            return np.inf, contact
-        for i in range(n, N_STATES):
-            w[i] = out[i]
-        points(w, p, known)
-        for i in range(N_POINTS):
-            if met[i] == 1 and POINT_STATES[here][i] == OPEN and known[i * POINT + 1] > 0.0:
-                bouncing[i] = 1
-    follows = all_closed(here, bouncing, start, p, ax, ay, known, near, w, out)
-    return (total, follows) if follows >= 0 else (np.inf, contact)
-
-
-def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
-    """(start, limit): the fastest rate at which points leave, and the longest time of their bounces.
-
-    dy (N,) : rates of the state. bouncing (N_POINTS,) : set to 1 for these points, and
-    for others in flight that land as soon, from their heights (N_POINTS,). Zero where no point
-    leaves, or where one is too fast for such a time.
-    """
-    longest = start = 0.0
-    lost = True
-    for i in range(N_POINTS):
-        gap, rate = known[i * POINT], known[i * POINT + 1]
-        _, size = rate_of(known, 2 * i, y, 0)
-        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
-            continue
-        a = -acceleration_of(known, 2 * i, dy)
-        if not a > 0.0 or 2.0 * rate / a > tolerance * SLOWEST:
-            return 0.0, 0.0
-        bouncing[i] = 1
-        start = max(start, rate)
-        longest = max(longest, 2.0 * rate / a)
-        lost = lost and 0.5 * rate * rate < LEAST_HOP * size * a
-    if start == 0.0:
-        return 0.0, 0.0
-    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    limit = np.inf
-    for i in range(N_POINTS):
-        if bouncing[i] == 1:
-            radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
-            limit = min(limit, tolerance * math.sqrt(-radius / acceleration_of(known, 2 * i, dy)))
-    if lost:
-        limit = SLOWEST * longest  # flights so low end among rounding errors
-    if longest > limit:
-        return 0.0, 0.0
-    for i in range(N_POINTS):
-        gap, rate = known[i * POINT], known[i * POINT + 1]
-        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
-            a = -acceleration_of(known, 2 * i, dy)
-            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
-                bouncing[i], heights[i] = 1, gap
-    return start, limit
-
-
-def next_landing(here, bouncing, heights, told, dy):
-    """(time, point) of the next landing of those that bounce: negative where one does not land."""
-    flight, which = np.inf, -1
-    for i in range(N_POINTS):
-        if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
-            continue
-        rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
-        if not a > 0.0:
-            return -1.0, i
-        lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
-        if lasts < flight:
-            flight, which = lasts, i
-    return flight, which
-
-
-def landing_of(contact, point):
-    """The guard of a point's landing."""
-    guard = -1
-    for i in range(GUARDS[contact]):
-        if KINDS[contact][i] == LANDING and SUBJECTS[contact][i] == point:
-            guard = i
-    return guard
-
-
-def is_slow(here, bouncing, start, told, w):
-    """Whether nothing but the digits of other velocities is left of those of the bounces."""
-    fastest = whole = 0.0
-    for i in range(N_POINTS):
-        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            fastest = max(fastest, told[i * POINT + 1])
-        _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
-        whole = max(whole, speed)
-    return fastest <= max(1e-7 * start, 1e-8 * whole)
-
-
-def some_ended(here, bouncing):
-    """Whether some points that bounced are closed: of those still in flight it is taken back."""
-    ended = False
-    for i in range(N_POINTS):
-        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            bouncing[i] = 0
-        else:
-            ended = ended or bouncing[i] == 1
-    return ended
-
-
-def fly(here, which, flight, told, dy, bouncing, heights, near, w):
-    """Move a state w to the next landing, and say which points touch there, in near."""
-    n = N_COORDINATES
-    for i in range(N_POINTS):
-        near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
-        if bouncing[i] == 1 and near[i] == 0:
-            rise = told[i * POINT + 1] * flight
-            drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
-            heights[i] += rise - drop
-            if i == which or heights[i] <= 1e-9 * drop:
-                heights[i], near[i] = 0.0, 1
-    for i in range(n):
-        w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
-        w[n + i] += flight * dy[n + i]
-
-
-def to_the_end(ratio, period, w_then, w):
-    """Move a state w on through periods each of which is the last one times a ratio.
-
-    w_then : a period before w. In that time a velocity is what it ends at, and what shrinks with
-    each period; so a place moves by the first times the period, and by what shrinks with its square.
-    """
-    n = N_COORDINATES
-    left, left_of_squares = ratio / (1.0 - ratio), ratio * ratio / (1.0 - ratio * ratio)
-    for i in range(n):
-        w[n + i] += left * (w[n + i] - w_then[n + i])
-        along_ = period * w[n + i]
-        w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
-
-
-def all_closed(here, bouncing, start, p, ax, ay, known, near, w, out):
-    """The contact state that follows once all points that bounce are closed, or a negative number.
-
-    w : the state until then; out : with them closed. known, near : scratch.
-    """
-    n = N_COORDINATES
-    sizes = np.empty(ROWS + N_POINTS)
-    rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
-    for i in range(N_STATES):
-        out[i] = w[i]
-    all_known(out, p, here, known)
-    for i in range(N_POINTS):
-        closed = bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
-        near[i] = 1 if closed else 0
-        if closed:
-            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
-    put_on(rows, wanted, 0, known, out)
-    points(out, p, known)
-    for i in range(N_POINTS):
-        if near[i] == 0 and known[i * POINT] <= 0.0 and known[i * POINT + 1] <= 0.0:
-            return IMPOSSIBLE  # it landed before
-        if near[i] == 0:
-            continue
-        wanted[2 * i] = -known[i * POINT + 1]
-        slip, size = rate_of(known, 2 * i + 1, out, n)
-        sticks = POINT_STATES[here][i] == STICK
-        if sticks or abs(slip) <= start + FITS * size:  # so slow a slip has ended, too
-            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
-        else:
-            sliding[i] = 1.0 if slip > 0.0 else -1.0
-    put_on(rows, wanted, n, known, out)
-    points(out, p, known)
-    follows = go_on_as(
-        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, known, sizes
-    )
-    for i in range(N_POINTS):
-        if bouncing[i] == 1 and follows >= 0 and POINT_STATES[follows][i] == OPEN:
-            return IMPOSSIBLE
-    return follows

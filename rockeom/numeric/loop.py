@@ -1237,11 +1237,12 @@ def integrate(
                     hops = True
             whole, hop = h, 0
             if N_POINTS > 0:
+                flight = np.inf
                 if touching > 0:
                     hop, flight = only_hop(contact, touching, y, p, k)
-                    if flight < 0.9 * h:
-                        h = flight
-                        hops = True
+                if flight < 0.9 * h:
+                    h = flight
+                    hops = True
             while not stands:
                 taken += 1
                 error = 0.0
@@ -1497,9 +1498,7 @@ def integrate(
         ax, ay = shaking(gx, t), shaking(gy, t)
         # -- the rest of infinitely many impacts at once
         if N_POINTS > 0:
-            rests, follows = time_of_bounces(
-                contact, y, p, ax, ay, rest_tolerance, known, y_new
-            )
+            rests, follows = time_of_bounces(contact, y, p, ax, ay, rest_tolerance, known, y_new)
         elif SIDES[contact] == 0.0:
             continue
         else:
