@@ -143,12 +143,13 @@ def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
         if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
             continue
         a = -acceleration_of(known, 2 * i, dy)
-        if not a > 0.0 or 2.0 * rate / a > tolerance * SLOWEST:
+        low = 0.5 * rate * rate < LEAST_HOP * size * abs(a)
+        if not (a > 0.0 or low) or 2.0 * rate > tolerance * SLOWEST * abs(a):
             return 0.0, 0.0
         bouncing[i] = 1
         start = max(start, rate)
-        longest = max(longest, 2.0 * rate / a)
-        lost = lost and 0.5 * rate * rate < LEAST_HOP * size * a
+        longest = max(longest, 2.0 * rate / abs(a))
+        lost = lost and low
     if start == 0.0:
         return 0.0, 0.0
     inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
@@ -156,7 +157,7 @@ def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
     for i in range(N_POINTS):
         if bouncing[i] == 1:
             radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
-            limit = min(limit, tolerance * math.sqrt(-radius / acceleration_of(known, 2 * i, dy)))
+            limit = min(limit, tolerance * math.sqrt(radius / abs(acceleration_of(known, 2 * i, dy))))
     if lost:
         limit = SLOWEST * longest  # flights so low end among rounding errors
     if longest > limit:
@@ -171,18 +172,22 @@ def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
 
 
 def next_landing(here, bouncing, heights, told, dy):
-    """(time, point) of the next landing of those that bounce: negative where one does not land."""
-    flight, which = np.inf, -1
+    """(time, point) of the next landing of those that bounce: negative where none lands again.
+
+    A gap that opens faster waits for the landing of another.
+    """
+    flight, which, waits = np.inf, -1, False
     for i in range(N_POINTS):
         if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
             continue
         rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
         if not a > 0.0:
-            return -1.0, i
+            waits = True
+            continue
         lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
         if lasts < flight:
             flight, which = lasts, i
-    return flight, which
+    return (-1.0, which) if waits and which < 0 else (flight, which)
 
 
 def landing_of(contact, point):

@@ -1240,7 +1240,7 @@ def integrate(
                 flight = np.inf
                 if touching > 0:
                     hop, flight = only_hop(contact, touching, y, p, k)
-                if flight < 0.9 * h:
+                if 1e3 * EPS * t < flight < 0.9 * h:
                     h = flight
                     hops = True
             while not stands:
