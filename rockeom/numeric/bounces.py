@@ -157,7 +157,9 @@ def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
     for i in range(N_POINTS):
         if bouncing[i] == 1:
             radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
-            limit = min(limit, tolerance * math.sqrt(radius / abs(acceleration_of(known, 2 * i, dy))))
+            limit = min(
+                limit, tolerance * math.sqrt(radius / abs(acceleration_of(known, 2 * i, dy)))
+            )
     if lost:
         limit = SLOWEST * longest  # flights so low end among rounding errors
     if longest > limit:
