@@ -53,6 +53,11 @@ def steps(case: Case, solver: rk.SolverOptions) -> int:
     return len(record.steps.span) - int((record.events[1][:, 0] == REST).sum())
 
 
+def released(block) -> Case:
+    """Free rocking from half of the block's slenderness, for less time than to its first impact."""
+    return Case(block, rk.GroundMotion.none(0.1), initial={"theta": 0.5 * w.BLOCK.alpha})
+
+
 def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callable[[], _Results]:
     """The compiled loop over prepared cases, as simulate_many calls it."""
     part = Part(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])

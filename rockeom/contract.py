@@ -26,6 +26,12 @@ LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 
+# What is said of a step in which no guard is known to fall
+STAYS_OPEN, UNCLEAR = -1, -2
+
+NEVER_SLIPS = 1e300
+"""The coefficient of friction of a point that never does."""
+
 # Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
 # momentum is conserved; the ratio of the energies, by the speed, or by the foot that lands and the
 # speed; the ratio of the rates, by that foot and the number of the impact

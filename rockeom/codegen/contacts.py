@@ -14,7 +14,7 @@ import sympy as sp
 from rockeom.codegen.outputs import Columns
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.text import Text
-from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
+from rockeom.contract import LANDING, LIFTING, NEVER_SLIPS, SLIPPING, STICKING, SWITCH
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import Model
@@ -38,8 +38,6 @@ from rockeom.symbolic.statics import equilibrium
 
 MOST_QUICK = 2
 """So many mechanisms have functions of their own: each makes the program longer."""
-NEVER_SLIPS = 1e300
-"""The coefficient of friction of a point that never slips."""
 
 
 class Written:

@@ -42,7 +42,7 @@ def has_points(module: ModuleType) -> bool:
 
 
 class Points:
-    """The points of a structure in a state (N,): gap, gap_rate, slip_rate (m,), and Jacobians.
+    """The points of a structure in a state (N,): gap, gap_rate (m,), and Jacobians.
 
     normal, tangential (m, n) : derivatives of gap and slip by the coordinates.
     """
@@ -53,18 +53,18 @@ class Points:
         if m:
             module.points(y, p, told)
         rows = told.reshape(m, 5 + 2 * n)
-        self.gap, self.gap_rate, self.slip_rate = rows[:, 0], rows[:, 1], rows[:, 2]
+        self.module, self.y, self.told = module, y, told
+        self.gap, self.gap_rate = rows[:, 0], rows[:, 1]
         self.normal, self.tangential = rows[:, 5 : 5 + n], rows[:, 5 + n :]
         self.size = np.abs(self.normal) @ np.abs(y[:n]) + 1e-300
         self.speed = np.abs(self.normal) @ np.abs(y[n:]) + 1e-300
-        self.slip_speed = np.abs(self.tangential) @ np.abs(y[n:]) + 1e-300
 
-    @property
-    def touching(self) -> np.ndarray:
-        """(m,) whether a point touches, its gap closed and not opening."""
-        return (np.abs(self.gap) <= _CLOSED * self.size) & (
-            np.abs(self.gap_rate) <= _CLOSED * self.speed
-        )
+    def touching(self) -> tuple[np.ndarray, np.ndarray]:
+        """(m,) whether each point touches, and (m,) the sign of its slip, 0 where it has none."""
+        near, slides = np.zeros(len(self.gap), np.int64), np.zeros(len(self.gap))
+        if len(self.gap):
+            _searching(self.module)["touching_points"](self.y, self.told, near, slides)
+        return near == 1, slides
 
 
 def landing_speeds(structure: Any, states: np.ndarray) -> np.ndarray:
@@ -155,6 +155,7 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
     Raises ValueError where a point is below what it stands on, and where no contact state fits.
     """
     points = Points(module, y, p)
+    touching, slides = points.touching()
     states = []
     for i, name in enumerate(module.POINTS):
         if points.gap[i] < -_CLOSED * points.size[i]:
@@ -162,12 +163,12 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
                 f"{model}: the gap of {name} is {points.gap[i]:g} in this state: it must not be "
                 "negative; leave the heights out, they follow from the rest"
             )
-        if not points.touching[i]:
+        if not touching[i]:
             states.append(OPEN)
-        elif abs(points.slip_rate[i]) <= _CLOSED * points.slip_speed[i]:
+        elif slides[i] == 0.0:
             states.append(STICK)
         else:
-            states.append(SLIP_RIGHT if points.slip_rate[i] > 0.0 else SLIP_LEFT)
+            states.append(SLIP_RIGHT if slides[i] > 0.0 else SLIP_LEFT)
     fits = [c for c, row in enumerate(module.POINT_STATES) if list(row) == states]
     if not fits:
         told = ", ".join(

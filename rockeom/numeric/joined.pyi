@@ -6,7 +6,7 @@ generated module and of the method's step.
 
 import numpy as np
 
-from rockeom.marks import Floats, Floats2
+from rockeom.marks import Floats, Floats2, Ints
 
 Int = int | np.int64
 Float = float | np.float64
@@ -64,27 +64,62 @@ def point_laws(p: Floats, out: Floats) -> None: ...
 def is_closed(touching: Int, i: Int) -> bool: ...
 
 ANGLES: tuple[float, ...]
+N_COORDINATES: int
+POINT: int
+ROW: int
+ROWS: int
+MATRIX: int
+COUPLING: int
+N_KNOWN: int
+GRAIN: float
+FITS: float
 
 def guard_noise(
     contact: Int, index: Int, y: Floats, p: Floats, b: Floats, stride: Int
 ) -> float: ...
 def longest_turn(y: Floats) -> float: ...
-def stays_within(
+def fall_within(
     contact: Int, t: Float, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,
-    gx: Row, gy: Row, w: Floats, g: Floats, samples: Floats,
-    sampled: bool, touching: Int,
-) -> bool: ...  # fmt: skip
+    gx: Row, gy: Row, w: Floats, samples: Floats,
+    sampled: bool, touching: Int, hop: Int,
+) -> tuple[int, float]: ...  # fmt: skip
+def only_hop(
+    contact: Int, touching: Int, y: Floats, p: Floats, dy: Floats
+) -> tuple[int, float]: ...
+def to_landing(contact: Int, guard: Int, y: Floats, p: Floats, dy: Floats) -> float: ...
 def end_closed(contact: Int, samples: Floats) -> bool: ...
 def shaking(row: Row, t: Float) -> float: ...
 def pass_on(
     contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
-    later_x: Float, later_y: Float, tau: Float, out: Floats,
+    later_x: Float, later_y: Float, tau: Float, known: Floats, out: Floats,
 ) -> tuple[Int, Int]: ...  # fmt: skip
+def meet(
+    contact: Int, guard: Int, near: Ints, y: Floats, p: Floats, ax: Float, ay: Float,
+    later_x: Float, later_y: Float, tau: Float, known: Floats, out: Floats,
+) -> tuple[Int, Int]: ...  # fmt: skip
+def go_on_as(
+    contact: Int, ends: bool, near: Ints, sliding: Floats, y: Floats, p: Floats, ax: Float,
+    ay: Float, later_x: Float, later_y: Float, tau: Float, known: Floats, sizes: Floats,
+) -> Int: ...  # fmt: skip
+def all_known(y: Floats, p: Floats, contact: Int, known: Floats) -> None: ...
+def put_on(rows: Ints, wanted: Floats, first: Int, known: Floats, y: Floats) -> None: ...
+def rate_of(told: Floats, row: Int, y: Floats, first: Int) -> tuple[float, float]: ...
+def acceleration_of(told: Floats, row: Int, dy: Floats) -> float: ...
 def fits_by_forces(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> Int: ...
 def nothing_moves(contact: Int, y: Floats, p: Floats) -> bool: ...
 def held_upright(contact: Int, y: Floats, p: Floats) -> bool: ...
+
+# -- bounces.py
+
 def time_of_bounces(
-    contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, tolerance: Float, out: Floats
+    contact: Int,
+    y: Floats,
+    p: Floats,
+    ax: Float,
+    ay: Float,
+    tolerance: Float,
+    known: Floats,
+    out: Floats,
 ) -> tuple[Float, Int]: ...
 
 # -- the step of a method

@@ -45,6 +45,7 @@ from rockeom.contract import (
     SEVERAL_SOLUTIONS,
     SLIPPING,
     STALLED,
+    STAYS_OPEN,
     STEPS_KEPT,
     SWITCH,
     TAKEN,
@@ -67,6 +68,7 @@ if TYPE_CHECKING:  # joined before this text
         N_ALL_STAGES,
         N_FALLS,
         N_GUARDS,
+        N_KNOWN,
         N_PARTS,
         N_POINTS,
         N_STAGES,
@@ -87,6 +89,7 @@ if TYPE_CHECKING:  # joined before this text
         dense_output,
         end_closed,
         energies,
+        fall_within,
         fits_by_forces,
         guard_noise,
         guards,
@@ -97,14 +100,15 @@ if TYPE_CHECKING:  # joined before this text
         kinematics,
         longest_turn,
         nothing_moves,
+        only_hop,
         opening_acceleration,
         overturns_at,
         pass_on,
         rates,
         reactions,
-        stays_within,
         take_step,
         time_of_bounces,
+        to_landing,
     )
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -120,7 +124,8 @@ _GUARDS = _POWERS + 8 * N_STATES
 _BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
 _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 _NOISE = _STACK + 640
-SCRATCH = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+_KNOWN = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+SCRATCH = _KNOWN + N_KNOWN
 
 EPS = 2.220446049250313e-16
 EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
@@ -1125,7 +1130,8 @@ def integrate(
     g = scratch[_GUARDS:_BERNSTEIN]
     b = scratch[_BERNSTEIN:_STACK]
     stack = scratch[_STACK:_NOISE]
-    noises = scratch[_NOISE:SCRATCH]
+    noises = scratch[_NOISE:_KNOWN]
+    known = scratch[_KNOWN:SCRATCH]
     contact, touching = status[CONTACT], status[TOUCHING]
     impacts, taken, refined = status[IMPACTS], status[TAKEN], status[REFINED]
     idle, news, fresh = status[IDLE], status[NEWS], status[FRESH]
@@ -1212,6 +1218,7 @@ def integrate(
             sampled = sampled and touching < 0 and not still
             corrections = overlooked = 0
             beyond = turned = hops = False
+            lands = False  # whether it is known that nothing but a landing ends it
             stands = still and last - t <= h_max
             stands = stands and stands_until(contact, t, last, y, p, gx, gy, g)
             if stands:
@@ -1233,6 +1240,14 @@ def integrate(
                     h = flight
                     cut = False
                     hops = True
+            whole, hop = h, 0
+            if N_POINTS > 0:
+                flight = np.inf
+                if touching > 0:
+                    hop, flight = only_hop(contact, touching, y, p, k)
+                if 1e3 * EPS * t < flight < 0.9 * h:
+                    h = flight
+                    hops = True
             while not stands:
                 taken += 1
                 error = 0.0
@@ -1245,7 +1260,7 @@ def integrate(
                         equal, bound = False, 1.0
                         refined_to = last
                         refined += 1
-                    cut = hops = False
+                    cut = hops = lands = False
                     target = -1
                     corrections = 0
                     shrink = 0.9 * error**ERROR_EXPONENT if finite else 0.1
@@ -1260,23 +1275,38 @@ def integrate(
                 if hops:
                     # it ends there if the gap clearly stays open until then
                     hops = False
-                    if not (abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap)):
+                    if N_POINTS > 0:
+                        falls, place = fall_within(
+                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, b,
+                            False, touching, hop,
+                        )  # fmt: skip
+                        if falls != hop:
+                            h = whole
+                            continue
+                        cut = False
+                        lands = True
+                    elif not (abs(to_impact(side, y_new, k)) < 0.1 * h and rises_and_falls(gap)):
                         h *= 0.5  # no parabola: a step must not end just beside an impact
                         continue
-                    target = 0
+                    target = hop
                 if target >= 0:
                     # this step ends at the event: correct what is left of the guard there
                     tau = t + h
                     if rocks:
                         move = to_impact(side, y_new, k)
                         near = 0.1 if corrections == 0 else 0.01
+                    elif lands:
+                        near = 0.1 if corrections == 0 else 0.01
+                        move = 0.0
+                        if N_POINTS > 0:
+                            move = to_landing(contact, target, y_new, p, k[N_STAGES * N_STATES :])
                     else:
                         guards(contact, y_new, p, shaking(gx, tau), shaking(gy, tau), g)
                         move = -g[target] / slope if slope < 0.0 else 0.0
                         near = 0.01
                     least = max(2.0 * EPS * tau, 1e-5 * rtol * h)
                     small = math.sqrt(max(1e-13, min(1e-6, rtol))) * h
-                    if rocks and not NARROW and abs(move) <= small:
+                    if (rocks or lands) and not NARROW and abs(move) <= small:
                         extrapolate(h, move, y, y_new, k)
                         more = move
                     elif corrections < 8 and least < abs(move) < near * h:
@@ -1285,11 +1315,12 @@ def integrate(
                         continue
                     misplaced = abs(move) >= 0.01 * h
                     misplaced = misplaced or (
-                        not rocks and closed_before(contact, target, h, y_new, g, b)
+                        not (rocks or lands) and closed_before(contact, target, h, y_new, g, b)
                     )
                     if misplaced and h > 1e-6 * longest:
                         # the guard is not where its polynomial put it: look again in less time
                         h *= 0.5
+                        lands = False
                         target = -1
                         corrections = 0
                         continue
@@ -1313,10 +1344,16 @@ def integrate(
                 elif landed < 0 and (touching < 0 or N_POINTS > 0) and not still:
                     ends = False
                     if N_POINTS > 0:
-                        open_ = sampled = stays_within(
-                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, g, b,
-                            sampled, touching,
+                        falls, place = fall_within(
+                            contact, t, h, y, y_new, k, N_STAGES * N_STATES, p, gx, gy, w, b,
+                            sampled, touching, -1,
                         )  # fmt: skip
+                        open_ = sampled = falls == STAYS_OPEN
+                        if falls >= 0:
+                            lands, target = True, falls
+                            h *= place
+                            cut = False
+                            continue
                         ends = not open_ and end_closed(contact, b)
                     if not (open_ or ends or touching >= 0):
                         open_ = stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, stack)
@@ -1432,7 +1469,7 @@ def integrate(
             tau = 1e-5 * length
             contact, touching = pass_on(
                 before, landed, length, y, p, shaking(gx, t), shaking(gy, t),
-                shaking(gx, t + tau), shaking(gy, t + tau), tau, after,
+                shaking(gx, t + tau), shaking(gy, t + tau), tau, known, after,
             )  # fmt: skip
             if contact < 0:
                 outcome = NO_SOLUTION if contact == IMPOSSIBLE else SEVERAL_SOLUTIONS
@@ -1464,32 +1501,12 @@ def integrate(
             outcome = TOO_MANY_IMPACTS
             break
         ax, ay = shaking(gx, t), shaking(gy, t)
+        # -- the rest of infinitely many impacts at once
         if N_POINTS > 0:
-            rests, follows = time_of_bounces(contact, y, p, ax, ay, rest_tolerance, y_new)
-            if t + rests < last or rests < 16.0 * EPS * t:
-                if keep and t + rests > t:
-                    for i in range(8 * N_STATES):
-                        coefficients[i] = 0.0
-                    for i in range(N_STATES):
-                        coefficients[i] = y[i]
-                        coefficients[N_STATES + i] = y_new[i] - y[i]
-                    record_step(
-                        n_steps, t, rests, contact, coefficients, steps, step_contact, step_states
-                    )
-                    n_steps += 1
-                t += rests
-                record_event(
-                    n_events, t, REST, contact, follows, -1, y, y_new, events, event_kinds,
-                    event_states,
-                )  # fmt: skip
-                n_events += 1
-                if follow:
-                    widen(peaks, y_new)
-                for i in range(N_STATES):
-                    y[i] = y_new[i]
-                contact, touching, h_next = follows, -1, 0.0
-        elif SIDES[contact] != 0.0:
-            # -- the rest of infinitely many impacts at once
+            rests, follows = time_of_bounces(contact, y, p, ax, ay, rest_tolerance, known, y_new)
+        elif SIDES[contact] == 0.0:
+            continue
+        else:
             rates(contact, y, p, ax, ay, k)
             if not may_fade(side, y, k, law, ratio, rest_tolerance):
                 if rocks and t < last and h_next != 0.0:
@@ -1498,33 +1515,40 @@ def integrate(
             rests, follows = time_to_rest(
                 contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
             )
-            if (t + rests < last or rests < 16.0 * EPS * t) and stand(
-                follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new
-            ):
-                if keep and t + rests > t:
-                    dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
-                    record_step(
-                        n_steps, t, rests, follows, coefficients, steps, step_contact, step_states
-                    )
-                    n_steps += 1
-                t += rests
-                for i in range(N_STATES):
-                    w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
-                    after[i] = y_new[i]
-                record_event(
-                    n_events, t, REST, contact, follows, -1, w, after,
-                    events, event_kinds, event_states,
-                )  # fmt: skip
-                n_events += 1
-                if follow:
-                    widen(peaks, after)
-                for i in range(N_STATES):
-                    y[i] = after[i]
-                contact = follows
-                rocks = rocking(contact)
-                side = SIDES[contact]
-                touching = -1
-                h_next = 0.0
+        if not (t + rests < last or rests < 16.0 * EPS * t):
+            continue
+        kept = contact  # in which the time of the rest is recorded
+        if N_POINTS > 0:
+            for i in range(8 * N_STATES):
+                coefficients[i] = 0.0
+            for i in range(N_STATES):
+                coefficients[i] = w[i] = y[i]
+                coefficients[N_STATES + i] = y_new[i] - y[i]
+        else:
+            kept = follows
+            if not stand(follows, t, rests, after, p, gx, gy, rtol, atol, k, y_new):
+                continue
+            if keep and t + rests > t:
+                dense_output(follows, t, rests, after, p, gx, gy, k, coefficients)
+            for i in range(N_STATES):
+                w[i] = y[i] + (y_new[i] - after[i])  # there, had the impacts not faded yet
+        if keep and t + rests > t:
+            record_step(n_steps, t, rests, kept, coefficients, steps, step_contact, step_states)
+            n_steps += 1
+        t += rests
+        record_event(
+            n_events, t, REST, contact, follows, -1, w, y_new, events, event_kinds, event_states
+        )
+        n_events += 1
+        if follow:
+            widen(peaks, y_new)
+        for i in range(N_STATES):
+            y[i] = y_new[i]
+        contact = follows
+        rocks = rocking(contact)
+        side = SIDES[contact]
+        touching = -1
+        h_next = 0.0
 
     status[CONTACT], status[TOUCHING] = contact, touching
     status[IMPACTS], status[TAKEN], status[REFINED] = impacts, taken, refined

@@ -21,7 +21,7 @@ from importlib.resources import files
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from rockeom.numeric.contact_states import angles
+from rockeom.numeric.contact_states import angles, has_points
 from rockeom.numeric.machine import Function, Loaded, compiled, target
 from rockeom.numeric.machine_types import NOTHING, Array, Entry
 from rockeom.numeric.store import kept
@@ -29,6 +29,7 @@ from rockeom.numeric.store import kept
 if TYPE_CHECKING:
     from rockeom.numeric.printer import Text
 
+_OF_POINTS = ("landings.py", "bounces.py")
 _LANES = ("lanes.py", "lanes_text.py")
 _SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE")
 
@@ -113,7 +114,7 @@ def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
     """Name of a part of a program, and a hash of all that its code follows from."""
     digest = _digest(
         part, source(generated), _contacts(generated), method, target(), _own("loop.py"),
-        _own("tableau.py"),
+        *(_own(name) for name in _OF_POINTS), _own("tableau.py"),
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
@@ -175,6 +176,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),
         Text("contacts.py", _contacts(generated)),
+        *(Text(name, _own(name)) for name in _OF_POINTS if has_points(generated)),
         Text("loop.py", _own("loop.py"), fused=True),
     ]
     if lanes:
@@ -188,8 +190,8 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
 
 def _contacts(generated: ModuleType) -> str:
     """What finds the contact state that follows, where a structure does not declare it."""
-    if not getattr(generated, "N_POINTS", 0):
-        return "N_POINTS = 0\n"
+    if not has_points(generated):
+        return "N_POINTS = N_KNOWN = 0\n"
     return f"{_own('contacts.py')}\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
 
 

@@ -88,7 +88,8 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
 def _held(structure: Structure, y: np.ndarray) -> np.ndarray:
     """(k, n) the directions in which the points that touch in a state hold it."""
     points = Points(structure.module, y, structure.vector)
-    return np.vstack([points.normal[points.touching], points.tangential[points.touching]])
+    touching, _ = points.touching()
+    return np.vstack([points.normal[touching], points.tangential[touching]])
 
 
 def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, np.ndarray]:

@@ -1,50 +1,108 @@
-"""A step in which guards are said to stay open: none of them falls in it."""
+"""What is said of guards in a step by four samples of each, and the equations of an event."""
 
 import numpy as np
 import pytest
 
+from rockeom.contract import LANDING, LIFTING, STAYS_OPEN, UNCLEAR
 from rockeom.numeric.program import _own
 
-TEXT = {"N_STATES": 2, "N_POINTS": 1, "GUARDS": (1,), "shaking": lambda _row, t: t}
+N = 2
+TEXT = {
+    "N_STATES": 2, "N_POINTS": 1, "N_GUARDS": N, "N_PARTS": 0, "GUARDS": (1, 2),
+    "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)), "shaking": lambda _row, t: t,
+}  # fmt: skip
 exec(_own("contacts.py"), TEXT)
+exec(_own("landings.py"), TEXT)
 
 
 def at(cubic, t):
     return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]))
 
 
-def certified(cubic, touching):
-    """Of a guard that is a cubic of time, in a step from 0 to 1."""
+def said(cubics, touching, contact=0, hop=-1):
+    """Of guards that are cubics of time, in a step from 0 to 1."""
 
     def guards(_contact, _y, _p, t, _ay, g):
-        g[0] = at(cubic, t)
+        for i, cubic in enumerate(cubics):
+            g[i] = at(cubic, t)
 
     TEXT["guards"] = guards
     still = np.zeros(2)
-    return TEXT["stays_within"](
-        0, 0.0, 1.0, still, still, np.zeros(4), 2, None, None, None, np.zeros(2), np.zeros(1),
-        np.zeros(4), False, touching,
+    return TEXT["fall_within"](
+        contact, 0.0, 1.0, still, still, np.zeros(4), 2, None, None, None, np.zeros(2),
+        np.zeros(4 * N), False, touching, hop,
     )  # fmt: skip
+
+
+def random_cubics(closed):
+    """Of all shapes; those from a closed guard may open and fall again."""
+    rng = np.random.default_rng(5)
+    for _ in range(4000):
+        cubic = rng.normal(size=4) * 10.0 ** rng.uniform(-2.0, 1.0, 4)
+        cubic[0] = 0.0 if closed else abs(cubic[0])
+        yield cubic
 
 
 @pytest.mark.parametrize("closed", [False, True])
 def test_no_cubic_that_falls_is_said_to_stay_open(closed):
-    """Cubics of all shapes, of which those from a closed guard may open and fall again."""
-    rng, told = np.random.default_rng(5), 0
+    told = 0
     places = np.linspace(0.0, 1.0, 2001)[1:]
-    for _ in range(4000):
-        cubic = rng.normal(size=4) * 10.0 ** rng.uniform(-2.0, 1.0, 4)
-        cubic[0] = 0.0 if closed else abs(cubic[0])
-        if certified(cubic, 1 if closed else -1):
+    for cubic in random_cubics(closed):
+        if said([cubic], 1 if closed else -1)[0] == STAYS_OPEN:
             told += 1
             assert at(cubic, places).min() > 0.0, cubic
     assert told > 100
 
 
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_cubic_that_is_said_to_fall_does_so_there_and_nowhere_else(closed):
+    told = 0
+    for cubic in random_cubics(closed):
+        guard, place = said([cubic], 1 if closed else -1)
+        if guard == 0:
+            told += 1
+            roots = np.roots(cubic[::-1])
+            roots = roots[abs(roots.imag) < 1e-12].real
+            roots = roots[(roots > (1e-9 if closed else 0.0)) & (roots <= 1.0)]
+            assert len(roots) == 1, cubic
+            assert place == pytest.approx(roots[0], abs=1e-9)
+            assert cubic[1] + place * (2.0 * cubic[2] + 3.0 * place * cubic[3]) < 0.0
+    assert told > 40
+
+
+def test_a_landing_is_told_only_where_nothing_else_ends_the_state():
+    opens, falls = (0.0, 1.0, -1.0, 0.0), (0.3, -1.0, 0.0, 0.0)
+    assert said([opens], 1, hop=0) == (0, 1.0)
+    assert said([falls], -1) == (0, pytest.approx(0.3))
+    away = (1.0, 0.1, 0.0, 0.0)
+    assert said([opens, away], 1, contact=1, hop=0) == (0, 1.0)
+    for contact in (0, 1):  # another gap closes, or a force vanishes
+        TEXT["GUARDS"] = (2, 2)
+        assert said([opens, falls], 1, contact, hop=0)[0] == UNCLEAR
+        assert said([falls, (0.6, -1.0, 0.0, 0.0)], -1, contact)[0] == UNCLEAR
+    TEXT["GUARDS"] = (1, 2)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+def test_equations_of_an_event(order):
+    """Against numpy; where two say the same, by one of the solutions."""
+    rng = np.random.default_rng(order)
+    text = {"N_STATES": 4, "N_POINTS": 2, "N_GUARDS": 1, "N_PARTS": 0}
+    exec(_own("contacts.py"), text)
+    for turn in range(100):
+        root = rng.normal(size=(order, order if turn % 2 else max(order - 1, 1)))
+        matrix = root @ root.T
+        right = matrix @ rng.normal(size=order)
+        rows = np.column_stack([matrix, right]).ravel()
+        text["eliminate"](rows, order, order + 1)
+        found = rows.reshape(order, -1)[:, -1]
+        np.testing.assert_allclose(matrix @ found, right, atol=1e-8 * abs(right).max())
+
+
 def test_coordinates_move_by_their_mass():
     """Against numpy; what has no inertia stays."""
     rng, n = np.random.default_rng(6), 4
-    text = {"N_STATES": 2 * n, "N_POINTS": 1}
+    text = {"N_STATES": 2 * n, "N_POINTS": 1, "N_GUARDS": 1, "N_PARTS": 0}
     exec(_own("contacts.py"), text)
     solve = text["through_mass"]
     for _ in range(50):

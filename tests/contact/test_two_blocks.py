@@ -109,7 +109,8 @@ def test_every_impact_is_that_of_the_reference(initial):
 def test_the_bounces_of_the_lower_block_end_under_the_rocking_upper_one():
     """One contact state follows at the end of infinitely many landings of the lower block."""
     run = rk.simulate(structure(STACK), STILL, initial={"theta": 0.0, "phi": 0.1}, duration=0.6)
-    assert str(run.outcome) not in ("several solutions", "no solution", "chatter")
+    assert run.outcome is rk.Outcome.CAME_TO_REST
+    assert len(run.events) < 400
 
 
 def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():

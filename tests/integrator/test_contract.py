@@ -21,13 +21,16 @@ FUNCTIONS = {
 TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAssign)}
 OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
-    "points", "point_laws", "guard_noise", "longest_turn", "stays_within", "pass_on", "is_closed",
+    "points", "point_laws", "guard_noise", "longest_turn", "fall_within", "pass_on", "is_closed",
     "nothing_moves", "held_upright", "time_of_bounces", "fits_by_forces", "end_closed",
+    "only_hop", "to_landing", "meet", "go_on_as", "all_known", "put_on", "rate_of",
+    "acceleration_of", "N_COORDINATES", "POINT", "ROW", "ROWS", "MATRIX", "COUPLING", "GRAIN",
+    "FITS",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
-OF_FALLS = {"FALLS", "FALL_RATES", "overturns_at"}
+OF_FALLS = {"FALLS", "overturns_at"}
 """What only those have of which several coordinates may fall."""
 OF_LOOP = {"shaking"}
 """What contacts ask of the loop behind them."""
@@ -54,7 +57,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
 
 def test_every_name_that_is_declared_is_asked_for():
     asked = set()
-    for text in ("loop.py", "lanes.py", "contacts.py"):
+    for text in ("loop.py", "lanes.py", "contacts.py", "landings.py", "bounces.py"):
         source = (Path(rk.__file__).parent / "numeric" / text).read_text()
         asked |= {n.id for n in ast.walk(ast.parse(source)) if isinstance(n, ast.Name)}
     assert FUNCTIONS.keys() | TABLES <= asked
