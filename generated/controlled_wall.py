@@ -28,6 +28,8 @@ Operations before and after common subexpressions were shared:
     reactions               1893   291
     kinematics               396   126
     statics                 1240   216
+    positions                552   105
+    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -39,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "1fd3f501baac5eed"
+SOURCE_HASH = "267ec901417671f7"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -123,12 +125,19 @@ KINEMATICS = (
     "rotation_centre",
     "tendon_extension",
 )
+POSITIONS = ("wall", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("tendon",)
+MEMBER_ENDS = ("ground", "wall",)
+COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 3
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 2
+N_FALLS = 0
 SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
 GUARDS = (3, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -1165,6 +1174,120 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        x0 = math.sin(theta)
+        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+        x2 = math.cos(theta)
+        x3 = -x1*x2 + x1
+        x4 = x0*x1
+        x5 = -half_width - x1
+        x6 = half_width - x1
+        out[0] = centroid_height*x0 + x3
+        out[1] = centroid_height*x2 + x4
+        out[2] = theta
+        out[3] = x1 + x2*x5
+        out[4] = -x0*x5
+        out[5] = 0
+        out[6] = x1 + x2*x6
+        out[7] = -x0*x6
+        out[8] = 0
+        out[9] = height*x0 + x3
+        out[10] = height*x2 + x4
+        out[11] = 0
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
+        theta = y[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        x0 = math.sin(theta)
+        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+        x2 = math.cos(theta)
+        x3 = -x1*x2 + x1
+        x4 = x0*x1
+        x5 = -half_width - x1
+        x6 = half_width - x1
+        out[0] = centroid_height*x0 + x3
+        out[1] = centroid_height*x2 + x4
+        out[2] = theta
+        out[3] = x1 + x2*x5
+        out[4] = -x0*x5
+        out[5] = 0
+        out[6] = x1 + x2*x6
+        out[7] = -x0*x6
+        out[8] = 0
+        out[9] = height*x0 + x3
+        out[10] = height*x2 + x4
+        out[11] = 0
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        x0 = math.sin(theta)
+        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+        x2 = math.cos(theta)
+        x3 = -x1*x2 + x1
+        x4 = x0*x1
+        x5 = -half_width - x1
+        x6 = half_width - x1
+        out[0] = centroid_height*x0 + x3
+        out[1] = centroid_height*x2 + x4
+        out[2] = theta
+        out[3] = x1 + x2*x5
+        out[4] = -x0*x5
+        out[5] = 0
+        out[6] = x1 + x2*x6
+        out[7] = -x0*x6
+        out[8] = 0
+        out[9] = height*x0 + x3
+        out[10] = height*x2 + x4
+        out[11] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    eccentricity = p[12]
+    x0 = -half_width
+    x1 = -centroid_height
+    x2 = -centroid_height + max(anchor_height, height)
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = x2
+    out[6] = x0
+    out[7] = x2
+    out[8] = eccentricity
+    out[9] = -anchor_depth
+    out[10] = eccentricity
+    out[11] = anchor_height + x1
 
 
 def overturning(p):

@@ -23,6 +23,8 @@ Operations before and after common subexpressions were shared:
     kinematics                19    14
     momentum                  42    28
     statics                   29    24
+    positions                 67    26
+    shapes                     4     2
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
@@ -34,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5ae0a8f75ebdc134"
+SOURCE_HASH = "68e9af4e5b1ead6b"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"
@@ -75,12 +77,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("superstructure", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("rod",)
+MEMBER_ENDS = ("base", "superstructure",)
+COPIES = ()
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -437,6 +446,83 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        height = p[1]
+        base_height = p[4]
+        half_width = p[6]
+        x0 = math.sin(theta)
+        x1 = half_width*s
+        x2 = math.cos(theta)
+        x3 = -x1*x2 + x1
+        x4 = height*x0 + x3
+        x5 = x0*x1
+        x6 = height*x2 + x5
+        x7 = -half_width - x1
+        x8 = half_width - x1
+        out[0] = x4
+        out[1] = x6
+        out[2] = theta
+        out[3] = base_height*x0 + x3
+        out[4] = base_height*x2 + x5
+        out[5] = theta
+        out[6] = x1 + x2*x7
+        out[7] = -x0*x7
+        out[8] = 0
+        out[9] = x1 + x2*x8
+        out[10] = -x0*x8
+        out[11] = 0
+        out[12] = x4
+        out[13] = x6
+        out[14] = 0
+    elif contact == BOTH:
+        height = p[1]
+        base_height = p[4]
+        half_width = p[6]
+        out[0] = 0
+        out[1] = height
+        out[2] = 0
+        out[3] = 0
+        out[4] = base_height
+        out[5] = 0
+        out[6] = -half_width
+        out[7] = 0
+        out[8] = 0
+        out[9] = half_width
+        out[10] = 0
+        out[11] = 0
+        out[12] = 0
+        out[13] = height
+        out[14] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    base_height = p[4]
+    half_width = p[6]
+    x0 = -half_width
+    x1 = -base_height
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = base_height
+    out[6] = x0
+    out[7] = base_height
+    out[8] = 0
+    out[9] = base_height
+    out[10] = 0
+    out[11] = 0
 
 
 def overturning(p):

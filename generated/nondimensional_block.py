@@ -17,6 +17,8 @@ Operations before and after common subexpressions were shared:
     kinematics                37    19
     momentum                  32    16
     statics                   30    20
+    positions                114    31
+    shapes                    20     6
     overturning                2     2
     velocity_ratio             5     5
     sizes                      5     5
@@ -28,7 +30,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "8a5c3fa41120712c"
+SOURCE_HASH = "e6460c1ac7ad7ea3"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -55,12 +57,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -374,6 +383,76 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        alpha = p[0]
+        radius_ratio = p[1]
+        x0 = radius_ratio*math.sin(alpha)
+        x1 = s*x0
+        x2 = alpha*x
+        x3 = math.sin(x2)
+        x4 = radius_ratio*math.cos(alpha)
+        x5 = math.cos(x2)
+        x6 = -x1*x5 + x1 + x3*x4
+        x7 = x1*x3 + x4*x5
+        x8 = -x0 - x1
+        x9 = x0 - x1
+        out[0] = x6
+        out[1] = x7
+        out[2] = x2
+        out[3] = x1 + x5*x8
+        out[4] = -x3*x8
+        out[5] = 0
+        out[6] = x1 + x5*x9
+        out[7] = -x3*x9
+        out[8] = 0
+        out[9] = x6
+        out[10] = x7
+        out[11] = 0
+    elif contact == BOTH:
+        alpha = p[0]
+        radius_ratio = p[1]
+        x0 = radius_ratio*math.cos(alpha)
+        x1 = radius_ratio*math.sin(alpha)
+        out[0] = 0
+        out[1] = x0
+        out[2] = 0
+        out[3] = -x1
+        out[4] = 0
+        out[5] = 0
+        out[6] = x1
+        out[7] = 0
+        out[8] = 0
+        out[9] = 0
+        out[10] = x0
+        out[11] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    alpha = p[0]
+    radius_ratio = p[1]
+    x0 = radius_ratio*math.sin(alpha)
+    x1 = -x0
+    x2 = radius_ratio*math.cos(alpha)
+    x3 = -x2
+    out[0] = x1
+    out[1] = x3
+    out[2] = x0
+    out[3] = x3
+    out[4] = x0
+    out[5] = x2
+    out[6] = x1
+    out[7] = x2
 
 
 def overturning(p):

@@ -20,6 +20,8 @@ Operations before and after common subexpressions were shared:
     kinematics                19    14
     momentum                  20    12
     statics                   18    16
+    positions                 53    22
+    shapes                     4     2
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -31,7 +33,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5aa9ecfcba70eff9"
+SOURCE_HASH = "77a9064e862a9f0c"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"
@@ -60,12 +62,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -386,6 +395,69 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        half_width = p[1]
+        height = p[2]
+        x0 = half_width*s
+        x1 = math.sin(theta)
+        x2 = math.cos(theta)
+        x3 = height*x1 - x0*x2 + x0
+        x4 = height*x2 + x0*x1
+        x5 = -half_width - x0
+        x6 = half_width - x0
+        out[0] = x3
+        out[1] = x4
+        out[2] = theta
+        out[3] = x0 + x2*x5
+        out[4] = -x1*x5
+        out[5] = 0
+        out[6] = x0 + x2*x6
+        out[7] = -x1*x6
+        out[8] = 0
+        out[9] = x3
+        out[10] = x4
+        out[11] = 0
+    elif contact == BOTH:
+        half_width = p[1]
+        height = p[2]
+        out[0] = 0
+        out[1] = height
+        out[2] = 0
+        out[3] = -half_width
+        out[4] = 0
+        out[5] = 0
+        out[6] = half_width
+        out[7] = 0
+        out[8] = 0
+        out[9] = 0
+        out[10] = height
+        out[11] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[1]
+    height = p[2]
+    x0 = -half_width
+    x1 = -height
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = height
+    out[6] = x0
+    out[7] = height
 
 
 def overturning(p):

@@ -21,6 +21,8 @@ Operations before and after common subexpressions were shared:
     kinematics                22    16
     momentum                  50    32
     statics                   35    29
+    positions                 79    31
+    shapes                    48    13
     overturning                1     1
     velocity_ratio            26    21
     sizes                      1     1
@@ -32,7 +34,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "7536d8f8c8950b90"
+SOURCE_HASH = "30c516c1ffc8c478"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"
@@ -62,12 +64,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("beam", "columns", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+CORNERS = ("beam", "beam", "beam", "beam", "columns", "columns", "columns", "columns",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ("columns",)
 
 N_STATES = 2
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 1
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -435,6 +444,94 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        half_width = p[2]
+        half_height = p[3]
+        x0 = half_width*s
+        x1 = 2*x0
+        x2 = math.sin(theta)
+        x3 = half_height*x2
+        x4 = math.cos(theta)
+        x5 = -x1*x4 + x1 + 2*x3
+        x6 = half_height*x4
+        x7 = x1*x2 + 2*x6
+        x8 = -half_width - x0
+        x9 = half_width - x0
+        out[0] = x5
+        out[1] = x7
+        out[2] = 0
+        out[3] = -x0*x4 + x0 + x3
+        out[4] = x0*x2 + x6
+        out[5] = theta
+        out[6] = x0 + x4*x8
+        out[7] = -x2*x8
+        out[8] = 0
+        out[9] = x0 + x4*x9
+        out[10] = -x2*x9
+        out[11] = 0
+        out[12] = x5
+        out[13] = x7
+        out[14] = 0
+    elif contact == BOTH:
+        half_width = p[2]
+        half_height = p[3]
+        x0 = 2*half_height
+        out[0] = 0
+        out[1] = x0
+        out[2] = 0
+        out[3] = 0
+        out[4] = half_height
+        out[5] = 0
+        out[6] = -half_width
+        out[7] = 0
+        out[8] = 0
+        out[9] = half_width
+        out[10] = 0
+        out[11] = 0
+        out[12] = 0
+        out[13] = x0
+        out[14] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    columns = p[0]
+    half_width = p[2]
+    half_height = p[3]
+    x0 = max((6/5)*half_height, 6*half_width)
+    x1 = 2*half_width + (1/2)*x0*(columns - 1)
+    x2 = -x1
+    x3 = (1/4)*half_height
+    x4 = -half_width
+    x5 = -half_height
+    out[0] = x2
+    out[1] = 0
+    out[2] = x1
+    out[3] = 0
+    out[4] = x1
+    out[5] = x3
+    out[6] = x2
+    out[7] = x3
+    out[8] = x4
+    out[9] = x5
+    out[10] = half_width
+    out[11] = x5
+    out[12] = half_width
+    out[13] = half_height
+    out[14] = x4
+    out[15] = half_height
+    out[16] = columns
+    out[17] = x0
 
 
 def overturning(p):

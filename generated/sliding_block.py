@@ -23,8 +23,11 @@ Operations before and after common subexpressions were shared:
     energies                  36    29
     reactions                 33    30
     kinematics                17    12
+    losses                     0     0
     momentum                  12    10
     statics                   11    10
+    positions                 24    12
+    shapes                     4     2
     overturning                1     1
     velocity_ratio             0     0
     sizes                      4     2
@@ -36,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "810cc621060eb69c"
+SOURCE_HASH = "648d260961f9d900"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -82,6 +85,12 @@ REACTIONS = (
     "right_friction",
 )
 KINEMATICS = ("displacement", "left_uplift", "right_uplift", "left_slip", "right_slip",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
 POINTS = ("left", "right",)
 ELEMENTS = ()
 
@@ -92,6 +101,7 @@ N_POINTS = 2
 N_ELEMENTS = 0
 ROTATION = 2
 ROTATION_RATE = 5
+N_FALLS = 0
 SIDES = (
     0.0,  # both
     0.0,  # both_slides_right
@@ -934,6 +944,11 @@ def kinematics(contact, y, p, out):
     out[4] = -half_width + x + x2
 
 
+def losses(contact, y, p, out):
+    """Power lost in dampers and by yielding, less that of declared forces [W], into out (1,)."""
+    out[0] = 0
+
+
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
@@ -957,6 +972,53 @@ def statics(contact, y, p, load, out):
     out[0] = -load
     out[1] = x0
     out[2] = -height*load*math.cos(theta) - height*x0*math.sin(theta)
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    x = y[0]
+    y_ = y[1]
+    theta = y[2]
+    half_width = p[1]
+    height = p[2]
+    x0 = math.sin(theta)
+    x1 = height*x0 + x
+    x2 = math.cos(theta)
+    x3 = height*x2 + y_
+    x4 = half_width*x2
+    x5 = half_width*x0
+    out[0] = x1
+    out[1] = x3
+    out[2] = theta
+    out[3] = x - x4
+    out[4] = x5 + y_
+    out[5] = 0
+    out[6] = x + x4
+    out[7] = -x5 + y_
+    out[8] = 0
+    out[9] = x1
+    out[10] = x3
+    out[11] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[1]
+    height = p[2]
+    x0 = -half_width
+    x1 = -height
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = height
+    out[6] = x0
+    out[7] = height
 
 
 def overturning(p):

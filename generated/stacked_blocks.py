@@ -26,9 +26,13 @@ Operations before and after common subexpressions were shared:
     energies                 281   150
     reactions                108    81
     kinematics                45    31
+    losses                     0     0
     momentum                  74    50
     statics                   59    37
+    positions                126    53
+    shapes                     8     4
     overturning                1     1
+    overturns_at               1     1
     velocity_ratio             0     0
     sizes                      8     3
     prepare                  240    97
@@ -39,7 +43,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "2930de3f0a8a364b"
+SOURCE_HASH = "cc65c9f333b2850d"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -136,6 +140,12 @@ KINEMATICS = (
     "upper_left_slip",
     "upper_right_slip",
 )
+POSITIONS = ("lower", "upper", "left", "right", "upper_left", "upper_right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "point", "point", "load",)
+CORNERS = ("lower", "lower", "lower", "lower", "upper", "upper", "upper", "upper",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
 POINTS = ("left", "right", "upper_left", "upper_right",)
 ELEMENTS = ()
 
@@ -146,6 +156,8 @@ N_POINTS = 4
 N_ELEMENTS = 0
 ROTATION = 5
 ROTATION_RATE = 11
+N_FALLS = 1
+FALLS = (2,)
 SIDES = (
     0.0,  # both_upper_both
     0.0,  # both_upper_left
@@ -3024,6 +3036,11 @@ def kinematics(contact, y, p, out):
     out[8] = -upper_half_width + x6 + xi
 
 
+def losses(contact, y, p, out):
+    """Power lost in dampers and by yielding, less that of declared forces [W], into out (1,)."""
+    out[0] = 0
+
+
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
@@ -3087,9 +3104,98 @@ def statics(contact, y, p, load, out):
     out[5] = -load*upper_half_height*math.cos(phi) - upper_half_height*x1*math.sin(phi)
 
 
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    x = y[0]
+    y_ = y[1]
+    theta = y[2]
+    xi = y[3]
+    eta = y[4]
+    phi = y[5]
+    lower_half_width = p[1]
+    lower_half_height = p[2]
+    upper_half_width = p[5]
+    upper_half_height = p[6]
+    x0 = math.sin(theta)
+    x1 = math.cos(theta)
+    x2 = eta + 2*lower_half_height
+    x3 = upper_half_height*math.sin(phi) + x + x0*x2 + x1*xi
+    x4 = upper_half_height*math.cos(phi) - x0*xi + x1*x2 + y_
+    x5 = lower_half_width*x1
+    x6 = lower_half_width*x0
+    x7 = phi - theta
+    x8 = upper_half_width*math.cos(x7)
+    x9 = -x8 + xi
+    x10 = upper_half_width*math.sin(x7)
+    x11 = x10 + x2
+    x12 = x8 + xi
+    x13 = -x10 + x2
+    out[0] = lower_half_height*x0 + x
+    out[1] = lower_half_height*x1 + y_
+    out[2] = theta
+    out[3] = x3
+    out[4] = x4
+    out[5] = phi
+    out[6] = x - x5
+    out[7] = x6 + y_
+    out[8] = 0
+    out[9] = x + x5
+    out[10] = -x6 + y_
+    out[11] = 0
+    out[12] = x + x0*x11 + x1*x9
+    out[13] = -x0*x9 + x1*x11 + y_
+    out[14] = 0
+    out[15] = x + x0*x13 + x1*x12
+    out[16] = -x0*x12 + x1*x13 + y_
+    out[17] = 0
+    out[18] = x3
+    out[19] = x4
+    out[20] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    lower_half_width = p[1]
+    lower_half_height = p[2]
+    upper_half_width = p[5]
+    upper_half_height = p[6]
+    x0 = -lower_half_width
+    x1 = -lower_half_height
+    x2 = -upper_half_width
+    x3 = -upper_half_height
+    out[0] = x0
+    out[1] = x1
+    out[2] = lower_half_width
+    out[3] = x1
+    out[4] = lower_half_width
+    out[5] = lower_half_height
+    out[6] = x0
+    out[7] = lower_half_height
+    out[8] = x2
+    out[9] = x3
+    out[10] = upper_half_width
+    out[11] = x3
+    out[12] = upper_half_width
+    out[13] = upper_half_height
+    out[14] = x2
+    out[15] = upper_half_height
+
+
 def overturning(p):
     """Rotation at which the structure has fallen."""
     value = (1/2)*math.pi
+    return value
+
+
+def overturns_at(number, p):
+    """Size of a coordinate of FALLS, by its number, at which the structure has fallen."""
+    value = 0.0
+    if number == 0:
+        value = (1/2)*math.pi
     return value
 
 

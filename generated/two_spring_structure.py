@@ -23,6 +23,8 @@ Operations before and after common subexpressions were shared:
     reactions                146    98
     kinematics                24    15
     statics                   92    74
+    positions                153    57
+    shapes                     4     2
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -34,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "af79e0ad5321f1d2"
+SOURCE_HASH = "0572e687e2f6ac1c"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -83,12 +85,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("superstructure", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "spring_and_damper", "spring_and_damper", "load",)
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("rod",)
+MEMBER_ENDS = ("base", "superstructure",)
+COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 2
 N_PARTS = 4
 ROTATION = 0
 ROTATION_RATE = 2
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 0.0, 1.0,)
 GUARDS = (2, 2, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -705,6 +714,133 @@ def held_guards(y, p, ax, g):
     Sums of the states and ax, while there is no vertical shaking.
     """
     pass
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == BOTH:
+        theta = y[0]
+        heave = y[1]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        x0 = math.sin(theta)
+        x1 = height*x0
+        x2 = math.cos(theta)
+        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+        x4 = heave - x3
+        x5 = height*x2 + x4
+        x6 = half_width*x2
+        x7 = half_width*x0
+        out[0] = x1
+        out[1] = x5
+        out[2] = theta
+        out[3] = base_height*x0
+        out[4] = base_height*x2 + x4
+        out[5] = theta
+        out[6] = -x6
+        out[7] = x4 + x7
+        out[8] = 0
+        out[9] = x6
+        out[10] = heave - x3 - x7
+        out[11] = 0
+        out[12] = x1
+        out[13] = x5
+        out[14] = 0
+    elif contact == LEFT or contact == RIGHT:
+        theta = y[0]
+        heave = y[1]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        x0 = math.sin(theta)
+        x1 = height*x0
+        x2 = math.cos(theta)
+        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+        x4 = heave - x3
+        x5 = height*x2 + x4
+        x6 = half_width*x2
+        x7 = half_width*x0
+        out[0] = x1
+        out[1] = x5
+        out[2] = theta
+        out[3] = base_height*x0
+        out[4] = base_height*x2 + x4
+        out[5] = theta
+        out[6] = -x6
+        out[7] = x4 + x7
+        out[8] = 0
+        out[9] = x6
+        out[10] = heave - x3 - x7
+        out[11] = 0
+        out[12] = x1
+        out[13] = x5
+        out[14] = 0
+    elif contact == FLIGHT:
+        theta = y[0]
+        heave = y[1]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        x0 = math.sin(theta)
+        x1 = height*x0
+        x2 = math.cos(theta)
+        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+        x4 = heave - x3
+        x5 = height*x2 + x4
+        x6 = half_width*x2
+        x7 = half_width*x0
+        out[0] = x1
+        out[1] = x5
+        out[2] = theta
+        out[3] = base_height*x0
+        out[4] = base_height*x2 + x4
+        out[5] = theta
+        out[6] = -x6
+        out[7] = x4 + x7
+        out[8] = 0
+        out[9] = x6
+        out[10] = heave - x3 - x7
+        out[11] = 0
+        out[12] = x1
+        out[13] = x5
+        out[14] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    base_height = p[4]
+    half_width = p[6]
+    x0 = -half_width
+    x1 = -base_height
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = base_height
+    out[6] = x0
+    out[7] = base_height
+    out[8] = 0
+    out[9] = base_height
+    out[10] = 0
+    out[11] = 0
 
 
 def overturning(p):

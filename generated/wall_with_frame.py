@@ -26,6 +26,8 @@ Operations before and after common subexpressions were shared:
     kinematics                11     9
     momentum                  23    15
     statics                   78    47
+    positions                 51    28
+    shapes                    22    13
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -37,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "9da9e8b3bf16593c"
+SOURCE_HASH = "4e11e911abc67f17"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"
@@ -84,12 +86,19 @@ TRANSITIONS = (
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("frame", "wall", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("spring", "rod", "column", "column",)
+MEMBER_ENDS = ("wall", "frame", "frame", "frame", "ground", "frame", "ground", "frame",)
+COPIES = ()
 
 N_STATES = 4
 N_GUARDS = 2
 N_PARTS = 0
 ROTATION = 0
 ROTATION_RATE = 2
+N_FALLS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
@@ -525,6 +534,99 @@ def held_guards(y, p, ax, g):
     x2 = ax*c23
     g[0] = c24 + x0 + x1 - x2
     g[1] = c24 - x0 - x1 + x2
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        half_width = p[1]
+        height = p[2]
+        link_height = p[7]
+        x0 = (16/5)*half_width + u
+        x1 = half_width*s
+        x2 = math.sin(theta)
+        x3 = math.cos(theta)
+        x4 = -half_width - x1
+        x5 = half_width - x1
+        out[0] = x0
+        out[1] = link_height
+        out[2] = 0
+        out[3] = height*x2 - x1*x3 + x1
+        out[4] = height*x3 + x1*x2
+        out[5] = theta
+        out[6] = x1 + x3*x4
+        out[7] = -x2*x4
+        out[8] = 0
+        out[9] = x1 + x3*x5
+        out[10] = -x2*x5
+        out[11] = 0
+        out[12] = x0
+        out[13] = link_height
+        out[14] = 0
+    elif contact == BOTH:
+        u = y[1]
+        half_width = p[1]
+        height = p[2]
+        link_height = p[7]
+        x0 = (16/5)*half_width + u
+        out[0] = x0
+        out[1] = link_height
+        out[2] = 0
+        out[3] = 0
+        out[4] = height
+        out[5] = 0
+        out[6] = -half_width
+        out[7] = 0
+        out[8] = 0
+        out[9] = half_width
+        out[10] = 0
+        out[11] = 0
+        out[12] = x0
+        out[13] = link_height
+        out[14] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[1]
+    height = p[2]
+    link_height = p[7]
+    x0 = -half_width
+    x1 = -height
+    x2 = (4/5)*half_width
+    x3 = -x2
+    x4 = (7/10)*half_width
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = height
+    out[6] = x0
+    out[7] = height
+    out[8] = 0
+    out[9] = -height + link_height
+    out[10] = x3
+    out[11] = 0
+    out[12] = x3
+    out[13] = 0
+    out[14] = x2
+    out[15] = 0
+    out[16] = (5/2)*half_width
+    out[17] = 0
+    out[18] = -x4
+    out[19] = 0
+    out[20] = (39/10)*half_width
+    out[21] = 0
+    out[22] = x4
+    out[23] = 0
 
 
 def overturning(p):
