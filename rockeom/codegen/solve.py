@@ -154,9 +154,14 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
     """
     states = [x for c in text.model.coordinates for x in (c.position, c.velocity)]
     variables = [*states, GROUND_X]
-    factors = [sp.factor_terms(sp.expand(sp.diff(expr, x))) for x in variables]
+    factors = []
+    for x in variables:
+        factor = sp.expand(sp.diff(expr, x))
+        if not text.fixed(factor):  # most are no such sums, which the first state tells
+            return None
+        factors.append(sp.factor_terms(factor))
     rest = expr.subs(dict.fromkeys(variables, 0))
-    if not all(map(text.fixed, [*factors, rest])):
+    if not text.fixed(rest):
         return None
     return sp.Add(rest, *(f * x for f, x in zip(factors, variables, strict=True)))
 
@@ -168,7 +173,8 @@ def _collected(expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
     parts = sp.collect(expr, [TOTAL_GRAVITY, GROUND_X], evaluate=False)
 
     def by_side(e: sp.Expr) -> sp.Expr:
-        return sp.factor_terms(sp.collect(sp.expand(e), SIDE))
+        e = sp.expand(e)
+        return sp.factor_terms(sp.collect(e, SIDE) if e.has(SIDE) else e)
 
     return sum(
         (k * sp.collect(part, angles, func=by_side) for k, part in parts.items()),
