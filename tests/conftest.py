@@ -81,3 +81,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def pytest_collection_finish() -> None:
     """What is imported and collected stays until the end, and need not be looked through."""
     gc.freeze()
+
+
+def pytest_unconfigure() -> None:
+    """Nor need it be looked through once more at the end of a process: that takes seconds."""
+    gc.freeze()

@@ -14,9 +14,8 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.codegen import module_text
 from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
-from rockeom.numeric.program import load_text
+from rockeom.declared import _module_of
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.modes import _inverse
@@ -41,7 +40,7 @@ def model(name: str):
 def module(name: str):
     if name in rk.models():  # what is generated is what is derived: another test compares them
         return importlib.import_module(f"rockeom.generated.{name}")
-    return load_text(name, module_text(model(name)))
+    return _module_of(model(name))  # derived once for all tests
 
 
 def cases(name: str, seed: int):
