@@ -157,7 +157,8 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
     factors = []
     for x in variables:
         factor = sp.expand(sp.diff(expr, x))
-        if not text.fixed(factor):  # most are no such sums, which the first state tells
+        # most are no such sums, which the first state tells
+        if factor.has(*variables) or not text.fixed(factor):
             return None
         factors.append(sp.factor_terms(factor))
     rest = expr.subs(dict.fromkeys(variables, 0))
