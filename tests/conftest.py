@@ -30,6 +30,8 @@ order."""
 
 TOGETHER = {
     "tests/thesis/test_checks_notice.py": "tests/thesis/test_equations.py",
+    "tests/codegen/test_generated_functions.py": "tests/symbolic/test_typeset.py",
+    "tests/codegen/test_generated_text.py": "tests/symbolic/test_typeset.py",
 }
 """Files that go to the worker of another one, which has derived what both compare with."""
 
@@ -80,4 +82,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 def pytest_collection_finish() -> None:
     """What is imported and collected stays until the end, and need not be looked through."""
+    gc.freeze()
+
+
+def pytest_unconfigure() -> None:
+    """Nor need it be looked through once more at the end of a process: that takes seconds."""
     gc.freeze()

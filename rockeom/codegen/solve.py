@@ -154,9 +154,15 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
     """
     states = [x for c in text.model.coordinates for x in (c.position, c.velocity)]
     variables = [*states, GROUND_X]
-    factors = [sp.factor_terms(sp.expand(sp.diff(expr, x))) for x in variables]
+    factors = []
+    for x in variables:
+        factor = sp.expand(sp.diff(expr, x))
+        # most are no such sums, which the first state tells
+        if factor.has(*variables) or not text.fixed(factor):
+            return None
+        factors.append(sp.factor_terms(factor))
     rest = expr.subs(dict.fromkeys(variables, 0))
-    if not all(map(text.fixed, [*factors, rest])):
+    if not text.fixed(rest):
         return None
     return sp.Add(rest, *(f * x for f, x in zip(factors, variables, strict=True)))
 
@@ -170,7 +176,8 @@ def _collected(text: Text, expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
     moving = (f for f in expr.atoms(sp.sin, sp.cos) if not text.fixed(f))
 
     def by_side(e: sp.Expr) -> sp.Expr:
-        return sp.factor_terms(sp.collect(sp.expand(e), SIDE))
+        e = sp.expand(e)
+        return sp.factor_terms(sp.collect(e, SIDE) if e.has(SIDE) else e)
 
     def by_ground(e: sp.Expr) -> sp.Expr:
         return sp.collect(sp.expand(e), [TOTAL_GRAVITY, GROUND_X], func=by_side)

@@ -26,6 +26,7 @@ from rockeom.contract import (
     STICKING,
     SWITCH,
 )
+from rockeom.many import Differs, Many, of_many, values
 
 HAPPENED = {
     LANDING: "landing", LIFTING: "lifting", SLIPPING: "slip begins", STICKING: "slip ends",
@@ -44,20 +45,20 @@ def has_points(module: ModuleType) -> bool:
 class Points:
     """The points of a structure in a state (N,): gap, gap_rate (m,), and Jacobians.
 
-    normal, tangential (m, n) : derivatives of gap and slip by the coordinates.
+    normal, tangential (m, n) : derivatives of gap and slip by the coordinates. All have the further
+    axes of states (..., N) in front.
     """
 
     def __init__(self, module: ModuleType, y: np.ndarray, p: np.ndarray) -> None:
         n, m = len(module.STATES) // 2, len(module.POINTS)
-        told = np.zeros(m * (5 + 2 * n))
-        if m:
-            module.points(y, p, told)
-        rows = told.reshape(m, 5 + 2 * n)
+        told = _told(module, y, p)
+        rows = told.reshape(*y.shape[:-1], m, 5 + 2 * n)
         self.module, self.y, self.told = module, y, told
-        self.gap, self.gap_rate = rows[:, 0], rows[:, 1]
-        self.normal, self.tangential = rows[:, 5 : 5 + n], rows[:, 5 + n :]
-        self.size = np.abs(self.normal) @ np.abs(y[:n]) + 1e-300
-        self.speed = np.abs(self.normal) @ np.abs(y[n:]) + 1e-300
+        self.gap, self.gap_rate = rows[..., 0], rows[..., 1]
+        self.normal, self.tangential = rows[..., 5 : 5 + n], rows[..., 5 + n :]
+        place, motion = np.abs(y[..., :n, None]), np.abs(y[..., n:, None])
+        self.size = (np.abs(self.normal) @ place)[..., 0] + 1e-300
+        self.speed = (np.abs(self.normal) @ motion)[..., 0] + 1e-300
 
     def touching(self) -> tuple[np.ndarray, np.ndarray]:
         """(m,) whether each point touches, and (m,) the sign of its slip, 0 where it has none."""
@@ -67,10 +68,36 @@ class Points:
         return near == 1, slides
 
 
+def _told(module: ModuleType, y: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """What the module tells of its points in states (..., N), in one row of each."""
+    told = np.zeros((*y.shape[:-1], len(module.POINTS) * (5 + len(module.STATES))))
+    if told.size:
+        _fill(module, y.reshape(-1, y.shape[-1]), p, told.reshape(-1, told.shape[-1]))
+    return told
+
+
+def _fill(module: ModuleType, states: np.ndarray, p: np.ndarray, told: np.ndarray) -> None:
+    """The rows of states (k, N) into told (k, ...); of many at once, the same bits, sooner."""
+    if len(states) == 1:
+        module.points(states[0], p, told[0])
+        return
+    out = np.zeros(told.shape[1], dtype=object)
+    try:
+        of_many(module).points(np.array([Many(c) for c in states.T], dtype=object), p, out)
+    except Differs as ways:  # states that do not go the same way through it
+        for part in ways.parts:
+            rows = told[part]
+            _fill(module, states[part], p, rows)
+            told[part] = rows
+        return
+    for column, value in zip(told.T, out, strict=True):
+        column[:] = values(value)
+
+
 def landing_speeds(structure: Any, states: np.ndarray) -> np.ndarray:
     """(k,) speeds at which the fastest points of states (k, N) close their gaps [m/s]."""
-    module, p = structure.module, structure.vector
-    return np.array([max(-Points(module, y, p).gap_rate.min(), 0.0) for y in states])
+    rates = Points(structure.module, states, structure.vector).gap_rate
+    return np.maximum(-rates.min(axis=1, initial=np.inf), 0.0)
 
 
 def standing(
@@ -234,30 +261,45 @@ def named(module: ModuleType, phase: Any) -> int:
     return module.CONTACTS.index(phase)
 
 
-def subject(
-    module: ModuleType, kind: int, contact: int, guard: int, states: np.ndarray, p: np.ndarray
-) -> str:
-    """The points, or the element, of an event, joined by "+" where several have it at once.
+def subjects(
+    module: ModuleType, passages: np.ndarray, states: np.ndarray, p: np.ndarray
+) -> list[str]:
+    """The points, or the element, of each event, joined by "+" where several have it at once.
 
-    states (2, N) : before and after it.
+    passages (k, 4) : kind, contact states before and after, number of the guard. states (k, 2, N) :
+    before and after it.
     """
-    if guard < 0 or not has_points(module):
-        return ""
-    number = module.SUBJECTS[contact][guard]
-    if number >= len(module.POINTS):
-        return module.ELEMENTS[number - len(module.POINTS)]
-    several = [number]
-    if kind == LANDING:
-        before, after = (Points(module, y, p) for y in states)
-        met = (before.gap_rate < -_CLOSED * before.speed) & (
-            after.gap_rate >= -_CLOSED * before.speed
-        )
-        opened = np.array(module.POINT_STATES[contact]) == OPEN
-        near = after.gap <= 1e-6 * np.abs(before.gap_rate)  # it did not only turn back in flight
-        several = sorted({number, *np.flatnonzero(met & opened & near).tolist()})
-    elif kind in (SLIPPING, STICKING):
-        shared = module.SHARED[contact]
-        several = [i for i, first in enumerate(shared) if first == shared[number]]
-        closed = module.POINT_STATES[contact]
-        several = [i for i in several if closed[i] != OPEN]
-    return "+".join(module.POINTS[i] for i in several)
+    found = [""] * len(passages)
+    if not has_points(module):
+        return found
+    landed = _landed(module, passages, states, p)
+    for i, (kind, contact, _, guard) in enumerate(passages.tolist()):
+        if guard < 0:
+            continue
+        number = module.SUBJECTS[contact][guard]
+        if number >= len(module.POINTS):
+            found[i] = module.ELEMENTS[number - len(module.POINTS)]
+            continue
+        several = [number]
+        if kind == LANDING:
+            several = sorted({number, *np.flatnonzero(landed[i]).tolist()})
+        elif kind in (SLIPPING, STICKING):
+            shared, closed = module.SHARED[contact], module.POINT_STATES[contact]
+            several = [j for j, first in enumerate(shared) if first == shared[number]]
+            several = [j for j in several if closed[j] != OPEN]
+        found[i] = "+".join(module.POINTS[j] for j in several)
+    return found
+
+
+def _landed(
+    module: ModuleType, passages: np.ndarray, states: np.ndarray, p: np.ndarray
+) -> dict[int, np.ndarray]:
+    """Which points (m,) landed, by the number of the event, a landing."""
+    landings = np.flatnonzero(passages[:, 0] == LANDING)
+    if not len(landings):
+        return {}
+    before, after = (Points(module, states[landings, side], p) for side in (0, 1))
+    met = (before.gap_rate < -_CLOSED * before.speed) & (after.gap_rate >= -_CLOSED * before.speed)
+    opened = np.array(module.POINT_STATES)[passages[landings, 1]] == OPEN
+    near = after.gap <= 1e-6 * np.abs(before.gap_rate)  # it did not only turn back in flight
+    return dict(zip(landings.tolist(), met & opened & near, strict=True))

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom import hooks
 from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
-from rockeom.numeric.contact_states import HAPPENED, subject
+from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
 from rockeom.numeric.positions import places, positions_of, rotations_of
 
@@ -167,7 +167,8 @@ class Response:
     @cached_property
     def events(self) -> tuple[Impact, ...]:
         """All passages between contact states, in time order."""
-        names, module = self.program.CONTACTS, self.structure.module
+        names, (times, kinds, states) = self.program.CONTACTS, self.passages
+        who = subjects(self.structure.module, kinds, states, self.structure.vector)
         return tuple(
             Impact(
                 float(time),
@@ -176,9 +177,11 @@ class Response:
                 names[after],
                 dict(zip(self.states, pair[0].tolist(), strict=True)),
                 dict(zip(self.states, pair[1].tolist(), strict=True)),
-                subject(module, kind, before, guard, pair, self.structure.vector),
+                of,
             )
-            for time, (kind, before, after, guard), pair in zip(*self.passages, strict=True)
+            for time, (kind, before, after, _), pair, of in zip(
+                times, kinds, states, who, strict=True
+            )
         )
 
     @property

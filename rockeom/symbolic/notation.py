@@ -8,6 +8,7 @@ accelerations, velocities, ground acceleration and gravity; within each, mass by
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -161,7 +162,7 @@ class Notation(LatexPrinter):
         if any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow)):
             above, below = sp.fraction(sp.together(expr))
             expr = sp.expand(above) / below
-        number, factors = product(sp.gcd_terms(expr))
+        number, factors = product(_gcd_terms(expr))
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
         outer = number * sp.Mul(*(f for f in factors if f is not bracket))
         terms = self.sorted_terms(bracket)
@@ -308,6 +309,9 @@ def _symbols(expressions) -> list[sp.Symbol]:
         free = sp.sympify(expr).free_symbols
         found |= dict.fromkeys(sorted(free, key=sp.default_sort_key))
     return list(found)
+
+
+_gcd_terms = lru_cache(maxsize=4096)(sp.gcd_terms)  # asked for again by each form of a page
 
 
 def product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:

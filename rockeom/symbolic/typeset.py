@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE, angles_in
+from rockeom.symbolic.algebra import SIDE, angles_in, tidy
 from rockeom.symbolic.contact import reactions, total_reaction
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.lagrange import Equations
@@ -33,7 +33,7 @@ from rockeom.symbolic.page import (
     width,
 )
 from rockeom.symbolic.polar import has_polar_form, in_polar_form, polar_model, polar_parameters
-from rockeom.symbolic.statics import pushover
+from rockeom.symbolic.statics import holding_force, pushover
 
 
 def equation_lines(phase: Mechanism, form: str = "width") -> list[str]:
@@ -383,17 +383,17 @@ def _pushover(model: RockingModel) -> list[Block]:
         if model.rotation not in phase.coordinates or phase.load_point is None or not held:
             continue
         notation = Notation(phase, model)
-        try:
-            force = {contact: pushover(model, contact) for contact in phase.contacts}
+        by_side = sorted(phase.contacts, key=phase.side_of)
+        left, right = by_side[0], by_side[-1]
+        try:  # that of the left, which takes long to simplify, as a rule is the mirror image
+            lacking = holding_force(model, right).subs(theta, -theta) + holding_force(model, left)
         except NotImplementedError:
             continue
-        by_side = sorted(force, key=phase.side_of)
-        left, right = by_side[0], by_side[-1]
-        lacking = force[right].subs(theta, -theta) + force[left]
-        mirrored = sp.expand(sp.numer(sp.together(lacking))) == 0
+        mirrored = tidy(sp.numer(sp.together(lacking))) == 0
         for contact in [right] if mirrored else by_side:
+            force = pushover(model, contact)
             blocks.append(f"In `{contact}`:")
-            blocks.append(Display((f"P = {notation.quotient(force[contact])}",)))
+            blocks.append(Display((f"P = {notation.quotient(force)}",)))
         if mirrored and left != right:
             blocks.append(f"In `{left}` it is the mirror image.")
     if not blocks:

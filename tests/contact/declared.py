@@ -98,8 +98,11 @@ def on_a_step() -> Model:
 
 
 @cache
-def four_feet(pad: bool = True) -> Model:
-    """Feet at different heights: any two of them may stand together, no three; and a pad."""
+def four_feet() -> Model:
+    """Feet at different heights: any two of them may stand together, no three; and a pad.
+
+    The pad is on a shoulder of the block, which meets the ground only where the block lies down.
+    """
     places = {
         "a": (-sp.Rational(3, 2), sp.Rational(1, 5)),
         "b": (-sp.Rational(1, 2), 0),
@@ -108,13 +111,10 @@ def four_feet(pad: bool = True) -> Model:
     }
     b = parameter("b", "half_width", "m", "unit of length of the base")
     points = {name: (x * b.symbol, y * b.symbol) for name, (x, y) in places.items()}
-    if not pad:
-        return on_points("bare_four_feet", points, b)
     k = parameter("k", "stiffness", "N/m", "stiffness of the pad")
     c = parameter("c", "damping", "N s/m", "damping of the pad")
-    rubber = Unilateral(
-        "pad", -placed((b.symbol, -b.symbol / 20))[1], stiffness=k.symbol, damping=c.symbol
-    )
+    shoulder = placed((b.symbol, b.symbol))
+    rubber = Unilateral("pad", -shoulder[1], stiffness=k.symbol, damping=c.symbol)
     return on_points("four_feet", points, b, k, c, elements=(rubber,))
 
 

@@ -34,9 +34,9 @@ def potential(foot: str, theta: float) -> float:
 
 def on_ground(friction: float) -> rk.Structure:
     return rk.structure(
-        four_feet(pad=False),
+        four_feet(),
         mass=MASS, height=HEIGHT, inertia=INERTIA, gravity=G, friction=friction,
-        restitution=0.0, half_width=1.0,
+        restitution=0.0, half_width=1.0, stiffness=1e3, damping=1e2,
     )  # fmt: skip
 
 

@@ -14,9 +14,9 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.codegen import module_text
 from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
-from rockeom.numeric.program import load_text
+from rockeom.declared import _module_of
+from rockeom.numeric.contact_states import Points
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.modes import _inverse
@@ -41,7 +41,7 @@ def model(name: str):
 def module(name: str):
     if name in rk.models():  # what is generated is what is derived: another test compares them
         return importlib.import_module(f"rockeom.generated.{name}")
-    return load_text(name, module_text(model(name)))
+    return _module_of(model(name))  # derived once for all tests
 
 
 def cases(name: str, seed: int):
@@ -102,6 +102,18 @@ def test_points_are_what_was_declared(name):
         assert np.allclose(found.slip_bias, second[:, 1], rtol=0, atol=1e-5)
         assert np.allclose(found.normal @ y[n:], found.gap_rate, rtol=0, atol=1e-12)
         assert np.allclose(found.along @ y[n:], found.slip_rate, rtol=0, atol=1e-12)
+
+
+@EACH
+def test_points_of_many_states_have_the_bits_of_each_by_itself(name):
+    found = list(cases(name, 9))
+    m, p = found[0][0], found[0][3]
+    states = np.array([y for _, _, y, _, _ in found])
+    many = Points(m, states.reshape(len(states), 1, -1), p)
+    for y, *rows in zip(states, many.gap, many.gap_rate, many.normal, strict=True):
+        alone = Points(m, y, p)
+        for row, expected in zip(rows, (alone.gap, alone.gap_rate, alone.normal), strict=True):
+            assert (row[0] == expected).all()
 
 
 @EACH

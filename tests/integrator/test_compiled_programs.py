@@ -123,7 +123,8 @@ def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
 
 
 def test_first_compilation_that_is_killed_leaves_nothing_wrong(tmp_path):
-    """Nor does a file that was cut off, or is another's: it is made again."""
+    """Nor does a file that was cut off: it is made again, as in `numeric/test_store` all are that
+    something is wrong with."""
     cache = tmp_path / "cache"
     killed = start(ROOT, cache)
     with pytest.raises(subprocess.TimeoutExpired):
@@ -135,10 +136,9 @@ def test_first_compilation_that_is_killed_leaves_nothing_wrong(tmp_path):
     assert made == 1
     (path,) = cache.iterdir()
     whole = path.read_bytes()
-    for wrong in (b"", whole[: len(whole) // 2], b"foreign" + whole[7:]):
-        path.write_bytes(wrong)
-        assert result(start(ROOT, cache)) == (time, 1, name)
-        assert path.read_bytes() == whole
+    path.write_bytes(whole[: len(whole) // 2])
+    assert result(start(ROOT, cache)) == (time, 1, name)
+    assert path.read_bytes() == whole
 
 
 def test_threads_that_want_one_program_compile_it_once(tmp_path, monkeypatch):
@@ -266,8 +266,10 @@ print(*sorted(imported - hashed))
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
     # the module's own text is hashed as such; marks are read where they stand, and do nothing;
-    # hooks come with the package; what contact states add to a text is in the text
+    # hooks come with the package; what contact states add to a text is in the text, and they read
+    # points of many states, where nothing is compiled
     assert done.stdout.split() == [
-        "rockeom.generated", "rockeom.generated.rigid_block", "rockeom.hooks", "rockeom.marks",
-        "rockeom.numeric", "rockeom.numeric.contact_states", "rockeom.numeric.store",
+        "rockeom.generated", "rockeom.generated.rigid_block", "rockeom.hooks", "rockeom.many",
+        "rockeom.marks", "rockeom.numeric", "rockeom.numeric.contact_states",
+        "rockeom.numeric.store",
     ]  # fmt: skip

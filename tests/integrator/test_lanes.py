@@ -431,7 +431,10 @@ STARTS = {
             (rk.GroundMotion.none(1.0), None, -0.03),
         )
     ],
-    "springs": [rk.Case(sprung(), WAVELET), rk.Case(sprung(), MOTIONS["sine"], duration=0.3)],
+    "springs": [  # each foot has lifted and landed by 0.95 s
+        rk.Case(sprung(), WAVELET, duration=1.0),
+        rk.Case(sprung(), MOTIONS["sine"], duration=0.3),
+    ],
 }
 
 

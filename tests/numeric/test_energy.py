@@ -70,7 +70,8 @@ def test_lossless_impacts_keep_the_energy_of_a_rigid_structure(structure):
 # -- at an impact
 
 WITH_IMPACTS = [s for s in every_structure() if s.model != "two_spring_structure"]
-NUMBERS = st.floats(-5, 5, allow_subnormal=False)
+NUMBERS = st.floats(-5, 5).map(lambda x: x if abs(x) > 1e-140 else 0.0)
+"""Nothing so small that its square, in an energy, underflows: that rounds up as well as down."""
 
 
 def change_at_impact(structure, side, state, law):

@@ -136,7 +136,7 @@ def bilinear_pushover() -> BilinearPushover:
     at_rest = {theta: 0, v: 0, ROTATION.velocity: 0, HEAVE.velocity: 0}
     lever = HEIGHT.symbol  # u = H_e theta for small rotations
     left = sp.sympify(springs.mechanism("both").feet["left"].force)
-    lift_off_rotation = sp.simplify(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
+    lift_off_rotation = sp.factor(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
     on_pivot = sp.factor(holding_force(pivots, "right"))
     cosine, sine = (sp.expand(sp.numer(on_pivot)).coeff(f(theta)) for f in (sp.cos, sp.sin))
     upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
