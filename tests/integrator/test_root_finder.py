@@ -46,7 +46,7 @@ def of_samples(b: Floats) -> bool:
 
 @entry
 def the_bound(coefficients: Floats, bound: float, b: Floats, stack: Floats) -> float:
-    return bound_passed(coefficients, bound, b, stack)
+    return bound_passed(ROTATION, coefficients, bound, b, stack)
 
 @entry
 def the_power(x: float, exponent: float) -> float:
