@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom import hooks
-from rockeom.contract import IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
+from rockeom.contract import KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
+from rockeom.numeric.friction import least_coefficient, of_impulses, of_point_impulses, surfaces
 from rockeom.numeric.positions import places, positions_of, rotations_of
 
 if TYPE_CHECKING:
@@ -408,22 +409,15 @@ class Response:
         if self._support is None:
             return math.nan
         horizontal, _, _, vertical = self._support
-        none = 1e-9 * abs(vertical.peak)  # what is no force, but rounding
-        flies = self.structure.stands_on_points and vertical.peak == 0.0  # but for rounding
-        if flies or abs(horizontal.peak) <= none:
-            return 0.0
 
-        def vertical_over_horizontal(t, y, contact) -> np.ndarray:
+        def forces(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
             across, left, right = self._feet(t, y, contact).T
-            ratio = (left + right) / np.maximum(np.abs(across), none)
-            ratio[(np.abs(across) <= none) & (np.abs(left + right) <= none)] = 1e9  # in flight
-            return ratio[:, None]
+            return np.column_stack([across, left + right])
 
-        # this ratio passes zero smoothly where the other one is infinite
-        (ratio,) = extremes(self.steps, vertical_over_horizontal, self._support_ends)
-        if not math.isfinite(ratio.minimum):
-            return math.nan
-        return 1.0 / ratio.minimum if ratio.minimum > 1e-9 else math.inf
+        return least_coefficient(
+            self.steps, forces, horizontal, vertical, self._support_ends,
+            self.structure.stands_on_points,
+        )  # fmt: skip
 
     @cached_property
     def impact_friction_demand(self) -> float:
@@ -434,20 +428,35 @@ class Response:
         """
         if not hasattr(self.program, "momentum"):
             return math.nan
-        momentum, p = self.program.momentum, self.structure.vector
-        _, kinds, states = self.passages
-        largest = 0.0
-        before, after = np.zeros(2), np.zeros(2)
-        for (kind, old, new, _), (arriving, leaving) in zip(kinds, states, strict=True):
-            if kind not in (IMPACT, LANDING):
-                continue
-            momentum(old, arriving, p, before)
-            momentum(new, leaving, p, after)
-            across, up = (after - before).tolist()
-            # in the smallest impacts of a vibrating structure the difference is rounding
-            if math.hypot(across, up) > 1e-9 * math.hypot(*before, *after):
-                largest = max(largest, abs(across) / up if up > 0.0 else math.inf)
-        return largest
+        return of_impulses(self)
+
+    @cached_property
+    def friction_demands(self) -> dict[str, tuple[float, float]]:
+        """What `friction_demand` and `impact_friction_demand` are, of each of several surfaces.
+
+        By the names of the points that rub on it, such as "upper_left+upper_right": of forces, and
+        of impulses at landings. Empty for structures whose contacts cannot open and slide.
+        """
+        found = surfaces(self.structure.module)
+        if len(found) == 1 and self._support is not None:
+            return dict.fromkeys(found, (self.friction_demand, self.impact_friction_demand))
+        impulses = of_point_impulses(self, list(found.values()))
+        names = self.structure.module.POINTS if found else ()
+        return {
+            surface: (self._demand_of([names[i] for i in points]), impulse)
+            for (surface, points), impulse in zip(found.items(), impulses, strict=True)
+        }
+
+    def _demand_of(self, points: Sequence[str]) -> float:
+        columns = self._columns(
+            [f"{name}_{what}" for what in ("friction", "reaction") for name in points]
+        )
+
+        def forces(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
+            return columns(t, y, contact).reshape(len(t), 2, -1).sum(axis=2)
+
+        across, pressing = extremes(self.steps, forces, self._support_ends)
+        return least_coefficient(self.steps, forces, across, pressing, self._support_ends, True)
 
     @cached_property
     def sliding(self) -> np.ndarray:
@@ -513,8 +522,14 @@ class Response:
         if slid > 1e-12 * self.duration:
             text = f"It slid for {slid:.4g} s, the first time at {spans[0, 0]:.4g} s."
         else:
-            needed = max(self.friction_demand, self.impact_friction_demand)
-            text = f"It did not slide: that needed a friction coefficient of {needed:.3g}."
+            demands = self.friction_demands
+            needed = [
+                f"{max(pair):.3g}" + f" at {surface}" * (len(demands) > 1)
+                for surface, pair in demands.items()
+            ] or [f"{max(self.friction_demand, self.impact_friction_demand):.3g}"]
+            text = (
+                f"It did not slide: that needed a friction coefficient of {' and '.join(needed)}."
+            )
         if len(gains):
             text += (
                 f" {len(gains)} of its landings gave energy, at most {gains.max():.3g} J: so can "

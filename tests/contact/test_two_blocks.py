@@ -78,6 +78,24 @@ def test_an_upper_block_that_lands_sets_the_lower_one_rocking_as_by_hand(
         assert ratio == pytest.approx(1 - 1.5 * s * s, rel=1e-9)
 
 
+def test_friction_between_the_blocks_is_told_beside_that_on_the_ground():
+    """An upper block that lands on a lower one at rest needs 3 s c/(4 - 3 s^2) there, too."""
+    squat = Stack(0.3, 0.4, 0.15, 0.6, 1.0, 1.0)
+    run = rk.simulate(structure(squat), STILL, initial={"theta": 0.0, "phi": 0.1}, duration=1.0)
+    assert {e.contact for e in run.impacts} == {"upper_left", "upper_right"}
+    s, c = (x / math.hypot(0.15, 0.6) for x in (0.15, 0.6))
+    ground, between = (
+        run.friction_demands["left+right"],
+        run.friction_demands["upper_left+upper_right"],
+    )
+    assert between[1] == pytest.approx(3 * s * c / (4 - 3 * s * s), rel=1e-9)
+    assert ground == pytest.approx((run.friction_demand, run.impact_friction_demand), rel=1e-9)
+    alone = rk.RigidBlock(half_width=0.15, half_height=0.6)
+    free = rk.simulate(alone, STILL, initial={"theta": 0.1}, duration=1.0)
+    assert between[0] == pytest.approx(free.friction_demand, rel=1e-6)
+    assert f"{max(between):.3g} at upper_left+upper_right" in run.summary()
+
+
 def test_rotations_that_are_not_named_are_zero():
     """Heights and places follow from which corners touch; a rotation does not."""
     start = structure(STACK).state({"phi": 0.02, "phi_dot": -0.5})
