@@ -10,7 +10,7 @@ import numpy as np
 from scipy import optimize
 
 from rockeom.arguments import numbers
-from rockeom.numeric.contact_states import Points
+from rockeom.numeric.contact_states import Points, angles as angles_of
 
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
@@ -66,7 +66,7 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
 
     def state(unknown: np.ndarray) -> np.ndarray:
         named = {m.STATES[i]: x for i, x in zip(free, unknown, strict=True)}
-        return structure.state({m.STATES[m.ROTATION]: rotation, **named})
+        return _as_it_stood(structure, structure.state({m.STATES[m.ROTATION]: rotation, **named}))
 
     def statics(y: np.ndarray, load: float) -> np.ndarray:
         """Of the rotation and what is free: virtual work, the tied coordinates moving along."""
@@ -83,6 +83,25 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
     if not np.isfinite(force):
         raise ValueError(f"no equilibrium of {structure.model} at rotation {rotation}")
     return force, y
+
+
+def _as_it_stood(structure: Structure, y: np.ndarray) -> np.ndarray:
+    """The state moved along, so that the points that touch are where they stood upright."""
+    m, p = structure.module, structure.vector
+    points = Points(m, y, p)
+    touching, _ = points.touching()
+    slips = [m.KINEMATICS.index(f"{m.POINTS[i]}_slip") for i in np.flatnonzero(touching)]
+    moved = []
+    for state in (y, structure.state({})):
+        out = np.empty(len(m.KINEMATICS))
+        m.kinematics(structure.contact(state), state, p, out)
+        moved.append(out[slips])
+    rows = np.vstack([points.normal[touching], points.tangential[touching]])
+    lacking = np.concatenate([np.zeros(len(slips)), moved[1] - moved[0]])
+    level = np.flatnonzero(np.array(angles_of(m)) == 0.0)
+    y = y.copy()
+    y[level] += np.linalg.lstsq(rows[:, level], lacking, rcond=None)[0]
+    return y
 
 
 def _held(structure: Structure, y: np.ndarray) -> np.ndarray:

@@ -232,16 +232,24 @@ def test_a_wall_with_yielding_bars_has_the_loop_of_a_flag_and_comes_back_upright
 
 
 def test_the_pushover_of_a_wall_with_bars_draws_them_out():
-    """Weight and the raised bar at its strength, about the foot, over the load's height."""
-    wall = rk.structure(
-        wall_with_bars(), **(WALL | {"tendon_stiffness": 1e-9, "initial_force": 1e-9})
-    )
-    turned = np.array([0.01, 0.02])
+    """Weight, tendon and the raised bar at its strength, about the foot, over the load's height.
+
+    The foot stays where it stood upright: the tendon's anchor is fixed to the ground.
+    """
+    wall = rk.structure(wall_with_bars(), **WALL)
+    turned = np.array([0.01, 0.02, -0.02])
+    size = np.abs(turned)
     m, h, b = WALL["mass"], WALL["height"], WALL["half_width"]
-    weight = m * 9.81 * (b * np.cos(turned) - h * np.sin(turned))
-    moment = weight + WALL["strength"] * 2.0 * b * np.cos(turned)
-    lever = h * np.cos(turned) + b * np.sin(turned)
-    assert wall.pushover(turned) == pytest.approx(moment / lever, rel=1e-9)
+    across, up = (
+        b * (1 - np.cos(size)) + 2 * h * np.sin(size),
+        b * np.sin(size) + 2 * h * np.cos(size),
+    )
+    length = np.hypot(across, up)
+    pull = WALL["initial_force"] + WALL["tendon_stiffness"] * (length - 2 * h)
+    moment = m * 9.81 * (b * np.cos(size) - h * np.sin(size)) + pull * up * b / length
+    moment += WALL["strength"] * 2.0 * b * np.cos(size)
+    lever = h * np.cos(size) + b * np.sin(size)
+    assert wall.pushover(turned) == pytest.approx(np.sign(turned) * moment / lever, rel=1e-9)
 
 
 def landing_energy(wall, landing) -> float:
