@@ -27,7 +27,7 @@ from rockeom.symbolic.modes import (
     SLIP,
     STICK,
     Arrangement,
-    Mechanism,
+    DerivedMechanism,
     Modes,
     force_of,
     free_motion,
@@ -54,14 +54,14 @@ class Written:
         for i, name in enumerate(self.switches):
             text.names[switch_of(i)] = sp.Symbol(name)
 
-    def call(self, function: str, mechanism: Mechanism) -> str:
+    def call(self, function: str, mechanism: DerivedMechanism) -> str:
         """How a function of a mechanism is called."""
         side = ["s"] if mechanism.sided else []
         sigmas = [f"sigma_{i}" for i in range(len(mechanism.slipping))]
         given = [*side, *sigmas, *self.switches, *self.text.states, "p", "ax", "ay"]
         return f"{function}({', '.join(given)})"
 
-    def read(self, mechanism: Mechanism, indent: str) -> list[str]:
+    def read(self, mechanism: DerivedMechanism, indent: str) -> list[str]:
         """Lines that read the signs of a contact state from the tables."""
         lines = [f"{indent}s = IMAGES[contact]"] if mechanism.sided else []
         lines += [
@@ -91,7 +91,7 @@ class Written:
         return [*lines, f"{indent}{found} = {self.forces[arrangement.mechanism]}"]
 
 
-def groups_of(mechanism: Mechanism) -> list[tuple[int, ...]]:
+def groups_of(mechanism: DerivedMechanism) -> list[tuple[int, ...]]:
     """Points that share friction, in the order in which a mechanism tells of them."""
     return [*mechanism.slipping, *mechanism.sticking]
 
@@ -142,14 +142,14 @@ def _chosen(name: str, branches: list[list[str]]) -> list[str]:
 # -- motion -----------------------------------------------------------------------------------
 
 
-def _suffix(mechanism: Mechanism) -> str:
+def _suffix(mechanism: DerivedMechanism) -> str:
     """What the functions of a mechanism are called by."""
     points = zip(mechanism.model.contacts, mechanism.states, strict=True)
     words = [f"{c.name}_{'sticks' if state == STICK else 'slips'}" for c, state in points if state]
     return "_".join(words) or "flight"
 
 
-def _told(mechanism: Mechanism) -> str:
+def _told(mechanism: DerivedMechanism) -> str:
     """What a mechanism is, in words."""
     points = zip(mechanism.model.contacts, mechanism.states, strict=True)
     words = [f"{c.name} {'sticks' if state == STICK else 'slips'}" for c, state in points if state]
@@ -218,7 +218,7 @@ def quick(modes: Modes) -> list[tuple[int, int]]:
     ][:MOST_QUICK]
 
 
-def _motion_of(written: Written, number: int, mechanism: Mechanism) -> str:
+def _motion_of(written: Written, number: int, mechanism: DerivedMechanism) -> str:
     """Add the function of one mechanism; returns how it is called."""
     text = written.text
     name = text.function_name(f"rates_{_suffix(mechanism)}", f"rates_{number}")

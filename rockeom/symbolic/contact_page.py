@@ -11,7 +11,7 @@ from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.modes import (
     OPEN,
-    Mechanism,
+    DerivedMechanism,
     free_motion,
     sign_of_slip,
     switch_of,
@@ -153,7 +153,7 @@ def _internal(model: Model) -> list[Block]:
     ]
 
 
-def _mechanism(model: Model, mechanism: Mechanism) -> list[Block]:
+def _mechanism(model: Model, mechanism: DerivedMechanism) -> list[Block]:
     modes = model.modes
     number = modes.mechanisms.index(mechanism)
     served = [
@@ -188,7 +188,7 @@ def _mechanism(model: Model, mechanism: Mechanism) -> list[Block]:
     return [*blocks, *_mechanism_forces(model, mechanism, notation)]
 
 
-def _mechanism_lines(mechanism: Mechanism, notation: Notation) -> list[str]:
+def _mechanism_lines(mechanism: DerivedMechanism, notation: Notation) -> list[str]:
     """Of the independent coordinates, and then the accelerations of those that depend on them."""
     lines = [
         _equation(
@@ -212,14 +212,14 @@ def _mechanism_lines(mechanism: Mechanism, notation: Notation) -> list[str]:
     return lines
 
 
-def _called(mechanism: Mechanism, letter: str, points: Iterable[int]) -> str:
+def _called(mechanism: DerivedMechanism, letter: str, points: Iterable[int]) -> str:
     """A force, by its letter alone where one point is closed that has a mirror image."""
     if mechanism.sided and len(mechanism.closed) == 1:
         return letter
     return _force(letter, [mechanism.model.contacts[i].name for i in points])
 
 
-def _bound(mechanism: Mechanism, group: tuple[int, ...], notation: Notation) -> str:
+def _bound(mechanism: DerivedMechanism, group: tuple[int, ...], notation: Notation) -> str:
     """The largest friction of points that share it."""
     terms = [
         f"{notation.plain(mechanism.friction(i))} {_called(mechanism, 'N', [i])}" for i in group
@@ -227,7 +227,7 @@ def _bound(mechanism: Mechanism, group: tuple[int, ...], notation: Notation) -> 
     return " + ".join(terms) if len(terms) == 1 else f"({' + '.join(terms)})"
 
 
-def _mechanism_forces(model: Model, mechanism: Mechanism, notation: Notation) -> list[Block]:
+def _mechanism_forces(model: Model, mechanism: DerivedMechanism, notation: Notation) -> list[Block]:
     """Normal forces, the friction with them, how long it lasts, and what it follows from."""
     if not mechanism.closed:
         return _ends(mechanism, notation)
@@ -254,7 +254,7 @@ def _mechanism_forces(model: Model, mechanism: Mechanism, notation: Notation) ->
     ]
 
 
-def _ends(mechanism: Mechanism, notation: Notation) -> list[Block]:
+def _ends(mechanism: DerivedMechanism, notation: Notation) -> list[Block]:
     """What ends a contact state."""
     contacts = mechanism.model.contacts
     ends = [f"${_called(mechanism, 'N', [i])}$ falls to zero (lifting)" for i in mechanism.closed]
@@ -273,7 +273,7 @@ def _ends(mechanism: Mechanism, notation: Notation) -> list[Block]:
     return [f"It ends when {', or '.join(ends)}."]
 
 
-def _landing(mechanism: Mechanism, notation: Notation) -> list[Block]:
+def _landing(mechanism: DerivedMechanism, notation: Notation) -> list[Block]:
     """Rates after an impact that ends in a mechanism."""
     coordinates = mechanism.model.coordinates
     old = sp.Matrix([at_impact(c, BEFORE) for c in coordinates])
@@ -296,7 +296,7 @@ def _landing(mechanism: Mechanism, notation: Notation) -> list[Block]:
     ]
 
 
-def _from_rest(mechanism: Mechanism, notation: Notation) -> list[Block]:
+def _from_rest(mechanism: DerivedMechanism, notation: Notation) -> list[Block]:
     """How a mechanism begins from standing at rest, and the friction that it needs then."""
     model = mechanism.model
     if not mechanism.independent:

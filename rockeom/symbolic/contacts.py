@@ -32,7 +32,7 @@ from rockeom.symbolic.model import (
 )
 
 if TYPE_CHECKING:
-    from rockeom.symbolic.modes import Mechanism as Derived, Modes
+    from rockeom.symbolic.modes import DerivedMechanism, Modes
 
 
 @dataclass(frozen=True)
@@ -271,7 +271,7 @@ class Model:
             )
         return derive_modes(self)
 
-    def mode(self, name: str) -> Derived:
+    def mode(self, name: str) -> DerivedMechanism:
         """The mechanism that moves in a contact state, such as "right_slides_left".
 
         Raises ValueError, naming the contact states, if there is none of that name.

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rockeom.symbolic.lagrange import Equations
 
 Point = tuple[sp.Expr, sp.Expr]
+"""A place (x, y)."""
 Outline = tuple[Point, ...]
 
 GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)

@@ -80,7 +80,7 @@ class Start(NamedTuple):
     friction: dict[int, sp.Expr]
 
 
-class Mechanism:
+class DerivedMechanism:
     """What moves while some points are closed, some of which slip.
 
     states : of each point: OPEN, STICK or SLIP. sided : whether it is written with the side s.
@@ -101,7 +101,9 @@ class Mechanism:
     def __repr__(self) -> str:
         points = zip(self.model.contacts, self.states, strict=True)
         told = [f"{c.name} {'sticks' if x == STICK else 'slips'}" for c, x in points if x != OPEN]
-        return f"<Mechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
+        return (
+            f"<DerivedMechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
+        )
 
     # -- the closed configuration ------------------------------------------------------------
 
@@ -567,7 +569,7 @@ class Modes:
 
     states: tuple[ContactState, ...]
     arrangements: tuple[Arrangement, ...]
-    mechanisms: tuple[Mechanism, ...]
+    mechanisms: tuple[DerivedMechanism, ...]
 
     @property
     def standing(self) -> dict[sp.Symbol, sp.Expr]:
@@ -593,7 +595,7 @@ class Modes:
         slips = {sign_of_slip(i): sign for i, sign in enumerate(self.signs_of(state))}
         return found | slips
 
-    def mechanism_of(self, state: ContactState) -> Mechanism:
+    def mechanism_of(self, state: ContactState) -> DerivedMechanism:
         return self.mechanisms[self.arrangements[state.arrangement].mechanism]
 
 
@@ -623,14 +625,14 @@ def derive_modes(model: Model) -> Modes:
     there are more than MOST.
     """
     arrangements: list[Arrangement] = []
-    mechanisms: list[Mechanism] = []
+    mechanisms: list[DerivedMechanism] = []
     states: list[ContactState] = []
     known: dict[tuple[int, ...], int] = {}
     mirror = _mirror(model)
     ways = prod(len(e.states) for e in model.elements)
     _are_few(model, ways)
     for closed in _closed_sets(model):
-        groups = Mechanism(model, _stuck(model, closed), False).groups
+        groups = DerivedMechanism(model, _stuck(model, closed), False).groups
         for kinds in product((STICK, SLIP), repeat=len(groups)):
             if any(
                 kind == SLIP and any(model.contacts[i].law.friction is None for i in group)
@@ -701,7 +703,7 @@ def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
     """Whether points may be closed together, whatever the parameters are."""
     if len(closed) < 2:
         return True
-    mechanism = Mechanism(model, _stuck(model, closed), False)
+    mechanism = DerivedMechanism(model, _stuck(model, closed), False)
     if any(not gap.free_symbols & set(mechanism.q) for gap in mechanism.left_open):
         return False  # but for parameters that happen to make them meet
     matrix = sp.Matrix.vstack(*mechanism.normal_rows.values())
@@ -716,7 +718,7 @@ def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
     )
 
 
-def _meet(mechanism: Mechanism) -> bool:
+def _meet(mechanism: DerivedMechanism) -> bool:
     """Whether all closed gaps can be zero at once, at random parameters."""
     rng = np.random.default_rng(2)
     gaps = sp.Matrix(mechanism.left_open)
@@ -738,7 +740,7 @@ def _arrangement(
     groups: tuple[tuple[int, ...], ...],
     mirror: list[int],
     known: dict[tuple[int, ...], int],
-    mechanisms: list[Mechanism],
+    mechanisms: list[DerivedMechanism],
 ) -> Arrangement:
     """The arrangement of a pattern, its mechanism one that is known or new."""
     points = tuple(range(len(pattern)))
@@ -748,7 +750,7 @@ def _arrangement(
     written = image if _leans(model, pattern, image) < 0 else pattern
     if written not in known:
         known[written] = len(mechanisms)
-        mechanisms.append(Mechanism(model, written, image != pattern))
+        mechanisms.append(DerivedMechanism(model, written, image != pattern))
     if written == pattern:
         return Arrangement(pattern, known[written], 1, points, shared)
     return Arrangement(pattern, known[written], -1, tuple(mirror), shared)
@@ -763,7 +765,7 @@ def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> in
 
 
 def _states(
-    model: Model, arrangement: Arrangement, mechanism: Mechanism, number: int
+    model: Model, arrangement: Arrangement, mechanism: DerivedMechanism, number: int
 ) -> Iterator[ContactState]:
     groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
     slips = [g for g in groups if arrangement.states[g[0]] == SLIP]

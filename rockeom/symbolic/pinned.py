@@ -17,12 +17,10 @@ import sympy as sp
 from rockeom.symbolic.algebra import SIDE, at_side, tidy
 from rockeom.symbolic.contacts import Model, Pinned
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import SIDES, Foot, Mechanism, on_pinned_feet
+from rockeom.symbolic.model import SIDES, Foot, Mechanism, Point, on_pinned_feet
 
 if TYPE_CHECKING:
     from rockeom.symbolic.model import Coordinate, RockingModel
-
-Point = tuple[sp.Expr, sp.Expr]
 
 
 class _Closed(NamedTuple):
