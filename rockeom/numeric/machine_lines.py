@@ -201,6 +201,8 @@ class Lines:
         return f"%{'in' if name in self.arguments else 'all'}.{name}"
 
     def load(self, name: str, type_: Type) -> Value:
+        if isinstance(type_, str):
+            return Value(type_, (self.new(f"load {type_}, ptr %{name}.0"),))
         loads = [f"load {part}, ptr %{name}.{i}" for i, part in enumerate(parts_of(type_))]
         return Value(type_, tuple(map(self.new, loads)))
 
