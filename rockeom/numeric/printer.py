@@ -263,7 +263,12 @@ class Program:
                 f"{name} = private unnamed_addr constant [{len(numbers)} x {element}] [{items}]"
             )
         declared = [f"declare {text}" for text in self.declared.values()]
-        return "\n".join([*tables, *declared, *self.bodies]) + "\n"
+        return "\n".join([*tables, *declared, *self.bodies, _ROLLED]) + "\n"
+
+
+_ROLLED = """!0 = distinct !{!0, !1}
+!1 = !{!"llvm.loop.unroll.disable"}"""
+"""What is said of the loops of a function that is marked @rolled."""
 
 
 @lru_cache(maxsize=16)  # the loop and the steps are those of many structures
@@ -333,7 +338,8 @@ class _Function:
             self.refuse(self.later, "the type of this cannot be found out")
 
     def _start(self) -> None:
-        self.ir = Lines(self.arguments, self.fused, self.program.declared)
+        again = ", !llvm.loop !0" if "rolled" in self.definition.marks else ""
+        self.ir = Lines(self.arguments, self.fused, self.program.declared, again)
         self.size = 0  # lines of what is written out in this function
         self.loops: list[_Loop] = []
         self.assigned = set(self.arguments)

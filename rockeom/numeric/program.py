@@ -133,7 +133,8 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
 
     started = time.monotonic()
     # a loop over lanes becomes one of vectors only where it calls nothing
-    growth = math.inf if part == VECTORS else GROWTH
+    growth = GROWTH / 2 if has_points(generated) else GROWTH  # they have many mechanisms
+    growth = math.inf if part == VECTORS else growth
     with _nothing_collected():
         printed = Printed(joined_texts(generated, method, part), growth=growth)
     code = compiled(printed.ir(), part == VECTORS)
