@@ -385,9 +385,7 @@ def _dense_text(method: Tableau, n: int) -> str:
     )
 """
     powers = start + recalled("a", range(total), n) + recalled("v", range(s + 1, total), 0)
-    powers += "".join(
-        f"{one}v{j} = " + _moved(method.a[j, :j], "", one) for j in range(1, s + 1)
-    )
+    powers += "".join(f"{one}v{j} = " + _moved(method.a[j, :j], "", one) for j in range(1, s + 1))
     for first, at, rate in ((0, "q0", "v{}"), (n, "v0", "a{}")):
         powers += f"{one}coefficients[{first} + i] = {at}\n"
         for j in range(1, 8):
