@@ -30,6 +30,11 @@ def apart(function: _F) -> _F:
     return function
 
 
+def rolled(function: _F) -> _F:
+    """Its loops stay loops: written out round by round they are longer to compile than to run."""
+    return function
+
+
 def fused(function: _F) -> _F:
     """a*b + c may be rounded once, in a text where it is rounded twice elsewhere."""
     return function

@@ -26,7 +26,7 @@ from rockeom.contract import (
     STICKING,
     SWITCH,
 )
-from rockeom.marks import inlined
+from rockeom.marks import inlined, rolled
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
@@ -106,6 +106,7 @@ def guard_noise(contact, index, y, p, b, stride):
 # -- linear equations ----------------------------------------------------------------------------
 
 
+@rolled
 def eliminate(a, order, width):
     """Solve a x = b in place, by Gauss and Jordan with complete pivoting; b stands behind a.
 
@@ -196,6 +197,7 @@ def solved_at_once(a, order):
     return True
 
 
+@rolled
 def through_mass(matrix, b, width):
     """Solve M x = b in place, b (n, width), by Gauss without a search for pivots: M is positive.
 
@@ -223,6 +225,7 @@ def through_mass(matrix, b, width):
             b[i * width + m] = value * inverse[i]
 
 
+@rolled
 def all_known(y, p, contact, known):
     """What is known of the points in a state, into known (N_KNOWN,), with what impulses do there.
 
@@ -280,6 +283,7 @@ def acceleration_of(told, row, dy):
     return total + told[point * POINT + 3 + row - 2 * point]
 
 
+@rolled
 def put_on(rows, wanted, first, known, y):
     """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
 
@@ -375,6 +379,7 @@ def held_alone(candidate, point, wanted, known, impulse):
     return True
 
 
+@rolled
 def held_by(candidate, wanted, known, fractions, impulse):
     """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
 
@@ -412,6 +417,7 @@ def held_by(candidate, wanted, known, fractions, impulse):
             impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
 
 
+@rolled
 def share(candidate, told, force, fractions):
     """The fraction of friction of sticking points at different heights, which share their sum.
 
@@ -578,6 +584,7 @@ def collide(contact, near, known, y):
     return found
 
 
+@rolled
 def touching_points(y, told, near, sliding):
     """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
 
@@ -655,6 +662,7 @@ def go_on_as(
     )
 
 
+@rolled
 def best_later(
     contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
 ):  # fmt: skip
@@ -768,6 +776,7 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
     )
 
 
+@rolled
 def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, sizes):
     """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
     g = np.empty(N_GUARDS + N_PARTS)

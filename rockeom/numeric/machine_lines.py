@@ -112,13 +112,16 @@ class Lines:
     """The lines of one function; each variable is a place on the stack, which is called by it.
 
     arguments : names of variables that are given. fused : a*b + c may be rounded once.
-    declared : takes what is called of other libraries, by name.
+    declared : takes what is called of other libraries, by name. again : what is said of each loop
+    over a range where it jumps back.
 
     What is asked of values that have other types raises Unfit.
     """
 
-    def __init__(self, arguments: Collection[str], fused: bool, declared: dict[str, str]) -> None:
-        self.arguments, self.declared = arguments, declared
+    def __init__(
+        self, arguments: Collection[str], fused: bool, declared: dict[str, str], again: str = ""
+    ) -> None:
+        self.arguments, self.declared, self.again = arguments, declared, again
         self.fast = "contract " if fused else ""
         self.lines: list[str] = []
         self.head: list[str] = []  # what stands at the beginning: places on the stack
@@ -148,8 +151,8 @@ class Lines:
         self.lines.append(f"{label}:")
         self.block, self.open = label, True
 
-    def jump(self, label: str) -> None:
-        self.line(f"br label %{label}")
+    def jump(self, label: str, how: str = "") -> None:
+        self.line(f"br label %{label}{how}")
         self.open = False
 
     def branch(self, test: str, yes: str, no: str) -> None:
@@ -174,7 +177,7 @@ class Lines:
         self.begin(again)
         now = self.new(f"load i64, ptr {counter}")
         self.line(f"store i64 {self.new(f'add nsw i64 {now}, {step}')}, ptr {counter}")
-        self.jump(top)
+        self.jump(top, self.again)
         self.begin(end)
 
     def either(self, type_: Type, one: Value, other: Value, blocks: tuple[str, str]) -> Value:
@@ -201,6 +204,8 @@ class Lines:
         return f"%{'in' if name in self.arguments else 'all'}.{name}"
 
     def load(self, name: str, type_: Type) -> Value:
+        if isinstance(type_, str):
+            return Value(type_, (self.new(f"load {type_}, ptr %{name}.0"),))
         loads = [f"load {part}, ptr %{name}.{i}" for i, part in enumerate(parts_of(type_))]
         return Value(type_, tuple(map(self.new, loads)))
 

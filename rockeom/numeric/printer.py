@@ -263,7 +263,12 @@ class Program:
                 f"{name} = private unnamed_addr constant [{len(numbers)} x {element}] [{items}]"
             )
         declared = [f"declare {text}" for text in self.declared.values()]
-        return "\n".join([*tables, *declared, *self.bodies]) + "\n"
+        return "\n".join([*tables, *declared, *self.bodies, _ROLLED]) + "\n"
+
+
+_ROLLED = """!0 = distinct !{!0, !1}
+!1 = !{!"llvm.loop.unroll.disable"}"""
+"""What is said of the loops of a function that is marked @rolled."""
 
 
 @lru_cache(maxsize=16)  # the loop and the steps are those of many structures
@@ -282,8 +287,8 @@ class _Later(Exception):  # noqa: N818
     """A variable whose type is not known yet: the function is printed again when it is."""
 
 
-class _NotConstant(Exception):  # noqa: N818
-    """An expression whose value is not known before the program runs."""
+_UNKNOWN = object()
+"""The value of an expression that is not known before the program runs."""
 
 
 @dataclass
@@ -333,7 +338,8 @@ class _Function:
             self.refuse(self.later, "the type of this cannot be found out")
 
     def _start(self) -> None:
-        self.ir = Lines(self.arguments, self.fused, self.program.declared)
+        again = ", !llvm.loop !0" if "rolled" in self.definition.marks else ""
+        self.ir = Lines(self.arguments, self.fused, self.program.declared, again)
         self.size = 0  # lines of what is written out in this function
         self.loops: list[_Loop] = []
         self.assigned = set(self.arguments)
@@ -349,9 +355,15 @@ class _Function:
     # -- constants ----------------------------------------------------------------------------
 
     def _known(self, node: ast.expr) -> Any:
-        """The value of an expression of constants alone; raises _NotConstant for any other."""
+        """The value of an expression of constants alone, or _UNKNOWN."""
         if node in self.unknown:
-            raise _NotConstant
+            return _UNKNOWN
+        value = self._constant(node)
+        if value is _UNKNOWN:
+            self.unknown.add(node)
+        return value
+
+    def _constant(self, node: ast.expr) -> Any:
         match node:
             case ast.Constant():
                 return node.value
@@ -359,31 +371,38 @@ class _Function:
                 value = self.program.names.get(node.id)
                 if node.id not in self.locals and value is not None and not callable(value):
                     return value
+            case ast.BinOp() if type(node.op) in _KNOWN:
+                return self._of_known(_KNOWN[type(node.op)], node.left, node.right)
+            case ast.Subscript() if not isinstance(node.slice, ast.Slice):
+                return self._of_known(operator.getitem, node.value, node.slice)
+            case ast.UnaryOp() if type(node.op) in _KNOWN:
+                return self._of_known(_KNOWN[type(node.op)], node.operand)
+            case ast.Compare(ops=[op]) if type(op) in _KNOWN:
+                return self._of_known(_KNOWN[type(op)], node.left, *node.comparators)
             case ast.Attribute(value=ast.Name(id="math" | "np" as library)):
                 value = getattr(self.program.names[library], node.attr, None)
                 if isinstance(value, float):
                     return value
-            case ast.UnaryOp() if type(node.op) in _KNOWN:
-                return _KNOWN[type(node.op)](self._known(node.operand))
-            case ast.BinOp() if type(node.op) in _KNOWN:
-                return _KNOWN[type(node.op)](self._known(node.left), self._known(node.right))
-            case ast.Compare(ops=[op]) if type(op) in _KNOWN:
-                return _KNOWN[type(op)](self._known(node.left), self._known(node.comparators[0]))
-            case ast.Subscript() if not isinstance(node.slice, ast.Slice):
-                return self._known(node.value)[self._known(node.slice)]
             case ast.Tuple():
-                return tuple(map(self._known, node.elts))
+                return self._of_known(_as_tuple, *node.elts)
             case ast.Call(func=ast.Name(id="len"), args=[of]):
-                return len(self._known(of))
-        self.unknown.add(node)
-        raise _NotConstant
+                return self._of_known(len, of)
+        return _UNKNOWN
+
+    def _of_known(self, operation: Callable[..., Any], *nodes: ast.expr) -> Any:
+        """What Python makes of some values, if all are known."""
+        values = []
+        for node in nodes:
+            value = self._known(node)
+            if value is _UNKNOWN:
+                return _UNKNOWN
+            values.append(value)
+        return operation(*values)
 
     def _maybe(self, node: ast.expr) -> Any:
         """The value of an expression of constants, or None."""
-        try:
-            return self._known(node)
-        except _NotConstant:
-            return None
+        value = self._known(node)
+        return None if value is _UNKNOWN else value
 
     def _whole(self, node: ast.expr) -> int | None:
         """The same, if it is a whole number."""
@@ -407,10 +426,11 @@ class _Function:
     # -- expressions --------------------------------------------------------------------------
 
     def _value(self, node: ast.expr) -> Value:
-        try:
-            return self._literal(self._known(node), node)
-        except _NotConstant:
-            pass
+        if isinstance(node, ast.Name) and node.id in self.locals:  # most are
+            return self._name(node)
+        known = self._known(node)
+        if known is not _UNKNOWN:
+            return self._literal(known, node)
         print_it = getattr(self, f"_{type(node).__name__.lower()}", None)
         if print_it is None:
             self.refuse(node, f"{type(node).__name__} is not among the expressions")
@@ -882,6 +902,10 @@ def _stored(statement: ast.stmt) -> frozenset[str]:
     for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
         found |= _stored(inner)
     return frozenset(found)
+
+
+def _as_tuple(*items: Any) -> tuple[Any, ...]:
+    return items
 
 
 _BUILT_IN: dict[str, Callable[..., Value]] = {

@@ -8,6 +8,7 @@ for a new one.
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import json
 import linecache
@@ -15,6 +16,8 @@ import math
 import sys
 import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
@@ -130,8 +133,10 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
 
     started = time.monotonic()
     # a loop over lanes becomes one of vectors only where it calls nothing
-    joined = joined_texts(generated, method, part)
-    printed = Printed(joined, growth=math.inf if part == VECTORS else GROWTH)
+    growth = GROWTH / 2 if has_points(generated) else GROWTH  # they have many mechanisms
+    growth = math.inf if part == VECTORS else growth
+    with _nothing_collected():
+        printed = Printed(joined_texts(generated, method, part), growth=growth)
     code = compiled(printed.ir(), part == VECTORS)
     sizes = {name: int(printed.names[name]) for name in _SIZES if name in printed.names}
     described = {"entries": printed.entries, "sizes": sizes}
@@ -144,6 +149,18 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
         )
         sys.stderr.flush()
     return json.dumps(described).encode() + b"\n" + code
+
+
+@contextmanager
+def _nothing_collected() -> Iterator[None]:
+    """Without Python's search for what is no longer used: trees are large, and all of them are."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
 
 
 def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:

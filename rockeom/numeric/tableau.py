@@ -186,11 +186,21 @@ def _sum(weights: np.ndarray, name: str, indent: str) -> str:
     return f"\n{indent}+ ".join(terms)
 
 
-def _moved(weights: np.ndarray, rate: str, start: str) -> str:
-    return f"""{start} + h * (
-        {_sum(weights, rate, " " * 8)}
-    )
-"""
+def _moved(weights: np.ndarray, of: str, indent: str) -> str:
+    """The velocity of a coordinate, by its accelerations in the stages before."""
+    more = indent + "    "
+    return f"v0{of} + h * (\n{more}{_sum(weights, f'a{{}}{of}', more)}\n{indent})\n"
+
+
+def _moves(method: Tableau, j: int, of: str, indent: str) -> str:
+    """Velocity v and position q of one coordinate at a stage; `of` stands behind their names."""
+    text = f"{indent}v{j}{of} = " + _moved(method.a[j, :j], of, indent)
+    text += f"{indent}q{j}{of} = (q0{of} + {float(method.c[j])!r} * (h * v0{of}))"
+    if method.twice[j].any():
+        more = indent + "    "
+        terms = _sum(method.twice[j], f"a{{}}{of}", more)
+        text += f" + hh * (\n{more}{terms}\n{indent})"
+    return text + "\n"
 
 
 def _stage(
@@ -208,13 +218,7 @@ def _stage(
     Positions follow from the accelerations of all stages but the one just before, whose weight is
     zero (Nystrom's form): so the sines of a stage are found while that one is still worked on.
     """
-    text, c = "", float(method.c[j])
-    for i in range(n):
-        text += f"    v{j}_{i} = " + _moved(method.a[j, :j], f"a{{}}_{i}", f"v0_{i}")
-        text += f"    q{j}_{i} = (q0_{i} + {c!r} * (h * v0_{i}))"
-        if method.twice[j].any():
-            text += f" + hh * (\n        {_sum(method.twice[j], f'a{{}}_{i}', ' ' * 8)}\n    )"
-        text += "\n"
+    text = "".join(_moves(method, j, f"_{i}", "    ") for i in range(n))
     states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
     found = ", ".join(f"a{j}_{i}" for i in range(n))
     return f"""{text}    ({found},) = {accelerations}(
@@ -308,29 +312,7 @@ def step_text(method: Tableau, n: int, quick: Sequence[tuple[int, int]] = ()) ->
     ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
     ends += "".join(f"    k[{s * size + i}] = v{s}_{i}\n" for i in range(n))
     errors = error_text(method, n)
-    total = len(method.c)
-    recalled = "".join(
-        f"    a{j}_{i} = k[{j * size + n + i}]\n" for j in range(s + 1) for i in range(n)
-    )
-    extra = "".join(stage(j) for j in range(s + 1, total))
-    # their velocities once more: weights of accelerations alone would be ten times as large, and
-    # so would be the rounding errors
-    recalled += "".join(
-        f"    v{j}_{i} = " + _moved(method.a[j, :j], f"a{{}}_{i}", f"v0_{i}")
-        for j in range(1, s + 1)
-        for i in range(n)
-    )
-    powers = ""
-    for i in range(size):
-        rate, at = (f"v{{}}_{i}", f"q0_{i}") if i < n else (f"a{{}}_{i - n}", f"v0_{i - n}")
-        powers += f"    coefficients[{i}] = {at}\n"
-        for j in range(1, 8):
-            found = "0.0"
-            if j <= method.degree:
-                terms = _sum(method.dense[:, j - 1], rate, " " * 8)
-                found = f"h * (\n        {terms}\n    )"
-            powers += f"    coefficients[{j * size + i}] = {found}\n"
-    header = method_header(method, s, total)
+    header = method_header(method, s, len(method.c))
 
     def step(contact: str, function: str = "accelerations", errors: str = errors) -> str:
         stages = "".join(stage(j, contact, function) for j in range(1, s + 1))
@@ -375,9 +357,48 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     """
 {apart}{step("contact")}{others}
 
+{_dense_text(method, n)}'''
+
+
+def _dense_text(method: Tableau, n: int) -> str:
+    """Source of `dense_output`, where what is done with each coordinate is a loop over them.
+
+    It is not called in every step, and shorter so. The velocities of the stages are found once
+    more: weights of accelerations alone would be ten times as large, and so would be the rounding
+    errors.
+    """
+    s, size, total = method.stages, 2 * n, len(method.c)
+    one = "        "
+
+    def recalled(rate: str, stages: Sequence[int], first: int) -> str:
+        return "".join(f"{one}{rate}{j} = k[{j * size + first} + i]\n" for j in stages)
+
+    start = f"    for i in range({n}):\n{one}q0, v0 = y[i], y[{n} + i]\n"
+    states = ", ".join(f"w[{i}]" for i in range(size))
+    stages = ""
+    for j in range(s + 1, total):
+        found = ", ".join(f"k[{j * size + n + i}]" for i in range(n))
+        stages += start + recalled("a", range(j), n) + _moves(method, j, "", one)
+        stages += f"{one}w[i], w[{n} + i], k[{j * size} + i] = q{j}, v{j}, v{j}\n"
+        stages += f"""    ({found},) = accelerations(
+        contact, {states}, p, k[GROUND_X + {j}], k[GROUND_Y + {j}]
+    )
+"""
+    powers = start + recalled("a", range(total), n) + recalled("v", range(s + 1, total), 0)
+    powers += "".join(f"{one}v{j} = " + _moved(method.a[j, :j], "", one) for j in range(1, s + 1))
+    for first, at, rate in ((0, "q0", "v{}"), (n, "v0", "a{}")):
+        powers += f"{one}coefficients[{first} + i] = {at}\n"
+        for j in range(1, 8):
+            found = "0.0"
+            if j <= method.degree:
+                terms = _sum(method.dense[:, j - 1], rate, one + "    ")
+                found = f"h * (\n{one}    {terms}\n{one})"
+            powers += f"{one}coefficients[{j * size + first} + i] = {found}\n"
+    return f'''
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
     shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
     shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
     hh = h * h
-{start}{recalled}{extra}{powers}'''
+    w = np.empty({size})  # the state of a stage
+{stages}{powers}'''

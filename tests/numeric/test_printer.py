@@ -261,6 +261,14 @@ def test_what_would_make_a_program_long_is_called():
         assert ("alwaysinline" in ir) == written_out
 
 
+def test_loops_of_what_is_seldom_called_stay_loops():
+    """They give the same numbers by less machine code; also where they are written out."""
+    rolled = HORNER.replace("@inlined", "@inlined\n@rolled")
+    sizes = [len(compiled(Program([Text("f.py", HEAD + t)]).ir())) for t in (HORNER, rolled)]
+    assert sizes[1] < sizes[0]
+    assert not differences(rolled)
+
+
 def test_function_of_a_constant_is_written_out_where_it_is_called():
     """Little of it may be left there; where nothing is constant it is called as before."""
     often = HORNER.replace("value(-x[i])[0] / 3", " + ".join(["value(-x[i])[0]"] * 7))
