@@ -231,8 +231,8 @@ class _Source:
         least, most = (LAST_MANY, MANY) if self.arrays else (LAST_FEW, FEW)
         if self.threads == 1:
             return most
-        share = -(-math.prod(map(len, self.values.values())) // self.threads)
-        return max(min(left // (2 * self.threads), most), min(least, share))
+        half, total = 2 * self.threads, math.prod(map(len, self.values.values()))
+        return max(min(left // half, most), min(least, -(-total // half)))
 
     def places(self, rows: np.ndarray) -> tuple[np.ndarray, ...]:
         """Of each name, which of its values the rows have."""

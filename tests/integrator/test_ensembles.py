@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
+from rockeom.numeric.ensemble import _Source
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 THRESHOLD = BLOCK.gravity * np.tan(0.25)
@@ -73,6 +74,25 @@ def test_threads_and_chunks_change_no_bit(threads, chunk, lanes):
     one = many(threads=1, chunk=63, lanes=lanes)
     other = many(threads=threads, chunk=chunk, lanes=lanes)
     assert one.identical(other)
+
+
+ALIKE, RISING, FALLING = (lambda x: 1 + 0 * x, lambda x: 1 + 9 * x, lambda x: 10 - 9 * x)
+
+
+@pytest.mark.parametrize("costs", [ALIKE, RISING, FALLING], ids=["alike", "rising", "falling"])
+@pytest.mark.parametrize(("total", "arrays", "each"), [(10_000, True, 60.0), (400, False, 0.0)])
+def test_no_thread_waits_long_for_the_last_part(total, arrays, each, costs):
+    """Two threads take the parts in turn, on cores of their own: beside an even share of the work.
+
+    each : what a part costs besides its cases, in cases; measured of pulses in lanes.
+    """
+    source = _Source(pulse, {"n": [0] * total}, None, BLOCK.module, arrays, 2)
+    cost, ends, first = costs(np.linspace(0, 1, total)), [0.0, 0.0], 0
+    while first < total:
+        n = source.size(total - first)
+        ends[int(np.argmin(ends))] += each * cost.mean() + cost[first : first + n].sum()
+        first += n
+    assert max(ends) < 1.1 * cost.sum() / 2
 
 
 @pytest.mark.parametrize("lanes", [True, False])
