@@ -18,7 +18,7 @@ from rockeom.numeric.simulate import run
 
 
 def options(rtol: float, **changes) -> rk.SolverOptions:
-    return replace(rk.SolverOptions(rtol=rtol, atol=1e-2 * rtol), **changes)
+    return replace(rk.SolverOptions("DOP853", rtol=rtol, atol=1e-2 * rtol), **changes)
 
 
 def _impacts(events: tuple[np.ndarray, ...], rate_at: int) -> w.Impacts:
@@ -151,7 +151,7 @@ def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callab
     return made
 
 
-ONE_STEP = rk.SolverOptions(max_steps=1)
+ONE_STEP = rk.SolverOptions("DOP853", max_steps=1)
 """Of a motion little more than its beginning is left: what it costs to make a case is seen."""
 
 

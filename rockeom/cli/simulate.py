@@ -17,7 +17,7 @@ from rockeom.numeric.impact import (
     Impulsive,
     VelocityRatio,
 )
-from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.options import METHODS, SolverOptions
 from rockeom.numeric.response import Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import check_names
@@ -104,6 +104,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--impact", metavar="LAW", help="what an impact does, see below")
     parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
     _add_motion(parser.add_argument_group("ground motion (one of the first four)"))
+    parser.add_argument(
+        "--method",
+        choices=METHODS,
+        help="of integration; if not given, by the work: DOP853, or Radau where stiff and heavily "
+        "damped springs would ask for very many of its steps; the summary says which and why",
+    )
     output = parser.add_argument_group("output")
     output.add_argument(
         "--out",
@@ -175,7 +181,7 @@ def run(args: argparse.Namespace) -> int:
         initial=initial,
         duration=args.duration,
         vertical=vertical,
-        options=SolverOptions(output_step=args.output_step),
+        options=SolverOptions(args.method, output_step=args.output_step),
     )
     print(output.in_words(response))
     if args.out is not None:

@@ -10,7 +10,7 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -22,6 +22,7 @@ from rockeom.arguments import is_number, numbers, told, whole_number
 from rockeom.contract import AT_THE_START, CONTACT, FULL, IMPACT, IMPACTS, REFINED, TIME
 from rockeom.many import Differs, Many
 from rockeom.numeric.case import Case, Problem, Problems
+from rockeom.numeric.choice import DEFAULT, Choice, chosen
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.response import Outcome
@@ -31,7 +32,10 @@ _OUTCOMES = tuple(Outcome)
 NOT_RUN = -1
 
 FEW, MANY = 256, 2048
-"""Cases that a thread takes at a time, made one by one, and at most where they are made at once."""
+"""Cases that a thread takes at a time, at most: made one by one, and where made at once."""
+
+LAST_FEW, LAST_MANY = 32, 256
+"""And in the end, at least. A part costs what some 60 pulses do: the lanes run empty behind it."""
 
 WORTHWHILE = 8
 """So many cases are made faster at once than one by one."""
@@ -108,7 +112,10 @@ def simulate_many(
         numbers, such as motions, it gets one by one.
     impact_times : how many impact times of each case to keep.
     threads : all cores if not given. The result is the same to the last bit for any number of
-        threads and any `chunk`, the number of cases that a thread takes at a time.
+        threads and any `chunk`, the number of cases that a thread takes at a time: if not given,
+        ever fewer towards the end, so that no thread waits long for another.
+    options : as of `simulate`. Where they name no method, the first case chooses that of all, and
+        `attrs` has it under "method", and why under "chosen".
     progress : a line on stderr; if not given, where stderr is a terminal.
     lanes : many motions at once in the vectors of the processor, up to several times as fast: if
         not given, with explicit methods for all structures on rigid ground and on two springs, as
@@ -149,13 +156,15 @@ def simulate_many(
     impact_times = whole_number("impact_times", impact_times, 0)
     shape = tuple(len(v) for v in values.values())
     total = int(np.prod(shape))
-    if chunk is None:  # of arrays the larger the better, as long as all threads have some
-        chunk = max(FEW, min(MANY, total // (8 * threads))) if arrays else FEW
-    chunk = whole_number("chunk", chunk, 1)
+    if chunk is not None:
+        chunk = whole_number("chunk", chunk, 1)
 
-    module = _made(case, {name: v[0] for name, v in values.items()}).structure.module
-    lanes = _in_lanes(lanes, module, options)
-    compiled = program(module, options.method, lanes)
+    first = _made(case, {name: v[0] for name, v in values.items()})
+    module = first.structure.module
+    method, because = _method(first, options)
+    options = replace(options, method=method)
+    lanes = _in_lanes(lanes, module, method)
+    compiled = program(module, method, lanes)
     results = _Results.empty(total, module.N_STATES, impact_times)
     asked = _Asked.empty(total, quantities, times, options)
 
@@ -168,14 +177,16 @@ def simulate_many(
         try:
             _in_threads(
                 threads,
-                _Source(case, values, chunk, module, arrays and not asked.quantities),
+                _Source(case, values, chunk, module, arrays and not asked.quantities, threads),
                 run,
                 shown.add,
             )
         except KeyboardInterrupt:
             interrupted = True
     dataset = results.dataset(values, module, asked.variables(values))
-    dataset.attrs.update(model=module.NAME, method=options.method, interrupted=int(interrupted))
+    dataset.attrs.update(
+        model=module.NAME, method=method, chosen=because, interrupted=int(interrupted)
+    )
     return dataset
 
 
@@ -196,15 +207,32 @@ class _Source:
 
     case: Callable[..., Case]
     values: Mapping[str, list[Any]]
-    chunk: int
+    chunk: int | None
     module: ModuleType
     arrays: bool
+    threads: int = 1
 
     def __iter__(self) -> Iterator[Part]:
-        total = math.prod(map(len, self.values.values()))
-        for first in range(0, total, self.chunk):
-            rows = np.arange(first, min(first + self.chunk, total))
+        first, total = 0, math.prod(map(len, self.values.values()))
+        while first < total:
+            rows = np.arange(first, min(first + self.size(total - first), total))
             yield from self.together(rows) if self.arrays else (self.one_by_one(rows),)
+            first += len(rows)
+
+    def size(self, left: int) -> int:
+        """How many cases a thread takes of those that are left.
+
+        Half of its share at first and ever fewer, but not so few that there are many parts. Cases
+        may take ten times as long as others, and those that do often come last: whoever finds no
+        more waits for the last part of another.
+        """
+        if self.chunk is not None:
+            return self.chunk
+        least, most = (LAST_MANY, MANY) if self.arrays else (LAST_FEW, FEW)
+        if self.threads == 1:
+            return most
+        half, total = 2 * self.threads, math.prod(map(len, self.values.values()))
+        return max(min(left // half, most), min(least, -(-total // half)))
 
     def places(self, rows: np.ndarray) -> tuple[np.ndarray, ...]:
         """Of each name, which of its values the rows have."""
@@ -339,9 +367,20 @@ def lanes_pay(module: ModuleType) -> bool:
     )
 
 
-def _in_lanes(lanes: bool | None, module: ModuleType, options: SolverOptions) -> bool:
+def _method(case: Case, options: SolverOptions) -> Choice:
+    """The method of all cases, chosen by the first where none is named."""
+    if options.method is not None:
+        return Choice(options.method, "named")
+    try:
+        method, because = chosen(case.structure, case.problem(), options)
+    except Exception:  # is told when the case is run, with its values
+        method, because = DEFAULT
+    return Choice(method, f"{because}, by the first case")
+
+
+def _in_lanes(lanes: bool | None, module: ModuleType, method: str) -> bool:
     """Whether a sweep steps in lanes, as asked or by its structure and method."""
-    pay, explicit = lanes_pay(module), options.method != "Radau"
+    pay, explicit = lanes_pay(module), method != "Radau"
     if lanes is None:
         return pay and explicit
     if lanes and not pay:

@@ -11,6 +11,7 @@ import numpy as np
 
 from rockeom.contract import AT_THE_START, CONTACT, EVENTS_KEPT, FULL, REFINED, STEPS_KEPT
 from rockeom.numeric.case import STILL, Case, Problem
+from rockeom.numeric.choice import chosen
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program, program
@@ -47,7 +48,8 @@ def simulate(
     case = Case(structure, motion, impact, initial, duration, vertical, phase)
     options = SolverOptions.of(options)
     problem = case.problem()
-    compiled = program(structure.module, options.method)
+    choice = chosen(structure, problem, options)
+    compiled = program(structure.module, choice.method)
     record = run(compiled, problem, options)
     return Response(
         structure=structure,
@@ -59,7 +61,8 @@ def simulate(
         statistics={
             "steps": len(record.steps.span),
             "events": len(record.events[0]),
-            "method": options.method,
+            "method": choice.method,
+            "chosen": choice.because,
             **({"refined": record.refined} if options.steps_per_segment else {}),
         },
         steps=record.steps,

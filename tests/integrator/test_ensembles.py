@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
+from rockeom.numeric.ensemble import _Source
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 THRESHOLD = BLOCK.gravity * np.tan(0.25)
@@ -75,6 +76,25 @@ def test_threads_and_chunks_change_no_bit(threads, chunk, lanes):
     assert one.identical(other)
 
 
+ALIKE, RISING, FALLING = (lambda x: 1 + 0 * x, lambda x: 1 + 9 * x, lambda x: 10 - 9 * x)
+
+
+@pytest.mark.parametrize("costs", [ALIKE, RISING, FALLING], ids=["alike", "rising", "falling"])
+@pytest.mark.parametrize(("total", "arrays", "each"), [(10_000, True, 60.0), (400, False, 0.0)])
+def test_no_thread_waits_long_for_the_last_part(total, arrays, each, costs):
+    """Two threads take the parts in turn, on cores of their own: beside an even share of the work.
+
+    each : what a part costs besides its cases, in cases; measured of pulses in lanes.
+    """
+    source = _Source(pulse, {"n": [0] * total}, None, BLOCK.module, arrays, 2)
+    cost, ends, first = costs(np.linspace(0, 1, total)), [0.0, 0.0], 0
+    while first < total:
+        n = source.size(total - first)
+        ends[int(np.argmin(ends))] += each * cost.mean() + cost[first : first + n].sum()
+        first += n
+    assert max(ends) < 1.1 * cost.sum() / 2
+
+
 @pytest.mark.parametrize("lanes", [True, False])
 def test_order_of_the_cases_changes_no_bit(lanes):
     """What one case leaves behind in its thread must not reach the next."""
@@ -90,7 +110,8 @@ def test_labels_and_what_is_kept(reference):
     np.testing.assert_array_equal(reference.frequency, FREQUENCY)
     assert reference.state.values.tolist() == ["theta", "theta_dot"]
     assert reference.final_time.attrs["units"] == "s"
-    assert reference.attrs == {"model": "rigid_block", "method": "DOP853", "interrupted": 0}
+    chosen = {"method": "DOP853", "chosen": "suits most work, by the first case"}
+    assert reference.attrs == {"model": "rigid_block", **chosen, "interrupted": 0}
     # below the threshold nothing moves
     still = reference.sel(amplitude=0.8)
     assert set(still.outcome.values.tolist()) == {"came to rest"}
