@@ -428,7 +428,7 @@ def test_memory_holds_results_and_not_cases(threads):
         return np.array([result.nbytes, left, peak])
 
     memory(100)  # what is made once
-    dataset, left, peak = (memory(3000) - memory(500)) / 2500
+    dataset, left, peak = (memory(1500) - memory(300)) / 1200
     assert left < 1.1 * dataset
     assert peak < 2 * dataset  # while the rows are put together
 
