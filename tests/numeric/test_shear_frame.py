@@ -195,7 +195,7 @@ def test_storeys_under_a_record_in_a_fresh_process(tmp_path):
 import sys, time
 import numpy as np
 import rockeom as rk
-n = 3
+n = 4
 frame = rk.ShearFrame(
     masses=[20e3] * n, heights=3.5 * np.arange(1, n + 1), stiffnesses=[60e6] * n,
     dampings=[3e5] * n, half_width=1.6, base_mass=30e3,
