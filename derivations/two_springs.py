@@ -262,13 +262,18 @@ def by_virtual_work(shift, rise, springs):
     x = shift + H_e * sp.sin(theta)
     height = sum(m * (rise + H * sp.cos(theta)) for m, H in [(m_e, H_e), (m_b, H_b)])
     energy = g * height + springs
-    return sp.simplify(energy.diff(theta) / x.diff(theta))
+    return energy.diff(theta) / x.diff(theta)
 
 
 def energy_of_springs(rise, feet):
     return sum(
         k_f * compression[foot].subs({delta_0: settlement, v: rise}) ** 2 / 2 for foot in feet
     )
+
+
+def vanishes(expression):
+    """Whether it is zero as a fraction of sines and cosines."""
+    return sp.cancel(expression.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))) == 0
 
 
 shift = {"centre": sp.Integer(0), "foot": B - B * sp.cos(theta)}
@@ -279,8 +284,8 @@ for held, moved in shift.items():
         springs = energy_of_springs(rises[state], feet).subs(W, weight)
         curve[held, state] = by_virtual_work(moved, rises[state], springs)
 
-assert sp.simplify(curve["centre", "pressed"] - P_pressed.subs(W, weight)) == 0
-assert sp.simplify(curve["centre", "lifted"] - P_lifted.subs(W, weight)) == 0
+assert vanishes(curve["centre", "pressed"] - P_pressed.subs(W, weight))
+assert vanishes(curve["centre", "lifted"] - P_lifted.subs(W, weight))
 
 # %% [markdown]
 # With the foot held,
@@ -297,7 +302,7 @@ assert sp.simplify(curve["centre", "lifted"] - P_lifted.subs(W, weight)) == 0
 # %%
 factor = 1 + B / H_e * sp.tan(theta)
 for state in ("pressed", "lifted"):
-    assert sp.simplify(curve["centre", state] - curve["foot", state] * factor) == 0
+    assert vanishes(curve["centre", state] - curve["foot", state] * factor)
 
 # %% [markdown]
 # Equation 5-31, $P = W R_c\sin(\alpha_c - \theta)/[R_e\cos(\alpha_e - \theta)]$, is the second of
@@ -313,7 +318,7 @@ for index, height in heights.items():
     R, alpha = polar[f"R_{index}"], polar[f"alpha_{index}"]
     levers |= {sp.sin(alpha): B / R, sp.cos(alpha): height / R}
 expanded = sp.expand_trig(after_lift_off.rhs).subs(levers).subs(W, weight)
-assert sp.simplify(expanded - curve["foot", "lifted"]) == 0
+assert vanishes(expanded - curve["foot", "lifted"])
 
 # %% [markdown]
 # ## 6. A jump of 0.14 %
@@ -410,7 +415,7 @@ in_engine = {p.name: p.symbol for p in model.parameters}
 back = {in_engine[name]: symbol for symbol, name in names.items()}
 back |= {in_engine["foundation_stiffness"]: k_f, LOAD: P}
 for state, contact in [("pressed", "both"), ("lifted", "right")]:
-    assert sp.simplify(pushover(model, contact).subs(back) - curve["centre", state]) == 0
+    assert vanishes(pushover(model, contact).subs(back) - curve["centre", state])
 
 structure = rk.TwoSpringStructure(**COLUMN, foundation_stiffness=K_F, foundation_damping=0.0)
 np.testing.assert_allclose(
@@ -465,8 +470,7 @@ plain = [
     (rotation.diff(t, 2), theta_dd), (heave.diff(t, 2), v_dd), (rotation.diff(t), theta_d),
     (heave.diff(t), v_d), (rotation, theta), (heave, v),
 ]  # fmt: skip
-turning = sp.simplify(about_centre.subs(plain))
-rising = sp.simplify(vertical.subs(plain))
+turning, rising = about_centre.subs(plain), vertical.subs(plain)
 
 I_C = I_eg + m_e * H_e**2 + I_bg + m_b * H_b**2
 sin, cos = sp.sin(theta), sp.cos(theta)
@@ -474,8 +478,8 @@ rows = [
     I_C * theta_dd - S * sin * v_dd - g * S * sin + (f_R - f_L) * B * cos + S * a_g * cos,
     (m_e + m_b) * v_dd - S * sin * theta_dd - S * cos * theta_d**2 + weight - f_L - f_R,
 ]
-assert sp.simplify(turning + rows[0]) == 0
-assert sp.simplify(rising + rows[1]) == 0
+assert sp.simplify(sp.expand(turning + rows[0])) == 0
+assert sp.simplify(sp.expand(rising + rows[1])) == 0
 
 # %% [markdown]
 # What distinguishes the states of contact is only the forces of the springs. In flight both are

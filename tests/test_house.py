@@ -55,16 +55,34 @@ print(seconds)
     assert min(float(run_python("-c", code)) for _ in range(3)) < 0.2
 
 
-def test_simulation_in_a_fresh_process_never_imports_sympy():
+def test_formulas_simulations_and_plots_load_what_they_need():
+    """One after the other in a fresh process: each has been found wanting by itself."""
     code = """
+import sys
 import rockeom as rk
+
+def loaded(*names):
+    return sorted({*names} & set(sys.modules))
+
+rk.analysis.quarter_period(0.5, 1.0)
+assert not loaded("sympy", "llvmlite", "matplotlib"), "a formula"
+
 block = rk.RigidBlock(half_width=0.095, half_height=0.45)
 run = rk.simulate(block, rk.GroundMotion.none(1.0), initial={"theta": 0.1})
-import sys
 assert len(run.t) > 1
-print("sympy" in sys.modules)
+assert not loaded("sympy", "matplotlib"), "a simulation"
+
+from rockeom.cli import main
+block = "simulate rigid_block --set half_width=0.095 half_height=0.45 --free --duration 1"
+assert main(block.split()) == 0
+assert not loaded("sympy"), "the command"
+
+import rockeom.plots
+assert loaded("matplotlib")
+assert not loaded("sympy", "matplotlib.pyplot"), "plots"
+print("all")
 """
-    assert run_python("-c", code) == "False"
+    assert run_python("-c", code).endswith("all")
 
 
 def test_a_wall_is_made_and_its_code_read_without_what_it_does_not_need():

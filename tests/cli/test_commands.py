@@ -1,6 +1,7 @@
 """`rockeom models`, `derive` and `generate`, and the command itself."""
 
 import dataclasses
+import io
 import os
 import subprocess
 import sys
@@ -84,18 +85,6 @@ def test_bad_input_in_a_process_of_its_own():
     assert "half_height" in done.stderr
 
 
-def test_simulating_never_imports_sympy():
-    code = """
-import sys
-from rockeom.cli import main
-block = "simulate rigid_block --set half_width=0.095 half_height=0.45 --free --duration 1"
-assert main(block.split()) == 0
-print("sympy" in sys.modules)
-"""
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines()[-1] == "False"
-
-
 def test_reader_that_leaves_early_is_no_error():
     reader, writer = os.pipe()
     os.close(reader)
@@ -109,14 +98,12 @@ def test_reader_that_leaves_early_is_no_error():
     assert done.stderr == ""
 
 
-def test_pipe_of_few_letters_gets_the_equations_all_the_same():
-    done = subprocess.run(
-        [sys.executable, "-m", "rockeom.cli", "derive", "rigid_block"],
-        capture_output=True,
-        env={**os.environ, "PYTHONIOENCODING": "ascii"},
-    )
-    assert done.returncode == 0
-    assert b"Equations of motion" in done.stdout
+def test_pipe_of_few_letters_gets_the_equations_all_the_same(monkeypatch):
+    pipe = io.TextIOWrapper(io.BytesIO(), encoding="ascii")  # as Python opens one
+    monkeypatch.setattr(sys, "stdout", pipe)
+    assert main(["derive", "rigid_block"]) == 0
+    pipe.flush()
+    assert b"Equations of motion" in pipe.buffer.getvalue()
 
 
 # --- models

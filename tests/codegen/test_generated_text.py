@@ -7,6 +7,7 @@ import inspect
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 import sympy as sp
@@ -20,11 +21,11 @@ from tests.contact.declared import pulled_block
 
 STRUCTURES = pytest.mark.parametrize("name", rk.models())
 
-ANOTHER = "sliding_block"
-WRITTEN = f"""
+WRITTEN = """
 import sys, rockeom as rk
 from rockeom.codegen import module_text
-sys.stdout.buffer.write(module_text(rk.derive("{ANOTHER}")).encode())
+said = module_text(rk.derive("sliding_block")), rk.derive("flexible_structure").markdown()
+sys.stdout.buffer.write("\\f".join(said).encode())
 """
 
 
@@ -39,13 +40,16 @@ def test_same_text_as_in_generated(name):
     assert module_text(rk.derive(name)) == text_of(name)
 
 
-def test_same_text_in_every_process():
-    """One that has derived nothing else, and whose hash seed is not drawn."""
+def test_same_text_and_page_in_every_process():
+    """One that has derived nothing else, and whose hash seed, the order of sets, is not drawn."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "12345"}
     done = subprocess.run(
         [sys.executable, "-c", WRITTEN], env=environment, capture_output=True, check=True
     )
-    assert done.stdout.decode() == text_of(ANOTHER)
+    text, page = done.stdout.decode().split("\f")
+    assert text == text_of("sliding_block")
+    module = importlib.import_module("rockeom.generated.flexible_structure")
+    assert page == Path(module.__file__).with_suffix(".md").read_text(encoding="utf-8")
 
 
 @STRUCTURES

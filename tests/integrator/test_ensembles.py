@@ -222,13 +222,13 @@ def test_interrupt_that_wakes_nobody(interruptible):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to another process")
 def test_interrupt_from_the_keyboard():
-    """Ctrl-C in the middle of a million: the process goes on with what was done."""
+    """Ctrl-C at a twentieth of the way: the process goes on with what was done."""
     code = """
 import signal
 import rockeom as rk, numpy as np
 signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored by what runs in the background
 block, still = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25), rk.GroundMotion.none(50.0)
-theta = np.linspace(0.1, 0.2, 1_000_000)
+theta = np.linspace(0.1, 0.2, 100_000)
 def case(theta_0):
     if theta_0 == theta[5000]:
         print("under way", flush=True)
@@ -247,7 +247,7 @@ print(result.attrs["interrupted"], ran.sum(), np.isfinite(result.final_time.valu
     interrupted, ran, finite = out.split()
     assert (interrupted, finite) == ("1", "True")
     # of 5000 cases made no more than a chunk for each thread, and two, can have been waiting
-    assert 4000 <= int(ran) < 1_000_000
+    assert 4000 <= int(ran) < 100_000
 
 
 @pytest.fixture
@@ -449,7 +449,7 @@ def test_memory_holds_results_and_not_cases(threads):
         return np.array([result.nbytes, left, peak])
 
     memory(100)  # what is made once
-    dataset, left, peak = (memory(3000) - memory(500)) / 2500
+    dataset, left, peak = (memory(1500) - memory(300)) / 1200
     assert left < 1.1 * dataset
     assert peak < 2 * dataset  # while the rows are put together
 

@@ -291,7 +291,7 @@ WRONG = {
     "nan does not differ": (machine_lines.COMPARED, "NotEq", ("one", "ne"), INFINITE),
     "a remainder is a quotient": (machine_lines.OF_INTS, "Mod", "sdiv", DETERMINANT),
     "ints are subtracted the other way": (
-        machine_lines.OF_INTS, "Sub", "add nsw", GREATEST_DIVISOR,
+        machine_lines.OF_INTS, "Sub", "add nsw", PLACES,
     ),
     "a constant is negated": (printer._KNOWN, printer.ast.USub, lambda a: a, HORNER),
     "the largest is the least": (printer._BUILT_IN, "max", Lines.least, CHOICES),
