@@ -60,6 +60,11 @@ class Points:
         self.size = (np.abs(self.normal) @ place)[..., 0] + 1e-300
         self.speed = (np.abs(self.normal) @ motion)[..., 0] + 1e-300
 
+    @property
+    def closed(self) -> np.ndarray:
+        """(..., m) whether the gap of each point is none, but for rounding."""
+        return np.abs(self.gap) <= _CLOSED * self.size
+
     def touching(self) -> tuple[np.ndarray, np.ndarray]:
         """(m,) whether each point touches, and (m,) the sign of its slip, 0 where it has none."""
         near, slides = np.zeros(len(self.gap), np.int64), np.zeros(len(self.gap))
@@ -122,7 +127,7 @@ def standing(
             break
         y[:n] -= points.gap[lowest] * lever / (lever @ lever)
     points = Points(module, y, p)
-    down = np.abs(points.gap) <= _CLOSED * points.size
+    down = points.closed
     if not down.any() or not free[n:].any():
         return y
     touching = np.flatnonzero(down)

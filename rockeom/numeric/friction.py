@@ -16,9 +16,6 @@ from rockeom.numeric.extremes import Extremes, extremes
 if TYPE_CHECKING:
     from rockeom.numeric.response import Response, Steps
 
-_TOUCHES = 1e-9
-"""Relative to the terms of a gap: a point as near takes part in an impact."""
-
 
 def surfaces(module: ModuleType) -> dict[str, tuple[int, ...]]:
     """The points that rub on the same, by their names joined by "+": numbers of points.
@@ -96,17 +93,16 @@ def of_point_impulses(run: Response, groups: Sequence[tuple[int, ...]]) -> list[
     module, p = run.structure.module, run.structure.vector
     n = module.N_STATES // 2
     _, kinds, states = run.passages
-    landings = states[kinds[:, 0] == LANDING]
+    landed = kinds[:, 0] == LANDING
+    landings = states[landed]
     largest = [0.0] * len(groups)
     if not len(landings):
         return largest
     points = Points(module, landings[:, 0], p)
-    touches = np.abs(points.gap) <= _TOUCHES * points.size
     matrix, forces = np.empty(n * n), np.empty(n)
     for (arriving, leaving), near, normal, along, contact in zip(
-        landings, touches, points.normal, points.tangential,
-        kinds[kinds[:, 0] == LANDING][:, 1], strict=True,
-    ):  # fmt: skip
+        landings, points.closed, points.normal, points.tangential, kinds[landed, 1], strict=True
+    ):
         module.free_motion(arriving, p, 0.0, 0.0, contact, matrix, forces)
         gained = matrix.reshape(n, n) @ (leaving[n:] - arriving[n:])
         rows = np.vstack([normal[near], along[near]])

@@ -77,8 +77,9 @@ def fall_within(
     but for what they miss at three quarters.
 
     k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
-    samples : four rows of all guards, see `samples_of`. sampled : they are those of the step
-    before, whose last are the first of this one. touching : which are closed, see `is_closed`.
+    samples : four rows of all guards: at the start, in the middle, at three quarters, at the end.
+    sampled : they are those of the step before, whose last are the first of this one.
+    touching : which are closed, see `is_closed`.
     hop : a gap that opens at the start and should be closed again at the end, or -1.
     """
     at_end = samples[3 * ROW :]
@@ -112,25 +113,27 @@ def guards_at(contact, t, y, p, gx, gy, g):
 
 
 @inlined
-def samples_of(samples, i):
-    """Those of guard i at the start of a step, in the middle, at three quarters and at the end."""
-    return samples[i], samples[ROW + i], samples[2 * ROW + i], samples[3 * ROW + i]
+def parabola_of(samples, i, opens):
+    """(first, bend, last, missed) of guard i: Bernstein coefficients, and what misses them.
+
+    missed : by how much it is none, at three quarters. opens : it is closed at
+    the start.
+    """
+    first = 0.0 if opens else samples[i]
+    middle, later, last = samples[ROW + i], samples[2 * ROW + i], samples[3 * ROW + i]
+    bend = 2.0 * middle - 0.5 * (first + last)
+    return first, bend, last, later - (0.0625 * first + 0.375 * bend + 0.5625 * last)
 
 
 @inlined
 def stays_open_by(samples, i, opens):
-    """Whether guard i stays above a quarter of its size.
-
-    All but a tenth it is a parabola. opens : it is closed at the start, and opens as clearly.
-    """
-    first, middle, later, last = samples_of(samples, i)
-    first = 0.0 if opens else first
-    bend = 2.0 * middle - 0.5 * (first + last)
+    """Whether guard i stays above a quarter of its size; `opens` from closed, and as clearly."""
+    first, bend, last, missed = parabola_of(samples, i, opens)
     least = min(bend, last) if opens else min(first, min(bend, last))
     if not least > 0.25 * max(first, max(abs(bend), last)):
         return False
     most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
-    return abs(later - (0.0625 * first + 0.375 * bend + 0.5625 * last)) <= most * least
+    return abs(missed) <= most * least
 
 
 def falls_by(samples, i, opens, at_end):
@@ -144,10 +147,7 @@ def falls_by(samples, i, opens, at_end):
 
     at_end : whether it should open from zero, and be beside zero at the end.
     """
-    first, middle, later, last = samples_of(samples, i)
-    first = 0.0 if opens else first
-    bend = 2.0 * middle - 0.5 * (first + last)
-    missed = later - (0.0625 * first + 0.375 * bend + 0.5625 * last)
+    first, bend, last, missed = parabola_of(samples, i, opens)
     if at_end:
         return 1.0 if abs(missed) <= 0.02 * bend and abs(last) < 0.1 * bend else 0.0
     if not min(bend if opens else first, -last) > 50.0 * abs(missed):

@@ -88,15 +88,13 @@ def _on_points(structure: Structure, rotation: float) -> tuple[float, np.ndarray
 def _as_it_stood(structure: Structure, y: np.ndarray) -> np.ndarray:
     """The state moved along, so that the points that touch are where they stood upright."""
     m, p = structure.module, structure.vector
-    points = Points(m, y, p)
-    touching, _ = points.touching()
+    touching, rows = _touching(structure, y)
     slips = [m.KINEMATICS.index(f"{m.POINTS[i]}_slip") for i in np.flatnonzero(touching)]
     moved = []
     for state in (y, structure.state({})):
         out = np.empty(len(m.KINEMATICS))
         m.kinematics(structure.contact(state), state, p, out)
         moved.append(out[slips])
-    rows = np.vstack([points.normal[touching], points.tangential[touching]])
     lacking = np.concatenate([np.zeros(len(slips)), moved[1] - moved[0]])
     level = np.flatnonzero(np.array(angles_of(m)) == 0.0)
     y = y.copy()
@@ -106,9 +104,17 @@ def _as_it_stood(structure: Structure, y: np.ndarray) -> np.ndarray:
 
 def _held(structure: Structure, y: np.ndarray) -> np.ndarray:
     """(k, n) the directions in which the points that touch in a state hold it."""
+    return _touching(structure, y)[1]
+
+
+def _touching(structure: Structure, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(m,) whether each point touches in a state, and (k, n) the directions in which they hold it.
+
+    Those of all gaps stand before those of all slips.
+    """
     points = Points(structure.module, y, structure.vector)
     touching, _ = points.touching()
-    return np.vstack([points.normal[touching], points.tangential[touching]])
+    return touching, np.vstack([points.normal[touching], points.tangential[touching]])
 
 
 def _solve(structure: Structure, contact: int, rotation: float) -> tuple[float, np.ndarray]:

@@ -40,38 +40,6 @@ if TYPE_CHECKING:
     from rockeom.numeric.fixed_base import FixedBase
 
 
-_MOST_LINEAR = 16
-"""So many contact states are linearised of a structure that has more: its dampers act in all."""
-
-_DAMPED: dict[ModuleType, bool] = {}
-"""Whether the small motion of a module's structures may be damped at all, of those asked so far."""
-
-
-def _linear(m: ModuleType, p: np.ndarray, first: int) -> Iterator[np.ndarray]:
-    """(N, N - first) derivatives of the rates at rest by the states from `first` on.
-
-    Of each contact state that has them: points that touch may hold it there by more than one.
-    """
-    steps = 1e-6 * np.eye(m.N_STATES)[first:]
-    forth, back = np.empty((2, *steps.shape))
-    for contact in range(min(len(m.CONTACTS), _MOST_LINEAR)):
-        try:
-            for step, after, before in zip(steps, forth, back, strict=True):
-                m.rates(contact, step, p, 0.0, 0.0, after)
-                m.rates(contact, -step, p, 0.0, 0.0, before)
-        except ArithmeticError:
-            continue
-        found = (forth - back).T / 2e-6
-        if np.isfinite(found).all():
-            yield found
-
-
-def _damping(m: ModuleType, p: np.ndarray) -> float:
-    """Size of what the velocities of small motion add to the accelerations [1/s]."""
-    n = m.N_STATES // 2
-    return max((float(np.linalg.norm(a[n:])) for a in _linear(m, p, n)), default=0.0)
-
-
 class Structure:
     """A rocking structure with its parameters.
 
@@ -164,12 +132,9 @@ class Structure:
 
         It is sooner found than `small_motion`: small where little is damped.
         """
-        module = self.module
-        if module not in _DAMPED:  # with all parameters, be some of them zero in this structure
-            values = self.parameters()
-            every = np.array([float(values[name]) or 1.0 for name in module.PARAMETERS])
-            _DAMPED[module] = _damping(module, module.prepare(every)) != 0.0
-        return _damping(module, self.vector) if _DAMPED[module] else 0.0
+        from rockeom.numeric.small_motion import fastest_damping
+
+        return fastest_damping(self)
 
     @functools.cached_property
     def small_motion(self) -> tuple[float, float]:
@@ -178,14 +143,9 @@ class Structure:
         Of the eigenvalues of the linearised equations: decay, the largest of those that die out
         within a radian; motion, the largest of the others, which vibrate or grow.
         """
-        motion = decay = 0.0
-        for matrix in _linear(self.module, self.vector, 0):
-            for value in np.linalg.eigvals(matrix).tolist():
-                if value.real < 0.0 and abs(value.imag) <= -value.real:
-                    decay = max(decay, -value.real)
-                else:
-                    motion = max(motion, abs(value))
-        return motion, decay
+        from rockeom.numeric.small_motion import fastest_rates
+
+        return fastest_rates(self)
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
         """(N,) state vector of named values.
