@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "267ec901417671f7"
+SOURCE_HASH = "e4a4389d71816490"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -445,15 +445,8 @@ def accelerations(contact, theta, permanent_extension, theta_dot, permanent_exte
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
-        dy[0] = y[2]
-        dy[1] = 0.0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        dy[0] = y[2]
-        dy[1] = 0.0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        dy[0] = y[2]
-        dy[1] = 0.0
+    dy[0] = y[2]
+    dy[1] = 0.0
     found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
@@ -963,78 +956,29 @@ def reactions(contact, y, p, ax, ay, out):
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        x0 = math.sin(theta)
-        x1 = (1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = s*x1
-        x3 = math.cos(theta)
-        x4 = -x2
-        x5 = eccentricity + x4
-        out[0] = height*x0 - x2*x3 + x2
-        out[1] = -x0*(-half_width - x2)
-        out[2] = -x0*(half_width + x4)
-        out[3] = x1
-        out[4] = (
-            -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x3 -
-            x0*x5)**2 + (anchor_height*x0 - eccentricity + x2 + x3*x5)**2)
-        )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        x0 = math.sin(theta)
-        x1 = (1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = s*x1
-        x3 = math.cos(theta)
-        x4 = -x2
-        x5 = eccentricity + x4
-        out[0] = height*x0 - x2*x3 + x2
-        out[1] = -x0*(-half_width - x2)
-        out[2] = -x0*(half_width + x4)
-        out[3] = x1
-        out[4] = (
-            -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x3 -
-            x0*x5)**2 + (anchor_height*x0 - eccentricity + x2 + x3*x5)**2)
-        )
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        x0 = math.sin(theta)
-        x1 = (1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = s*x1
-        x3 = math.cos(theta)
-        x4 = -x2
-        x5 = eccentricity + x4
-        out[0] = height*x0 - x2*x3 + x2
-        out[1] = -x0*(-half_width - x2)
-        out[2] = -x0*(half_width + x4)
-        out[3] = x1
-        out[4] = (
-            -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x3 -
-            x0*x5)**2 + (anchor_height*x0 - eccentricity + x2 + x3*x5)**2)
-        )
+    s = SIDES[contact]
+    theta = y[0]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    eccentricity = p[12]
+    x0 = math.sin(theta)
+    x1 = (1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+    x2 = s*x1
+    x3 = math.cos(theta)
+    x4 = -x2
+    x5 = eccentricity + x4
+    out[0] = height*x0 - x2*x3 + x2
+    out[1] = -x0*(-half_width - x2)
+    out[2] = -x0*(half_width + x4)
+    out[3] = x1
+    out[4] = (
+        -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x3 -
+        x0*x5)**2 + (anchor_height*x0 - eccentricity + x2 + x3*x5)**2)
+    )
 
 
 def statics(contact, y, p, load, out):
@@ -1178,87 +1122,32 @@ def held_guards(y, p, ax, g):
 
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
+    s = SIDES[contact]
+    theta = y[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    x0 = math.sin(theta)
+    x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+    x2 = math.cos(theta)
+    x3 = -x1*x2 + x1
+    x4 = x0*x1
+    x5 = -half_width - x1
+    x6 = half_width - x1
+    out[0] = centroid_height*x0 + x3
+    out[1] = centroid_height*x2 + x4
+    out[2] = theta
+    out[3] = x1 + x2*x5
+    out[4] = -x0*x5
+    out[5] = 0
+    out[6] = x1 + x2*x6
+    out[7] = -x0*x6
+    out[8] = 0
+    out[9] = height*x0 + x3
+    out[10] = height*x2 + x4
+    out[11] = 0
 
 
 def shapes(p, out):

@@ -51,7 +51,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "8e91dbb7c2849c5b"
+SOURCE_HASH = "042033445b2eef42"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -577,18 +577,9 @@ def accelerations(contact, u, permanent_extension, passage_speed, u_dot, permane
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        dy[0] = y[3]
-        dy[1] = 0.0
-        dy[2] = 0.0
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        dy[0] = y[3]
-        dy[1] = 0.0
-        dy[2] = 0.0
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        dy[0] = y[3]
-        dy[1] = 0.0
-        dy[2] = 0.0
+    dy[0] = y[3]
+    dy[1] = 0.0
+    dy[2] = 0.0
     found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     dy[3] = found[0]
     dy[4] = found[1]
@@ -1462,51 +1453,20 @@ def reactions(contact, y, p, ax, ay, out):
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = (1 - math.exp(-x0/transition**2))*(-edge_distance + half_width)
-        x2 = math.sqrt(1 - x0/height**2)
-        x3 = 1/x2
-        out[0] = u
-        out[1] = x1
-        out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        s = SIDES[contact]
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = (1 - math.exp(-x0/transition**2))*(-edge_distance + half_width)
-        x2 = math.sqrt(1 - x0/height**2)
-        x3 = 1/x2
-        out[0] = u
-        out[1] = x1
-        out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        s = SIDES[contact]
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = (1 - math.exp(-x0/transition**2))*(-edge_distance + half_width)
-        x2 = math.sqrt(1 - x0/height**2)
-        x3 = 1/x2
-        out[0] = u
-        out[1] = x1
-        out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
+    s = SIDES[contact]
+    u = y[0]
+    height = p[2]
+    half_width = p[3]
+    edge_distance = p[4]
+    transition = p[5]
+    eccentricity = p[9]
+    x0 = u**2
+    x1 = (1 - math.exp(-x0/transition**2))*(-edge_distance + half_width)
+    x2 = math.sqrt(1 - x0/height**2)
+    x3 = 1/x2
+    out[0] = u
+    out[1] = x1
+    out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
 
 
 def statics(contact, y, p, load, out):
@@ -1624,30 +1584,13 @@ def held_guards(y, p, ax, g):
 
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        u = y[0]
-        out[0] = u
-        out[1] = 0
-        out[2] = 0
-        out[3] = u
-        out[4] = 0
-        out[5] = 0
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        u = y[0]
-        out[0] = u
-        out[1] = 0
-        out[2] = 0
-        out[3] = u
-        out[4] = 0
-        out[5] = 0
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        u = y[0]
-        out[0] = u
-        out[1] = 0
-        out[2] = 0
-        out[3] = u
-        out[4] = 0
-        out[5] = 0
+    u = y[0]
+    out[0] = u
+    out[1] = 0
+    out[2] = 0
+    out[3] = u
+    out[4] = 0
+    out[5] = 0
 
 
 def shapes(p, out):

@@ -29,7 +29,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "796f499044546c28"
+SOURCE_HASH = "ada21565dcc5f3c8"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -192,10 +192,7 @@ def accelerations(contact, x, x_dot, p, ax, ay):
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
-        dy[0] = y[1]
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
-        dy[0] = y[1]
+    dy[0] = y[1]
     found = accelerations(contact, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
@@ -306,28 +303,17 @@ def energies(contact, y, p, out):
 
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
-        x_ddot = found[0]
-        alpha = p[0]
-        out[0] = alpha*x_ddot + ax
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
-        x_ddot = found[0]
-        alpha = p[0]
-        out[0] = alpha*x_ddot + ax
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    x_ddot = found[0]
+    alpha = p[0]
+    out[0] = alpha*x_ddot + ax
 
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        x = y[0]
-        alpha = p[0]
-        out[0] = alpha*x
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
-        x = y[0]
-        alpha = p[0]
-        out[0] = alpha*x
+    x = y[0]
+    alpha = p[0]
+    out[0] = alpha*x
 
 
 def statics(contact, y, p, load, out):

@@ -40,7 +40,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "696dd937da4ca0b2"
+SOURCE_HASH = "5eb07e078f64dca0"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -316,19 +316,10 @@ def accelerations(contact, theta, permanent_extension, theta_dot, permanent_exte
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
         dy[0] = y[2]
         dy[1] = 0.0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        dy[0] = y[2]
-        dy[1] = 0.0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        dy[0] = y[2]
-        dy[1] = 0.0
-    elif contact == BOTH:
-        dy[0] = 0.0
-        dy[1] = 0.0
-    elif contact == BOTH_SLACK:
+    elif contact in (BOTH, BOTH_SLACK):
         dy[0] = 0.0
         dy[1] = 0.0
     found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
@@ -526,8 +517,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[contact]
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -539,40 +530,7 @@ def energies(contact, y, p, out):
         out[0] = (1/2)*pivot_inertia*theta_dot**2
         out[1] = centroid_height*x0*math.cos(theta) + half_width*s*x0*math.sin(theta)
         out[2] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        pivot_inertia = p[1]
-        centroid_height = p[2]
-        half_width = p[4]
-        gravity = p[11]
-        x0 = gravity*mass
-        out[0] = (1/2)*pivot_inertia*theta_dot**2
-        out[1] = centroid_height*x0*math.cos(theta) + half_width*s*x0*math.sin(theta)
-        out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        pivot_inertia = p[1]
-        centroid_height = p[2]
-        half_width = p[4]
-        gravity = p[11]
-        x0 = gravity*mass
-        out[0] = (1/2)*pivot_inertia*theta_dot**2
-        out[1] = centroid_height*x0*math.cos(theta) + half_width*s*x0*math.sin(theta)
-        out[2] = 0
-    elif contact == BOTH:
-        mass = p[0]
-        centroid_height = p[2]
-        gravity = p[11]
-        out[0] = 0
-        out[1] = centroid_height*gravity*mass
-        out[2] = 0
-    elif contact == BOTH_SLACK:
+    elif contact in (BOTH, BOTH_SLACK):
         mass = p[0]
         centroid_height = p[2]
         gravity = p[11]
@@ -714,8 +672,8 @@ def reactions(contact, y, p, ax, ay, out):
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[contact]
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -734,54 +692,7 @@ def kinematics(contact, y, p, out):
             (-eccentricity + s*(half_width*(1 - x2) + (1 -
             math.exp(-height**2*x1**2/transition**2))*(-edge_distance - x3))/x2)*math.tan(theta)
         )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        eccentricity = p[10]
-        x0 = half_width*s
-        x1 = math.sin(theta)
-        x2 = math.cos(theta)
-        x3 = -half_width
-        out[0] = height*x1 - x0*x2 + x0
-        out[1] = -x1*(-half_width - x0)
-        out[2] = -x1*(-x0 - x3)
-        out[3] = half_width
-        out[4] = (
-            (-eccentricity + s*(half_width*(1 - x2) + (1 -
-            math.exp(-height**2*x1**2/transition**2))*(-edge_distance - x3))/x2)*math.tan(theta)
-        )
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        eccentricity = p[10]
-        x0 = half_width*s
-        x1 = math.sin(theta)
-        x2 = math.cos(theta)
-        x3 = -half_width
-        out[0] = height*x1 - x0*x2 + x0
-        out[1] = -x1*(-half_width - x0)
-        out[2] = -x1*(-x0 - x3)
-        out[3] = half_width
-        out[4] = (
-            (-eccentricity + s*(half_width*(1 - x2) + (1 -
-            math.exp(-height**2*x1**2/transition**2))*(-edge_distance - x3))/x2)*math.tan(theta)
-        )
-    elif contact == BOTH:
-        half_width = p[4]
-        out[0] = 0
-        out[1] = 0
-        out[2] = 0
-        out[3] = half_width
-        out[4] = 0
-    elif contact == BOTH_SLACK:
+    elif contact in (BOTH, BOTH_SLACK):
         half_width = p[4]
         out[0] = 0
         out[1] = 0
@@ -792,8 +703,8 @@ def kinematics(contact, y, p, out):
 
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[contact]
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -805,36 +716,7 @@ def momentum(contact, y, p, out):
         x3 = math.sin(theta)
         out[0] = half_width*s*x1*x3 + x0*x2
         out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
-        x0 = math.cos(theta)
-        x1 = mass*theta_dot
-        x2 = centroid_height*x1
-        x3 = math.sin(theta)
-        out[0] = half_width*s*x1*x3 + x0*x2
-        out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
-        x0 = math.cos(theta)
-        x1 = mass*theta_dot
-        x2 = centroid_height*x1
-        x3 = math.sin(theta)
-        out[0] = half_width*s*x1*x3 + x0*x2
-        out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-    elif contact == BOTH_SLACK:
+    elif contact in (BOTH, BOTH_SLACK):
         out[0] = 0
         out[1] = 0
 
@@ -898,10 +780,7 @@ def statics(contact, y, p, load, out):
             + yield_force*(half_width*s*x2 - x1)
         )
         out[1] = 0
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-    elif contact == BOTH_SLACK:
+    elif contact in (BOTH, BOTH_SLACK):
         out[0] = 0
         out[1] = 0
 
@@ -917,8 +796,8 @@ def held_guards(y, p, ax, g):
 
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[contact]
         theta = y[0]
         centroid_height = p[2]
         height = p[3]
@@ -942,73 +821,7 @@ def positions(contact, y, p, out):
         out[9] = height*x0 + x3
         out[10] = height*x2 + x4
         out[11] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        x0 = math.sin(theta)
-        x1 = half_width*s
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        x0 = math.sin(theta)
-        x1 = half_width*s
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == BOTH:
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        out[0] = 0
-        out[1] = centroid_height
-        out[2] = 0
-        out[3] = -half_width
-        out[4] = 0
-        out[5] = 0
-        out[6] = half_width
-        out[7] = 0
-        out[8] = 0
-        out[9] = 0
-        out[10] = height
-        out[11] = 0
-    elif contact == BOTH_SLACK:
+    elif contact in (BOTH, BOTH_SLACK):
         centroid_height = p[2]
         height = p[3]
         half_width = p[4]

@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "bb0348d64556a8aa"
+SOURCE_HASH = "ae7fd39802c290fa"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"
@@ -280,15 +280,8 @@ def accelerations(contact, theta, permanent_extension, theta_dot, permanent_exte
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
-        dy[0] = y[2]
-        dy[1] = 0.0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        dy[0] = y[2]
-        dy[1] = 0.0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        dy[0] = y[2]
-        dy[1] = 0.0
+    dy[0] = y[2]
+    dy[1] = 0.0
     found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
@@ -470,63 +463,24 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        pivot_inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        gravity = p[11]
-        x0 = gravity*mass
-        x1 = math.sin(theta)
-        out[0] = (1/2)*pivot_inertia*theta_dot**2
-        out[1] = (
-            centroid_height*x0*math.cos(theta) + half_width*s*x0*x1*(1 -
-            math.exp(-height**2*x1**2/transition**2))
-        )
-        out[2] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        pivot_inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        gravity = p[11]
-        x0 = gravity*mass
-        x1 = math.sin(theta)
-        out[0] = (1/2)*pivot_inertia*theta_dot**2
-        out[1] = (
-            centroid_height*x0*math.cos(theta) + half_width*s*x0*x1*(1 -
-            math.exp(-height**2*x1**2/transition**2))
-        )
-        out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        pivot_inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        gravity = p[11]
-        x0 = gravity*mass
-        x1 = math.sin(theta)
-        out[0] = (1/2)*pivot_inertia*theta_dot**2
-        out[1] = (
-            centroid_height*x0*math.cos(theta) + half_width*s*x0*x1*(1 -
-            math.exp(-height**2*x1**2/transition**2))
-        )
-        out[2] = 0
+    s = SIDES[contact]
+    theta = y[0]
+    theta_dot = y[2]
+    mass = p[0]
+    pivot_inertia = p[1]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    transition = p[6]
+    gravity = p[11]
+    x0 = gravity*mass
+    x1 = math.sin(theta)
+    out[0] = (1/2)*pivot_inertia*theta_dot**2
+    out[1] = (
+        centroid_height*x0*math.cos(theta) + half_width*s*x0*x1*(1 -
+        math.exp(-height**2*x1**2/transition**2))
+    )
+    out[2] = 0
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -627,72 +581,27 @@ def reactions(contact, y, p, ax, ay, out):
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        eccentricity = p[10]
-        x0 = math.sin(theta)
-        x1 = 1 - math.exp(-height**2*x0**2/transition**2)
-        x2 = half_width*x1
-        x3 = s*x2
-        x4 = math.cos(theta)
-        x5 = -half_width
-        out[0] = height*x0 - x3*x4 + x3
-        out[1] = -x0*(-half_width - x3)
-        out[2] = -x0*(-x3 - x5)
-        out[3] = x2
-        out[4] = (
-            (-eccentricity + s*(half_width*(1 - x4) + x1*(-edge_distance -
-            x5))/x4)*math.tan(theta)
-        )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        eccentricity = p[10]
-        x0 = math.sin(theta)
-        x1 = 1 - math.exp(-height**2*x0**2/transition**2)
-        x2 = half_width*x1
-        x3 = s*x2
-        x4 = math.cos(theta)
-        x5 = -half_width
-        out[0] = height*x0 - x3*x4 + x3
-        out[1] = -x0*(-half_width - x3)
-        out[2] = -x0*(-x3 - x5)
-        out[3] = x2
-        out[4] = (
-            (-eccentricity + s*(half_width*(1 - x4) + x1*(-edge_distance -
-            x5))/x4)*math.tan(theta)
-        )
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        eccentricity = p[10]
-        x0 = math.sin(theta)
-        x1 = 1 - math.exp(-height**2*x0**2/transition**2)
-        x2 = half_width*x1
-        x3 = s*x2
-        x4 = math.cos(theta)
-        x5 = -half_width
-        out[0] = height*x0 - x3*x4 + x3
-        out[1] = -x0*(-half_width - x3)
-        out[2] = -x0*(-x3 - x5)
-        out[3] = x2
-        out[4] = (
-            (-eccentricity + s*(half_width*(1 - x4) + x1*(-edge_distance -
-            x5))/x4)*math.tan(theta)
-        )
+    s = SIDES[contact]
+    theta = y[0]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    eccentricity = p[10]
+    x0 = math.sin(theta)
+    x1 = 1 - math.exp(-height**2*x0**2/transition**2)
+    x2 = half_width*x1
+    x3 = s*x2
+    x4 = math.cos(theta)
+    x5 = -half_width
+    out[0] = height*x0 - x3*x4 + x3
+    out[1] = -x0*(-half_width - x3)
+    out[2] = -x0*(-x3 - x5)
+    out[3] = x2
+    out[4] = (
+        (-eccentricity + s*(half_width*(1 - x4) + x1*(-edge_distance -
+        x5))/x4)*math.tan(theta)
+    )
 
 
 def statics(contact, y, p, load, out):
@@ -771,84 +680,31 @@ def held_guards(y, p, ax, g):
 
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*s*(1 - math.exp(-height**2*x0**2/transition**2))
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*s*(1 - math.exp(-height**2*x0**2/transition**2))
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*s*(1 - math.exp(-height**2*x0**2/transition**2))
-        x2 = math.cos(theta)
-        x3 = -x1*x2 + x1
-        x4 = x0*x1
-        x5 = -half_width - x1
-        x6 = half_width - x1
-        out[0] = centroid_height*x0 + x3
-        out[1] = centroid_height*x2 + x4
-        out[2] = theta
-        out[3] = x1 + x2*x5
-        out[4] = -x0*x5
-        out[5] = 0
-        out[6] = x1 + x2*x6
-        out[7] = -x0*x6
-        out[8] = 0
-        out[9] = height*x0 + x3
-        out[10] = height*x2 + x4
-        out[11] = 0
+    s = SIDES[contact]
+    theta = y[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    transition = p[6]
+    x0 = math.sin(theta)
+    x1 = half_width*s*(1 - math.exp(-height**2*x0**2/transition**2))
+    x2 = math.cos(theta)
+    x3 = -x1*x2 + x1
+    x4 = x0*x1
+    x5 = -half_width - x1
+    x6 = half_width - x1
+    out[0] = centroid_height*x0 + x3
+    out[1] = centroid_height*x2 + x4
+    out[2] = theta
+    out[3] = x1 + x2*x5
+    out[4] = -x0*x5
+    out[5] = 0
+    out[6] = x1 + x2*x6
+    out[7] = -x0*x6
+    out[8] = 0
+    out[9] = height*x0 + x3
+    out[10] = height*x2 + x4
+    out[11] = 0
 
 
 def shapes(p, out):

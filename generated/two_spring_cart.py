@@ -35,7 +35,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "3c4fb377d73bb8c1"
+SOURCE_HASH = "b4d321e1a30f377a"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -195,10 +195,7 @@ def accelerations(contact, u, u_dot, p, ax, ay):
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        dy[0] = y[1]
-    elif contact == LEFT or contact == RIGHT:
-        dy[0] = y[1]
+    dy[0] = y[1]
     found = accelerations(contact, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
@@ -329,28 +326,17 @@ def energies(contact, y, p, out):
 
 def reactions(contact, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
-        u_ddot = found[0]
-        mass = p[0]
-        base_mass = p[3]
-        out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
-    elif contact == LEFT or contact == RIGHT:
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
-        u_ddot = found[0]
-        mass = p[0]
-        base_mass = p[3]
-        out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    u_ddot = found[0]
+    mass = p[0]
+    base_mass = p[3]
+    out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
 
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        u = y[0]
-        out[0] = u
-    elif contact == LEFT or contact == RIGHT:
-        u = y[0]
-        out[0] = u
+    u = y[0]
+    out[0] = u
 
 
 def statics(contact, y, p, load, out):
@@ -405,22 +391,13 @@ def held_guards(y, p, ax, g):
 
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        u = y[0]
-        out[0] = u
-        out[1] = 0
-        out[2] = 0
-        out[3] = u
-        out[4] = 0
-        out[5] = 0
-    elif contact == LEFT or contact == RIGHT:
-        u = y[0]
-        out[0] = u
-        out[1] = 0
-        out[2] = 0
-        out[3] = u
-        out[4] = 0
-        out[5] = 0
+    u = y[0]
+    out[0] = u
+    out[1] = 0
+    out[2] = 0
+    out[3] = u
+    out[4] = 0
+    out[5] = 0
 
 
 def shapes(p, out):

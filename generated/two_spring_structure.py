@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "0572e687e2f6ac1c"
+SOURCE_HASH = "01b3b05c1c64e05e"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -284,15 +284,8 @@ def accelerations(contact, theta, heave, theta_dot, heave_dot, p, ax, ay):
 
 def rates(contact, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == BOTH:
-        dy[0] = y[2]
-        dy[1] = y[3]
-    elif contact == LEFT or contact == RIGHT:
-        dy[0] = y[2]
-        dy[1] = y[3]
-    elif contact == FLIGHT:
-        dy[0] = y[2]
-        dy[1] = y[3]
+    dy[0] = y[2]
+    dy[1] = y[3]
     found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
@@ -618,36 +611,15 @@ def reactions(contact, y, p, ax, ay, out):
 
 def kinematics(contact, y, p, out):
     """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
-    if contact == BOTH:
-        theta = y[0]
-        heave = y[1]
-        height = p[1]
-        half_width = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*x0
-        out[0] = height*x0
-        out[1] = heave + x1
-        out[2] = heave - x1
-    elif contact == LEFT or contact == RIGHT:
-        theta = y[0]
-        heave = y[1]
-        height = p[1]
-        half_width = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*x0
-        out[0] = height*x0
-        out[1] = heave + x1
-        out[2] = heave - x1
-    elif contact == FLIGHT:
-        theta = y[0]
-        heave = y[1]
-        height = p[1]
-        half_width = p[6]
-        x0 = math.sin(theta)
-        x1 = half_width*x0
-        out[0] = height*x0
-        out[1] = heave + x1
-        out[2] = heave - x1
+    theta = y[0]
+    heave = y[1]
+    height = p[1]
+    half_width = p[6]
+    x0 = math.sin(theta)
+    x1 = half_width*x0
+    out[0] = height*x0
+    out[1] = heave + x1
+    out[2] = heave - x1
 
 
 def statics(contact, y, p, load, out):
@@ -718,105 +690,38 @@ def held_guards(y, p, ax, g):
 
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == BOTH:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.sin(theta)
-        x1 = height*x0
-        x2 = math.cos(theta)
-        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x4 = heave - x3
-        x5 = height*x2 + x4
-        x6 = half_width*x2
-        x7 = half_width*x0
-        out[0] = x1
-        out[1] = x5
-        out[2] = theta
-        out[3] = base_height*x0
-        out[4] = base_height*x2 + x4
-        out[5] = theta
-        out[6] = -x6
-        out[7] = x4 + x7
-        out[8] = 0
-        out[9] = x6
-        out[10] = heave - x3 - x7
-        out[11] = 0
-        out[12] = x1
-        out[13] = x5
-        out[14] = 0
-    elif contact == LEFT or contact == RIGHT:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.sin(theta)
-        x1 = height*x0
-        x2 = math.cos(theta)
-        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x4 = heave - x3
-        x5 = height*x2 + x4
-        x6 = half_width*x2
-        x7 = half_width*x0
-        out[0] = x1
-        out[1] = x5
-        out[2] = theta
-        out[3] = base_height*x0
-        out[4] = base_height*x2 + x4
-        out[5] = theta
-        out[6] = -x6
-        out[7] = x4 + x7
-        out[8] = 0
-        out[9] = x6
-        out[10] = heave - x3 - x7
-        out[11] = 0
-        out[12] = x1
-        out[13] = x5
-        out[14] = 0
-    elif contact == FLIGHT:
-        theta = y[0]
-        heave = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        x0 = math.sin(theta)
-        x1 = height*x0
-        x2 = math.cos(theta)
-        x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-        x4 = heave - x3
-        x5 = height*x2 + x4
-        x6 = half_width*x2
-        x7 = half_width*x0
-        out[0] = x1
-        out[1] = x5
-        out[2] = theta
-        out[3] = base_height*x0
-        out[4] = base_height*x2 + x4
-        out[5] = theta
-        out[6] = -x6
-        out[7] = x4 + x7
-        out[8] = 0
-        out[9] = x6
-        out[10] = heave - x3 - x7
-        out[11] = 0
-        out[12] = x1
-        out[13] = x5
-        out[14] = 0
+    theta = y[0]
+    heave = y[1]
+    mass = p[0]
+    height = p[1]
+    base_mass = p[3]
+    base_height = p[4]
+    half_width = p[6]
+    gravity = p[7]
+    foundation_stiffness = p[8]
+    x0 = math.sin(theta)
+    x1 = height*x0
+    x2 = math.cos(theta)
+    x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+    x4 = heave - x3
+    x5 = height*x2 + x4
+    x6 = half_width*x2
+    x7 = half_width*x0
+    out[0] = x1
+    out[1] = x5
+    out[2] = theta
+    out[3] = base_height*x0
+    out[4] = base_height*x2 + x4
+    out[5] = theta
+    out[6] = -x6
+    out[7] = x4 + x7
+    out[8] = 0
+    out[9] = x6
+    out[10] = heave - x3 - x7
+    out[11] = 0
+    out[12] = x1
+    out[13] = x5
+    out[14] = 0
 
 
 def shapes(p, out):

@@ -22,7 +22,7 @@ def guards(text: Text) -> None:
         served = [f"contact == {text.contacts[c]}" for c in (contact, image) if c]
         body.append(f"    {'elif' if body else 'if'} {' or '.join(served)}:")
         if image:
-            body += text.side(model.mechanism(contact), " " * 8)
+            body += text.side(" " * 8, model.mechanism(contact))
             expressions = _on_both_sides(model, contact)
         else:
             expressions = _in_contact(model, contact)

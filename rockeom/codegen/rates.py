@@ -25,7 +25,7 @@ def _accelerations(text: Text) -> None:
         if len(phases) > 1:
             test = f"{'elif' if chosen else 'if'} {text.test(phase)}"
             chosen.append(f"    {'else' if phase is phases[-1] else test}:")
-        chosen += [*text.side(phase, indent), f"{indent}return {call}"]
+        chosen += [*text.side(indent, phase), f"{indent}return {call}"]
     text.function(
         f"accelerations(contact, {', '.join(text.states)}, p, ax, ay)",
         "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",

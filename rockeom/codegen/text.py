@@ -93,17 +93,21 @@ class Text:
 
     # -- lines ----------------------------------------------------------------------------
 
-    def test(self, phase: Mechanism) -> str:
-        """The condition that a contact state is one of the phase's."""
-        return " or ".join(f"contact == {self.contacts[c]}" for c in phase.contacts)
+    def test(self, *phases: Mechanism) -> str:
+        """The condition that a contact state is one of these phases'."""
+        names = [self.contacts[c] for phase in phases for c in phase.contacts]
+        if len(phases) > 1:
+            return f"contact in ({', '.join(names)})"
+        return " or ".join(f"contact == {name}" for name in names)
 
-    def side(self, phase: Mechanism, indent: str) -> list[str]:
-        """Lines that assign the side of a contact state of the phase, if it has any."""
-        if not phase.has_side:
+    def side(self, indent: str, *phases: Mechanism) -> list[str]:
+        """Lines that assign the side of a contact state of these phases, if they have any."""
+        if not any(phase.has_side for phase in phases):
             return []
-        if sorted(phase.contacts.values()) != [-1, 1]:
+        sides = [(side, c) for phase in phases for c, side in phase.contacts.items()]
+        if sorted(side for side, _ in sides) != [-1, 1]:
             return [f"{indent}s = SIDES[contact]"]
-        right = next(c for c, side in phase.contacts.items() if side == 1)
+        right = next(c for side, c in sides if side == 1)
         return [f"{indent}s = 1.0 if contact == {self.contacts[right]} else -1.0"]
 
     def evaluate(
@@ -171,14 +175,21 @@ class Text:
         branch: Callable[[Mechanism, str], list[str]],
         after: Sequence[str] = (),
     ) -> None:
-        """Add a function with one branch a phase, and the lines that stand after them."""
+        """Add a function with a branch for each phase, and the lines that stand after them.
+
+        Phases of which the same is to be said share a branch.
+        """
+        branches: dict[tuple[str, ...], list[Mechanism]] = {}
+        for phase in self.model.mechanisms:
+            branches.setdefault(tuple(branch(phase, " " * 8)), []).append(phase)
         body: list[str] = []
-        for i, phase in enumerate(self.model.mechanisms):
-            lines = branch(phase, " " * 8)
-            body.append(f"    {'if' if i == 0 else 'elif'} {self.test(phase)}:")
+        for lines, phases in branches.items():
+            body.append(f"    {'elif' if body else 'if'} {self.test(*phases)}:")
             if str(self.names[SIDE]) in names_in(dedent("\n".join(lines))):
-                body += self.side(phase, " " * 8)
+                body += self.side(" " * 8, *phases)
             body += lines or [" " * 8 + "pass"]
+        if len(branches) == 1 and len(self.model.mechanisms) > 1:  # whatever the contact state is
+            body = [line[4:] for line in body[1:]]
         self.function(signature, doc, [*body, *after])
 
 
