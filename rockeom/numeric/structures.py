@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform
 
 import numpy as np
 
@@ -36,7 +36,6 @@ from rockeom.numeric.impact import (
 from rockeom.numeric.positions import Shapes, places, positions_of, rotations_of, shapes
 
 if TYPE_CHECKING:
-    from rockeom.analysis import Wall
     from rockeom.numeric.fixed_base import FixedBase
 
 
@@ -1069,6 +1068,30 @@ class UpliftingOscillator(Structure):
         )
 
 
+class TendonedWall(Protocol):
+    """What the classes of walls ask of a wall, a `rockeom.analysis.Wall`, to be made from it."""
+
+    @property
+    def mass(self) -> float: ...
+    @property
+    def height(self) -> float: ...
+    @property
+    def half_width(self) -> float: ...
+    @property
+    def centroid_height(self) -> float: ...
+    @property
+    def corner_inertia(self) -> float: ...
+    @property
+    def fixed_base_period(self) -> float: ...
+    @property
+    def gravity(self) -> float: ...
+    @property
+    def rotation_centre(self) -> Any: ...
+    @property
+    def tendons(self) -> tuple[Any, ...]: ...
+    def moment_of_inertia(self, detached_length: Any) -> Any: ...
+
+
 @_structure_class
 class _ControlledWall(Structure):
     """What the models of a controlled rocking wall share; see `ControlledWall`."""
@@ -1100,7 +1123,7 @@ class _ControlledWall(Structure):
             )
 
     @classmethod
-    def _of_wall(cls, wall: Wall) -> dict[str, float]:
+    def _of_wall(cls, wall: TendonedWall) -> dict[str, float]:
         """The shared parameters of a wall of `rockeom.analysis`."""
         if isinstance(wall, type) or not hasattr(wall, "tendons"):
             raise TypeError(
@@ -1216,7 +1239,7 @@ class ControlledWall(_ControlledWall):
     anchor_depth: float
 
     @classmethod
-    def from_wall(cls, wall: Wall, anchor_distance: float = 3.1) -> ControlledWall:
+    def from_wall(cls, wall: TendonedWall, anchor_distance: float = 3.1) -> ControlledWall:
         """The wall of `rockeom.analysis`; anchor_distance of the tendon's anchors [m].
 
         The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when
@@ -1266,7 +1289,7 @@ class FlexibleControlledWall(_ControlledWall):
     @classmethod
     def from_wall(
         cls,
-        wall: Wall,
+        wall: TendonedWall,
         fixed_base_period: float | None = None,
         damping_ratio: float = 0.0,
         anchor_distance: float = 3.1,
@@ -1347,7 +1370,7 @@ class SubstituteGravityWall(_ControlledWall):
     pivot_inertia: float
 
     @classmethod
-    def from_wall(cls, wall: Wall) -> Self:
+    def from_wall(cls, wall: TendonedWall) -> Self:
         """The wall of `rockeom.analysis`, its inertia that about a corner."""
         return cls(
             **cls._of_wall(wall),
@@ -1416,7 +1439,7 @@ class ControlledWallOscillator(_ControlledWall):
     @classmethod
     def from_wall(
         cls,
-        wall: Wall,
+        wall: TendonedWall,
         energy_ratio: float | EnergyRatioAtSpeed,
         held: bool = True,
         regularisation: float | None = None,
