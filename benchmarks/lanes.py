@@ -94,7 +94,7 @@ def rows(
     A step's time is told where steps are as long as the samples. The error of a motion is the
     largest among the times of its first impacts, against steps of tolerance 1e-13.
     """
-    a_sample, loose = rk.SolverOptions(steps_per_segment=1), with_rockeom.options(RTOL)
+    a_sample, loose = rk.SolverOptions("DOP853", steps_per_segment=1), with_rockeom.options(RTOL)
     maps = (
         ("blocks", blocks(), a_sample),
         ("flexible structures", columns(), a_sample),
