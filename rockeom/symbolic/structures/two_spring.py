@@ -142,7 +142,7 @@ def bilinear_pushover() -> BilinearPushover:
     upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
     x = at_side(pivots.mechanism("right").bodies[0].position[0], 1)  # of the superstructure
     return BilinearPushover(
-        contact_stiffness=sp.simplify(
+        contact_stiffness=sp.cancel(
             sp.diff(holding_force(springs, "both"), theta).subs(theta, 0) / lever
         ),
         lift_off=lift_off_rotation * lever,
