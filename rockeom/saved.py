@@ -147,7 +147,7 @@ def _told_law(law: ImpactLaw | None) -> Any:
     warnings.warn(
         f"the law of impact, a {name}, is of your own: the file has its name, and all that the "
         "response is; to go on from it give the law again",
-        stacklevel=5,
+        stacklevel=7,
     )
     return {"not_saved": name}
 
@@ -319,6 +319,10 @@ def load(
         run = rk.load("block.nc")
         run.extremes("theta"), run.impacts, run.at([1.0, 2.0])
     """
+    if not (
+        structure is None or isinstance(structure, Structure) or hasattr(structure, "check_values")
+    ):
+        raise TypeError(f"structure is {told(structure)}: give a declaration, or a structure of it")
     _check_engine()
     file = _File(Path(path), structure)
     try:
@@ -374,12 +378,7 @@ class _File:
                 f"its structure {name!r} was declared by its user, and files hold no code: give "
                 "the declaration, rk.load(path, structure=model)"
             )
-        if isinstance(given, Structure):
-            found: type[Structure] = type(given)
-        elif hasattr(given, "check_values"):
-            found = class_of_model(given)
-        else:
-            raise TypeError(f"structure is {told(given)}: give a declaration, or a structure of it")
+        found = type(given) if isinstance(given, Structure) else class_of_model(given)
         made = found(**values) if issubclass(found, DeclaredStructure) else None
         there = vars(found)["module"].SOURCE_HASH if made is not None else None
         if there != source_hash:
@@ -409,7 +408,7 @@ class _File:
                 f"{self.path}: the equations of {made.model} were written by rockeom "
                 f"{self.version}, and differ in this one, {__version__}: what is not in the file "
                 "follows from those of now",
-                stacklevel=5,
+                stacklevel=4,
             )
         return made
 

@@ -139,8 +139,9 @@ class Running:
         most = np.take_along_axis(flat, place[:, None], axis=1)[:, 0]
         if self.best is None:
             self.best, self.when = np.full(most.shape, -np.inf), np.full(most.shape, np.nan)
-        self.when = np.where(most > self.best, t.ravel()[place], self.when)
-        self.best = np.maximum(self.best, most)
+        better = most > self.best  # of equal ones the first, so that pieces of any length do
+        self.when = np.where(better, t.ravel()[place], self.when)
+        self.best = np.where(better, most, self.best)
         self._hold(search, _candidates(f, x, self.best))
         if len(self.pieces) > MOST_PIECES:
             self._join()
@@ -172,7 +173,10 @@ class Running:
         if self.pieces:
             self._join()
         for search, (index, low, high, side, column, _) in self.pieces:
-            t, value = search.narrowed(index, low, high, column, _SIGNS[side])
+            brackets = (index, low, high, column, _SIGNS[side])
+            some = [slice(i, i + PARTS * CHUNK) for i in range(0, len(index), PARTS * CHUNK)]
+            parts = [search.narrowed(*(a[part] for a in brackets)) for part in some]
+            t, value = map(np.concatenate, zip(*parts, strict=True))
             for i in np.flatnonzero(value > best[side, column]):
                 if value[i] > best[side[i], column[i]]:
                     best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]

@@ -13,6 +13,7 @@ from rockeom.numeric.extremes import Evaluate, Extremes, Running
 ALL, SAMPLES = KEPT = ("all", "samples")
 """What `simulate` may be told to keep."""
 
+_DOUBLED = 16_384  # steps up to which a record doubles when it is full; then it grows by an eighth
 _TOGETHER = 4096  # steps that are evaluated at a time: of all their powers one copy is made
 
 
@@ -114,7 +115,7 @@ class AllSteps:
             return
         for array, more in zip(self.arrays, new, strict=True):
             if self.n > len(array):
-                _resize(array, max(self.n, first + first // 8))
+                _resize(array, max(self.n, first + max(first // 8, min(first, _DOUBLED))))
             array[first : self.n] = more
 
     def record(self, _: Passages) -> Steps:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,13 +15,14 @@ from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.choice import chosen
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
-from rockeom.numeric.program import Program
+from rockeom.numeric.program import Program, program
 from rockeom.numeric.record import (
     KEPT,
     SAMPLES,
     AllSteps,
     Gathering,
     Passages,
+    Samples,
     SomeSamples,
     Steps,
 )
@@ -67,41 +68,26 @@ def simulate(
     options = SolverOptions.of(options)
     problem = case.problem()
     choice = chosen(structure, problem, options)
-    start = _at_the_start(problem)
-    nothing_yet = Response(
-        structure=structure,
-        motion=motion,
-        vertical=vertical,
-        impact=impact,
-        options=options,
-        outcome=Outcome.COMPLETED,
-        duration=problem.end,
-        statistics={"method": choice.method, "chosen": choice.because},
-        record=start,
-        end=problem.y0,
-        passages=_no_passages(len(problem.y0)),
-    )
-    gathering: AllSteps | SomeSamples
+    compiled = program(structure.module, choice.method)
+    said: dict[str, Any] = {"method": choice.method, "chosen": choice.because}
+
+    def response(record: Steps | Samples, of: Ran) -> Response:
+        return Response(
+            structure, motion, vertical, impact, options, of.outcome, problem.end, said, record,
+            of.y, of.events,
+        )  # fmt: skip
+
+    gathering: AllSteps | SomeSamples = AllSteps()
     if keep == SAMPLES:
+        nothing_yet = response(_at_the_start(problem), _nothing(len(problem.y0)))
         gathering = SomeSamples(nothing_yet.output_step, *nothing_yet.told_of_steps())
-    else:
-        gathering = AllSteps()
-    ran = run(nothing_yet.program, problem, options, gathering)
+    ran = run(compiled, problem, options, gathering)
     if not len(gathering):  # ended before the first step: keep the start
-        gathering.add(start)
-    return replace(
-        nothing_yet,
-        outcome=ran.outcome,
-        statistics={
-            "steps": len(gathering),
-            "events": len(ran.events[0]),
-            **nothing_yet.statistics,
-            **({"refined": ran.refined} if options.steps_per_segment else {}),
-        },
-        record=gathering.record(ran.events),
-        end=ran.y,
-        passages=ran.events,
-    )
+        gathering.add(_at_the_start(problem))
+    said = {"steps": len(gathering), "events": len(ran.events[0]), **said}
+    if options.steps_per_segment:
+        said["refined"] = ran.refined
+    return response(gathering.record(ran.events), ran)
 
 
 @dataclass(frozen=True)
@@ -154,9 +140,10 @@ def _at_the_start(problem: Problem) -> Steps:
     return Steps(np.array([[0.0, _TINY]]), np.array([problem.contact]), powers)
 
 
-def _no_passages(n: int) -> Passages:
-    """Of n states."""
-    return np.empty(0), np.empty((0, 4), np.int64), np.empty((0, 2, n))
+def _nothing(n: int) -> Ran:
+    """What is left of a motion of n states that has not begun."""
+    events = np.empty(0), np.empty((0, 4), np.int64), np.empty((0, 2, n))
+    return Ran(Outcome.COMPLETED, np.zeros(n), events, 0)
 
 
 class _Bench:
@@ -208,7 +195,9 @@ class _Bench:
         outcome = _OUTCOMES[code]
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
             outcome = self._later(p, 0.1 * q.end)
-        times, kinds, states = map(np.concatenate, zip(*found, strict=True))
+        times, kinds, states = (
+            found[0] if len(found) == 1 else map(np.concatenate, zip(*found, strict=True))
+        )
         return Ran(outcome, self.y.copy(), (times, kinds, states), int(status[REFINED]))
 
     def _later(self, p: np.ndarray, reach: float) -> Outcome:
