@@ -48,7 +48,7 @@ def by_rockeom(end: float, method: str, steps: int) -> tuple[np.ndarray, np.ndar
     )
     compiled = program(case.structure.module, method)
     solver = rk.SolverOptions(method=method, steps_per_segment=steps)
-    record = run(compiled, case.problem(), solver, keep=False)
+    record = run(compiled, case.problem(), solver)
     return record.events[0], record.y
 
 

@@ -14,6 +14,7 @@ from rockeom.contract import IMPACT, REST
 from rockeom.numeric.case import Case, Problems
 from rockeom.numeric.ensemble import Part, _Results
 from rockeom.numeric.program import program
+from rockeom.numeric.record import AllSteps
 from rockeom.numeric.simulate import run
 
 
@@ -32,7 +33,7 @@ def loop(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
     problem, module = case.problem(), case.structure.module
     compiled = program(module, solver.method)
     rate_at = module.ROTATION_RATE
-    return lambda: _impacts(run(compiled, problem, solver, keep=False).events, rate_at)
+    return lambda: _impacts(run(compiled, problem, solver).events, rate_at)
 
 
 def response(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
@@ -49,8 +50,9 @@ def response(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
 
 def steps(case: Case, solver: rk.SolverOptions) -> int:
     """Number of steps of a motion; a rest, which is recorded as one, is none."""
-    record = run(program(case.structure.module, solver.method), case.problem(), solver)
-    return len(record.steps.span) - int((record.events[1][:, 0] == REST).sum())
+    taken = AllSteps()
+    record = run(program(case.structure.module, solver.method), case.problem(), solver, taken)
+    return len(taken) - int((record.events[1][:, 0] == REST).sum())
 
 
 def released(block) -> Case:

@@ -38,6 +38,7 @@ _NAMES_OF = {
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
     "rockeom.numeric.simulate": ("simulate",),
     "rockeom.numeric.structures": ("Structure",),
+    "rockeom.saved": ("load",),
     "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
 }
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
@@ -80,6 +81,7 @@ if TYPE_CHECKING:
     )
     from rockeom.numeric.simulate import simulate as simulate
     from rockeom.numeric.structures import *  # noqa: F403
+    from rockeom.saved import load as load
     from rockeom.symbolic import (
         Body as Body,
         Mechanism as Mechanism,
@@ -96,6 +98,10 @@ def _plot_response(*args: Any, **kwargs: Any) -> Any:
     return plot_response(*args, **kwargs)
 
 
+def _save_response(*args: Any) -> None:
+    import_module("rockeom.saved").save(*args)
+
+
 def _thesis_wall(initial_force: float) -> Any:
     from rockeom.analysis import Wall
 
@@ -103,6 +109,7 @@ def _thesis_wall(initial_force: float) -> Any:
 
 
 hooks.plot_response.answer = _plot_response
+hooks.save_response.answer = _save_response
 hooks.thesis_wall.answer = _thesis_wall
 
 

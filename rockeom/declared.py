@@ -2,31 +2,51 @@
 
 from __future__ import annotations
 
+import copyreg
+import pickle
+import sys
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rockeom.numeric.program import load_text
 from rockeom.numeric.store import kept
-from rockeom.numeric.structures import SHIPPED, Structure, class_of
+from rockeom.numeric.structures import SHIPPED, DeclaredStructure, Structure, class_of
 from rockeom.sources import digest
 
 if TYPE_CHECKING:
     from rockeom.symbolic import RockingModel
 
-_MODULES: dict[int, tuple[RockingModel, ModuleType]] = {}
+_CLASSES: dict[int, tuple[RockingModel, type[DeclaredStructure]]] = {}
 
 
-def _module_of(model: RockingModel) -> ModuleType:
-    """The generated module of a declared model, derived once on a machine."""
-    if id(model) not in _MODULES:
+def class_of_model(model: RockingModel) -> type[DeclaredStructure]:
+    """The class of structures of a declared model, derived once on a machine.
+
+    Its structures are pickled and copied with the declaration: a module that was derived has no
+    file from which another process could import it.
+    """
+    if id(model) not in _CLASSES:
         from rockeom.codegen import declaration_digest
 
-        module = _kept_module(model.name, declaration_digest(model), lambda: model)
-        _MODULES[id(model)] = model, module  # the model kept: its id is used
-    return _MODULES[id(model)][1]
+        made = class_of(_kept_module(model.name, declaration_digest(model), lambda: model))
+        copyreg.pickle(made, partial(_reduced, cache(partial(pickle.dumps, model))))
+        _CLASSES[id(model)] = model, made  # the model kept: its id is used
+    return _CLASSES[id(model)][1]
+
+
+def _reduced(declaration: Callable[[], bytes], structure: DeclaredStructure) -> tuple[Any, ...]:
+    """How a structure is made again: of its declaration where its module is not there."""
+    return _again, (structure.module.__name__, declaration(), structure.values)
+
+
+def _again(module: str, declaration: bytes, values: dict[str, float]) -> Structure:
+    """In another process the module is derived again, or found where this machine keeps it."""
+    if module in sys.modules:
+        return class_of(sys.modules[module])(**values)
+    return class_of_model(pickle.loads(declaration))(**values)
 
 
 @cache
@@ -54,8 +74,3 @@ def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> M
         return module_text(model()).encode()
 
     return load_text(name, kept(f"{name}_module", digest, text).decode())
-
-
-def class_of_model(model: RockingModel) -> type[Structure]:
-    """The class of structures of a declared model."""
-    return class_of(_module_of(model))

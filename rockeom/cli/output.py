@@ -14,6 +14,7 @@ import numpy as np
 from rockeom import __version__
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import AngularMomentum, ImpactLaw
+from rockeom.numeric.labelled import units
 from rockeom.numeric.response import MEASURABLE, Response
 
 
@@ -41,18 +42,6 @@ def peak(run: Response, name: str) -> tuple[float, float]:
     """The value of largest size with its sign, and its time [s]."""
     found = run.extremes(name)
     return found.peak, found.peak_time
-
-
-def units(run: Response) -> dict[str, str]:
-    """Unit of the time "t" and of all that `run[...]` knows; "-" throughout without dimensions."""
-    p = run.program
-    found = {"t": "s"} | dict(zip(p.STATES, p.STATE_UNITS, strict=True))
-    found |= dict.fromkeys((*p.ENERGIES, "total_energy"), "J")
-    found |= dict.fromkeys(p.REACTIONS, "N") | dict.fromkeys(p.KINEMATICS, "m")
-    found |= {name: "m/s2" for name in run.names if name.endswith("ground_acceleration")}
-    if p.STATE_UNITS[p.ROTATION] == "-":
-        return dict.fromkeys(found, "-")
-    return found
 
 
 def write_csv(run: Response, path: Path) -> None:

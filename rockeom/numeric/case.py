@@ -191,8 +191,8 @@ class Case:
             law=law,
             ratio=ratio,
             fallen=structure.overturning_rotation,
-            horizontal=_table(motion),
-            vertical=_table(self.vertical),
+            horizontal=ground_table(motion),
+            vertical=ground_table(self.vertical),
             end=end,
             quiet_from=quiet,
         )
@@ -236,6 +236,6 @@ def _pushes(motion: GroundMotion) -> Iterator[float]:
         yield within(kind, c0, c1, c2, 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9))
 
 
-def _table(motion: GroundMotion | None) -> np.ndarray:
+def ground_table(motion: GroundMotion | None) -> np.ndarray:
     """(m, 7) rows of a motion for the compiled loop; none for ground that stands still."""
     return STILL if motion is None else motion.segments

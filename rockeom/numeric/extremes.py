@@ -14,15 +14,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from rockeom.numeric.response import Steps
+    from rockeom.numeric.record import Steps
 
 Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 """(n, m) values of m quantities at times (n,), states (n, N) and contact states (n,)."""
 
 PARTS = 8  # of a step
 CHUNK = 1024  # steps looked at together, so that memory is bounded
+MOST_PIECES = 64  # of them that are held, before it is asked which still may have an extreme
 GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
 NARROWINGS = 36  # 0.25 * GOLDEN**36 of a step is 8e-9: of the value its square is lost
+_SIGNS = np.array([-1.0, 1.0])
 
 
 @dataclass(frozen=True)
@@ -44,17 +46,37 @@ class Extremes:
         return self.minimum_time if -self.minimum > self.maximum else self.maximum_time
 
 
+@dataclass(frozen=True)
 class Search:
-    """What is evaluated where: the steps of a motion, up to the time `end` [s]."""
+    """What is evaluated where: steps, each up to a part `width` of it, and its last time [s]."""
 
-    def __init__(self, steps: Steps, evaluate: Evaluate, end: float = np.inf) -> None:
+    steps: Steps
+    evaluate: Evaluate
+    width: np.ndarray
+    last: np.ndarray
+
+    @classmethod
+    def within(
+        cls, steps: Steps, evaluate: Evaluate, end: float = np.inf, after: float = np.inf
+    ) -> Search:
+        """Steps in a row, up to the time `end` [s]; after : when the one behind them begins."""
         start, length = steps.span.T
-        self.steps, self.evaluate = steps, evaluate
-        self.number = max(int(np.searchsorted(start, end, side="right")), 1)
-        self.width = np.clip((end - start) / length, 0.0, 1.0)
         # the end of a step is still of its own law of the ground, which may jump there
-        ends = np.append(np.minimum(start[:-1] + length[:-1], start[1:]), start[-1] + length[-1])
-        self.last = np.maximum(np.nextafter(ends, -np.inf), start)
+        ends = np.minimum(start + length, np.append(start[1:], after))
+        last = np.maximum(np.nextafter(ends, -np.inf), start)
+        return cls(steps, evaluate, np.clip((end - start) / length, 0.0, 1.0), last)
+
+    def __getitem__(self, which: np.ndarray) -> Search:
+        return Search(self.steps[which], self.evaluate, self.width[which], self.last[which])
+
+    def joined(self, *others: Search) -> Search:
+        all_ = (self, *others)
+        return Search(
+            self.steps.joined(*(search.steps for search in others)),
+            self.evaluate,
+            np.concatenate([search.width for search in all_]),
+            np.concatenate([search.last for search in all_]),
+        )
 
     def at(self, index: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(times (n,), values (n, m)) at places x in [0, 1] of the steps `index`, which rise."""
@@ -94,44 +116,87 @@ class Search:
         return of(np.where(f_inner > f_outer, inner, outer))
 
 
-def extremes(steps: Steps, evaluate: Evaluate, end: float = np.inf) -> list[Extremes]:
-    """The extremes of each quantity over the steps up to the time `end` [s]."""
-    search = Search(steps, evaluate, end)
-    best: np.ndarray | None = None  # (2, m) of -values and values
-    when = np.empty(0)
-    signs = np.array([-1.0, 1.0])
-    found: list[tuple[np.ndarray, ...]] = []
-    for first in range(0, search.number, CHUNK):
-        last = min(first + CHUNK, search.number)
-        x, t, values = search.grid(first, last)
-        f = signs[:, None, None, None] * values  # (2, steps, places, m)
+class Running:
+    """The extremes of quantities over steps that come one piece after the other.
+
+    Of a piece only those steps are held in which an extreme may lie. end : up to when [s].
+    """
+
+    def __init__(self, evaluate: Evaluate, end: float = np.inf) -> None:
+        self.evaluate, self.end = evaluate, end
+        self.best: np.ndarray | None = None  # (2, m) of -values and values
+        self.when = np.empty(0)
+        self.pieces: list[tuple[Search, tuple[np.ndarray, ...]]] = []
+
+    def add(self, steps: Steps, after: float = np.inf) -> None:
+        """The next steps; after : when the one behind them begins [s]."""
+        search = Search.within(steps, self.evaluate, self.end, after)
+        x, t, values = search.grid(0, len(steps))
+        f = _SIGNS[:, None, None, None] * values  # (2, steps, places, m)
         f[np.isnan(f)] = -np.inf
         flat = f.reshape(2, -1, f.shape[-1])
         place = flat.argmax(axis=1)
         most = np.take_along_axis(flat, place[:, None], axis=1)[:, 0]
-        if best is None:
-            best, when = np.full(most.shape, -np.inf), np.full(most.shape, np.nan)
-        when = np.where(most > best, t.ravel()[place], when)
-        best = np.maximum(best, most)
-        found.append(_candidates(f, x, best, first))
-    assert best is not None
-    index, low, high, side, column, bound = (np.concatenate(a) for a in zip(*found, strict=True))
-    worth = bound > best[side, column]
-    index, low, high, side, column = (a[worth] for a in (index, low, high, side, column))
-    if len(index):
-        t, value = search.narrowed(index, low, high, column, signs[side])
-        for i in np.flatnonzero(value > best[side, column]):
-            if value[i] > best[side[i], column[i]]:
-                best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]
-    return [
-        Extremes(float(-best[0, i]), float(best[1, i]), float(when[0, i]), float(when[1, i]))
-        for i in range(best.shape[1])
-    ]
+        if self.best is None:
+            self.best, self.when = np.full(most.shape, -np.inf), np.full(most.shape, np.nan)
+        better = most > self.best  # of equal ones the first, so that pieces of any length do
+        self.when = np.where(better, t.ravel()[place], self.when)
+        self.best = np.where(better, most, self.best)
+        self._hold(search, _candidates(f, x, self.best))
+        if len(self.pieces) > MOST_PIECES:
+            self._join()
+
+    def _hold(self, search: Search, found: tuple[np.ndarray, ...]) -> None:
+        """Hold the steps of candidates, if they still are."""
+        step, *others, side, column, bound = found
+        assert self.best is not None
+        worth = bound > self.best[side, column]
+        if worth.any():
+            used, step = np.unique(step[worth], return_inverse=True)
+            rest = (a[worth] for a in (*others, side, column, bound))
+            self.pieces.append((search[used], (step, *rest)))
+
+    def _join(self) -> None:
+        """Make one piece of those that are held, without what is no candidate any more."""
+        searches, found = zip(*self.pieces, strict=True)
+        first = np.cumsum([0, *(len(search.steps) for search in searches)])
+        steps = [step + offset for (step, *_), offset in zip(found, first, strict=False)]
+        columns = zip(*(others for _, *others in found), strict=True)
+        joined = (np.concatenate(steps), *map(np.concatenate, columns))
+        self.pieces = []
+        self._hold(searches[0].joined(*searches[1:]), joined)
+
+    def found(self) -> list[Extremes]:
+        """The extremes of each quantity."""
+        best, when = self.best, self.when
+        assert best is not None
+        if self.pieces:
+            self._join()
+        for search, (index, low, high, side, column, _) in self.pieces:
+            brackets = (index, low, high, column, _SIGNS[side])
+            some = [slice(i, i + PARTS * CHUNK) for i in range(0, len(index), PARTS * CHUNK)]
+            parts = [search.narrowed(*(a[part] for a in brackets)) for part in some]
+            t, value = map(np.concatenate, zip(*parts, strict=True))
+            for i in np.flatnonzero(value > best[side, column]):
+                if value[i] > best[side[i], column[i]]:
+                    best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]
+        return [
+            Extremes(float(-best[0, i]), float(best[1, i]), float(when[0, i]), float(when[1, i]))
+            for i in range(best.shape[1])
+        ]
 
 
-def _candidates(
-    f: np.ndarray, x: np.ndarray, best: np.ndarray, first: int
-) -> tuple[np.ndarray, ...]:
+def extremes(steps: Steps, evaluate: Evaluate, end: float = np.inf) -> list[Extremes]:
+    """The extremes of each quantity over the steps up to the time `end` [s]."""
+    running, start = Running(evaluate, end), steps.span[:, 0]
+    number = max(int(np.searchsorted(start, end, side="right")), 1)
+    for first in range(0, number, CHUNK):
+        last = min(first + CHUNK, number)
+        running.add(steps[first:last], start[last] if last < len(start) else np.inf)
+    return running.found()
+
+
+def _candidates(f: np.ndarray, x: np.ndarray, best: np.ndarray) -> tuple[np.ndarray, ...]:
     """Steps, brackets, signs and columns of the local maxima that may exceed the best place."""
     with np.errstate(invalid="ignore"):
         bend = np.abs(f[:, :, 2:] - 2.0 * f[:, :, 1:-1] + f[:, :, :-2]).max(axis=2)
@@ -146,14 +211,14 @@ def _candidates(
     high = x[step, np.minimum(place + 1, PARTS)]
     order = np.argsort(step, kind="stable")
     return tuple(
-        a[order] for a in (step + first, low, high, side, column, bound[side, step, place, column])
+        a[order] for a in (step, low, high, side, column, bound[side, step, place, column])
     )
 
 
 def last_crest(steps: Steps, evaluate: Evaluate) -> float:
     """The last time [s] up to which a quantity rises; the start if it never does."""
-    search = Search(steps, evaluate)
-    for last in range(search.number, 0, -CHUNK):
+    search = Search.within(steps, evaluate)
+    for last in range(len(steps), 0, -CHUNK):
         first = max(last - CHUNK, 0)
         x, _, values = search.grid(first, last)
         step, place = np.nonzero(np.diff(values[:, :, 0], axis=1) > 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -13,14 +14,22 @@ import numpy as np
 
 from rockeom import hooks
 from rockeom.contract import KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
+from rockeom.numeric.case import ground_table
 from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
 from rockeom.numeric.friction import least_coefficient, of_impulses, of_point_impulses, surfaces
+from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import places, positions_of, rotations_of
+from rockeom.numeric.program import Program, program
+from rockeom.numeric.record import ALL, SAMPLES, Passages, Samples, Steps
 
 if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
     from rockeom.motion import GroundMotion
-    from rockeom.numeric.program import Program
+    from rockeom.numeric.impact import ImpactLaw
+    from rockeom.numeric.options import SolverOptions
     from rockeom.numeric.structures import Structure
 
 
@@ -75,52 +84,10 @@ class Impact:
     contact: str = ""
 
 
-_KINDS = (*KIND_OF, "rest", *HAPPENED.values())
+KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 
 MEASURABLE = 1e-3
 """Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
-
-
-@dataclass(frozen=True)
-class Steps:
-    """The dense record: steps (n, 2) start and length [s], contact (n,), powers (n, 8, N)."""
-
-    span: np.ndarray
-    contact: np.ndarray
-    powers: np.ndarray
-
-    def at(self, times: np.ndarray, side: str) -> tuple[np.ndarray, np.ndarray]:
-        """States (m, N) and contact states (m,) at times (m,)."""
-        starts = self.span[:, 0]
-        found = np.searchsorted(starts, times, side="right" if side == "right" else "left")
-        index = np.clip(found - 1, 0, len(starts) - 1)
-        x = (times - starts[index]) / self.span[index, 1]
-        return self.states(index, x), self.contact[index]
-
-    def states(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
-        """States (m, N) at places x in [0, 1] of the steps `index`."""
-        powers = self.powers[index]
-        values = powers[:, 7]
-        for j in range(6, -1, -1):
-            values = values * x[:, None] + powers[:, j]
-        return values
-
-    def samples(self, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(t, states, contact) at both ends of every step and between, no wider than spacing."""
-        n = np.maximum(np.ceil(self.span[:, 1] / spacing - 1e-9).astype(int), 1)
-        index = np.repeat(np.arange(len(n)), n + 1)
-        first = np.cumsum(n + 1) - (n + 1)
-        x = (np.arange(len(index)) - np.repeat(first, n + 1)) / np.repeat(n, n + 1)
-        values = self.states(index, x)
-        t = self.span[index, 0] + x * self.span[index, 1]
-        # the end of a step is the start of the next: keep one unless a state jumps there
-        keep = np.ones(len(t), dtype=bool)
-        seam = first[1:]
-        same = np.all(
-            np.abs(values[seam] - values[seam - 1]) <= 1e-9 * np.abs(values[seam]), axis=1
-        )
-        keep[seam[same & (self.contact[1:] == self.contact[:-1])]] = False
-        return t[keep], values[keep], self.contact[index][keep]
 
 
 @dataclass(frozen=True)
@@ -131,24 +98,62 @@ class Response:
     Where a velocity jumps t holds the instant twice, before and after. `run["theta"]` gives a
     column of y, or any of `names`: energies [J], reactions [N], displacement and uplifts [m],
     accelerations of the ground [m/s2].
+
+    `save` keeps it in a file, `rk.load` brings it back; it can be pickled and copied.
     """
 
     structure: Structure
     motion: GroundMotion
     vertical: GroundMotion | None
+    impact: ImpactLaw | None
+    options: SolverOptions
     outcome: Outcome
     duration: float
-    output_step: float
     statistics: dict[str, Any]
-    steps: Steps
+    record: Steps | Samples
     end: np.ndarray
-    passages: tuple[np.ndarray, np.ndarray, np.ndarray]
-    tables: tuple[np.ndarray, np.ndarray]
-    program: Program
+    passages: Passages
+
+    __getstate__ = made_of
+
+    @cached_property
+    def program(self) -> Program:
+        """The machine code by which it was found, found or compiled again where it is not there."""
+        return program(self.structure.module, self.statistics["method"])
+
+    @property
+    def tables(self) -> tuple[np.ndarray, np.ndarray]:
+        """Rows (m, 7) of the horizontal and the vertical motion of the ground."""
+        return ground_table(self.motion), ground_table(self.vertical)
+
+    @property
+    def output_step(self) -> float:
+        """Largest spacing of the samples [s]."""
+        return self.options.output_step or self.duration / 4000
+
+    @property
+    def keeps(self) -> str:
+        """What was kept of the motion: "all" or "samples", see `simulate`."""
+        return ALL if isinstance(self.record, Steps) else SAMPLES
+
+    @property
+    def steps(self) -> Steps:
+        """The dense record; raises ValueError where only samples were kept."""
+        return self._steps_for("steps")
+
+    def _steps_for(self, what: str) -> Steps:
+        if isinstance(self.record, Steps):
+            return self.record
+        raise ValueError(
+            f"{what} needs every step of the motion, and of this one only samples were kept: "
+            'simulate it with keep="all"'
+        )
 
     @cached_property
     def _samples(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        return self.steps.samples(self.output_step)
+        if isinstance(self.record, Samples):
+            return self.record.t, self.record.y, self.record.contact
+        return self.record.samples(self.output_step)
 
     @property
     def t(self) -> np.ndarray:
@@ -168,12 +173,12 @@ class Response:
     @cached_property
     def events(self) -> tuple[Impact, ...]:
         """All passages between contact states, in time order."""
-        names, (times, kinds, states) = self.program.CONTACTS, self.passages
+        names, (times, kinds, states) = self.structure.module.CONTACTS, self.passages
         who = subjects(self.structure.module, kinds, states, self.structure.vector)
         return tuple(
             Impact(
                 float(time),
-                _KINDS[kind],
+                KINDS[kind],
                 names[before],
                 names[after],
                 dict(zip(self.states, pair[0].tolist(), strict=True)),
@@ -187,12 +192,12 @@ class Response:
 
     @property
     def states(self) -> tuple[str, ...]:
-        return self.program.STATES
+        return self.structure.states
 
     @property
     def names(self) -> tuple[str, ...]:
         """All that `run[...]` knows."""
-        p = self.program
+        p = self.structure.module
         return (
             *p.STATES, *p.ENERGIES, "total_energy", *p.REACTIONS, *p.KINEMATICS,
             "ground_acceleration", "vertical_ground_acceleration",
@@ -216,7 +221,7 @@ class Response:
     @property
     def phase(self) -> np.ndarray:
         """(n,) name of the contact state at each sample."""
-        return np.array(self.program.CONTACTS)[self.contact]
+        return np.array(self.structure.module.CONTACTS)[self.contact]
 
     @property
     def impacts(self) -> tuple[Impact, ...]:
@@ -270,8 +275,10 @@ class Response:
 
         side : "left" or "right", which one where a velocity jumps. names : of the states, or of
         any other quantities of the response.
-        Raises ValueError for times outside the response, KeyError for an unknown name.
+        Raises ValueError for times outside the response and where only samples were kept, KeyError
+        for an unknown name.
         """
+        steps = self._steps_for("at")
         if side not in ("left", "right"):
             raise ValueError(f"side is {side!r}: choose 'left' or 'right'")
         times = np.asarray(times, dtype=float)
@@ -285,7 +292,7 @@ class Response:
         for name in names:
             if name not in self.names:
                 raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
-        values, contact = self.steps.at(flat, side)
+        values, contact = steps.at(flat, side)
         found: dict[str, Any] = {n: values[:, i] for i, n in enumerate(self.states)}
         if not set(names) <= set(self.states):
             order = np.argsort(flat, kind="stable")
@@ -313,6 +320,19 @@ class Response:
         """The last state, by name."""
         return dict(zip(self.states, self.end.tolist(), strict=True))
 
+    @property
+    def final_phase(self) -> str:
+        """Name of the contact state at the end; with `final` and `impact` a motion can go on.
+
+        rk.simulate(
+            run.structure, aftershock, impact=run.impact, initial=run.final,
+            phase=run.final_phase, options=run.options,
+        )
+        """
+        _, kinds, _ = self.passages
+        contact = kinds[-1, 2] if len(kinds) else self.contact[0]
+        return self.structure.module.CONTACTS[contact]
+
     def extremes(self, name: str) -> Extremes:
         """Least and greatest value of any of `names`, found within the steps, and their times.
 
@@ -324,7 +344,14 @@ class Response:
 
     @cached_property
     def _extremes(self) -> dict[str, Extremes]:
-        return dict(zip(self.names, extremes(self.steps, self._columns(self.names)), strict=True))
+        if isinstance(self.record, Samples):
+            return dict(self.record.extremes)
+        names, evaluate = self.told_of_steps()
+        return dict(zip(names, extremes(self.record, evaluate), strict=True))
+
+    def told_of_steps(self) -> tuple[tuple[str, ...], Callable[..., np.ndarray]]:
+        """Names of the quantities whose extremes are found within the steps, and their values."""
+        return self.names, self._columns(self.names)
 
     def _columns(self, names: Sequence[str]) -> Callable[..., np.ndarray]:
         """The function that gives quantities (n, m) at times, states and contact states (n,)."""
@@ -342,7 +369,7 @@ class Response:
         metre from the foot. Before it comes to rest a structure has endlessly many smaller ones,
         whose number depends on the last digit of everything.
         """
-        name = self.states[self.program.ROTATION_RATE]
+        name = self.states[self.structure.module.ROTATION_RATE]
         return tuple(impact for impact in self.impacts if abs(impact.before[name]) > rate)
 
     # -- what the ground had to give --------------------------------------------------------
@@ -353,14 +380,15 @@ class Response:
 
         None without feet. See `_support_ends`.
         """
-        if "left_reaction" not in self.program.REACTIONS:
+        if "left_reaction" not in self.structure.module.REACTIONS:
             return None
+        steps = self._steps_for("what the ground had to give")
 
         def forces(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
             found = self._feet(t, y, contact)
             return np.column_stack([found, found[:, 1] + found[:, 2]])
 
-        return tuple(extremes(self.steps, forces, self._support_ends))
+        return tuple(extremes(steps, forces, self._support_ends))
 
     @property
     def _feet(self) -> Callable[..., np.ndarray]:
@@ -396,7 +424,7 @@ class Response:
             left, right, *centre = forces(t, y, contact).T
             return ((centre[0] if moves else arm) * (right - left))[:, None]
 
-        return extremes(self.steps, moment)[0]
+        return extremes(self._steps_for("base_moment"), moment)[0]
 
     @cached_property
     def friction_demand(self) -> float:
@@ -485,7 +513,10 @@ class Response:
         landed = kinds[:, 0] == LANDING
         energies, p = self.program.energies, self.structure.vector
         found = []
-        before, after = np.zeros(len(self.program.ENERGIES)), np.zeros(len(self.program.ENERGIES))
+        before, after = (
+            np.zeros(len(self.structure.module.ENERGIES)),
+            np.zeros(len(self.structure.module.ENERGIES)),
+        )
         for (_, old, new, _), (arriving, leaving) in zip(
             kinds[landed], states[landed], strict=True
         ):
@@ -506,6 +537,11 @@ class Response:
 
     def assumptions(self) -> str:
         """How far the assumptions of no sliding and no lost contact held, in words."""
+        if self.keeps == SAMPLES:
+            return (
+                "Only samples were kept: the forces that friction and contact had to bear, which "
+                "are found within the steps, are not known."
+            )
         if self._support is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self.structure.stands_on_points:
@@ -555,13 +591,13 @@ class Response:
     @property
     def hints(self) -> tuple[str, ...]:
         """What about the structure and its start is allowed and hardly meant, a sentence each."""
-        start, p = self.steps.powers[0, 0], self.program
+        start, p = self.y[0], self.structure.module
         found = self.structure.hints()
         if not (self.structure.rocks_on_rigid_ground and start[p.ROTATION]):
             return found
         around = np.array([start, start])
         around[:, p.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
-        energy = self._evaluated(np.zeros(2), around, self.steps.contact[[0, 0]])
+        energy = self._evaluated(np.zeros(2), around, self.contact[[0, 0]])
         potential = energy["gravitational_energy"] + energy["elastic_energy"]
         if potential[1] >= potential[0]:
             return found
@@ -574,15 +610,19 @@ class Response:
     @property
     def never_lifted(self) -> bool:
         """Whether both feet stood on rigid ground all the time."""
-        sides = np.array(self.program.SIDES)
-        return self.structure.rocks_on_rigid_ground and not sides[self.steps.contact].any()
+        sides = np.array(self.structure.module.SIDES)
+        return self.structure.rocks_on_rigid_ground and not sides[self.contact].any()
 
     def _uplift(self) -> list[str]:
         """Of a motion that never lifted, at which acceleration of the ground it would."""
         threshold = self.structure.uplift_acceleration if self.never_lifted else None
         if threshold is None or math.isinf(threshold):
             return []
-        unit = "g" if self.program.STATE_UNITS[self.program.ROTATION] == "-" else "m/s2"
+        unit = (
+            "g"
+            if self.structure.module.STATE_UNITS[self.structure.module.ROTATION] == "-"
+            else "m/s2"
+        )
         return [
             f"It never lifted off. A ground acceleration that grows slowly lifts it at "
             f"{threshold:.4g} {unit}; here the largest was {self.motion.peak:.4g} {unit}."
@@ -593,20 +633,20 @@ class Response:
         if not self.overturned or len(self.structure.falls) == 1:
             return ""
         name = self.overturned
-        unit = self.program.STATE_UNITS[self.states.index(name)]
+        unit = self.structure.module.STATE_UNITS[self.states.index(name)]
         return f" {name} is {self.final[name]:.4g} {unit}."
 
     def impacts_in_words(self) -> str:
         """How many impacts there were, and how many of them were faster than MEASURABLE."""
         n = len(self.impacts)
-        unit = self.program.STATE_UNITS[self.program.ROTATION_RATE]
+        unit = self.structure.module.STATE_UNITS[self.structure.module.ROTATION_RATE]
         faster = f", {len(self.impacts_above())} of them faster than {MEASURABLE:g} {unit}"
         return f"{n} impacts{faster if n else ''}"
 
     def summary(self) -> str:
         """The response in words."""
-        rotation = self.states[self.program.ROTATION]
-        unit = self.program.STATE_UNITS[self.program.ROTATION]
+        rotation = self.states[self.structure.module.ROTATION]
+        unit = self.structure.module.STATE_UNITS[self.structure.module.ROTATION]
         largest = self.extremes(rotation)
         lines = [
             f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
@@ -619,6 +659,51 @@ class Response:
         if self.rest_time is not None:
             lines.append(f"Infinitely many impacts came to an end at {self.rest_time:.9g} s.")
         return "\n".join([*lines, self.assumptions(), *(f"Hint: {hint}" for hint in self.hints)])
+
+    # -- what lasts -----------------------------------------------------------------------------
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all of the response to a file, from which `rk.load` makes the same one again.
+
+        path : of a netCDF-4 file, which is written whole or not at all; one that is there is
+        replaced. It takes the extra `pip install "rockeom[files]"`.
+
+        Files hold numbers and names, no code. Of a structure that you declared the file has the
+        parameters and a hash: `rk.load` is given the declaration again. Of a law of impact of your
+        own it has the name alone, of which a warning tells; it is not needed but to go on.
+
+        Raises TypeError for a structure of a class of your own, ModuleNotFoundError without the
+        extra, and OSError where the file cannot be written.
+
+            run.save("block.nc")
+            run = rk.load("block.nc")
+        """
+        hooks.save_response(self, path)
+
+    def to_xarray(self, names: Sequence[str] | None = None, times: Any = None) -> xr.Dataset:
+        """Quantities over "time" and impacts over "impact", each with its unit and its long name.
+
+        names : of the quantities, the states if not given. times (n,) : [s], by the dense record;
+        if not given those of the samples, which have the instant of a jump twice.
+
+        `phase` is the name of the contact state; impact_time [s], impact_contact, and states and
+        phase before and after each impact, such as theta_dot_before. Raises KeyError for an unknown
+        name, and ValueError for times outside the response.
+
+            run.to_xarray(["theta", "displacement"]).theta.plot()
+        """
+        from rockeom.numeric.labelled import to_xarray
+
+        return to_xarray(self, names, times)
+
+    def to_dataframe(self, names: Sequence[str] | None = None, times: Any = None) -> pd.DataFrame:
+        """Quantities and the phase, a column each, over the time [s]; arguments as `to_xarray`.
+
+        run.to_dataframe(times=np.arange(0, 5, 0.01)).to_csv("block.csv")
+        """
+        from rockeom.numeric.labelled import of_time
+
+        return of_time(self, names, times).to_dataframe()
 
     def plot(self, **kwargs):
         """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""

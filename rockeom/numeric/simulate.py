@@ -5,17 +5,28 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rockeom.arguments import told
 from rockeom.contract import AT_THE_START, CONTACT, EVENTS_KEPT, FULL, REFINED, STEPS_KEPT
 from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.choice import chosen
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program, program
-from rockeom.numeric.response import Outcome, Response, Steps
+from rockeom.numeric.record import (
+    KEPT,
+    SAMPLES,
+    AllSteps,
+    Gathering,
+    Passages,
+    Samples,
+    SomeSamples,
+    Steps,
+)
+from rockeom.numeric.response import Outcome, Response
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -34,6 +45,7 @@ def simulate(
     vertical: GroundMotion | None = None,
     phase: str | None = None,
     options: SolverOptions | None = None,
+    keep: str = "all",
 ) -> Response:
     """Response of a structure to a horizontal (and a vertical) ground motion.
 
@@ -41,64 +53,70 @@ def simulate(
     initial : states by name; what is not named is zero.
     duration : [s]; the motion's own if not given. After the motion the ground stands still.
     phase : contact state at the start, where the state leaves it open.
+    keep : "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes
+        a step, of N states. "samples", for records of hours: the states every `output_step` of the
+        options and on both sides of every event, and the extremes of all quantities, which are
+        found while the motion runs. What needs the steps then says so: `at`, the forces that
+        friction and contact had to bear, `base_moment`.
 
     Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
     for an argument of another kind than is asked for.
     """
+    if keep not in KEPT:
+        raise ValueError(f"keep is {told(keep)}: choose {' or '.join(map(repr, KEPT))}")
     case = Case(structure, motion, impact, initial, duration, vertical, phase)
     options = SolverOptions.of(options)
     problem = case.problem()
     choice = chosen(structure, problem, options)
     compiled = program(structure.module, choice.method)
-    record = run(compiled, problem, options)
-    return Response(
-        structure=structure,
-        motion=motion,
-        vertical=vertical,
-        outcome=record.outcome,
-        duration=problem.end,
-        output_step=options.output_step or problem.end / 4000,
-        statistics={
-            "steps": len(record.steps.span),
-            "events": len(record.events[0]),
-            "method": choice.method,
-            "chosen": choice.because,
-            **({"refined": record.refined} if options.steps_per_segment else {}),
-        },
-        steps=record.steps,
-        end=record.y,
-        passages=record.events,
-        tables=(problem.horizontal, problem.vertical),
-        program=compiled,
-    )
+    said: dict[str, Any] = {"method": choice.method, "chosen": choice.because}
+
+    def response(record: Steps | Samples, of: Ran) -> Response:
+        return Response(
+            structure, motion, vertical, impact, options, of.outcome, problem.end, said, record,
+            of.y, of.events,
+        )  # fmt: skip
+
+    gathering: AllSteps | SomeSamples = AllSteps()
+    if keep == SAMPLES:
+        nothing_yet = response(_at_the_start(problem), _nothing(len(problem.y0)))
+        gathering = SomeSamples(nothing_yet.output_step, *nothing_yet.told_of_steps())
+    ran = run(compiled, problem, options, gathering)
+    if not len(gathering):  # ended before the first step: keep the start
+        gathering.add(_at_the_start(problem))
+    said = {"steps": len(gathering), "events": len(ran.events[0]), **said}
+    if options.steps_per_segment:
+        said["refined"] = ran.refined
+    return response(gathering.record(ran.events), ran)
 
 
 @dataclass(frozen=True)
-class Record:
-    """What the compiled loop left of a motion: how it ended, its steps and its events.
+class Ran:
+    """What the compiled loop left of a motion: how it ended and its events.
 
     refined : segments of the ground's motion in which equal steps would have been too long.
     """
 
     outcome: Outcome
     y: np.ndarray
-    steps: Steps
-    events: tuple[np.ndarray, np.ndarray, np.ndarray]
+    events: Passages
     refined: int
 
 
-def run(compiled: Program, problem: Problem, options: SolverOptions, keep: bool = True) -> Record:
+def run(
+    compiled: Program, problem: Problem, options: SolverOptions, gathering: Gathering | None = None
+) -> Ran:
     """Run the compiled loop to its end, emptying its records whenever they are full.
 
-    keep : whether the steps are recorded.
+    gathering : takes the steps, if given.
     """
-    idle = _benches(compiled, keep)
+    idle = _benches(compiled, gathering is not None)
     try:
         bench = idle.pop()  # in one go: threads may ask for one at the same time
     except IndexError:
-        bench = _Bench(compiled, keep)
+        bench = _Bench(compiled, gathering is not None)
     try:
-        return bench.run(problem, options)
+        return bench.run(problem, options, gathering)
     finally:
         idle.append(bench)
 
@@ -113,6 +131,19 @@ _STEPS, _EVENTS = 1024, 4096
 """How many are recorded before the record is emptied."""
 
 _TINY = float(np.finfo(float).tiny)
+
+
+def _at_the_start(problem: Problem) -> Steps:
+    """The record of a motion that has not begun."""
+    powers = np.zeros((1, 8, len(problem.y0)))
+    powers[0, 0] = problem.y0
+    return Steps(np.array([[0.0, _TINY]]), np.array([problem.contact]), powers)
+
+
+def _nothing(n: int) -> Ran:
+    """What is left of a motion of n states that has not begun."""
+    events = np.empty(0), np.empty((0, 4), np.int64), np.empty((0, 2, n))
+    return Ran(Outcome.COMPLETED, np.zeros(n), events, 0)
 
 
 class _Bench:
@@ -138,7 +169,7 @@ class _Bench:
         )
         self.at_rest = compiled.at_rest.bound(0, self.y, p)
 
-    def run(self, q: Problem, options: SolverOptions) -> Record:
+    def run(self, q: Problem, options: SolverOptions, gathering: Gathering | None) -> Ran:
         status, p = self.status, q.p()
         status[:], self.clock[:], self.y[:], self.rate[:] = AT_THE_START, 0.0, q.y0, 0.0
         status[CONTACT], self.atol[:] = q.contact, options.atol
@@ -152,26 +183,22 @@ class _Bench:
             bound["max_steps"] = options.max_steps
         integrate["rest_tolerance"] = options.rest_tolerance
         code = FULL
-        chunks: list[tuple[np.ndarray, ...]] = []
+        found: list[Passages] = []
         while code == FULL:
             status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
             code = integrate()
             kept, noted = int(status[STEPS_KEPT]), int(status[EVENTS_KEPT])
-            chunks.append(
-                (*(a[:kept].copy() for a in self.steps), *(a[:noted].copy() for a in self.events))
-            )
-        span, contacts, powers, times, kinds, states = (
-            chunks[0] if len(chunks) == 1 else map(np.concatenate, zip(*chunks, strict=True))
-        )
-        if len(span) == 0:  # ended before the first step: keep the start
-            span, contacts = np.array([[0.0, _TINY]]), np.array([q.contact])
-            powers = np.zeros((1, 8, len(q.y0)))
-            powers[0, 0] = q.y0
+            if gathering is not None:
+                gathering.add(Steps(*(a[:kept] for a in self.steps)))
+            times, kinds, states = (a[:noted].copy() for a in self.events)
+            found.append((times, kinds, states))
         outcome = _OUTCOMES[code]
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
             outcome = self._later(p, 0.1 * q.end)
-        taken = Steps(span, contacts, powers)
-        return Record(outcome, self.y.copy(), taken, (times, kinds, states), int(status[REFINED]))
+        times, kinds, states = (
+            found[0] if len(found) == 1 else map(np.concatenate, zip(*found, strict=True))
+        )
+        return Ran(outcome, self.y.copy(), (times, kinds, states), int(status[REFINED]))
 
     def _later(self, p: np.ndarray, reach: float) -> Outcome:
         """What will become of a motion that was followed to its end, the ground at rest."""

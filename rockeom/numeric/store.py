@@ -57,7 +57,7 @@ def kept(name: str, digest: str, make: Callable[[], bytes]) -> bytes:
     found = _read(path, key)
     if found is None:
         found = make()
-        _remove_leftovers(folder)
+        remove_leftovers(folder, "rockeom_*.compiled.*.tmp")
         _write(path, _head(key, found), found)
     return found
 
@@ -157,10 +157,10 @@ def _write(path: str, *parts: bytes) -> None:
             pass  # it is in its place, or never was
 
 
-def _remove_leftovers(folder: Path) -> None:
+def remove_leftovers(folder: Path, pattern: str) -> None:
     """Files of processes that were killed while they wrote, a day ago or longer."""
     with suppress(OSError):
-        for temporary in folder.glob("rockeom_*.compiled.*.tmp"):
+        for temporary in folder.glob(pattern):
             with suppress(OSError):
                 if temporary.lstat().st_mtime < time.time() - _DAY:
                     temporary.unlink()

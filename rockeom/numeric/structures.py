@@ -33,6 +33,7 @@ from rockeom.numeric.impact import (
     TabledLaw,
     check_law,
 )
+from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import Shapes, places, positions_of, rotations_of, shapes
 
 if TYPE_CHECKING:
@@ -54,6 +55,8 @@ class Structure:
     """Parameters that are lists, and what the generated module calls one of them, numbered."""
     pulled: ClassVar[str] = "it would have jumped"
     """What it means that the ground would have to pull a foot."""
+
+    __getstate__ = made_of
 
     # -- what a subclass gives --------------------------------------------------------------
 
