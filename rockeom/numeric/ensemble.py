@@ -18,7 +18,7 @@ from rockeom.arguments import told, whole_number
 from rockeom.contract import IMPACT
 from rockeom.numeric.case import Case
 from rockeom.numeric.choice import DEFAULT, Choice, chosen
-from rockeom.numeric.ensemble_cases import Cases, Part, made
+from rockeom.numeric.ensemble_cases import Cases, Part, first_of
 from rockeom.numeric.ensemble_dataset import Sweep, check_names, dataset
 from rockeom.numeric.ensemble_results import NOT_RUN
 from rockeom.numeric.ensemble_store import definition, opened
@@ -138,7 +138,7 @@ def simulate_many(
     if chunk is not None:
         chunk = whole_number("chunk", chunk, 1)
 
-    first = made(case, cases.named(0))
+    first = first_of(case, cases)
     module = first.structure.module
     method, because = _method(first, options)
     options = replace(options, method=method)

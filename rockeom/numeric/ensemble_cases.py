@@ -236,6 +236,20 @@ def _told_apart(names: list[str]) -> list[str]:
     return found
 
 
+def first_of(case: Callable[..., Case], cases: Cases) -> Case:
+    """The first of some cases, which tells the structure of all."""
+    named = cases.named(0)
+    try:
+        return made(case, named)
+    except Exception as error:
+        error.add_note(_in_the_case(named))
+        raise
+
+
+def _in_the_case(named: Mapping[str, Any]) -> str:
+    return f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}"
+
+
 def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     """What the function makes of one value of each name; raises TypeError for what is no case."""
     found = case(**named)
@@ -360,7 +374,7 @@ class Source:
         try:
             return self.problem(named)
         except Exception as error:
-            error.add_note(f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}")
+            error.add_note(_in_the_case(named))
             raise
 
     def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:

@@ -106,12 +106,11 @@ def _variables(
         return {"units": unit} if len(found) == 1 and (unit := found.pop()) else {}
 
     def named(dim: str, names: Sequence[str]) -> dict[str, Any]:
+        of_each = [units.get(name, "") for name in names]
         return {
             dim: ((dim,), list(names), {"long_name": f"name of the {dim}"}),
-            f"{dim}_unit": (
-                (dim,), [units.get(name, "") for name in names], {"long_name": f"unit of the {dim}"},
-            ),
-        }  # fmt: skip
+            f"{dim}_unit": ((dim,), of_each, {"long_name": f"unit of the {dim}"}),
+        }
 
     labels, phases = np.array(_LABELS), np.array([*module.CONTACTS, ""])
     flags = r.outcome - NOT_RUN + PENDING

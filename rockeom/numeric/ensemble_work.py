@@ -23,7 +23,7 @@ import numpy as np
 
 from rockeom.arguments import told
 from rockeom.numeric.case import Case
-from rockeom.numeric.ensemble_cases import Cases, Part, Source, made
+from rockeom.numeric.ensemble_cases import Cases, Part, Source, first_of
 from rockeom.numeric.ensemble_results import Asked, Kept, Results
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import program, revision
@@ -63,7 +63,7 @@ class Work:
 
 def run_apart(work: Work, cases: Cases) -> dict[str, np.ndarray]:
     """What is kept of a table of cases, run in the process that is asked; called by executors."""
-    module = made(work.case, cases.named(0)).structure.module
+    module = first_of(work.case, cases).structure.module
     method = work.options.method
     assert method is not None
     if revision(module, method, work.lanes) != work.revision:
