@@ -144,7 +144,8 @@ def simulate_many(
     options = replace(options, method=method)
     lanes = _in_lanes(lanes, module, method)
     compiled = program(module, method, lanes)
-    its_revision = revision(module, method, lanes)
+    apart = store is not None or executor is not None
+    its_revision = revision(module, method, lanes) if apart else ""
     work = Work(case, options, lanes, arrays, impact_times, quantities, times, its_revision)
     check_names(cases, work.empty(1, module), module)
     kept = work.empty(cases.total, module)
