@@ -18,7 +18,8 @@ import numpy as np
 import rockeom as rk
 from benchmarks import report, timing, ways, with_c, with_rockeom, workloads as w
 from rockeom.numeric.case import Problems
-from rockeom.numeric.ensemble import Part, _Results
+from rockeom.numeric.ensemble_cases import Part
+from rockeom.numeric.ensemble_results import Results
 from rockeom.numeric.program import program
 
 RTOL = 1e-6
@@ -61,17 +62,17 @@ def by_rockeom(cases: list[w.Case], solver: rk.SolverOptions, lanes: bool) -> Ca
     module = cases[0].structure.module
     compiled = program(module, solver.method, lanes)
 
-    def call() -> _Results:
-        results = _Results.empty(len(cases), module.N_STATES, FIRST_IMPACTS)
+    def call() -> Results:
+        results = Results.empty(len(cases), module.N_STATES, FIRST_IMPACTS)
         results.run(part, compiled, solver, Event(), lanes)
         return results
 
     return call
 
 
-def first_impacts(result: _Results | list) -> np.ndarray:
+def first_impacts(result: Results | list) -> np.ndarray:
     """Times (n, FIRST_IMPACTS) of the first impacts of each motion, nan where there are fewer."""
-    if isinstance(result, _Results):
+    if isinstance(result, Results):
         return result.times
     times = np.full((len(result), FIRST_IMPACTS), np.nan)
     for row, (_, _, events, _) in zip(times, result, strict=True):
@@ -80,8 +81,8 @@ def first_impacts(result: _Results | list) -> np.ndarray:
     return times
 
 
-def fallen(result: _Results | list) -> int:
-    if isinstance(result, _Results):
+def fallen(result: Results | list) -> int:
+    if isinstance(result, Results):
         return int((result.outcome == with_c.OVERTURNED).sum())
     return sum(outcome == with_c.OVERTURNED for outcome, *_ in result)
 
@@ -102,7 +103,7 @@ def rows(
     )
     for name, cases, of_lanes in maps:
         told("lanes and one by one:", name)
-        runs: dict[str, Callable[[], _Results | list]] = {}
+        runs: dict[str, Callable[[], Results | list]] = {}
         if "C" not in ways.missing():
             runs = {variant: by_c(cases, variant) for variant in with_c.VARIANTS}
         runs["one by one"] = by_rockeom(cases, loose, False)

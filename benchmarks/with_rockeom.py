@@ -12,7 +12,8 @@ import rockeom as rk
 from benchmarks import workloads as w
 from rockeom.contract import IMPACT, REST
 from rockeom.numeric.case import Case, Problems
-from rockeom.numeric.ensemble import Part, _Results
+from rockeom.numeric.ensemble_cases import Part
+from rockeom.numeric.ensemble_results import Results
 from rockeom.numeric.program import program
 from rockeom.numeric.record import AllSteps
 from rockeom.numeric.simulate import run
@@ -60,14 +61,14 @@ def released(block) -> Case:
     return Case(block, rk.GroundMotion.none(0.1), initial={"theta": 0.5 * w.BLOCK.alpha})
 
 
-def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callable[[], _Results]:
+def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callable[[], Results]:
     """The compiled loop over prepared cases, as simulate_many calls it."""
     part = Part(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
     module = cases[0].structure.module
     compiled = program(module, solver.method)
 
-    def call() -> _Results:
-        results = _Results.empty(len(cases), module.N_STATES, times)
+    def call() -> Results:
+        results = Results.empty(len(cases), module.N_STATES, times)
         results.run(part, compiled, solver, Event())
         return results
 

@@ -23,7 +23,8 @@ _NAMES_OF = {
     "rockeom.motion": ("GroundMotion", "MotionError"),
     "rockeom.named": ("structure",),
     "rockeom.numeric.case": ("Case",),
-    "rockeom.numeric.ensemble": ("Sweep", "simulate_many"),
+    "rockeom.numeric.ensemble": ("simulate_many",),
+    "rockeom.numeric.ensemble_dataset": ("Sweep",),
     "rockeom.numeric.extremes": ("Extremes",),
     "rockeom.numeric.impact": (
         "AngularMomentum",
@@ -62,7 +63,8 @@ if TYPE_CHECKING:
     from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
     from rockeom.named import structure as structure
     from rockeom.numeric.case import Case as Case
-    from rockeom.numeric.ensemble import Sweep as Sweep, simulate_many as simulate_many
+    from rockeom.numeric.ensemble import simulate_many as simulate_many
+    from rockeom.numeric.ensemble_dataset import Sweep as Sweep
     from rockeom.numeric.extremes import Extremes as Extremes
     from rockeom.numeric.impact import (
         AngularMomentum as AngularMomentum,

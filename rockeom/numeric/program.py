@@ -115,15 +115,25 @@ what it is called by."""
 
 def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
     """Name of a part of a program, and a hash of all that its code follows from."""
-    digest = _digest(
-        part, source(generated), _contacts(generated), method, target(), _own("loop.py"),
+    digest = _digest(part, target(), *_sources(generated, method, part))
+    return f"{generated.NAME}_{method.lower()}{'' if part == LOOP else '_' + part}", digest
+
+
+def revision(generated: ModuleType, method: str, lanes: bool = False) -> str:
+    """A hash of all texts that a program follows from, the same for every processor."""
+    part = GLUE if lanes else LOOP
+    return _digest(part, *_sources(generated, method, part))
+
+
+def _sources(generated: ModuleType, method: str, part: str) -> tuple[str, ...]:
+    return (
+        source(generated), _contacts(generated), method, _own("loop.py"),
         *(_own(name) for name in _OF_POINTS), _own("tableau.py"),
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
         *(_own(name) for name in _LANES if part != LOOP),
     )  # fmt: skip
-    return f"{generated.NAME}_{method.lower()}{'' if part == LOOP else '_' + part}", digest
 
 
 def _made(generated: ModuleType, method: str, part: str) -> bytes:

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.numeric.ensemble import _Source
+from rockeom.numeric.ensemble_cases import Cases, Source
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 THRESHOLD = BLOCK.gravity * np.tan(0.25)
@@ -86,7 +86,7 @@ def test_no_thread_waits_long_for_the_last_part(total, arrays, each, costs):
 
     each : what a part costs besides its cases, in cases; measured of pulses in lanes.
     """
-    source = _Source(pulse, {"n": [0] * total}, None, BLOCK.module, arrays, 2)
+    source = Source(pulse, Cases({"n": [0] * total}), None, BLOCK.module, arrays, 2)
     cost, ends, first = costs(np.linspace(0, 1, total)), [0.0, 0.0], 0
     while first < total:
         n = source.size(total - first)
@@ -128,7 +128,7 @@ def test_labels_and_what_is_kept(reference):
 
 
 def test_things_and_words_label_cases():
-    """Words label themselves; structures and motions are numbered in their order."""
+    """Words label themselves, motions go by their names."""
     motions = [rk.GroundMotion.none(1.0), rk.GroundMotion.constant(2 * THRESHOLD, 1.0)]
     phases = ["right", "left"]
     result = rk.simulate_many(
@@ -137,11 +137,11 @@ def test_things_and_words_label_cases():
         ),
         over={"motion": motions, "side": phases},
     )
-    assert result.motion.values.tolist() == [0, 1]
+    assert result.motion.values.tolist() == [motion.name for motion in motions]
     assert result.side.values.tolist() == phases
     theta = result.minimum.sel(state="theta")
-    assert theta.sel(motion=0, side="left") == -0.1
-    assert theta.sel(motion=1, side="right") < -0.01
+    assert theta.sel(motion="no shaking", side="left") == -0.1
+    assert theta.sel(motion=motions[1].name, side="right") < -0.01
 
 
 def test_every_argument_of_a_case_reaches_the_motion():

@@ -11,7 +11,9 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.numeric.case import Problems
-from rockeom.numeric.ensemble import Part, _Results, lanes_pay
+from rockeom.numeric.ensemble import lanes_pay
+from rockeom.numeric.ensemble_cases import Part
+from rockeom.numeric.ensemble_results import Results
 from rockeom.numeric.machine import Loaded, compiled
 from rockeom.numeric.printer import Program as Printed
 from rockeom.numeric.program import GLUE, LOOP, VECTORS, joined_texts
@@ -462,7 +464,7 @@ def test_vectors_have_the_bits_of_plain_python(which):
         sizes = {name: plain[name] for name in ("Z_SIZE", "W_SIZE")}
         calls = {name: Called(functions[name]) for name in names}
         part = Part(np.arange(len(problems)), Problems.of(problems), [])
-        results = _Results.empty(len(problems), module.N_STATES, 20)
+        results = Results.empty(len(problems), module.N_STATES, 20)
         with np.errstate(all="ignore"):
             solver = rk.SolverOptions(rtol=1e-7)
             results.run(part, SimpleNamespace(**calls, **sizes), solver, Event(), True)

@@ -12,7 +12,7 @@ from hypothesis import given, settings, strategies as st
 import rockeom as rk
 from rockeom.many import Differs, Many, mathematics
 from rockeom.numeric.case import Case, Problems
-from rockeom.numeric.ensemble import _Source
+from rockeom.numeric.ensemble_cases import Cases, Source
 from rockeom.numeric.structures import SHIPPED
 from tests.numeric.structures import S1
 from tests.shipped import plain
@@ -26,7 +26,7 @@ sine = rk.GroundMotion.single_sine
 def source(case, over, arrays=True, chunk=10**6):
     values = {name: list(v) for name, v in over.items()}
     first = case(**{name: v[0] for name, v in values.items()})
-    return _Source(case, values, chunk, first.structure.module, arrays)
+    return Source(case, Cases(values), chunk, first.structure.module, arrays)
 
 
 def in_bits(problems: Problems):

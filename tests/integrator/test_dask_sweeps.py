@@ -1,0 +1,49 @@
+"""A sweep on the workers of a dask cluster, one of which is killed."""
+
+import os
+import signal
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+
+pytest.importorskip("zarr")
+distributed = pytest.importorskip("distributed")
+
+OVER = {"frequency": np.linspace(0.5, 4.0, 20), "amplitude": np.linspace(1.0, 8.0, 50)}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
+def test_a_worker_of_a_cluster_is_killed_midway(tmp_path):
+    """What it had is given to others; the dataset is that of threads, to the last bit."""
+    block = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
+
+    def pulse(frequency, amplitude):
+        time.sleep(0.001)
+        return rk.Case(block, rk.GroundMotion.half_sine(amplitude, 1 / frequency, duration=4.0))
+
+    store, how = tmp_path / "map.zarr", {"impact_times": 3, "chunk": 20, "progress": False}
+    with (
+        distributed.LocalCluster(2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        killed = next(iter(client.run(os.getpid).values()))
+
+        def kill():
+            while len([*(store / "outcome" / "c").glob("[0-9]*")]) < 10:
+                time.sleep(0.005)
+            os.kill(killed, signal.SIGKILL)
+
+        killer = threading.Thread(target=kill)
+        killer.start()
+        found = rk.simulate_many(
+            pulse, OVER, store=store, executor=client.get_executor(pure=False), **how
+        )
+        killer.join()
+        assert killed not in client.run(os.getpid).values()
+    assert found.identical(rk.simulate_many(pulse, OVER, **how))
+    assert found.identical(rk.simulate_many(pulse, OVER, store=store, **how))

@@ -1,0 +1,370 @@
+"""Sweeps on disk and on executors: killed, resumed, refused, and the bits of one that never was."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context, parent_process
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.numeric import ensemble_work
+
+pytest.importorskip("zarr")
+
+BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
+OVER = {"frequency": np.linspace(0.5, 4.0, 20), "amplitude": np.linspace(1.0, 8.0, 25)}
+HOW = {"impact_times": 3, "chunk": 50, "progress": False}
+
+
+def pulse(frequency, amplitude):
+    return rk.Case(BLOCK, rk.GroundMotion.half_sine(amplitude, 1 / frequency, duration=4.0))
+
+
+def slowly(frequency, amplitude):
+    time.sleep(0.002)
+    return pulse(frequency, amplitude)
+
+
+def swept(case=pulse, over=OVER, **how):
+    return rk.simulate_many(case, over, **HOW | how)
+
+
+@pytest.fixture(scope="module")
+def whole():
+    return swept(arrays=True)
+
+
+@pytest.fixture
+def store(tmp_path):
+    return tmp_path / "map.zarr"
+
+
+def done(store):
+    """Chunks that are there."""
+    return sorted(int(path.name) for path in (store / "outcome" / "c").glob("[0-9]*"))
+
+
+def same_bits(one, other):
+    assert one.identical(other)
+    for name in one.variables:
+        assert one[name].values.tobytes() == other[name].values.tobytes()
+
+
+def counted(case=pulse):
+    """The function, and how often it was called."""
+    calls = []
+
+    def counting(frequency, amplitude):
+        calls.append((frequency, amplitude))
+        return case(frequency, amplitude)
+
+    return counting, calls
+
+
+# -- on disk
+
+
+@pytest.mark.parametrize(("arrays", "threads"), [(True, 2), (False, 1)])
+def test_the_same_call_does_only_what_is_missing(whole, store, arrays, threads):
+    how = {"arrays": arrays, "threads": threads, "store": store}
+    same_bits(whole, swept(**how))
+    assert done(store) == [*range(10)]
+    for chunk in (3, 4, 9):
+        (store / "outcome" / "c" / str(chunk)).unlink()
+    others = {path: path.stat().st_mtime_ns for path in (store / "outcome" / "c").iterdir()}
+    counting, calls = counted()
+    same_bits(whole, swept(counting, **how))
+    assert {path: path.stat().st_mtime_ns for path in others} == others
+    sample = 1 + 16
+    if not arrays:
+        assert len(calls) == sample + 3 * 50
+    # all is there: what is left to do is to make sure of the definition
+    calls.clear()
+    same_bits(whole, swept(counting, **how))
+    assert len(calls) == sample
+
+
+def test_a_sweep_that_is_killed_loses_only_the_chunks_under_way(whole, store):
+    """By kill -9; while it is under way, no other process may write to the store."""
+    code = (
+        "from tests.integrator.test_kept_sweeps import slowly, swept\n"
+        f"swept(slowly, threads=2, store={str(store)!r})"
+    )
+    root = Path(rk.__file__).resolve().parents[1]
+    process = subprocess.Popen(
+        [sys.executable, "-c", code], cwd=root, env={**os.environ, "PYTHONPATH": str(root)}
+    )
+    while not store.exists() or len(done(store)) < 3:
+        assert process.poll() is None
+        time.sleep(0.01)
+    with pytest.raises(RuntimeError, match="being written by another"):
+        swept(store=store)
+    process.kill()
+    process.wait()
+    there = len(done(store))
+    assert 3 <= there < 10
+    counting, calls = counted()
+    same_bits(whole, swept(counting, store=store))
+    assert len(calls) == 17 + 50 * (10 - there)
+
+
+def test_an_interrupt_keeps_whole_chunks(whole, store):
+    calls = []
+
+    def interrupted(frequency, amplitude):
+        calls.append(1)
+        if len(calls) == 17 + 120:
+            raise KeyboardInterrupt
+        return pulse(frequency, amplitude)
+
+    found = swept(interrupted, store=store, threads=1)
+    assert found.attrs["interrupted"] == 1
+    assert int((found.outcome_flag == 0).sum()) == 500 - 100
+    assert done(store) == [0, 1]
+    same_bits(whole, swept(store=store))
+
+
+def test_a_store_is_for_one_sweep_at_a_time_in_a_process_too(store):
+    """Begun within a function of another one."""
+
+    over = {"frequency": [1.0], "amplitude": [2.0]}
+    refused = []
+
+    def nested(frequency, amplitude):
+        if store.exists():
+            with pytest.raises(RuntimeError, match="being written by another"):
+                swept(over=over, store=store)
+            refused.append(1)
+        return pulse(frequency, amplitude)
+
+    swept(nested, over, store=store)
+    assert refused
+    swept(over=over, store=store)  # and is let go
+
+
+OTHERS = {
+    "value": ({"over": OVER | {"amplitude": np.linspace(1.0, 8.0 + 1e-15, 25)}}, "amplitude"),
+    "order": ({"over": OVER | {"amplitude": OVER["amplitude"][::-1]}}, "amplitude"),
+    "kind of value": ({"over": OVER | {"amplitude": range(1, 26)}}, "amplitude"),
+    "shape": ({"over": OVER | {"amplitude": OVER["amplitude"][:-1]}}, "20 x 25 there, .*20 x 24"),
+    "names": (
+        {"case": lambda frequency, a: pulse(frequency, a),
+         "over": {"frequency": OVER["frequency"], "a": OVER["amplitude"]}}, "frequency, a here",
+    ),
+    "table": ({"over": [{"frequency": 1.0, "amplitude": 2.0}] * 500}, "a table of 500"),
+    "tolerance": ({"options": rk.SolverOptions(rtol=1e-8)}, "rtol .1e-10 there, 1e-08 here"),
+    "method": ({"options": rk.SolverOptions("RK45")}, "'DOP853' there, 'RK45' here"),
+    "impact times": ({"impact_times": 4}, "impact_times .3 there, 4 here"),
+    "quantities": ({"quantities": ["displacement"]}, "quantities"),
+    "lanes": ({"lanes": False}, "lanes"),
+    "structure": (
+        {"case": lambda frequency, amplitude: rk.Case(
+            rk.SlenderBlock.from_frequency(p=2.14, alpha=0.25), pulse(frequency, amplitude).motion
+        )}, "slender_block here",
+    ),
+    "size of the structure": (
+        {"case": lambda frequency, amplitude: rk.Case(
+            rk.RigidBlock.from_frequency(p=2.15, alpha=0.25), pulse(frequency, amplitude).motion
+        )}, "what the function makes",
+    ),
+    "duration": (
+        {"case": lambda frequency, amplitude: rk.Case(
+            BLOCK, pulse(frequency, amplitude).motion, duration=3.0
+        )}, "what the function makes",
+    ),
+    "law": (
+        {"case": lambda frequency, amplitude: rk.Case(
+            BLOCK, pulse(frequency, amplitude).motion, rk.EnergyRatio(0.9)
+        )}, "what the function makes",
+    ),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def begun(tmp_path_factory):
+    """A store of which two chunks are there."""
+    store = tmp_path_factory.mktemp("begun") / "map.zarr"
+    calls = []
+
+    def interrupted(frequency, amplitude):
+        calls.append(1)
+        if len(calls) == 17 + 120:
+            raise KeyboardInterrupt
+        return pulse(frequency, amplitude)
+
+    swept(interrupted, store=store, threads=1)
+    return store
+
+
+@pytest.mark.parametrize("what", OTHERS)
+def test_another_sweep_under_the_same_name_is_refused(begun, what):
+    changes, words = OTHERS[what]
+    with pytest.raises(ValueError, match=f"holds another sweep.*{words}.*another store"):
+        swept(**{"store": begun} | changes)
+    assert done(begun) == [0, 1]
+
+
+def test_another_record_of_the_same_name_is_refused(store):
+    """Of each object among the values one case is looked at, wherever it stands."""
+
+    def shaken(factor, motion):
+        return rk.Case(BLOCK, motion.scaled(factor))
+
+    def records(last):
+        waves = [np.sin(0.3 * np.arange(60.0) + n) for n in range(9)]
+        waves[7] = waves[7] * last
+        return [rk.GroundMotion.from_array(wave, dt=0.02, name=f"{n}") for n, wave in
+                enumerate(waves)]  # fmt: skip
+
+    over = {"factor": np.linspace(1.0, 9.0, 40), "motion": records(1.0)}
+    first = swept(shaken, over, store=store)
+    assert first.motion.values.tolist() == [*"012345678"]
+    over["motion"] = records(1.0 + 1e-12)
+    with pytest.raises(ValueError, match="what the function makes"):
+        swept(shaken, over, store=store)
+
+
+def test_a_chunk_that_was_not_written_whole_is_made_again_or_told(whole, store):
+    swept(store=store)
+    (store / "outcome" / "c" / "7").unlink()
+    (store / "final" / "c" / "7" / "0").write_bytes(b"half")  # as a machine without power leaves it
+    with pytest.raises(RuntimeError, match=r"decompress|decoding") as caught:
+        swept(store=store)
+    assert "final" in caught.value.__notes__[0]
+    (store / "final" / "c" / "7" / "0").unlink()
+    same_bits(whole, swept(store=store))
+
+
+def test_what_is_no_store_is_left_alone(tmp_path, monkeypatch):
+    mine = tmp_path / "mine"
+    mine.mkdir()
+    (mine / "thesis.tex").write_text("all of it")
+    with pytest.raises(ValueError, match="no store of a sweep"):
+        swept(store=mine)
+    assert [path.name for path in mine.iterdir()] == ["thesis.tex"]
+    with pytest.raises(TypeError, match=r"store is 3.*map\.zarr"):
+        swept(store=3)
+    monkeypatch.setitem(sys.modules, "zarr", None)
+    with pytest.raises(ModuleNotFoundError, match=r"pip install rockeom\[store\]"):
+        swept(store=tmp_path / "map.zarr")
+
+
+def test_two_that_make_a_store_at_once_make_one(store):
+    """Neither sees half of it; who comes second is refused or finds all done."""
+    found, refused = [], []
+
+    def work():
+        try:
+            found.append(swept(arrays=True, store=store))
+        except RuntimeError as error:
+            refused.append(error)
+
+    threads = [threading.Thread(target=work) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) >= 1
+    assert len(found) + len(refused) == 3
+    assert [path.name for path in store.parent.iterdir()] == [store.name]
+    for other in found[1:]:
+        same_bits(found[0], other)
+
+
+def test_quantities_and_histories_are_kept_on_disk(store):
+    over = {"frequency": [1.0, 2.0], "amplitude": [2.0, 4.0, 6.0]}
+    asked = {"quantities": ["displacement"], "times": [0.1, 0.5, 9.0], "chunk": 2}
+    first = swept(over=over, **asked)
+    same_bits(first, swept(over=over, store=store, **asked))
+    same_bits(first, swept(over=over, store=store, **asked))
+
+
+# -- executors
+
+
+class Losing(ThreadPoolExecutor):
+    """Loses the work that it is given, the first so many times."""
+
+    def __init__(self, losses, takes_more=True):
+        super().__init__(2)
+        self.losses, self.given, self.takes_more = losses, 0, takes_more
+
+    def submit(self, function, *args, **named):
+        self.given += 1
+        if self.given > self.losses:
+            return super().submit(function, *args, **named)
+        if self.given == self.losses and not self.takes_more:
+            self.losses = 10**9
+        lost = Future()
+        lost.set_exception(BrokenExecutor("a worker has died"))
+        return lost
+
+
+@pytest.mark.parametrize("arrays", [False, True])
+def test_an_executor_gives_the_same_bits(whole, store, arrays):
+    with ThreadPoolExecutor(2) as pool:
+        same_bits(whole, swept(executor=pool, arrays=arrays))
+        same_bits(whole, swept(executor=pool, arrays=arrays, store=store))
+    assert done(store) == [*range(10)]
+    same_bits(whole, swept(store=store))
+
+
+def test_what_is_lost_with_a_worker_is_given_out_again(whole, store):
+    with Losing(5) as pool:
+        same_bits(whole, swept(executor=pool, store=store))
+        assert pool.given == 10 + 5
+
+
+def test_an_executor_that_always_loses_is_given_up(store):
+    with Losing(10**9) as pool:
+        with pytest.raises(BrokenExecutor) as caught:
+            swept(executor=pool, store=store)
+        assert pool.given == 10 * (1 + ensemble_work.AGAIN)
+    (note,) = caught.value.__notes__
+    assert "cases 0 to 49, cases 50 to 99" in note
+    assert "only what is missing" in note
+
+
+def test_a_case_that_cannot_be_is_told_as_ever():
+    with ThreadPoolExecutor(2) as pool, pytest.raises(ValueError, match="positive") as caught:
+        swept(over=OVER | {"frequency": [1.0, 2.0, -1.0]}, executor=pool)
+    notes = " ".join(caught.value.__notes__)
+    assert "in the case frequency = -1.0, amplitude = 1.0" in notes
+    assert "of the sweep, run by" in notes
+
+
+def test_an_executor_is_what_takes_work():
+    with pytest.raises(TypeError, match=r"executor is 'dask'.*submit"):
+        swept(executor="dask")
+
+
+def once_killed(frequency, amplitude):
+    """A case on which a worker dies, while a file is there."""
+    fatal = Path(os.environ["ROCKEOM_TEST_FATAL"])
+    if frequency > 2.0 and parent_process() is not None and fatal.exists():
+        os.kill(os.getpid(), signal.SIGKILL)
+    return pulse(frequency, amplitude)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
+def test_processes_of_which_one_is_killed(whole, store, tmp_path, monkeypatch):
+    """A pool of processes breaks: what was lost is told, the rest is kept, and the call resumes."""
+    fatal = tmp_path / "fatal"
+    fatal.touch()
+    monkeypatch.setenv("ROCKEOM_TEST_FATAL", str(fatal))
+    with (
+        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool,
+        pytest.raises(BrokenExecutor) as caught,
+    ):
+        swept(once_killed, executor=pool, store=store)
+    assert "lost with a worker" in caught.value.__notes__[-1]
+    assert 0 < len(done(store)) < 10
+    fatal.unlink()
+    same_bits(whole, swept(once_killed, store=store))
