@@ -25,6 +25,7 @@ _NAMES_OF = {
     "rockeom.numeric.case": ("Case",),
     "rockeom.numeric.ensemble": ("Sweep", "simulate_many"),
     "rockeom.numeric.extremes": ("Extremes",),
+    "rockeom.numeric.fixed_base": ("rayleigh_damping",),
     "rockeom.numeric.impact": (
         "AngularMomentum",
         "EnergyLossAtSpeed",
@@ -63,6 +64,7 @@ if TYPE_CHECKING:
     from rockeom.numeric.case import Case as Case
     from rockeom.numeric.ensemble import Sweep as Sweep, simulate_many as simulate_many
     from rockeom.numeric.extremes import Extremes as Extremes
+    from rockeom.numeric.fixed_base import rayleigh_damping as rayleigh_damping
     from rockeom.numeric.impact import (
         AngularMomentum as AngularMomentum,
         EnergyLossAtSpeed as EnergyLossAtSpeed,

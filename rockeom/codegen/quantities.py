@@ -139,8 +139,9 @@ def _elements(text: Text) -> Columns:
 
 
 def _by_contact(text: Text, names: Columns) -> list[str]:
-    """Lines of each contact state, of which an element and its image on the other side share one."""
-    model, branches = text.model, {}
+    """Lines of each contact state: an element and its image on the other side are told apart."""
+    model = text.model
+    branches: dict[tuple[str, ...], list[str]] = {}
     for phase in model.mechanisms:
         for contact, side in phase.contacts.items():
             found = {e.called(side): _told(e, sp.S.One, phase.coordinates) for e in phase.elements}

@@ -64,7 +64,7 @@ def reduced(model: Model) -> RockingModel:
         {name: Foot(feet[name]) for name in SIDES},
         None if model.load_point is None else closed.point(model.load_point),
         beside_feet=_beside(model, closed),
-        elements=tuple(e.changed(closed) for e in model.springs),
+        elements=tuple(e.changed(closed.__call__) for e in model.springs),
     )
     return on_pinned_feet(
         rocking,

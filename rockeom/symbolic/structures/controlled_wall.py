@@ -119,7 +119,7 @@ AT_THE_EDGE = RotationCentre(lambda D: HALF_WIDTH.symbol)
 
 @dataclass(frozen=True)
 class TendonState(Spring):
-    """A tendon while it is elastic, slack or yields; the deformation told is without what yielded."""
+    """A tendon while it is elastic, slack or yields; its deformation is without what yielded."""
 
     state: str = ELASTIC
     yield_force: sp.Expr = sp.S.Zero

@@ -74,9 +74,7 @@ def two_spring_structure() -> RockingModel:
 
     near_and_far = {"right": edge, "left": edge.subs(SIDE, -SIDE)}
 
-    def phase(
-        contacts: dict[str, int], springs: tuple[Spring, ...], **on: sp.Expr
-    ) -> Mechanism:
+    def phase(contacts: dict[str, int], springs: tuple[Spring, ...], **on: sp.Expr) -> Mechanism:
         """The mechanism in which springs are pressed, and the forces that they have."""
         return Mechanism(
             contacts,
@@ -103,11 +101,13 @@ def two_spring_structure() -> RockingModel:
         mechanisms=(
             phase({"both": 0}, foot_springs(compression, compression.values(), False), **force),
             phase(
-                sides, foot_springs(near_and_far, [edge]),
-                left=press * (1 - SIDE) / 2, right=press * (1 + SIDE) / 2,
+                sides,
+                foot_springs(near_and_far, [edge]),
+                left=press * (1 - SIDE) / 2,
+                right=press * (1 + SIDE) / 2,
             ),
             phase({"flight": 0}, foot_springs(compression, (), False)),
-        ),  # fmt: skip
+        ),
         transitions=(
             lifts("both", "right", "left"),
             lifts("both", "left", "right"),
