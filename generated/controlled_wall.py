@@ -27,9 +27,13 @@ Operations before and after common subexpressions were shared:
     energies                 616   213
     reactions               1893   291
     kinematics               396   126
+    momentum                 330   102
     statics                 1240   216
     positions                552   105
     shapes                    10     6
+    masses                     0     0
+    powers                   553   192
+    elements                 885   255
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -41,7 +45,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "e4a4389d71816490"
+SOURCE_HASH = "d640ada62c423c73"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -131,6 +135,7 @@ CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("tendon",)
 MEMBER_ENDS = ("ground", "wall",)
 COPIES = ()
+ELEMENT_NAMES = ("tendon",)
 
 N_STATES = 4
 N_GUARDS = 3
@@ -981,6 +986,32 @@ def kinematics(contact, y, p, out):
     )
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    s = SIDES[contact]
+    theta = y[0]
+    theta_dot = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    x0 = math.cos(theta)
+    x1 = mass*theta_dot
+    x2 = centroid_height*x1
+    x3 = math.sin(theta)
+    x4 = height**2/transition**2
+    x5 = x3**2*x4
+    x6 = math.exp(-x5)
+    x7 = s*x1*(-edge_distance + half_width)
+    x8 = x7*(1 - x6)
+    x9 = 2*x6*x7
+    x10 = x3*x4*x9
+    out[0] = -x0**2*x10 + x0*x10 + x0*x2 + x3*x8
+    out[1] = x0*x5*x9 + x0*x8 - x2*x3
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -1177,6 +1208,276 @@ def shapes(p, out):
     out[9] = -anchor_depth
     out[10] = eccentricity
     out[11] = anchor_height + x1
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[1]
+    gravity = p[13]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
+        s = SIDES[contact]
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = height**2
+        x4 = transition**(-2)
+        x5 = x3*x4
+        x6 = x2**2*x5
+        x7 = math.exp(-x6)
+        x8 = -edge_distance + half_width
+        x9 = mass*s*x8
+        x10 = x9*(1 - x7)
+        x11 = ay*x0
+        x12 = 2*x7*x9
+        out[0] = (
+            theta_dot*(2*ax*mass*s*x0**2*x2*x3*x4*x7*x8 - ax*x10*x2 + ay*centroid_height*mass*x2
+            - centroid_height*mass*x1 - x1*x12*x2*x5 - x10*x11 - x11*x12*x6)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        yield_force = p[11]
+        eccentricity = p[12]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = x2**2
+        x4 = height**2
+        x5 = transition**(-2)
+        x6 = x4*x5
+        x7 = x3*x6
+        x8 = math.exp(-x7)
+        x9 = -edge_distance + half_width
+        x10 = s*x9
+        x11 = x10*(1 - x8)
+        x12 = mass*x11
+        x13 = ay*x0
+        x14 = x2*x6
+        x15 = x10*x8
+        x16 = 2*mass*x15
+        x17 = x0**2
+        x18 = anchor_height*x0
+        x19 = eccentricity - x11
+        x20 = x19*x2
+        x21 = anchor_depth + x18 - x20
+        x22 = anchor_height*x2
+        x23 = x0*x19
+        x24 = -eccentricity + x11 + x22 + x23
+        x25 = 4*x15
+        out[0] = (
+            theta_dot*(2*ax*mass*s*x17*x2*x4*x5*x8*x9 - ax*x12*x2 + ay*centroid_height*mass*x2 -
+            centroid_height*mass*x1 - x1*x14*x16 - x12*x13 - x13*x16*x7)
+        )
+        out[1] = (
+            theta_dot*yield_force*((1/2)*x21*(4*s*x0*x3*x4*x5*x8*x9 - 2*x22 - 2*x23) +
+            (1/2)*x24*(x0*x14*x25 - x14*x17*x25 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2)
+        )
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    if contact in (LEFT,):
+        theta = y[0]
+        permanent_extension = y[1]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        eccentricity = p[12]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity + x2
+        x4 = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
+        )
+        x5 = initial_force + tendon_stiffness*x4
+        out[0] = x4
+        out[1] = x5
+        out[2] = (1/2)*x5**2/tendon_stiffness
+        out[3] = 0
+    elif contact in (RIGHT,):
+        theta = y[0]
+        permanent_extension = y[1]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        eccentricity = p[12]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity - x2
+        x4 = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
+        )
+        x5 = initial_force + tendon_stiffness*x4
+        out[0] = x4
+        out[1] = x5
+        out[2] = (1/2)*x5**2/tendon_stiffness
+        out[3] = 0
+    elif contact in (LEFT_SLACK,):
+        theta = y[0]
+        permanent_extension = y[1]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        eccentricity = p[12]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity + x2
+        out[0] = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
+        )
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+    elif contact in (RIGHT_SLACK,):
+        theta = y[0]
+        permanent_extension = y[1]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        eccentricity = p[12]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity - x2
+        out[0] = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
+        )
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+    elif contact in (LEFT_YIELD,):
+        theta = y[0]
+        theta_dot = y[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        yield_force = p[11]
+        eccentricity = p[12]
+        x0 = 1/tendon_stiffness
+        x1 = math.cos(theta)
+        x2 = anchor_height*x1
+        x3 = math.sin(theta)
+        x4 = -edge_distance + half_width
+        x5 = height**2/transition**2
+        x6 = x3**2*x5
+        x7 = math.exp(-x6)
+        x8 = x4*(1 - x7)
+        x9 = eccentricity + x8
+        x10 = x3*x9
+        x11 = anchor_depth - x10 + x2
+        x12 = anchor_height*x3
+        x13 = x1*x9
+        x14 = -eccentricity + x12 + x13 - x8
+        x15 = 4*x4*x7
+        x16 = x1*x15
+        x17 = x3*x5
+        out[0] = x0*(-initial_force + yield_force)
+        out[1] = yield_force
+        out[2] = (1/2)*x0*yield_force**2
+        out[3] = (
+            theta_dot*yield_force*((1/2)*x11*(-2*x12 - 2*x13 - x16*x6) +
+            (1/2)*x14*(x1**2*x15*x17 - 2*x10 - x16*x17 + 2*x2))/math.sqrt(x11**2 + x14**2)
+        )
+    elif contact in (RIGHT_YIELD,):
+        theta = y[0]
+        theta_dot = y[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        yield_force = p[11]
+        eccentricity = p[12]
+        x0 = 1/tendon_stiffness
+        x1 = math.cos(theta)
+        x2 = anchor_height*x1
+        x3 = math.sin(theta)
+        x4 = -edge_distance + half_width
+        x5 = x3**2
+        x6 = height**2
+        x7 = transition**(-2)
+        x8 = x6*x7
+        x9 = math.exp(-x5*x8)
+        x10 = x4*(1 - x9)
+        x11 = eccentricity - x10
+        x12 = x11*x3
+        x13 = anchor_depth - x12 + x2
+        x14 = anchor_height*x3
+        x15 = x1*x11
+        x16 = -eccentricity + x10 + x14 + x15
+        x17 = 4*x4*x9
+        x18 = x3*x8
+        out[0] = x0*(-initial_force + yield_force)
+        out[1] = yield_force
+        out[2] = (1/2)*x0*yield_force**2
+        out[3] = (
+            theta_dot*yield_force*((1/2)*x13*(4*x1*x4*x5*x6*x7*x9 - 2*x14 - 2*x15) +
+            (1/2)*x16*(-x1**2*x17*x18 + x1*x17*x18 - 2*x12 + 2*x2))/math.sqrt(x13**2 + x16**2)
+        )
 
 
 def overturning(p):

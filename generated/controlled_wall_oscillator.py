@@ -37,9 +37,13 @@ Operations before and after common subexpressions were shared:
     energies                 142    94
     reactions                 47    35
     kinematics               129    69
+    momentum                   3     3
     statics                  878   174
     positions                  0     0
     shapes                     7     4
+    masses                     0     0
+    powers                   616   147
+    elements                1761   642
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -51,7 +55,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "042033445b2eef42"
+SOURCE_HASH = "bb3e09cb9ddc5499"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -252,6 +256,7 @@ CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("spring",)
 MEMBER_ENDS = ("ground", "wall",)
 COPIES = ()
+ELEMENT_NAMES = ("tendon",)
 
 N_STATES = 6
 N_GUARDS = 4
@@ -1469,6 +1474,14 @@ def kinematics(contact, y, p, out):
     out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    u_dot = y[3]
+    effective_mass = p[1]
+    out[0] = effective_mass*u_dot
+    out[1] = 0
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -1614,6 +1627,256 @@ def shapes(p, out):
     out[9] = x1
     out[10] = x0
     out[11] = x1
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    effective_mass = p[1]
+    gravity = p[23]
+    out[0] = effective_mass
+    out[1] = 0
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact in (LEFT, LEFT_INWARD, LEFT_NEAR, RIGHT, RIGHT_INWARD, RIGHT_NEAR, LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK, RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK):
+        u = y[0]
+        passage_speed = y[2]
+        u_dot = y[3]
+        effective_mass = p[1]
+        regularisation = p[10]
+        held = p[11]
+        energy_ratio = p[12]
+        energy_ratio_slope_1 = p[13]
+        speed_limit_1 = p[14]
+        energy_ratio_2 = p[15]
+        energy_ratio_slope_2 = p[16]
+        speed_limit_2 = p[17]
+        energy_ratio_3 = p[18]
+        energy_ratio_slope_3 = p[19]
+        speed_limit_3 = p[20]
+        energy_ratio_4 = p[21]
+        energy_ratio_slope_4 = p[22]
+        x0 = abs(u_dot)
+        x1 = held*passage_speed + x0*(1 - held)
+        out[0] = -ax*effective_mass*u_dot
+        out[1] = 0
+        out[2] = (
+            (1/2)*effective_mass*u_dot**2*x0*math.exp(-u**2/regularisation**2)*math.log(((energy_ratio
+            + energy_ratio_slope_1*x1) if (speed_limit_1 > x1) else (energy_ratio_2 +
+            energy_ratio_slope_2*x1) if (speed_limit_2 > x1) else (energy_ratio_3 +
+            energy_ratio_slope_3*x1) if (speed_limit_3 > x1) else (energy_ratio_4 +
+            energy_ratio_slope_4*x1)))/(math.sqrt(math.pi)*regularisation)
+        )
+    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
+        s = SIDES[contact]
+        u = y[0]
+        passage_speed = y[2]
+        u_dot = y[3]
+        effective_mass = p[1]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        yield_force = p[8]
+        eccentricity = p[9]
+        regularisation = p[10]
+        held = p[11]
+        energy_ratio = p[12]
+        energy_ratio_slope_1 = p[13]
+        speed_limit_1 = p[14]
+        energy_ratio_2 = p[15]
+        energy_ratio_slope_2 = p[16]
+        speed_limit_2 = p[17]
+        energy_ratio_3 = p[18]
+        energy_ratio_slope_3 = p[19]
+        speed_limit_3 = p[20]
+        energy_ratio_4 = p[21]
+        energy_ratio_slope_4 = p[22]
+        x0 = effective_mass*u_dot
+        x1 = height**(-2)
+        x2 = u**2
+        x3 = -x1*x2 + 1
+        x4 = math.sqrt(x3)
+        x5 = 1/x4
+        x6 = -edge_distance + half_width
+        x7 = transition**(-2)
+        x8 = math.exp(-x2*x7)
+        x9 = half_width*(1 - x4) + x6*(1 - x8)
+        x10 = -eccentricity + s*x5*x9
+        x11 = x5/height
+        x12 = x3**(-3/2)
+        x13 = u*x1
+        x14 = (
+            yield_force*(u*x11*(s*x12*x13*x9 + s*x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
+            x10*x11 + x10*x12*x2/height**3)
+        )
+        x15 = u_dot*x14
+        x16 = abs(u_dot)
+        x17 = held*passage_speed + x16*(1 - held)
+        out[0] = -ax*x0
+        out[1] = x15
+        out[2] = (
+            u_dot*(-x14 + (1/2)*x0*x16*math.exp(-x2/regularisation**2)*math.log(((energy_ratio +
+            energy_ratio_slope_1*x17) if (speed_limit_1 > x17) else (energy_ratio_2 +
+            energy_ratio_slope_2*x17) if (speed_limit_2 > x17) else (energy_ratio_3 +
+            energy_ratio_slope_3*x17) if (speed_limit_3 > x17) else (energy_ratio_4 +
+            energy_ratio_slope_4*x17)))/(math.sqrt(math.pi)*regularisation)) + x15
+        )
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    if contact in (LEFT, LEFT_INWARD, LEFT_NEAR,):
+        u = y[0]
+        permanent_extension = y[1]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        tendon_stiffness = p[6]
+        initial_force = p[7]
+        eccentricity = p[9]
+        x0 = u**2
+        x1 = math.sqrt(1 - x0/height**2)
+        x2 = 1/x1
+        x3 = (
+            -permanent_extension + u*x2*(-eccentricity - x2*(half_width*(1 - x1) + (1 -
+            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
+        )
+        x4 = initial_force + tendon_stiffness*x3
+        out[0] = x3
+        out[1] = x4
+        out[2] = (1/2)*x4**2/tendon_stiffness
+        out[3] = 0
+    elif contact in (RIGHT, RIGHT_INWARD, RIGHT_NEAR,):
+        u = y[0]
+        permanent_extension = y[1]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        tendon_stiffness = p[6]
+        initial_force = p[7]
+        eccentricity = p[9]
+        x0 = u**2
+        x1 = math.sqrt(1 - x0/height**2)
+        x2 = 1/x1
+        x3 = (
+            -permanent_extension + u*x2*(-eccentricity + x2*(half_width*(1 - x1) + (1 -
+            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
+        )
+        x4 = initial_force + tendon_stiffness*x3
+        out[0] = x3
+        out[1] = x4
+        out[2] = (1/2)*x4**2/tendon_stiffness
+        out[3] = 0
+    elif contact in (LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK,):
+        u = y[0]
+        permanent_extension = y[1]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        eccentricity = p[9]
+        x0 = u**2
+        x1 = math.sqrt(1 - x0/height**2)
+        x2 = 1/x1
+        out[0] = (
+            -permanent_extension + u*x2*(-eccentricity - x2*(half_width*(1 - x1) + (1 -
+            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
+        )
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+    elif contact in (RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK,):
+        u = y[0]
+        permanent_extension = y[1]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        eccentricity = p[9]
+        x0 = u**2
+        x1 = math.sqrt(1 - x0/height**2)
+        x2 = 1/x1
+        out[0] = (
+            -permanent_extension + u*x2*(-eccentricity + x2*(half_width*(1 - x1) + (1 -
+            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
+        )
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+    elif contact in (LEFT_YIELD, LEFT_INWARD_YIELD, LEFT_NEAR_YIELD,):
+        u = y[0]
+        u_dot = y[3]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        tendon_stiffness = p[6]
+        initial_force = p[7]
+        yield_force = p[8]
+        eccentricity = p[9]
+        x0 = 1/tendon_stiffness
+        x1 = height**(-2)
+        x2 = u**2
+        x3 = -x1*x2 + 1
+        x4 = math.sqrt(x3)
+        x5 = 1/x4
+        x6 = -edge_distance + half_width
+        x7 = transition**(-2)
+        x8 = math.exp(-x2*x7)
+        x9 = half_width*(1 - x4) + x6*(1 - x8)
+        x10 = -eccentricity - x5*x9
+        x11 = x5/height
+        x12 = x3**(-3/2)
+        x13 = u*x1
+        out[0] = x0*(-initial_force + yield_force)
+        out[1] = yield_force
+        out[2] = (1/2)*x0*yield_force**2
+        out[3] = (
+            u_dot*yield_force*(u*x11*(-x12*x13*x9 - x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
+            x10*x11 + x10*x12*x2/height**3)
+        )
+    elif contact in (RIGHT_YIELD, RIGHT_INWARD_YIELD, RIGHT_NEAR_YIELD,):
+        u = y[0]
+        u_dot = y[3]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        tendon_stiffness = p[6]
+        initial_force = p[7]
+        yield_force = p[8]
+        eccentricity = p[9]
+        x0 = 1/tendon_stiffness
+        x1 = height**(-2)
+        x2 = u**2
+        x3 = -x1*x2 + 1
+        x4 = math.sqrt(x3)
+        x5 = 1/x4
+        x6 = -edge_distance + half_width
+        x7 = transition**(-2)
+        x8 = math.exp(-x2*x7)
+        x9 = half_width*(1 - x4) + x6*(1 - x8)
+        x10 = -eccentricity + x5*x9
+        x11 = x5/height
+        x12 = x3**(-3/2)
+        x13 = u*x1
+        out[0] = x0*(-initial_force + yield_force)
+        out[1] = yield_force
+        out[2] = (1/2)*x0*yield_force**2
+        out[3] = (
+            u_dot*yield_force*(u*x11*(x12*x13*x9 + x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
+            x10*x11 + x10*x12*x2/height**3)
+        )
 
 
 def overturning(p):

@@ -15,9 +15,12 @@ Operations before and after common subexpressions were shared:
     energies                  34    26
     reactions                  4     4
     kinematics                 2     2
+    momentum                  18    15
     statics                   16    14
     positions                 40    20
     shapes                     0     0
+    masses                     0     0
+    powers                    40    38
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -29,7 +32,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "ada21565dcc5f3c8"
+SOURCE_HASH = "054d92f26c35f0c3"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -66,6 +69,7 @@ CORNERS = ()
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -316,6 +320,26 @@ def kinematics(contact, y, p, out):
     out[0] = alpha*x
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        x0 = alpha**2*x_dot
+        out[0] = alpha*x_dot
+        out[1] = s*x0 - x*x0
+    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        regularisation = p[2]
+        x0 = alpha**2
+        out[0] = alpha*x_dot
+        out[1] = -x*x0*x_dot + x0*x_dot*math.tanh(x/regularisation)
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -374,6 +398,49 @@ def shapes(p, out):
 
     Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
     of each of COPIES.
+    """
+    pass
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    out[0] = 1
+    out[1] = 0
+    out[2] = 1
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        x0 = alpha**2
+        out[0] = x_dot*(-alpha*ax - ay*s*x0 + ay*x*x0)
+        out[1] = 0
+        out[2] = 0
+    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        energy_ratio = p[1]
+        regularisation = p[2]
+        x0 = alpha**2
+        x1 = 1/regularisation
+        out[0] = x_dot*(-alpha*ax + ay*x*x0 - ay*x0*math.tanh(x*x1))
+        out[1] = 0
+        out[2] = (
+            (1/2)*x0*x1*x_dot**3*math.exp(-x**2/regularisation**2)*math.log(energy_ratio)*math.tanh(x1*x_dot)/math.sqrt(math.pi)
+        )
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
     """
     pass
 

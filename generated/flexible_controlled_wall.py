@@ -29,9 +29,13 @@ Operations before and after common subexpressions were shared:
     energies                 951   306
     reactions               2082   378
     kinematics               399   129
+    momentum                 384   168
     statics                 1282   282
     positions                564   111
     shapes                    10     6
+    masses                     0     0
+    powers                   617   238
+    elements                 933   303
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -43,7 +47,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "f63c9bab81586549"
+SOURCE_HASH = "2256fc887bf4d44b"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -156,6 +160,7 @@ CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("tendon",)
 MEMBER_ENDS = ("ground", "wall",)
 COPIES = ()
+ELEMENT_NAMES = ("tendon", "wall",)
 
 N_STATES = 6
 N_GUARDS = 3
@@ -1172,6 +1177,41 @@ def kinematics(contact, y, p, out):
     )
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    s = SIDES[contact]
+    theta = y[0]
+    u = y[1]
+    theta_dot = y[3]
+    u_dot = y[4]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    x0 = math.cos(theta)
+    x1 = mass*u_dot
+    x2 = mass*theta_dot
+    x3 = centroid_height*x2
+    x4 = math.sin(theta)
+    x5 = u*x2
+    x6 = x4**2
+    x7 = height**2
+    x8 = transition**(-2)
+    x9 = x7*x8
+    x10 = math.exp(-x6*x9)
+    x11 = 1 - x10
+    x12 = -edge_distance + half_width
+    x13 = s*x12*x2
+    x14 = 2*x10*x13*x4*x9
+    out[0] = -x0**2*x14 + x0*x1 + x0*x14 + x0*x3 + x11*x13*x4 - x4*x5
+    out[1] = (
+        2*mass*s*theta_dot*x0*x10*x12*x6*x7*x8 + mass*s*theta_dot*x0*x11*x12 - x0*x5 - x1*x4
+        - x3*x4
+    )
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -1379,6 +1419,336 @@ def shapes(p, out):
     out[9] = -anchor_depth
     out[10] = eccentricity
     out[11] = anchor_height + x1
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[1]
+    gravity = p[15]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
+        s = SIDES[contact]
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[3]
+        u_dot = y[4]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        damping = p[14]
+        x0 = math.cos(theta)
+        x1 = mass*x0
+        x2 = ax*x1
+        x3 = math.sin(theta)
+        x4 = ax*mass*x3
+        x5 = height**2
+        x6 = transition**(-2)
+        x7 = x5*x6
+        x8 = x3**2*x7
+        x9 = math.exp(-x8)
+        x10 = -edge_distance + half_width
+        x11 = s*x10
+        x12 = x11*(1 - x9)
+        x13 = ay*x1
+        x14 = 2*x11*x9
+        out[0] = (
+            theta_dot*(2*ax*mass*s*x0**2*x10*x3*x5*x6*x9 + ax*mass*u*x3 +
+            ay*centroid_height*mass*x3 + ay*mass*u*x0 - centroid_height*x2 - x0*x14*x4*x7 -
+            x12*x13 - x12*x4 - x13*x14*x8) + u_dot*(ay*mass*x3 - x2)
+        )
+        out[1] = damping*u_dot**2
+        out[2] = 0
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[3]
+        u_dot = y[4]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        yield_force = p[11]
+        eccentricity = p[12]
+        damping = p[14]
+        x0 = math.cos(theta)
+        x1 = mass*x0
+        x2 = ax*x1
+        x3 = math.sin(theta)
+        x4 = x3**2
+        x5 = height**2
+        x6 = transition**(-2)
+        x7 = x5*x6
+        x8 = x4*x7
+        x9 = math.exp(-x8)
+        x10 = -edge_distance + half_width
+        x11 = s*x10
+        x12 = x11*(1 - x9)
+        x13 = ax*mass*x3
+        x14 = ay*x1
+        x15 = x11*x9
+        x16 = 2*x15
+        x17 = x0**2
+        x18 = anchor_height*x0
+        x19 = eccentricity - x12
+        x20 = x19*x3
+        x21 = anchor_depth + x18 - x20
+        x22 = anchor_height*x3
+        x23 = x0*x19
+        x24 = -eccentricity + x12 + x22 + x23
+        x25 = 4*x15
+        x26 = x3*x7
+        out[0] = (
+            theta_dot*(2*ax*mass*s*x10*x17*x3*x5*x6*x9 + ax*mass*u*x3 +
+            ay*centroid_height*mass*x3 + ay*mass*u*x0 - centroid_height*x2 - x0*x13*x16*x7 -
+            x12*x13 - x12*x14 - x14*x16*x8) + u_dot*(ay*mass*x3 - x2)
+        )
+        out[1] = (
+            damping*u_dot**2 + theta_dot*yield_force*((1/2)*x21*(4*s*x0*x10*x4*x5*x6*x9 - 2*x22
+            - 2*x23) + (1/2)*x24*(x0*x25*x26 - x17*x25*x26 + 2*x18 - 2*x20))/math.sqrt(x21**2 +
+            x24**2)
+        )
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    if contact in (LEFT,):
+        theta = y[0]
+        u = y[1]
+        permanent_extension = y[2]
+        u_dot = y[4]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        eccentricity = p[12]
+        stiffness = p[13]
+        damping = p[14]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity + x2
+        x4 = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
+        )
+        x5 = initial_force + tendon_stiffness*x4
+        out[0] = x4
+        out[1] = x5
+        out[2] = (1/2)*x5**2/tendon_stiffness
+        out[3] = 0
+        out[4] = u
+        out[5] = damping*u_dot + stiffness*u
+        out[6] = (1/2)*stiffness*u**2
+        out[7] = damping*u_dot**2
+    elif contact in (RIGHT,):
+        theta = y[0]
+        u = y[1]
+        permanent_extension = y[2]
+        u_dot = y[4]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        eccentricity = p[12]
+        stiffness = p[13]
+        damping = p[14]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity - x2
+        x4 = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
+        )
+        x5 = initial_force + tendon_stiffness*x4
+        out[0] = x4
+        out[1] = x5
+        out[2] = (1/2)*x5**2/tendon_stiffness
+        out[3] = 0
+        out[4] = u
+        out[5] = damping*u_dot + stiffness*u
+        out[6] = (1/2)*stiffness*u**2
+        out[7] = damping*u_dot**2
+    elif contact in (LEFT_SLACK,):
+        theta = y[0]
+        u = y[1]
+        permanent_extension = y[2]
+        u_dot = y[4]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        eccentricity = p[12]
+        stiffness = p[13]
+        damping = p[14]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity + x2
+        out[0] = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
+        )
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+        out[4] = u
+        out[5] = damping*u_dot + stiffness*u
+        out[6] = (1/2)*stiffness*u**2
+        out[7] = damping*u_dot**2
+    elif contact in (RIGHT_SLACK,):
+        theta = y[0]
+        u = y[1]
+        permanent_extension = y[2]
+        u_dot = y[4]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        eccentricity = p[12]
+        stiffness = p[13]
+        damping = p[14]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x3 = eccentricity - x2
+        out[0] = (
+            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
+            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
+        )
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+        out[4] = u
+        out[5] = damping*u_dot + stiffness*u
+        out[6] = (1/2)*stiffness*u**2
+        out[7] = damping*u_dot**2
+    elif contact in (LEFT_YIELD,):
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[3]
+        u_dot = y[4]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        yield_force = p[11]
+        eccentricity = p[12]
+        stiffness = p[13]
+        damping = p[14]
+        x0 = 1/tendon_stiffness
+        x1 = math.cos(theta)
+        x2 = anchor_height*x1
+        x3 = math.sin(theta)
+        x4 = -edge_distance + half_width
+        x5 = height**2/transition**2
+        x6 = x3**2*x5
+        x7 = math.exp(-x6)
+        x8 = x4*(1 - x7)
+        x9 = eccentricity + x8
+        x10 = x3*x9
+        x11 = anchor_depth - x10 + x2
+        x12 = anchor_height*x3
+        x13 = x1*x9
+        x14 = -eccentricity + x12 + x13 - x8
+        x15 = 4*x4*x7
+        x16 = x1*x15
+        x17 = x3*x5
+        out[0] = x0*(-initial_force + yield_force)
+        out[1] = yield_force
+        out[2] = (1/2)*x0*yield_force**2
+        out[3] = (
+            theta_dot*yield_force*((1/2)*x11*(-2*x12 - 2*x13 - x16*x6) +
+            (1/2)*x14*(x1**2*x15*x17 - 2*x10 - x16*x17 + 2*x2))/math.sqrt(x11**2 + x14**2)
+        )
+        out[4] = u
+        out[5] = damping*u_dot + stiffness*u
+        out[6] = (1/2)*stiffness*u**2
+        out[7] = damping*u_dot**2
+    elif contact in (RIGHT_YIELD,):
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[3]
+        u_dot = y[4]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        yield_force = p[11]
+        eccentricity = p[12]
+        stiffness = p[13]
+        damping = p[14]
+        x0 = 1/tendon_stiffness
+        x1 = math.cos(theta)
+        x2 = anchor_height*x1
+        x3 = math.sin(theta)
+        x4 = -edge_distance + half_width
+        x5 = x3**2
+        x6 = height**2
+        x7 = transition**(-2)
+        x8 = x6*x7
+        x9 = math.exp(-x5*x8)
+        x10 = x4*(1 - x9)
+        x11 = eccentricity - x10
+        x12 = x11*x3
+        x13 = anchor_depth - x12 + x2
+        x14 = anchor_height*x3
+        x15 = x1*x11
+        x16 = -eccentricity + x10 + x14 + x15
+        x17 = 4*x4*x9
+        x18 = x3*x8
+        out[0] = x0*(-initial_force + yield_force)
+        out[1] = yield_force
+        out[2] = (1/2)*x0*yield_force**2
+        out[3] = (
+            theta_dot*yield_force*((1/2)*x13*(4*x1*x4*x5*x6*x7*x9 - 2*x14 - 2*x15) +
+            (1/2)*x16*(-x1**2*x17*x18 + x1*x17*x18 - 2*x12 + 2*x2))/math.sqrt(x13**2 + x16**2)
+        )
+        out[4] = u
+        out[5] = damping*u_dot + stiffness*u
+        out[6] = (1/2)*stiffness*u**2
+        out[7] = damping*u_dot**2
 
 
 def overturning(p):

@@ -27,6 +27,9 @@ Operations before and after common subexpressions were shared:
     statics                   45    35
     positions                 71    30
     shapes                     4     2
+    masses                     0     0
+    powers                    70    53
+    elements                  24    24
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
@@ -38,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "9ed6f93c0112d6fa"
+SOURCE_HASH = "5dc2d8dcbdde9ce1"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -89,6 +92,7 @@ CORNERS = ("base", "base", "base", "base",)
 MEMBERS = ("cantilever",)
 MEMBER_ENDS = ("base", "superstructure",)
 COPIES = ()
+ELEMENT_NAMES = ("column",)
 
 N_STATES = 4
 N_GUARDS = 2
@@ -637,6 +641,73 @@ def shapes(p, out):
     out[9] = base_height
     out[10] = 0
     out[11] = 0
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[2]
+    base_mass = p[3]
+    base_inertia = p[5]
+    gravity = p[7]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = base_mass
+    out[3] = base_inertia
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        damping = p[9]
+        x0 = math.cos(theta)
+        x1 = mass*x0
+        x2 = ax*x1
+        x3 = math.sin(theta)
+        x4 = half_width*s
+        x5 = base_mass*x4
+        out[0] = (
+            theta_dot*(-ax*base_height*base_mass*x0 + ax*mass*u*x3 - ax*mass*x3*x4 - ax*x3*x5 +
+            ay*base_height*base_mass*x3 + ay*height*mass*x3 + ay*mass*u*x0 - ay*x0*x5 - ay*x1*x4
+            - height*x2) + u_dot*(ay*mass*x3 - x2)
+        )
+        out[1] = damping*u_dot**2
+        out[2] = 0
+    elif contact == BOTH:
+        u_dot = y[3]
+        mass = p[0]
+        damping = p[9]
+        out[0] = -ax*mass*u_dot
+        out[1] = damping*u_dot**2
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    u = y[1]
+    u_dot = y[3]
+    stiffness = p[8]
+    damping = p[9]
+    out[0] = u
+    out[1] = damping*u_dot + stiffness*u
+    out[2] = (1/2)*stiffness*u**2
+    out[3] = damping*u_dot**2
 
 
 def overturning(p):

@@ -25,6 +25,8 @@ Operations before and after common subexpressions were shared:
     statics                   29    24
     positions                 67    26
     shapes                     4     2
+    masses                     0     0
+    powers                    44    30
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
@@ -36,7 +38,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "68e9af4e5b1ead6b"
+SOURCE_HASH = "99479a2f0dcb3d12"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"
@@ -83,6 +85,7 @@ CORNERS = ("base", "base", "base", "base",)
 MEMBERS = ("rod",)
 MEMBER_ENDS = ("base", "superstructure",)
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -523,6 +526,61 @@ def shapes(p, out):
     out[9] = base_height
     out[10] = 0
     out[11] = 0
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[2]
+    base_mass = p[3]
+    base_inertia = p[5]
+    gravity = p[7]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = base_mass
+    out[3] = base_inertia
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = half_width*s
+        x4 = base_mass*x3
+        x5 = ax*x2
+        x6 = mass*x3
+        x7 = ay*x0
+        out[0] = (
+            theta_dot*(ay*base_height*base_mass*x2 + ay*height*mass*x2 -
+            base_height*base_mass*x1 - height*mass*x1 - x4*x5 - x4*x7 - x5*x6 - x6*x7)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

@@ -19,6 +19,8 @@ Operations before and after common subexpressions were shared:
     statics                   30    20
     positions                114    31
     shapes                    20     6
+    masses                     4     4
+    powers                    34    24
     overturning                2     2
     velocity_ratio             5     5
     sizes                      5     5
@@ -30,7 +32,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "e6460c1ac7ad7ea3"
+SOURCE_HASH = "da4477b79895f7bb"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -63,6 +65,7 @@ CORNERS = ("block", "block", "block", "block",)
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -453,6 +456,49 @@ def shapes(p, out):
     out[5] = x2
     out[6] = x1
     out[7] = x2
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    radius_ratio = p[1]
+    out[0] = 1
+    out[1] = -radius_ratio**2 + radius_ratio
+    out[2] = 1
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        radius_ratio = p[1]
+        x0 = alpha*x
+        x1 = math.cos(x0)
+        x2 = math.cos(alpha)
+        x3 = math.sin(x0)
+        x4 = alpha*radius_ratio*s*math.sin(alpha)
+        out[0] = (
+            x_dot*(-alpha*ax*radius_ratio*x1*x2 + alpha*ay*radius_ratio*x2*x3 - ax*x3*x4 -
+            ay*x1*x4)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

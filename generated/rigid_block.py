@@ -22,6 +22,8 @@ Operations before and after common subexpressions were shared:
     statics                   18    16
     positions                 53    22
     shapes                     4     2
+    masses                     0     0
+    powers                    22    18
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -33,7 +35,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "77a9064e862a9f0c"
+SOURCE_HASH = "a04e9e95ce0d895c"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"
@@ -68,6 +70,7 @@ CORNERS = ("block", "block", "block", "block",)
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -458,6 +461,47 @@ def shapes(p, out):
     out[5] = height
     out[6] = x0
     out[7] = height
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    gravity = p[4]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = half_width*mass*s
+        out[0] = theta_dot*(-ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1 - ay*x0*x2)
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

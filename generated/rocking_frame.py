@@ -23,6 +23,8 @@ Operations before and after common subexpressions were shared:
     statics                   35    29
     positions                 79    31
     shapes                    48    13
+    masses                    14    12
+    powers                    52    35
     overturning                1     1
     velocity_ratio            26    21
     sizes                      1     1
@@ -34,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "30c516c1ffc8c478"
+SOURCE_HASH = "c14c20e3c089ae98"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"
@@ -70,6 +72,7 @@ CORNERS = ("beam", "beam", "beam", "beam", "columns", "columns", "columns", "col
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ("columns",)
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -532,6 +535,64 @@ def shapes(p, out):
     out[15] = half_height
     out[16] = columns
     out[17] = x0
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    columns = p[0]
+    column_mass = p[1]
+    half_width = p[2]
+    half_height = p[3]
+    beam_mass = p[4]
+    gravity = p[5]
+    x0 = column_mass*columns
+    out[0] = beam_mass
+    out[1] = 0
+    out[2] = x0
+    out[3] = (1/3)*x0*(half_height**2 + half_width**2)
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        columns = p[0]
+        column_mass = p[1]
+        half_width = p[2]
+        half_height = p[3]
+        beam_mass = p[4]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = column_mass*columns
+        x4 = half_width*s
+        x5 = 2*beam_mass*x4
+        x6 = ax*x2
+        x7 = ay*x0
+        x8 = x3*x4
+        out[0] = (
+            theta_dot*(2*ay*beam_mass*half_height*x2 + ay*column_mass*columns*half_height*x2 -
+            2*beam_mass*half_height*x1 - half_height*x1*x3 - x5*x6 - x5*x7 - x6*x8 - x7*x8)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

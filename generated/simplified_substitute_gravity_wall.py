@@ -29,6 +29,8 @@ Operations before and after common subexpressions were shared:
     statics                   94    79
     positions                158    77
     shapes                     7     3
+    masses                    25    25
+    powers                   108    89
     overturning                1     1
     velocity_ratio             6     6
     sizes                      6     6
@@ -40,7 +42,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5eb07e078f64dca0"
+SOURCE_HASH = "c1205353fe5b4199"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -125,6 +127,7 @@ CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("tendon",)
 MEMBER_ENDS = ("ground", "wall",)
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 4
 N_GUARDS = 3
@@ -864,6 +867,99 @@ def shapes(p, out):
     out[9] = 0
     out[10] = eccentricity
     out[11] = x2
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    pivot_inertia = p[1]
+    centroid_height = p[2]
+    half_width = p[4]
+    gravity = p[11]
+    out[0] = mass
+    out[1] = -mass*(centroid_height**2 + half_width**2) + pivot_inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        permanent_extension = y[1]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        tendon_stiffness = p[7]
+        initial_force = p[8]
+        eccentricity = p[10]
+        x0 = math.cos(theta)
+        x1 = ax*mass
+        x2 = math.sin(theta)
+        x3 = half_width*s
+        out[0] = (
+            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x3 - centroid_height*x0*x1 -
+            x1*x2*x3)
+        )
+        out[1] = 0
+        out[2] = (
+            -theta_dot*(initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity
+            + s*(half_width*(1 - x0) + (1 -
+            math.exp(-height**2*x2**2/transition**2))*(-edge_distance +
+            half_width))/x0)*math.tan(theta)))*(-centroid_height*x2 + half_width*s*x0)
+        )
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        half_width = p[4]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = half_width*mass*s
+        out[0] = (
+            theta_dot*(-ax*centroid_height*mass*x0 - ax*x1*x2 + ay*centroid_height*mass*x1 -
+            ay*x0*x2)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        half_width = p[4]
+        yield_force = p[9]
+        x0 = math.cos(theta)
+        x1 = ax*mass
+        x2 = math.sin(theta)
+        x3 = half_width*s
+        out[0] = (
+            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x3 - centroid_height*x0*x1 -
+            x1*x2*x3)
+        )
+        out[1] = 0
+        out[2] = -theta_dot*yield_force*(-centroid_height*x2 + half_width*s*x0)
+    elif contact in (BOTH, BOTH_SLACK):
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

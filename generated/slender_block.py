@@ -22,6 +22,8 @@ Operations before and after common subexpressions were shared:
     statics                   10    10
     positions                101    30
     shapes                    20     6
+    masses                     0     0
+    powers                    12    11
     overturning                1     1
     velocity_ratio            14    10
     sizes                      3     3
@@ -33,7 +35,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "9ed2c082cec4489a"
+SOURCE_HASH = "64b1f2cfdfc3ecf2"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -68,6 +70,7 @@ CORNERS = ("block", "block", "block", "block",)
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -452,6 +455,45 @@ def shapes(p, out):
     out[5] = x2
     out[6] = x1
     out[7] = x2
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    gravity = p[4]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        radius = p[1]
+        alpha = p[2]
+        x0 = mass*radius
+        out[0] = theta_dot*(-alpha*ay*s*x0 - ax*x0 + ay*mass*radius*theta)
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

@@ -23,11 +23,13 @@ Operations before and after common subexpressions were shared:
     energies                  36    29
     reactions                 33    30
     kinematics                17    12
-    losses                     0     0
     momentum                  12    10
     statics                   11    10
     positions                 24    12
     shapes                     4     2
+    masses                     0     0
+    powers                    16    15
+    elements                   0     0
     overturning                1     1
     velocity_ratio             0     0
     sizes                      4     2
@@ -39,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "648d260961f9d900"
+SOURCE_HASH = "b299571ead86e00b"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -91,6 +93,7 @@ CORNERS = ("block", "block", "block", "block",)
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
+ELEMENT_NAMES = ()
 POINTS = ("left", "right",)
 ELEMENTS = ()
 
@@ -944,11 +947,6 @@ def kinematics(contact, y, p, out):
     out[4] = -half_width + x + x2
 
 
-def losses(contact, y, p, out):
-    """Power lost in dampers and by yielding, less that of declared forces [W], into out (1,)."""
-    out[0] = 0
-
-
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
@@ -1019,6 +1017,43 @@ def shapes(p, out):
     out[5] = height
     out[6] = x0
     out[7] = height
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    gravity = p[4]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    theta = y[2]
+    x_dot = y[3]
+    y_dot = y[4]
+    theta_dot = y[5]
+    mass = p[0]
+    height = p[2]
+    x0 = ax*mass
+    out[0] = (
+        -ay*mass*y_dot + theta_dot*(ay*height*mass*math.sin(theta) - height*x0*math.cos(theta))
+        - x0*x_dot
+    )
+    out[1] = 0
+    out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

@@ -26,11 +26,13 @@ Operations before and after common subexpressions were shared:
     energies                 281   150
     reactions                108    81
     kinematics                45    31
-    losses                     0     0
     momentum                  74    50
     statics                   59    37
     positions                126    53
     shapes                     8     4
+    masses                     0     0
+    powers                    84    56
+    elements                   0     0
     overturning                1     1
     overturns_at               1     1
     velocity_ratio             0     0
@@ -43,7 +45,7 @@ import math
 import numpy as np
 from rockeom.marks import everywhere, fused, inlined
 
-SOURCE_HASH = "cc65c9f333b2850d"
+SOURCE_HASH = "7810bb29697c568a"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -146,6 +148,7 @@ CORNERS = ("lower", "lower", "lower", "lower", "upper", "upper", "upper", "upper
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
+ELEMENT_NAMES = ()
 POINTS = ("left", "right", "upper_left", "upper_right",)
 ELEMENTS = ()
 
@@ -3036,11 +3039,6 @@ def kinematics(contact, y, p, out):
     out[8] = -upper_half_width + x6 + xi
 
 
-def losses(contact, y, p, out):
-    """Power lost in dampers and by yielding, less that of declared forces [W], into out (1,)."""
-    out[0] = 0
-
-
 def momentum(contact, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
@@ -3183,6 +3181,67 @@ def shapes(p, out):
     out[13] = upper_half_height
     out[14] = x2
     out[15] = upper_half_height
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    lower_mass = p[0]
+    lower_inertia = p[3]
+    upper_mass = p[4]
+    upper_inertia = p[7]
+    gravity = p[8]
+    out[0] = lower_mass
+    out[1] = lower_inertia
+    out[2] = upper_mass
+    out[3] = upper_inertia
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    theta = y[2]
+    xi = y[3]
+    eta = y[4]
+    phi = y[5]
+    x_dot = y[6]
+    y_dot = y[7]
+    theta_dot = y[8]
+    xi_dot = y[9]
+    eta_dot = y[10]
+    phi_dot = y[11]
+    lower_mass = p[0]
+    lower_half_height = p[2]
+    upper_mass = p[4]
+    upper_half_height = p[6]
+    x0 = ax*lower_mass
+    x1 = ax*upper_mass
+    x2 = ay*lower_mass
+    x3 = ay*upper_mass
+    x4 = math.cos(theta)
+    x5 = x1*x4
+    x6 = math.sin(theta)
+    x7 = x1*x6
+    x8 = x3*x4
+    x9 = x3*x6
+    x10 = 2*lower_half_height
+    out[0] = (
+        eta_dot*(-x7 - x8) + phi_dot*(ay*upper_half_height*upper_mass*math.sin(phi) -
+        upper_half_height*x1*math.cos(phi)) + theta_dot*(-eta*x5 + eta*x9 -
+        lower_half_height*x0*x4 + lower_half_height*x2*x6 - x10*x5 + x10*x9 + x7*xi + x8*xi) +
+        x_dot*(-x0 - x1) + xi_dot*(ay*upper_mass*x6 - x5) + y_dot*(-x2 - x3)
+    )
+    out[1] = 0
+    out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

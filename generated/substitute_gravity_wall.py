@@ -25,9 +25,12 @@ Operations before and after common subexpressions were shared:
     energies                  69    63
     reactions                517   153
     kinematics               270   108
+    momentum                 120    75
     statics                  174   103
     positions                516   102
     shapes                     7     3
+    masses                    48    48
+    powers                   254   132
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -39,7 +42,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "ae7fd39802c290fa"
+SOURCE_HASH = "28c6dd8d8f9302de"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"
@@ -110,6 +113,7 @@ CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("tendon",)
 MEMBER_ENDS = ("ground", "wall",)
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 4
 N_GUARDS = 3
@@ -604,6 +608,25 @@ def kinematics(contact, y, p, out):
     )
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    s = SIDES[contact]
+    theta = y[0]
+    theta_dot = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    transition = p[6]
+    x0 = math.cos(theta)
+    x1 = mass*theta_dot
+    x2 = centroid_height*x1
+    x3 = math.sin(theta)
+    x4 = 1 - math.exp(-height**2*x3**2/transition**2)
+    out[0] = half_width*s*x1*x3*x4 + x0*x2
+    out[1] = half_width*mass*s*theta_dot*x0*x4 - x2*x3
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == LEFT or contact == RIGHT:
@@ -732,6 +755,120 @@ def shapes(p, out):
     out[9] = 0
     out[10] = eccentricity
     out[11] = x2
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    theta = y[0]
+    mass = p[0]
+    pivot_inertia = p[1]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    transition = p[6]
+    gravity = p[11]
+    out[0] = mass
+    out[1] = (
+        -mass*(centroid_height**2 + half_width**2*(1 -
+        math.exp(-height**2*math.sin(theta)**2/transition**2))**2) + pivot_inertia
+    )
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        permanent_extension = y[1]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        tendon_stiffness = p[7]
+        initial_force = p[8]
+        eccentricity = p[10]
+        gravity = p[11]
+        x0 = math.cos(theta)
+        x1 = ax*mass
+        x2 = math.sin(theta)
+        x3 = height**2*x2**2/transition**2
+        x4 = math.exp(-x3)
+        x5 = 1 - x4
+        x6 = half_width*s*x5
+        out[0] = (
+            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x6 - centroid_height*x0*x1 -
+            x1*x2*x6)
+        )
+        out[1] = 0
+        out[2] = (
+            2*gravity*half_width*mass*s*theta_dot*x0*x3*x4 - theta_dot*(initial_force +
+            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(half_width*(1 - x0) +
+            x5*(-edge_distance + half_width))/x0)*math.tan(theta)))*(-centroid_height*x2 +
+            half_width*s*x0*x5)
+        )
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        transition = p[6]
+        gravity = p[11]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = height**2*x1**2/transition**2
+        x3 = math.exp(-x2)
+        x4 = half_width*mass*s
+        x5 = x4*(1 - x3)
+        out[0] = (
+            theta_dot*(-ax*centroid_height*mass*x0 - ax*x1*x5 + ay*centroid_height*mass*x1 -
+            ay*x0*x5)
+        )
+        out[1] = 0
+        out[2] = 2*gravity*theta_dot*x0*x2*x3*x4
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        transition = p[6]
+        yield_force = p[9]
+        gravity = p[11]
+        x0 = math.cos(theta)
+        x1 = ax*mass
+        x2 = math.sin(theta)
+        x3 = height**2*x2**2/transition**2
+        x4 = math.exp(-x3)
+        x5 = 1 - x4
+        x6 = half_width*s*x5
+        out[0] = (
+            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x6 - centroid_height*x0*x1 -
+            x1*x2*x6)
+        )
+        out[1] = 0
+        out[2] = (
+            2*gravity*half_width*mass*s*theta_dot*x0*x3*x4 -
+            theta_dot*yield_force*(-centroid_height*x2 + half_width*s*x0*x5)
+        )
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

@@ -21,9 +21,12 @@ Operations before and after common subexpressions were shared:
     energies                 217    94
     reactions                 14    14
     kinematics                 0     0
+    momentum                   6     6
     statics                  270    70
     positions                  0     0
     shapes                     7     4
+    masses                     2     2
+    powers                    10    10
     overturning                1     1
     velocity_ratio            28    18
     sizes                      0     0
@@ -35,7 +38,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "b4d321e1a30f377a"
+SOURCE_HASH = "6f8b2efc97a3dcb6"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -84,6 +87,7 @@ CORNERS = ("cart", "cart", "cart", "cart",)
 MEMBERS = ("spring",)
 MEMBER_ENDS = ("ground", "cart",)
 COPIES = ()
+ELEMENT_NAMES = ()
 
 N_STATES = 2
 N_GUARDS = 2
@@ -339,6 +343,15 @@ def kinematics(contact, y, p, out):
     out[0] = u
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    u_dot = y[1]
+    mass = p[0]
+    base_mass = p[3]
+    out[0] = base_mass*u_dot + mass*u_dot
+    out[1] = 0
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -421,6 +434,36 @@ def shapes(p, out):
     out[9] = x1
     out[10] = x0
     out[11] = x1
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    base_mass = p[3]
+    gravity = p[7]
+    out[0] = base_mass + mass
+    out[1] = 0
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    u_dot = y[1]
+    mass = p[0]
+    base_mass = p[3]
+    out[0] = u_dot*(-ax*base_mass - ax*mass)
+    out[1] = 0
+    out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def overturning(p):

@@ -22,9 +22,13 @@ Operations before and after common subexpressions were shared:
     energies                 248   181
     reactions                146    98
     kinematics                24    15
+    momentum                  66    48
     statics                   92    74
     positions                153    57
     shapes                     4     2
+    masses                     0     0
+    powers                   112    95
+    elements                 196   102
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -36,7 +40,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "01b3b05c1c64e05e"
+SOURCE_HASH = "9c7037456a56d9c9"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -91,6 +95,7 @@ CORNERS = ("base", "base", "base", "base",)
 MEMBERS = ("rod",)
 MEMBER_ENDS = ("base", "superstructure",)
 COPIES = ()
+ELEMENT_NAMES = ("left", "right",)
 
 N_STATES = 4
 N_GUARDS = 2
@@ -622,6 +627,23 @@ def kinematics(contact, y, p, out):
     out[2] = heave - x1
 
 
+def momentum(contact, y, p, out):
+    """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
+    theta = y[0]
+    theta_dot = y[2]
+    heave_dot = y[3]
+    mass = p[0]
+    height = p[1]
+    base_mass = p[3]
+    base_height = p[4]
+    x0 = theta_dot*math.cos(theta)
+    x1 = base_height*base_mass
+    x2 = height*mass
+    x3 = theta_dot*math.sin(theta)
+    out[0] = x0*x1 + x0*x2
+    out[1] = base_mass*heave_dot + heave_dot*mass - x1*x3 - x2*x3
+
+
 def statics(contact, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     if contact == BOTH:
@@ -746,6 +768,189 @@ def shapes(p, out):
     out[9] = base_height
     out[10] = 0
     out[11] = 0
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[2]
+    base_mass = p[3]
+    base_inertia = p[5]
+    gravity = p[7]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = base_mass
+    out[3] = base_inertia
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == BOTH:
+        theta = y[0]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        foundation_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = 2*foundation_damping
+        out[0] = (
+            heave_dot*(-ay*base_mass - ay*mass) + theta_dot*(ay*base_height*base_mass*x2 +
+            ay*height*mass*x2 - base_height*base_mass*x1 - height*mass*x1)
+        )
+        out[1] = half_width**2*theta_dot**2*x0**2*x3 + heave_dot**2*x3
+        out[2] = 0
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        foundation_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = foundation_damping*theta_dot
+        x4 = half_width*s*x0
+        out[0] = (
+            heave_dot*(-ay*base_mass - ay*mass) + theta_dot*(ay*base_height*base_mass*x2 +
+            ay*height*mass*x2 - base_height*base_mass*x1 - height*mass*x1)
+        )
+        out[1] = (
+            heave_dot*(foundation_damping*heave_dot - x3*x4) +
+            theta_dot*(-foundation_damping*heave_dot*x4 + half_width**2*x0**2*x3)
+        )
+        out[2] = 0
+    elif contact == FLIGHT:
+        theta = y[0]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        x0 = ax*math.cos(theta)
+        x1 = math.sin(theta)
+        out[0] = (
+            heave_dot*(-ay*base_mass - ay*mass) + theta_dot*(ay*base_height*base_mass*x1 +
+            ay*height*mass*x1 - base_height*base_mass*x0 - height*mass*x0)
+        )
+        out[1] = 0
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    if contact in (BOTH,):
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        base_mass = p[3]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        x0 = half_width*math.sin(theta)
+        x1 = 1/foundation_stiffness
+        x2 = base_mass + mass
+        x3 = (1/2)*gravity*x1*x2 - heave - x0
+        x4 = half_width*theta_dot*math.cos(theta)
+        x5 = -heave_dot - x4
+        x6 = (1/2)*foundation_stiffness
+        x7 = (1/2)*gravity*x1*x2 - heave + x0
+        x8 = -heave_dot + x4
+        out[0] = x3
+        out[1] = foundation_damping*x5 + foundation_stiffness*x3
+        out[2] = x3**2*x6
+        out[3] = foundation_damping*x5**2
+        out[4] = x7
+        out[5] = foundation_damping*x8 + foundation_stiffness*x7
+        out[6] = x6*x7**2
+        out[7] = foundation_damping*x8**2
+    elif contact in (LEFT,):
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        base_mass = p[3]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        x0 = half_width*math.sin(theta)
+        x1 = 1/foundation_stiffness
+        x2 = base_mass + mass
+        x3 = (1/2)*gravity*x1*x2 - heave - x0
+        x4 = -half_width*theta_dot*math.cos(theta) - heave_dot
+        out[0] = x3
+        out[1] = foundation_damping*x4 + foundation_stiffness*x3
+        out[2] = (1/2)*foundation_stiffness*x3**2
+        out[3] = foundation_damping*x4**2
+        out[4] = (1/2)*gravity*x1*x2 - heave + x0
+        out[5] = 0
+        out[6] = 0
+        out[7] = 0
+    elif contact in (RIGHT,):
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        base_mass = p[3]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        x0 = half_width*math.sin(theta)
+        x1 = 1/foundation_stiffness
+        x2 = base_mass + mass
+        x3 = (1/2)*gravity*x1*x2 - heave + x0
+        x4 = half_width*theta_dot*math.cos(theta) - heave_dot
+        out[0] = (1/2)*gravity*x1*x2 - heave - x0
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+        out[4] = x3
+        out[5] = foundation_damping*x4 + foundation_stiffness*x3
+        out[6] = (1/2)*foundation_stiffness*x3**2
+        out[7] = foundation_damping*x4**2
+    elif contact in (FLIGHT,):
+        theta = y[0]
+        heave = y[1]
+        mass = p[0]
+        base_mass = p[3]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        x0 = half_width*math.sin(theta)
+        x1 = 1/foundation_stiffness
+        x2 = base_mass + mass
+        out[0] = (1/2)*gravity*x1*x2 - heave - x0
+        out[1] = 0
+        out[2] = 0
+        out[3] = 0
+        out[4] = (1/2)*gravity*x1*x2 - heave + x0
+        out[5] = 0
+        out[6] = 0
+        out[7] = 0
 
 
 def overturning(p):

@@ -23,6 +23,9 @@ Operations before and after common subexpressions were shared:
     statics                    9     9
     positions                 43    22
     shapes                     2     1
+    masses                     0     0
+    powers                    18    17
+    elements                  24    24
     overturning                1     1
     velocity_ratio             8     8
     sizes                      1     1
@@ -34,7 +37,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "8f4c80a9c55b75cc"
+SOURCE_HASH = "7e29a732767c95d2"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -70,6 +73,7 @@ CORNERS = ("base", "base", "base", "base",)
 MEMBERS = ("cantilever",)
 MEMBER_ENDS = ("base", "mass",)
 COPIES = ()
+ELEMENT_NAMES = ("column",)
 
 N_STATES = 4
 N_GUARDS = 2
@@ -501,6 +505,57 @@ def shapes(p, out):
     out[9] = 0
     out[10] = 0
     out[11] = 0
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    gravity = p[5]
+    out[0] = mass
+    out[1] = 0
+    out[2] = 0
+    out[3] = 0
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        half_width = p[2]
+        damping = p[4]
+        x0 = ax*mass
+        out[0] = theta_dot*(-ay*half_width*mass*s - height*x0) - u_dot*x0
+        out[1] = damping*u_dot**2
+        out[2] = 0
+    elif contact == BOTH:
+        u_dot = y[3]
+        mass = p[0]
+        damping = p[4]
+        out[0] = -ax*mass*u_dot
+        out[1] = damping*u_dot**2
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    u = y[1]
+    u_dot = y[3]
+    stiffness = p[3]
+    damping = p[4]
+    out[0] = u
+    out[1] = damping*u_dot + stiffness*u
+    out[2] = (1/2)*stiffness*u**2
+    out[3] = damping*u_dot**2
 
 
 def overturning(p):

@@ -28,6 +28,9 @@ Operations before and after common subexpressions were shared:
     statics                   78    47
     positions                 51    28
     shapes                    22    13
+    masses                     0     0
+    powers                    87    66
+    elements                 120    71
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -39,7 +42,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "4e11e911abc67f17"
+SOURCE_HASH = "017c2a3df09c7e8b"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"
@@ -92,6 +95,7 @@ CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("spring", "rod", "column", "column",)
 MEMBER_ENDS = ("wall", "frame", "frame", "frame", "ground", "frame", "ground", "frame",)
 COPIES = ()
+ELEMENT_NAMES = ("frame", "link",)
 
 N_STATES = 4
 N_GUARDS = 2
@@ -627,6 +631,134 @@ def shapes(p, out):
     out[21] = 0
     out[22] = x4
     out[23] = 0
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    frame_mass = p[4]
+    gravity = p[10]
+    out[0] = frame_mass
+    out[1] = 0
+    out[2] = mass
+    out[3] = inertia
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
+    what declared forces give.
+    """
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        frame_mass = p[4]
+        frame_damping = p[6]
+        link_height = p[7]
+        link_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = half_width*mass*s
+        x3 = link_damping*u_dot
+        x4 = link_damping*theta_dot
+        x5 = link_height*x0
+        x6 = half_width*s*x1
+        x7 = half_width**2
+        x8 = x0**2
+        out[0] = (
+            -ax*frame_mass*u_dot + theta_dot*(-ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1
+            - ay*x0*x2)
+        )
+        out[1] = (
+            theta_dot*(2*half_width*link_damping*link_height*s*theta_dot*x0*x1 +
+            link_damping*link_height**2*theta_dot*x8 + link_damping*theta_dot*x7 - x3*x5 - x3*x6
+            - x4*x7*x8) + u_dot*(frame_damping*u_dot + x3 - x4*x5 - x4*x6)
+        )
+        out[2] = 0
+    elif contact == BOTH:
+        u_dot = y[3]
+        frame_mass = p[4]
+        frame_damping = p[6]
+        link_damping = p[9]
+        out[0] = -ax*frame_mass*u_dot
+        out[1] = u_dot*(frame_damping*u_dot + link_damping*u_dot)
+        out[2] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    if contact in (LEFT,):
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        half_width = p[1]
+        frame_stiffness = p[5]
+        frame_damping = p[6]
+        link_height = p[7]
+        link_stiffness = p[8]
+        link_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = half_width*x0 - half_width + link_height*x1 - u
+        x3 = theta_dot*(-half_width*x1 + link_height*x0) - u_dot
+        out[0] = u
+        out[1] = frame_damping*u_dot + frame_stiffness*u
+        out[2] = (1/2)*frame_stiffness*u**2
+        out[3] = frame_damping*u_dot**2
+        out[4] = x2
+        out[5] = link_damping*x3 + link_stiffness*x2
+        out[6] = (1/2)*link_stiffness*x2**2
+        out[7] = link_damping*x3**2
+    elif contact in (RIGHT,):
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        half_width = p[1]
+        frame_stiffness = p[5]
+        frame_damping = p[6]
+        link_height = p[7]
+        link_stiffness = p[8]
+        link_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = -half_width*x0 + half_width + link_height*x1 - u
+        x3 = theta_dot*(half_width*x1 + link_height*x0) - u_dot
+        out[0] = u
+        out[1] = frame_damping*u_dot + frame_stiffness*u
+        out[2] = (1/2)*frame_stiffness*u**2
+        out[3] = frame_damping*u_dot**2
+        out[4] = x2
+        out[5] = link_damping*x3 + link_stiffness*x2
+        out[6] = (1/2)*link_stiffness*x2**2
+        out[7] = link_damping*x3**2
+    elif contact in (BOTH,):
+        u = y[1]
+        u_dot = y[3]
+        frame_stiffness = p[5]
+        frame_damping = p[6]
+        link_stiffness = p[8]
+        link_damping = p[9]
+        x0 = (1/2)*u**2
+        x1 = u_dot**2
+        out[0] = u
+        out[1] = frame_damping*u_dot + frame_stiffness*u
+        out[2] = frame_stiffness*x0
+        out[3] = frame_damping*x1
+        out[4] = -u
+        out[5] = -link_damping*u_dot - link_stiffness*u
+        out[6] = link_stiffness*x0
+        out[7] = link_damping*x1
 
 
 def overturning(p):

@@ -26,6 +26,7 @@ _NAMES_OF = {
     "rockeom.numeric.ensemble": ("simulate_many",),
     "rockeom.numeric.ensemble_dataset": ("Sweep",),
     "rockeom.numeric.extremes": ("Extremes",),
+    "rockeom.numeric.fixed_base": ("rayleigh_damping",),
     "rockeom.numeric.impact": (
         "AngularMomentum",
         "EnergyLossAtSpeed",
@@ -66,6 +67,7 @@ if TYPE_CHECKING:
     from rockeom.numeric.ensemble import simulate_many as simulate_many
     from rockeom.numeric.ensemble_dataset import Sweep as Sweep
     from rockeom.numeric.extremes import Extremes as Extremes
+    from rockeom.numeric.fixed_base import rayleigh_damping as rayleigh_damping
     from rockeom.numeric.impact import (
         AngularMomentum as AngularMomentum,
         EnergyLossAtSpeed as EnergyLossAtSpeed,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from typing import Any, ClassVar
 from rockeom.arguments import number, told, whole_number
 from rockeom.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numeric.fixed_base import rayleigh_damping
 from rockeom.numeric.structures import (
     Structure,
     Support,
@@ -207,6 +209,26 @@ class ShearFrame(Structure):
     def module(self) -> ModuleType:
         """The generated module of so many storeys on this support."""
         return (self.support or Pinned()).module(self.model, storeys=len(self.masses))
+
+    def damped(self, ratio: float, mode: int = 1) -> ShearFrame:
+        """The frame with dampings in proportion to its stiffnesses, by the ratio of one mode.
+
+        ratio : part of critical damping of the mode on a fixed base, 1 for the slowest. Others
+        have theirs in proportion to their frequencies, as `frame.fixed_base().damping_ratios`
+        tells. Raises ValueError for a negative ratio, and for a mode that the frame has not.
+
+        >>> frame.damped(0.02).dampings
+        """
+        mode = whole_number("ShearFrame.damped: mode", mode, 1)
+        if mode > len(self.masses):
+            raise ValueError(
+                f"ShearFrame.damped: mode is {mode}: a frame of {len(self.masses)} storeys has as "
+                "many"
+            )
+        free = dataclasses.replace(self, dampings=[0.0] * len(self.masses), support=None)
+        period = free.fixed_base().periods[mode - 1]
+        beta = rayleigh_damping(period, number("ShearFrame.damped: ratio", ratio)).beta
+        return dataclasses.replace(self, dampings=[beta * k for k in self.stiffnesses])
 
     def parameters(self) -> dict[str, float]:
         found = {

@@ -14,9 +14,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
 from rockeom.arguments import told
+from rockeom.numeric.quantities import EnergyBalance
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -24,9 +23,6 @@ if TYPE_CHECKING:
     from rockeom.numeric.options import SolverOptions
     from rockeom.numeric.response import Response
     from rockeom.numeric.structures import Structure
-
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(5)
-"""Of the quadrature within a step, a polynomial of degree 7, under a straight law of the ground."""
 
 
 class Demands(NamedTuple):
@@ -43,22 +39,6 @@ class Demands(NamedTuple):
     displacement: float
     deformations: dict[str, float]
     uplift: float
-
-
-class EnergyBalance(NamedTuple):
-    """Where the energy of a response came from and went, in joules.
-
-    input : work of the shaking on the masses, seen from the ground that moves. damping : lost in
-    dampers and by yielding, less the work of forces that are declared by themselves (`Force`).
-    impacts : lost at impacts. gained : energy at the end less that at the start.
-    error : what input - damping - impacts - gained leaves, over the largest of them.
-    """
-
-    input: float
-    damping: float
-    impacts: float
-    gained: float
-    error: float
 
 
 @dataclass(frozen=True)
@@ -148,64 +128,6 @@ def energy_balance(run: Response) -> EnergyBalance:
     """The energy of a response `run` by quadrature of its motion, beside that of its states.
 
     Work and losses are integrals over the steps, the energies those of the states at the ends:
-    the error tells how well the motion was integrated. Structures whose contacts or elements are
-    declared know their losses; of others the damping is that of one column, the parameter
-    `damping` [N s/m] on the state `u`.
-
-    Raises ValueError for a structure with other dampers, whose losses are not known, or one that
-    knows no momentum.
+    the error tells how well the motion was integrated. The same as `run.energy_balance()`.
     """
-    parameters = run.structure.parameters()
-    told = hasattr(run.program, "losses")
-    others = [n for n, v in parameters.items() if "damping" in n and n != "damping" and v]
-    others *= not told
-    if others or not hasattr(run.program, "momentum") or len(run.program.ENERGIES) != 3:
-        raise ValueError(
-            f"the energy balance of {run.structure.model} is not known: it is for structures on "
-            f"rigid ground with the damping of one column{', and not ' * bool(others)}"
-            f"{', '.join(others)}"
-        )
-    work, lost = _work(run, parameters.get("damping", 0.0))
-    impacts = sum(
-        _energy(run, e.before, e.phase_before) - _energy(run, e.after, e.phase_after)
-        for e in run.events
-    )
-    start = dict(zip(run.states, run.steps.powers[0, 0].tolist(), strict=True))
-    contacts = run.program.CONTACTS
-    at_end = contacts[run.steps.contact[-1]]
-    if run.events and run.events[-1].time >= float(run.steps.span[-1].sum()) * (1.0 - 1e-15):
-        at_end = run.events[-1].phase_after  # the last step ended with it
-    gained = _energy(run, run.final, at_end) - _energy(run, start, contacts[run.steps.contact[0]])
-    left = work - lost - impacts - gained
-    largest = max(abs(work), abs(lost), abs(impacts), abs(gained))
-    return EnergyBalance(work, lost, impacts, gained, abs(left) / largest if largest else 0.0)
-
-
-def _work(run: Response, damping: float) -> tuple[float, float]:
-    """Work of the shaking and energy lost in dampers and the like [J], by quadrature."""
-    starts, lengths = run.steps.span.T
-    index = np.repeat(np.arange(len(starts)), len(_NODES))
-    x = np.tile(0.5 * (1.0 + _NODES), len(starts))
-    weights = 0.5 * lengths[index] * np.tile(_WEIGHTS, len(starts))
-    y = run.steps.states(index, x)
-    t = starts[index] + x * lengths[index]
-    momentum = np.zeros((len(t), 2))
-    for contact, state, out in zip(run.steps.contact[index], y, momentum, strict=True):
-        run.program.momentum(contact, state, run.structure.vector, out)
-    power = -momentum[:, 0] * run.motion.acceleration(t)
-    if run.vertical is not None:
-        power -= momentum[:, 1] * run.vertical.acceleration(t)
-    lost = 0.0
-    if hasattr(run.program, "losses"):
-        powers = np.zeros((len(t), 1))
-        for contact, state, out in zip(run.steps.contact[index], y, powers, strict=True):
-            run.program.losses(contact, state, run.structure.vector, out)
-        lost = float(weights @ powers[:, 0])
-    elif damping:
-        lost = damping * float(weights @ y[:, run.states.index("u_dot")] ** 2)
-    return float(weights @ power), lost
-
-
-def _energy(run: Response, state: dict[str, float], phase: str) -> float:
-    """Kinetic, gravitational and elastic energy together [J]."""
-    return sum(run.structure.energies(state, phase=phase).values())
+    return run.energy_balance()

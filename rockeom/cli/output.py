@@ -50,8 +50,8 @@ def write_csv(run: Response, path: Path) -> None:
     The instant of a jump stands in two rows, before and after.
     """
     unit = units(run)
-    columns = [run.t, *(run[name] for name in run.names)]
-    header = [f"t [{unit['t']}]", "phase", *(f"{name} [{unit[name]}]" for name in run.names)]
+    columns = [run.t, *(run[name] for name in run.main_names)]
+    header = [f"t [{unit['t']}]", "phase", *(f"{name} [{unit[name]}]" for name in run.main_names)]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(header)
@@ -61,7 +61,7 @@ def write_csv(run: Response, path: Path) -> None:
 
 def write_npz(run: Response, path: Path) -> None:
     """The same as arrays by name, in the units of the CSV; read with numpy.load."""
-    columns: dict[str, Any] = {name: run[name] for name in run.names}
+    columns: dict[str, Any] = {name: run[name] for name in run.main_names}
     np.savez_compressed(path, t=run.t, phase=run.phase, **columns)
 
 
@@ -76,7 +76,7 @@ def write_json(
 def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float]) -> dict[str, Any]:
     unit = units(run)
     peaks = {}
-    for name in run.names:
+    for name in run.main_names:
         value, time = peak(run, name)
         peaks[name] = {"value": _number(value), "time": time, "unit": unit[name]}
     return {

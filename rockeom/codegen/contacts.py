@@ -48,7 +48,7 @@ class Written:
         self.rates: list[str] = []
         self.forces: dict[int, str] = {}
         self.slips = max(len(m.slipping) for m in self.modes.mechanisms)
-        self.switches = [f"chi_{i}" for i in range(len(text.model.elements))]
+        self.switches = [f"chi_{i}" for i in range(len(text.model.switching))]
         for i in range(self.slips):
             text.names[sign_of_slip(i)] = sp.Symbol(f"sigma_{i}")
         for i, name in enumerate(self.switches):
@@ -107,7 +107,7 @@ def contact_functions(text: Text) -> dict[str, Columns]:
     _motions(written)
     _forces(written)
     _guards(written)
-    if text.model.elements:
+    if text.model.switching:
         _jump(text)
     _free_motion(written)
     _points(text)
@@ -117,7 +117,6 @@ def contact_functions(text: Text) -> dict[str, Columns]:
         "REACTIONS": _reactions(written),
         "KINEMATICS": _kinematics(text),
     }
-    _losses(written)
     _momentum(text)
     _statics(written)
     return columns
@@ -328,14 +327,14 @@ def _of_elements(model: Model) -> list[Guard]:
     points = len(model.contacts)
     return [
         Guard(SWITCH, points + i, place=place)
-        for i, element in enumerate(model.elements)
+        for i, element in enumerate(model.switching)
         for place in range(len(element.passages(model.coordinates)[element.states[0]]))
     ]
 
 
 def passage_of(model: Model, guard: Guard, state: int) -> Passage:
     """The passage that ends a state of an element by a guard."""
-    element = model.elements[guard.subject - len(model.contacts)]
+    element = model.switching[guard.subject - len(model.contacts)]
     return element.passages(model.coordinates)[state][guard.place]
 
 
@@ -343,7 +342,7 @@ def pairs_of(model: Model) -> list[tuple[int, int, int]]:
     """(element, state, place) of each guard that is the larger of two."""
     return [
         (i, state, place)
-        for i, element in enumerate(model.elements)
+        for i, element in enumerate(model.switching)
         for state, passages in element.passages(model.coordinates).items()
         for place, passage in enumerate(passages)
         if len(passage.guard) == 2
@@ -405,7 +404,7 @@ class _Switches:
         self.model = model
         self.values: dict[str, sp.Expr] = {}
         self._names: dict[sp.Expr, str] = {}
-        for element in model.elements:
+        for element in model.switching:
             for passages in element.passages(model.coordinates).values():
                 for e in (e for passage in passages for e in passage.guard):
                     self._add(sp.sympify(e))
@@ -425,11 +424,11 @@ class _Switches:
         model = self.model
         found: list[str] = []
         for i, state, place in pairs_of(model):
-            for e in model.elements[i].passages(model.coordinates)[state][place].guard:
+            for e in model.switching[i].passages(model.coordinates)[state][place].guard:
                 found.append(f"g[N_GUARDS + {len(found)}] = {self._names[sp.sympify(e)]}")
         for k, guard in enumerate(_of_elements(model)):
             i = guard.subject - len(model.contacts)
-            states = model.elements[i].states
+            states = model.switching[i].states
             values = {s: self._written(passage_of(model, guard, s)) for s in states}
             *others, last = values.items()
             tests = [f"{value} if ELEMENT_STATES[contact][{i}] == {s} else" for s, value in others]
@@ -440,7 +439,7 @@ class _Switches:
 def _jump(text: Text) -> None:
     """The passage of an element has its target, and no velocity jumps."""
     model, lines = text.model, []
-    for i, element in enumerate(model.elements):
+    for i, element in enumerate(model.switching):
         for state in element.states:
             put = element.settled(state)
             if put:
@@ -525,7 +524,7 @@ def _point_laws(text: Text) -> None:
 
 def _energies(written: Written) -> Columns:
     text, equations = written.text, written.text.model.free.equations
-    pressed = sum((e.energy(switch_of(i)) for i, e in enumerate(text.model.elements)), sp.S.Zero)
+    pressed = sum((e.energy(switch_of(i)) for i, e in enumerate(text.model.switching)), sp.S.Zero)
     values = {
         "kinetic_energy": equations.kinetic_energy,
         "gravitational_energy": equations.gravitational_energy,
@@ -540,28 +539,11 @@ def _energies(written: Written) -> Columns:
     return tuple(values)
 
 
-def _losses(written: Written) -> None:
-    """What the states' energies do not get back: of dampers, of what yields, of other forces."""
-    text, model = written.text, written.text.model
-    power = sum(
-        (sp.diff(model.dissipation, c.velocity) * c.velocity for c in model.coordinates), sp.S.Zero
-    )
-    power -= sum((f.value * rate(f.displacement, model.coordinates) for f in model.forces), 0)
-    power -= sum((sp.diff(model.elastic_energy, z.symbol) * e for z, e in model.rates.items()), 0)
-    for i, element in enumerate(model.elements):
-        power += element.loss(switch_of(i), model.coordinates)
-    text.function(
-        "losses(contact, y, p, out)",
-        "Power lost in dampers and by yielding, less that of declared forces [W], into out (1,).",
-        written.read_switches("    ") + _every(text, "losses", {"out[0]": tidy(power)}),
-    )
-
-
 def _reactions(written: Written) -> Columns:
     """The ground's horizontal force, then the forces at each point and element."""
     text, model = written.text, written.text.model
     arrangements = written.modes.arrangements
-    points, elements = model.contacts, model.elements
+    points, elements = model.contacts, model.switching
     columns = ["horizontal_reaction"]
     columns += [f"{c.name}_reaction" for c in points]
     columns += [f"{e.name}_{e.outputs[0]}" for e in elements]
@@ -644,7 +626,7 @@ def _kinematics(text: Text) -> Columns:
         values["displacement"] = x - x.subs(rest)
     for contact in model.contacts:
         values[f"{contact.name}_uplift"] = contact.at(contact.side)[0]
-    for element in model.elements:
+    for element in model.switching:
         values[f"{element.name}_{element.outputs[1]}"] = element.told_displacement
     for contact in model.contacts:
         slip = contact.at(contact.side)[1]
@@ -670,7 +652,7 @@ def _momentum(text: Text) -> None:
 def _statics(written: Written) -> None:
     text = written.text
     lacking = equilibrium(text.model.free)
-    for i, e in enumerate(text.model.elements):
+    for i, e in enumerate(text.model.switching):
         for j, c in enumerate(text.model.coordinates):
             lacking[j] += e.still_force(switch_of(i)) * sp.diff(e.displacement, c.position)
     targets = {f"out[{i}]": tidy(e) for i, e in enumerate([*lacking, *_still(text.model)])}

@@ -18,6 +18,7 @@ from rockeom.codegen.names import check_names, docstring
 from rockeom.codegen.outputs import outputs
 from rockeom.codegen.parameters import functions_of_parameters
 from rockeom.codegen.positions import positions
+from rockeom.codegen.quantities import quantities
 from rockeom.codegen.rates import equations_of_motion
 from rockeom.codegen.sine_cosine import SINE_COSINE
 from rockeom.codegen.tables import contact_tables, tables
@@ -66,7 +67,7 @@ def module_text(model: RockingModel | Model) -> str:
         jump(text)
         columns = outputs(text)
         on_both_feet = held(text)
-    columns |= positions(text)
+    columns |= positions(text) | quantities(text)
     functions_of_parameters(text)
     head = (
         contact_tables(text, columns)

@@ -15,19 +15,19 @@ import unicodedata
 _PROGRAM = """
 abs float max min np math range __debug__
 
-accelerations energies guards held_guards jump kinematics losses momentum opening_acceleration
-overturning positions prepare rates reactions shapes sine_cosine sizes statics velocity_ratio fused
-inlined everywhere overturns_at
+accelerations elements energies guards held_guards jump kinematics masses momentum
+opening_acceleration overturning positions powers prepare rates reactions shapes sine_cosine
+sizes statics velocity_ratio fused inlined everywhere overturns_at
 
 free_motion points point_laws
 
 contact s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
 matrix forces arrangement mechanism
 
-CLASS CLOSED CONTACTS COPIES CORNERS ENERGIES FALLS GUARDS HAS_IMPULSIVE HELD IMPULSIVE
-KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES NARROW PARAMETERS
-PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS POSITION_KINDS RATIO
-REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
+CLASS CLOSED CONTACTS COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE HELD
+IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES NARROW
+PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS POSITION_KINDS
+RATIO REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
 TRANSITIONS
 
 ARRANGEMENTS ELEMENTS ELEMENT_STATES IMAGES MECHANISMS N_ELEMENTS N_INTERNAL N_POINTS POINTS

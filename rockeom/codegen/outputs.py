@@ -86,15 +86,14 @@ def _kinematics(text: Text) -> Columns:
 
 
 def _momentum(text: Text) -> None:
-    """Where feet meet rigid ground: what changes at an impact is the impulse of the ground."""
-    if {"impact", "uplift"} <= {t.kind for t in text.model.transitions}:
-        _named(
-            text,
-            "momentum",
-            "contact, y, p, out",
-            "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
-            lambda phase: dict(zip("xy", momentum(phase), strict=True)),
-        )
+    """What changes at an impact is the impulse of the ground."""
+    _named(
+        text,
+        "momentum",
+        "contact, y, p, out",
+        "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
+        lambda phase: dict(zip("xy", momentum(phase), strict=True)),
+    )
 
 
 def _statics(text: Text) -> None:

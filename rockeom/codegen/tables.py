@@ -46,13 +46,13 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
         "",
         *_words(model, columns, modes.names),
         *_table("POINTS", [c.name for c in model.contacts]),
-        *_table("ELEMENTS", [e.name for e in model.elements]),
+        *_table("ELEMENTS", [e.name for e in model.switching]),
         "",
         f"N_STATES = {2 * text.n}",
         f"N_GUARDS = {longest_row}",
         f"N_PARTS = {2 * len(pairs_of(model))}",
         f"N_POINTS = {len(model.contacts)}",
-        f"N_ELEMENTS = {len(model.elements)}",
+        f"N_ELEMENTS = {len(model.switching)}",
         *_internal(model),
         f"ROTATION = {text.index(model.rotation.position)}",
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
@@ -119,7 +119,7 @@ def _states_of_contact(model: Model, modes: Modes, slips: int) -> list[str]:
 
 def _legend(model: Model) -> str:
     """What the states of elements are."""
-    yields = any(-1 in e.states for e in model.elements)
+    yields = any(-1 in e.states for e in model.switching)
     return "0 elastic or off, 1 yields or on, -1 yields back or slack" if yields else "0 off, 1 on"
 
 

@@ -11,8 +11,9 @@ import xarray as xr
 
 from rockeom.numeric.ensemble_cases import ROW, Cases
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
+from rockeom.numeric.quantities import units_of
 from rockeom.numeric.response import Outcome
-from rockeom.numeric.units import is_dimensionless, units_of
+from rockeom.numeric.units import in_udunits, time_unit
 
 PENDING = 0
 """The flag of a case that was not run; those of outcomes follow, in the order of `Outcome`."""
@@ -88,8 +89,8 @@ def _variables(
     """Each with its dimensions, values and attributes."""
     r, asked = kept.results, kept.asked
     ran = r.outcome != NOT_RUN
-    units = units_of(module)
-    seconds = "1" if is_dimensionless(module) else "s"
+    units = {name: in_udunits(unit) for name, unit in units_of(module).items()}
+    seconds = in_udunits(time_unit(module))
 
     def shaped(a: np.ndarray, name: str, *others: str, **attrs: Any) -> Any:
         return (*dims, *others), a.reshape(shape + a.shape[1:]), {"long_name": name, **attrs}

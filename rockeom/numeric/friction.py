@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from rockeom.numeric.response import Response, Steps
 
 
+def meets_ground(module: ModuleType) -> bool:
+    """Whether feet meet rigid ground in impacts."""
+    return has_points(module) or {"impact", "uplift"} <= {kind for *_, kind in module.TRANSITIONS}
+
+
 def surfaces(module: ModuleType) -> dict[str, tuple[int, ...]]:
     """The points that rub on the same, by their names joined by "+": numbers of points.
 

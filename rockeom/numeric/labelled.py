@@ -10,27 +10,25 @@ import xarray as xr
 
 from rockeom.arguments import numbers
 from rockeom.contract import IMPACT, LANDING
+from rockeom.numeric.units import in_udunits, time_unit
 
 if TYPE_CHECKING:
     from rockeom.numeric.response import Response
 
 
 def units(run: Response) -> dict[str, str]:
-    """Unit of the time "t" and of all that `run[...]` knows; "-" throughout without dimensions."""
-    m = run.structure.module
-    found = {"t": "s"} | dict(zip(m.STATES, m.STATE_UNITS, strict=True))
-    found |= dict.fromkeys((*m.ENERGIES, "total_energy"), "J")
-    found |= dict.fromkeys(m.REACTIONS, "N") | dict.fromkeys(m.KINEMATICS, "m")
-    found |= {name: "m/s2" for name in run.names if name.endswith("ground_acceleration")}
-    if m.STATE_UNITS[m.ROTATION] == "-":
-        return dict.fromkeys(found, "-")
-    return found
+    """Unit of the time "t" and of all that `run[...]` knows."""
+    return {"t": time_unit(run.structure.module)} | run.units
 
 
 def in_words(name: str) -> str:
     """A quantity's name for the axis of a figure."""
     plain = name.removesuffix("_dot")
     return ("rate of " if plain != name else "") + plain.replace("_", " ")
+
+
+def _told(unit: str, name: str) -> dict[str, str]:
+    return {"units": in_udunits(unit), "long_name": name}
 
 
 def of_time(run: Response, names: Sequence[str] | None, times: Any) -> xr.Dataset:
@@ -48,11 +46,10 @@ def of_time(run: Response, names: Sequence[str] | None, times: Any) -> xr.Datase
         phase = np.array(run.structure.module.CONTACTS)[run.steps.at(t, "right")[1]]
     unit = units(run)
     found: dict[str, Any] = {
-        name: ("time", values[name], {"units": unit[name], "long_name": in_words(name)})
-        for name in asked
+        name: ("time", values[name], _told(unit[name], in_words(name))) for name in asked
     }
     found["phase"] = "time", phase, {"long_name": "contact state"}
-    time = "time", t, {"units": unit["t"], "long_name": "time"}
+    time = "time", t, _told(unit["t"], "time")
     return xr.Dataset(found, coords={"time": time}, attrs=_about(run))
 
 
@@ -72,7 +69,7 @@ def to_xarray(run: Response, names: Sequence[str] | None, times: Any) -> xr.Data
     passed, kinds, states = run.passages
     of = np.isin(kinds[:, 0], (IMPACT, LANDING))
     contacts, unit = np.array(run.structure.module.CONTACTS), units(run)
-    about = {"units": unit["t"], "long_name": "time of the impact"}
+    about = _told(unit["t"], "time of the impact")
     found["impact_time"] = "impact", passed[of], about
     points = np.array([impact.contact for impact in run.impacts], dtype=str)
     found["impact_contact"] = "impact", points, {"long_name": "points that landed"}
@@ -80,6 +77,6 @@ def to_xarray(run: Response, names: Sequence[str] | None, times: Any) -> xr.Data
         phase, about = contacts[kinds[of, 1 + side]], {"long_name": f"contact state {when}"}
         found[f"phase_{when}"] = "impact", phase, about
         for i, name in enumerate(run.states):
-            about = {"units": unit[name], "long_name": f"{in_words(name)} {when} the impact"}
+            about = _told(unit[name], f"{in_words(name)} {when} the impact")
             found[f"{name}_{when}"] = "impact", states[of, side, i], about
     return found

@@ -17,11 +17,28 @@ from rockeom.contract import KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.case import ground_table
 from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
-from rockeom.numeric.friction import least_coefficient, of_impulses, of_point_impulses, surfaces
+from rockeom.numeric.friction import (
+    least_coefficient,
+    meets_ground,
+    of_impulses,
+    of_point_impulses,
+    surfaces,
+)
 from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import places, positions_of, rotations_of
 from rockeom.numeric.program import Program, program
+from rockeom.numeric.quantities import (
+    EnergyBalance,
+    Works,
+    accelerations,
+    evaluated,
+    families,
+    impulses,
+    units_of,
+    velocities,
+)
 from rockeom.numeric.record import ALL, SAMPLES, Passages, Samples, Steps
+from rockeom.numeric.units import main_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -97,7 +114,7 @@ class Response:
     t (n,) [s], y (n, d) states in the order of `states`, phase (n,) names of contact states.
     Where a velocity jumps t holds the instant twice, before and after. `run["theta"]` gives a
     column of y, or any of `names`: energies [J], reactions [N], displacement and uplifts [m],
-    accelerations of the ground [m/s2].
+    accelerations of the ground [m/s2], and of places, elements and works what `units` tells.
 
     `save` keeps it in a file, `rk.load` brings it back; it can be pickled and copied.
     """
@@ -196,12 +213,18 @@ class Response:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All that `run[...]` knows."""
-        p = self.structure.module
-        return (
-            *p.STATES, *p.ENERGIES, "total_energy", *p.REACTIONS, *p.KINEMATICS,
-            "ground_acceleration", "vertical_ground_acceleration",
-        )  # fmt: skip
+        """All that `run[...]` knows: `main_names`, and what is found when it is asked for."""
+        return tuple(self.units)
+
+    @property
+    def main_names(self) -> tuple[str, ...]:
+        """States, energies, forces, displacements and the ground: what tables of a run hold."""
+        return tuple(main_units(self.structure.module))
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Unit of each of `names`, such as "m/s2"; "-" throughout without dimensions."""
+        return units_of(self.structure.module)
 
     def positions(self) -> dict[str, np.ndarray]:
         """Places (n, 2) of bodies, feet and the load point at each sample, by name [m].
@@ -209,6 +232,38 @@ class Response:
         In the axes of `Structure.positions`, which move with the ground.
         """
         return positions_of(self.structure.module, self._places)
+
+    def velocities(self) -> dict[str, np.ndarray]:
+        """Velocities (n, 2) of the same, by name [m/s], in axes that move with the ground."""
+        return velocities(self.structure, self.contact, self.y)
+
+    def accelerations(self) -> dict[str, np.ndarray]:
+        """Absolute accelerations (n, 2) of the same, with the ground's, by name [m/s2]."""
+        t = self.t
+        vertical = 0.0 if self.vertical is None else self.vertical.acceleration(t)
+        horizontal = self.motion.acceleration(t)
+        return accelerations(self.structure, self.contact, self.y, horizontal, vertical)
+
+    def impulses(self) -> np.ndarray:
+        """(k, 2) horizontal and vertical impulse of the ground at each of `impacts` [N s].
+
+        On all feet together: what the momentum of all bodies gains.
+        """
+        return impulses(self)
+
+    def energy_balance(self) -> EnergyBalance:
+        """Works and losses by quadrature of the motion, beside the energy of its states [J].
+
+        The error tells how well the motion was integrated.
+
+        >>> run.energy_balance().error < 1e-9
+        """
+        return self.works.balance()
+
+    @cached_property
+    def works(self) -> Works:
+        """Works and losses since the start, which `run["ground_work"]` and the like tell."""
+        return Works(self)
 
     def rotations(self) -> dict[str, np.ndarray]:
         """Angles (n,) through which the bodies have turned, by name, clockwise [rad]."""
@@ -241,13 +296,35 @@ class Response:
     def __getitem__(self, name: str) -> np.ndarray:
         if name in self.states:
             return self.y[:, self.states.index(name)]
-        if name in self._outputs:
-            return self._outputs[name]
-        raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
+        family = self._family(name)
+        if family not in self._outputs:
+            self._outputs[family] = self._valued(family, self.t, self.y, self.contact)
+        return self._outputs[family][name]
 
     @cached_property
-    def _outputs(self) -> Mapping[str, np.ndarray]:
-        return self._evaluated(self.t, self.y, self.contact)
+    def _outputs(self) -> dict[str, Mapping[str, np.ndarray]]:
+        """Those that have been asked for, by family."""
+        return {}
+
+    def _family(self, name: str) -> str:
+        """To which a quantity belongs; "" for what the program tells.
+
+        Raises KeyError for an unknown name.
+        """
+        if name in self.main_names:
+            return ""
+        for family, units in families(self.structure.module).items():
+            if name in units:
+                return family
+        raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
+
+    def _valued(
+        self, family: str, t: np.ndarray, y: np.ndarray, contact: np.ndarray
+    ) -> dict[str, Any]:
+        """All of a family in states y (n, N), at times t (n,) that do not fall."""
+        if not family:
+            return dict(zip(self.states, y.T, strict=True)) | self._evaluated(t, y, contact)
+        return evaluated(self, family, (t, y, contact))
 
     def _evaluated(self, t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> dict[str, Any]:
         """What follows from the states y (n, N), at times t (n,) that do not fall."""
@@ -289,15 +366,13 @@ class Response:
                 f"{self.t[0]} to {self.t[-1]} s"
             )
         names = self.states if names is None else names
-        for name in names:
-            if name not in self.names:
-                raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
+        wanted = {self._family(name) for name in names if name not in self.states}
         values, contact = steps.at(flat, side)
         found: dict[str, Any] = {n: values[:, i] for i, n in enumerate(self.states)}
-        if not set(names) <= set(self.states):
-            order = np.argsort(flat, kind="stable")
+        order = np.argsort(flat, kind="stable")
+        for family in sorted(wanted):
             y = np.ascontiguousarray(values[order])
-            for name, row in self._evaluated(flat[order], y, contact[order]).items():
+            for name, row in self._valued(family, flat[order], y, contact[order]).items():
                 found[name] = np.empty(flat.size)
                 found[name][order] = row
         return {name: found[name].reshape(times.shape) for name in names}
@@ -338,26 +413,31 @@ class Response:
 
         They do not depend on `output_step`. Raises KeyError for an unknown name.
         """
-        if name not in self.names:
-            raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
+        family = self._family(name)
+        if name not in self._extremes:
+            alone = (name,) if family else self.main_names  # found together in no more time
+            steps = self._steps_for(f"what {name} was at most")
+            found = extremes(steps, self._columns(alone))
+            self._extremes.update(zip(alone, found, strict=True))
         return self._extremes[name]
 
     @cached_property
     def _extremes(self) -> dict[str, Extremes]:
-        if isinstance(self.record, Samples):
-            return dict(self.record.extremes)
-        names, evaluate = self.told_of_steps()
-        return dict(zip(names, extremes(self.record, evaluate), strict=True))
+        """Those that have been asked for; of samples those that were found with them."""
+        return dict(self.record.extremes) if isinstance(self.record, Samples) else {}
 
     def told_of_steps(self) -> tuple[tuple[str, ...], Callable[..., np.ndarray]]:
-        """Names of the quantities whose extremes are found within the steps, and their values."""
-        return self.names, self._columns(self.names)
+        """Names of the quantities whose extremes are kept with samples, and their values."""
+        return self.main_names, self._columns(self.main_names)
 
     def _columns(self, names: Sequence[str]) -> Callable[..., np.ndarray]:
         """The function that gives quantities (n, m) at times, states and contact states (n,)."""
+        wanted = sorted({self._family(name) for name in names})
 
         def columns(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
-            found = dict(zip(self.states, y.T, strict=True)) | self._evaluated(t, y, contact)
+            found: dict[str, np.ndarray] = {}
+            for family in wanted:
+                found |= self._valued(family, t, y, contact)
             return np.column_stack([found[name] for name in names])
 
         return columns
@@ -454,7 +534,7 @@ class Response:
         The impulse on both feet together, which is what the momentum of all masses gains. inf where
         it had to pull; 0 without impacts; nan where no foot meets rigid ground in an impact.
         """
-        if not hasattr(self.program, "momentum"):
+        if not meets_ground(self.structure.module):
             return math.nan
         return of_impulses(self)
 

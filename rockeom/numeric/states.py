@@ -2,45 +2,96 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rockeom.many import Differs, Many, of_many, values
+from rockeom.numeric.jets import Jet, of_jets
 
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
 def at_states(
-    structure: Structure, function: str, contact: np.ndarray, y: np.ndarray, *given: float
+    structure: Structure, function: str, contact: np.ndarray, y: np.ndarray, *given: Any
 ) -> dict[str, np.ndarray]:
     """What a function of the structure's module says of each of n states, by name, (n,) each.
 
     function : "energies", "reactions", "kinematics", or "statics", whose names are those of the
     coordinates. contact (n,) : number of the contact state of each; y (n, N). given : what the
-    function takes behind the parameters.
+    function takes behind the parameters, each a number, or (n,) of them.
     """
     m = structure.module
     names = m.STATES[: m.N_STATES // 2] if function == "statics" else getattr(m, function.upper())
-    found = np.empty((len(names), len(y)))
+    found = filled(structure, function, len(names), contact, y, *given)
+    return dict(zip(names, found, strict=True))
 
-    def fill(rows: np.ndarray) -> None:
-        number = int(contact[rows[0]])
+
+def filled(
+    structure: Structure, function: str, size: int, contact: np.ndarray, y: np.ndarray, *given: Any
+) -> np.ndarray:
+    """(size, n) of what a function of the structure's module fills `out` with; as `at_states`."""
+    m, p = structure.module, structure.vector
+    found = np.empty((size, len(y)))
+
+    def fill(number: int, rows: np.ndarray) -> None:
         if len(rows) == 1:  # the same bits, sooner
-            getattr(m, function)(number, y[rows[0]], structure.vector, *given, found[:, rows[0]])
+            alone = (float(_of(x, rows)) for x in given)
+            getattr(m, function)(number, y[rows[0]], p, *alone, found[:, rows[0]])
             return
         states = np.array([Many(column) for column in y[rows].T], dtype=object)
-        out = np.empty(len(names), dtype=object)
-        try:
-            getattr(of_many(m), function)(number, states, structure.vector, *given, out)
-        except Differs as ways:  # states that do not go the same way through a function
-            for part in ways.parts:
-                fill(rows[part])
-            return
+        out = np.empty(size, dtype=object)
+        many = (x if np.ndim(x) == 0 else Many(x[rows]) for x in given)
+        getattr(of_many(m), function)(number, states, p, *many, out)
         for row, value in zip(found, out, strict=True):
             row[rows] = values(value)
 
+    by_contact(contact, fill)
+    return found
+
+
+def _of(given: Any, rows: np.ndarray) -> Any:
+    return given if np.ndim(given) == 0 else given[rows[0]]
+
+
+def jets(
+    structure: Structure, function: str, size: int, contact: np.ndarray, y: np.ndarray,
+    rates: np.ndarray,
+) -> np.ndarray:  # fmt: skip
+    """(3, size, n): what a function of coordinates gives, and its first two rates.
+
+    function : "positions" or "kinematics". rates (N, n) : those of the states y (n, N).
+    """
+    m, p = structure.module, structure.vector
+    n = m.N_STATES // 2
+    found = np.empty((3, size, len(y)))
+
+    def fill(number: int, rows: np.ndarray) -> None:
+        moving = (y[rows].T[:n], rates[:n, rows], rates[n:, rows])
+        states = np.array([*map(Jet, *moving), *y[rows].T[n:]][: m.N_STATES], dtype=object)
+        out = np.empty(size, dtype=object)
+        getattr(of_jets(m), function)(number, states, p, out)
+        for i, x in enumerate(out):
+            parts = (x.value, x.first, x.second) if isinstance(x, Jet) else (x, 0.0, 0.0)
+            for order, part in enumerate(parts):
+                found[order, i, rows] = part
+
+    with np.errstate(all="ignore"):  # of what is not finite, it says so
+        by_contact(contact, fill)
+    return found
+
+
+def by_contact(contact: np.ndarray, fill: Callable[[int, np.ndarray], None]) -> None:
+    """Call fill(contact state, rows) for all rows of each, of those that go the same way."""
+
+    def each(number: int, rows: np.ndarray) -> None:
+        try:
+            fill(number, rows)
+        except Differs as ways:
+            for part in ways.parts:
+                each(number, rows[part])
+
     for number in np.unique(contact):
-        fill(np.flatnonzero(contact == number))
-    return dict(zip(names, found, strict=True))
+        each(int(number), np.flatnonzero(contact == number))

@@ -9,12 +9,21 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    ClassVar,
+    NamedTuple,
+    Protocol,
+    Self,
+    TypeVar,
+    dataclass_transform,
+)
 
 import numpy as np
 
 from rockeom import hooks
-from rockeom.arguments import near, number, told
+from rockeom.arguments import near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.many import isfinite, mathematics, of_many
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -35,6 +44,7 @@ from rockeom.numeric.impact import (
 )
 from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import Shapes, places, positions_of, rotations_of, shapes
+from rockeom.numeric.states import at_states, filled
 
 if TYPE_CHECKING:
     from rockeom.numeric.fixed_base import FixedBase
@@ -278,23 +288,55 @@ class Structure:
 
     def accelerations(
         self,
-        state: Mapping[str, float],
-        ground_acceleration: float = 0.0,
-        vertical_ground_acceleration: float = 0.0,
+        state: Mapping[str, Any],
+        ground_acceleration: Any = 0.0,
+        vertical_ground_acceleration: Any = 0.0,
         phase: str | None = None,
-    ) -> dict[str, float]:
+    ) -> dict[str, Any]:
         """Accelerations of the coordinates, by name [unit of the coordinate per s2].
 
-        Where contacts may slide and open, and no phase is named, the contact state is that which
-        the forces lead to: a block at rest slides under an acceleration that its friction cannot
-        hold. Raises ValueError where they fit none, or several (Painleve).
+        A state may hold arrays, as the accelerations of the ground [m/s2], of one shape or for
+        NumPy to make of one; what is found has that shape. Where contacts may slide and open, and
+        no phase is named, the contact state is that which the forces lead to: a block at rest
+        slides under an acceleration that its friction cannot hold. Raises ValueError where they
+        fit none, or several (Painleve).
+
+        >>> block.accelerations({"theta": np.linspace(0.0, 0.1, 11)}, ground_acceleration=3.0)
         """
-        y = self.state(state)
-        dy = np.zeros_like(y)
-        ground = _ground(ground_acceleration, vertical_ground_acceleration)
-        self.module.rates(self._under(ground, y, phase), y, self.vector, *ground, dy)
-        n = len(y) // 2
-        return dict(zip(self.states[:n], dy[n:].tolist(), strict=True))
+        at = self._at(state, phase, ground_acceleration, vertical_ground_acceleration)
+        found = filled(self, "rates", self.module.N_STATES, at.contact, at.y, *at.ground)
+        n = len(self.states) // 2
+        return at.shaped(dict(zip(self.states[:n], found[n:], strict=True)))
+
+    def absolute_accelerations(
+        self,
+        state: Mapping[str, Any],
+        ground_acceleration: Any = 0.0,
+        vertical_ground_acceleration: Any = 0.0,
+        phase: str | None = None,
+    ) -> dict[str, np.ndarray]:
+        """Accelerations (..., 2) of the places of `positions`, with the ground's, by name [m/s2].
+
+        The arguments are those of `accelerations`; `run.accelerations()` tells those of a motion.
+        """
+        from rockeom.numeric.quantities import accelerations
+
+        at = self._at(state, phase, ground_acceleration, vertical_ground_acceleration)
+        found = accelerations(self, at.contact, at.y, *at.ground)
+        return {name: value.reshape(*at.shape, 2) for name, value in found.items()}
+
+    def velocities(
+        self, state: Mapping[str, Any], phase: str | None = None
+    ) -> dict[str, np.ndarray]:
+        """Velocities (..., 2) of the places of `positions`, by name [m/s], relative to the ground.
+
+        `run.velocities()` tells those of a motion.
+        """
+        from rockeom.numeric.quantities import velocities
+
+        at = self._at(state, phase)
+        found = velocities(self, at.contact, at.y)
+        return {name: value.reshape(*at.shape, 2) for name, value in found.items()}
 
     def after_impact(
         self,
@@ -377,29 +419,39 @@ class Structure:
         m.energies(next(c for c, side in enumerate(m.SIDES) if side > 0), y, p, out)
         return 2.0 * out[m.ENERGIES.index("kinetic_energy")]
 
-    def energies(self, state: Mapping[str, float], phase: str | None = None) -> dict[str, float]:
-        """Kinetic, gravitational and elastic energy [J]; heights count from the ground."""
-        y = self.state(state)
-        out = np.empty(len(self.module.ENERGIES))
-        self.module.energies(self.contact(y, phase), y, self.vector, out)
-        return dict(zip(self.module.ENERGIES, out.tolist(), strict=True))
+    def energies(self, state: Mapping[str, Any], phase: str | None = None) -> dict[str, Any]:
+        """Kinetic, gravitational and elastic energy [J]; heights count from the ground.
+
+        A state may hold arrays, of one shape or for NumPy to make of one; so has what is found.
+        """
+        at = self._at(state, phase)
+        return at.shaped(at_states(self, "energies", at.contact, at.y))
 
     def reactions(
         self,
-        state: Mapping[str, float],
-        ground_acceleration: float = 0.0,
-        vertical_ground_acceleration: float = 0.0,
+        state: Mapping[str, Any],
+        ground_acceleration: Any = 0.0,
+        vertical_ground_acceleration: Any = 0.0,
         phase: str | None = None,
-    ) -> dict[str, float]:
+    ) -> dict[str, Any]:
         """Horizontal force, and vertical force at each foot [N], of the ground on the structure.
 
-        In full contact the horizontal force is the sum over both feet.
+        In full contact the horizontal force is the sum over both feet. The arguments are those of
+        `accelerations`.
         """
-        y = self.state(state)
-        out = np.empty(len(self.module.REACTIONS))
-        ground = _ground(ground_acceleration, vertical_ground_acceleration)
-        self.module.reactions(self._under(ground, y, phase), y, self.vector, *ground, out)
-        return dict(zip(self.module.REACTIONS, out.tolist(), strict=True))
+        at = self._at(state, phase, ground_acceleration, vertical_ground_acceleration)
+        return at.shaped(at_states(self, "reactions", at.contact, at.y, *at.ground))
+
+    def elements(self, state: Mapping[str, Any], phase: str | None = None) -> dict[str, Any]:
+        """Deformation [m], force [N] and stored energy [J] of each spring, damper and tendon.
+
+        By name, such as "storey_1_force"; of what is pressed or shortened the deformation is
+        positive where it was declared so. The arguments are those of `energies`.
+        """
+        from rockeom.numeric.quantities import elements
+
+        at = self._at(state, phase)
+        return at.shaped(elements(self, at.contact, at.y))
 
     def positions(
         self, state: Mapping[str, Any], phase: str | None = None
@@ -420,14 +472,33 @@ class Structure:
 
     def _places(self, state: Mapping[str, Any], phase: str | None) -> np.ndarray:
         """(..., m, 3) for a state, or many."""
+        at = self._at(state, phase)
+        return places(self.module, at.contact, at.y, self.vector).reshape(*at.shape, -1, 3)
+
+    def _at(
+        self,
+        state: Mapping[str, Any],
+        phase: str | None,
+        *ground: Any,
+    ) -> _Given:
+        """A state, or many; where the ground's accelerations are given forces decide as well."""
         check_states("state", state, self)
-        columns = np.broadcast_arrays(0.0, *state.values())[1:]
+        names = ("ground_acceleration", "vertical_ground_acceleration")
+        shaken = [
+            number(n, x) if np.ndim(x) == 0 else numbers(n, x)
+            for n, x in zip(names, ground, strict=False)
+        ]
+        columns = np.broadcast_arrays(0.0, *state.values(), *shaken)[1:]
         shape = columns[0].shape if columns else ()
-        rows = zip(*(column.ravel().tolist() for column in columns), strict=True)
-        named = [dict(zip(state, row, strict=True)) for row in rows] if columns else [{}]
-        y = np.array([self.state(values) for values in named])
-        contacts = np.array([self.contact(row, phase) for row in y])
-        return places(self.module, contacts, y, self.vector).reshape(*shape, -1, 3)
+        rows = [*zip(*(column.ravel().tolist() for column in columns), strict=True)] or [()]
+        y = np.array([self.state(dict(zip(state, row, strict=False))) for row in rows])
+        shakes = [row[len(state) :] for row in rows]
+        contact = [
+            self._under(shake, one, phase) if ground else self.contact(one, phase)
+            for one, shake in zip(y, shakes, strict=True)
+        ]
+        across = np.array(shakes, dtype=float).reshape(len(y), len(shaken)).T
+        return _Given(shape, y, np.array(contact), tuple(across))
 
     @functools.cached_property
     def shapes(self) -> Shapes:
@@ -504,12 +575,20 @@ def _named(states: tuple[str, ...], y: np.ndarray) -> str:
     return ", ".join(shown) or "the state at rest"
 
 
-def _ground(horizontal: float, vertical: float) -> tuple[float, float]:
-    """Accelerations of the ground [m/s2]; raises TypeError for what is no number."""
-    return (
-        number("ground_acceleration", horizontal),
-        number("vertical_ground_acceleration", vertical),
-    )
+class _Given(NamedTuple):
+    """States y (n, N) that stand for arrays of a shape, their contact states, and the ground's
+    accelerations, (n,) each."""
+
+    shape: tuple[int, ...]
+    y: np.ndarray
+    contact: np.ndarray
+    ground: tuple[np.ndarray, ...]
+
+    def shaped(self, found: Mapping[str, np.ndarray]) -> dict[str, Any]:
+        """(n,) by name in the shape, numbers of a single state."""
+        if not self.shape:
+            return {name: float(value[0]) for name, value in found.items()}
+        return {name: value.reshape(self.shape) for name, value in found.items()}
 
 
 S = TypeVar("S", bound=Structure)

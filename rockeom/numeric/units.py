@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 
@@ -10,13 +11,24 @@ def is_dimensionless(module: Any) -> bool:
     return module.STATE_UNITS[module.ROTATION] == "-"
 
 
-def units_of(module: Any) -> dict[str, str]:
-    """Unit of each quantity of a response, by name; 1 where it has none, as in UDUNITS."""
-    m = module
-    found = dict(zip(m.STATES, m.STATE_UNITS, strict=True))
-    found |= dict.fromkeys((*m.ENERGIES, "total_energy"), "J")
-    found |= dict.fromkeys(m.REACTIONS, "N") | dict.fromkeys(m.KINEMATICS, "m")
+def main_units(module: Any) -> dict[str, str]:
+    """Units of all that compiled functions tell, by name, states first; "-" where it has none."""
+    found = dict(zip(module.STATES, module.STATE_UNITS, strict=True))
+    found |= dict.fromkeys((*module.ENERGIES, "total_energy"), "J")
+    found |= dict.fromkeys(module.REACTIONS, "N") | dict.fromkeys(module.KINEMATICS, "m")
     found |= dict.fromkeys(("ground_acceleration", "vertical_ground_acceleration"), "m/s2")
-    if is_dimensionless(m):
-        return dict.fromkeys(found, "1")
-    return {name: "1" if unit == "-" else unit for name, unit in found.items()}
+    return dimensioned(module, found)
+
+
+def dimensioned(module: Any, units: Mapping[str, str]) -> dict[str, str]:
+    """The units, of a structure that has some."""
+    return dict.fromkeys(units, "-") if is_dimensionless(module) else dict(units)
+
+
+def time_unit(module: Any) -> str:
+    return "-" if is_dimensionless(module) else "s"
+
+
+def in_udunits(unit: str) -> str:
+    """As tables with the CF conventions say it: 1 where there is none."""
+    return "1" if unit == "-" else unit

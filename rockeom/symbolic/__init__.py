@@ -6,7 +6,7 @@ from typing import Any
 
 from rockeom.symbolic import evaluate, former, typeset
 from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, feet
-from rockeom.symbolic.elements import Unilateral, Yielding
+from rockeom.symbolic.elements import Spring, Unilateral, Yielding
 from rockeom.symbolic.model import (
     READERS,
     Body,
@@ -64,6 +64,7 @@ __all__ = [
     "Pinned",
     "Rigid",
     "RockingModel",
+    "Spring",
     "Transition",
     "Unilateral",
     "Yielding",

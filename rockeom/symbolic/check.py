@@ -78,7 +78,12 @@ def _names(model: RockingModel) -> None:
     for name in outputs:
         valid.name(f"{model.name}: quantity", name)
     names = [p.name for p in model.parameters] + list(model.states)
+    springs = elements_of(model.mechanisms[0])[0] if model.mechanisms else ()
+    for name in springs:
+        valid.name(f"{model.name}: element", name)
+    told = springs_outputs(springs)  # of a tendon that is a quantity, too, it tells the same
     twice = repeated(names) or repeated([*model.states, *outputs]) or repeated(model.contacts)
+    twice = twice or repeated(springs) or sorted({*model.states} & {*told})
     if twice:
         fail(model, f"declared twice: {', '.join(twice)}; give each a name of its own")
     taken = sorted(RESPONSE & {*model.states, *outputs})
@@ -89,6 +94,18 @@ def _names(model: RockingModel) -> None:
 def repeated(names: Iterable[Any]) -> list[str]:
     names = list(names)
     return sorted({str(n) for n in names if names.count(n) > 1})
+
+
+def elements_of(phase: Mechanism) -> list[tuple[str, ...]]:
+    """Names of a mechanism's elements, on each of its sides."""
+    sides = sorted({*phase.contacts.values()}) or [0]
+    return [tuple(sorted(e.called(side) for e in phase.elements)) for side in sides]
+
+
+def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
+    """What a response tells of springs of these names, by name."""
+    told = ("deformation", "force", "energy", "loss")
+    return tuple(f"{name}_{what}" for name in springs for what in told)
 
 
 def _quantities(model: RockingModel) -> tuple[str, ...]:
@@ -186,11 +203,19 @@ def _coordinates_of(model: RockingModel, phase: Mechanism, what: str) -> None:
 def _same_outputs(model: RockingModel) -> None:
     """A response has the same columns in each phase."""
     first, *others = model.mechanisms
+    for phase in model.mechanisms:
+        if len({*elements_of(phase)}) > 1:
+            fail(
+                model,
+                f"mechanism {'/'.join(phase.contacts)} has other elements on one side than on the "
+                "other: call an element and its image by `name` and `mirrored`, and each the other",
+            )
     for phase in others:
         for item, of in (
             ("feet", lambda p: sorted(p.feet)),
             ("load point", lambda p: p.load_point is not None),
             ("bodies", lambda p: [(b.name, b.outline, b.copies, b.apart) for b in p.bodies]),
+            ("elements", lambda p: elements_of(p)[0]),
             ("quantities", lambda p: [(name, unit) for name, (unit, _) in p.quantities.items()]),
         ):
             if of(phase) != of(first):
@@ -247,6 +272,11 @@ def _expressions(model: RockingModel) -> Iterator[tuple[str, Any, str]]:
         yield f"gravity{of}", phase.gravity, ""
         yield f"elastic energy{of}", phase.elastic_energy, "qs"
         yield f"dissipation{of}", phase.dissipation, "qvs"
+        for spring in phase.elements:
+            element = f" of element {spring.name!r}{of}"
+            yield f"deformation{element}", spring.deformation, "qs"
+            for constant, e in (*spring.constants.items(), ("initial force", spring.initial_force)):
+                yield f"{constant}{element}", e, "s"
         for c, e in zip(phase.coordinates, phase.forces, strict=False):
             yield f"force on {c.name!r}{of}", e, "qvs"
         for name, foot in phase.feet.items():

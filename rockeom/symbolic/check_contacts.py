@@ -26,6 +26,7 @@ from rockeom.symbolic.check import (
     repeated,
     shape,
     sketched,
+    springs_outputs,
 )
 
 if TYPE_CHECKING:
@@ -36,11 +37,11 @@ if TYPE_CHECKING:
 def check(model: Model) -> None:
     """Names, symbols and expressions of a declaration."""
     from rockeom.symbolic.contacts import Contact, Force
-    from rockeom.symbolic.elements import Unilateral, Yielding
+    from rockeom.symbolic.elements import Spring, Unilateral, Yielding
 
     _are(model, "bodies", _body_type())
     _are(model, "contacts", Contact)
-    _are(model, "elements", Unilateral, Yielding)
+    _are(model, "elements", Spring, Unilateral, Yielding)
     _are(model, "forces", Force)
     _rates(model)
     _names(model)
@@ -50,7 +51,7 @@ def check(model: Model) -> None:
         fail(model, f"the rotation {model.rotation.name!r} is not in `coordinates`")
     if not model.bodies:
         fail(model, "it has no bodies: declare the masses")
-    if not model.contacts and not model.elements:
+    if not model.contacts and not model.switching:
         fail(model, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in model.contacts:
         _side(model, contact)
@@ -135,7 +136,8 @@ def outputs_of(model: Model) -> tuple[str, ...]:
     return (
         *(f"{name}_{what}" for name in points for what in ("reaction", "friction")),
         *(f"{name}_{what}" for name in points for what in ("uplift", "slip")),
-        *(f"{e.name}_{what}" for e in model.elements for what in e.outputs),
+        *(f"{e.name}_{what}" for e in model.switching for what in e.outputs),
+        *springs_outputs(e.name for e in model.springs),
     )
 
 
@@ -202,8 +204,10 @@ def _expressions(model: Model) -> Iterator[tuple[str, Any, str]]:
         yield f"displacement{of}", element.displacement, "q"
         for constant, e in element.constants.items():
             yield f"{constant}{of}", e, ""
-        for axis, e in zip("xy", element.place or (), strict=False):
+        for axis, e in zip("xy", getattr(element, "place", None) or (), strict=False):
             yield f"{axis} of the place{of}", e, "q"
+    for spring in model.springs:
+        yield f"initial force of element {spring.name!r}", spring.initial_force, ""
     for f in model.forces:
         yield f"value of force {f.name!r}", f.value, "qvz"
         yield f"displacement of force {f.name!r}", f.displacement, "q"

@@ -32,7 +32,7 @@ def contact_content(model: Model) -> list[Block]:
         (sign_of_slip(i), "sign of the slip: $+1$ to the right, $-1$ to the left")
         for i in range(slips)
     ]
-    signs += [(switch_of(i), e.meaning()) for i, e in enumerate(model.elements)]
+    signs += [(switch_of(i), e.meaning()) for i, e in enumerate(model.switching)]
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
     blocks += symbols_of(model, False, signs)
@@ -111,7 +111,7 @@ def _declared(model: Model) -> list[Block]:
         )
         lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
-    for i, element in enumerate(model.elements):
+    for i, element in enumerate(model.switching):
         force = _force(element.symbol_of_force, [element.name])
         value = element.force(element.shown(switch_of(i)), model.coordinates)
         blocks += [element.law(), Display((f"{force} = {notation.write(value)}",))]
@@ -129,7 +129,7 @@ def _declared(model: Model) -> list[Block]:
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",
         f"V_e = {notation.plain(equations.elastic_energy)}",
-        f"D = {notation.plain(model.free.dissipation)}",
+        f"D = {notation.plain(model.free.dissipation_function)}",
     ]
     return [
         *blocks,
@@ -159,7 +159,7 @@ def _mechanism(model: Model, mechanism: DerivedMechanism) -> list[Block]:
     served = [
         state for state in modes.states if modes.arrangements[state.arrangement].mechanism == number
     ]
-    first = tuple(e.states[0] for e in model.elements)
+    first = tuple(e.states[0] for e in model.switching)
     alike = {state.name: modes.signs(state) for state in served if state.elements == first}
     notation = Notation(model.free, model)
     blocks: list[Block] = [Heading(2, f"Contact {listed(alike)}")]
@@ -269,7 +269,7 @@ def _ends(mechanism: DerivedMechanism, notation: Notation) -> list[Block]:
     for i, state in enumerate(mechanism.states):
         if state == OPEN:
             ends.append(f"the gap ${notation.write(mechanism.gap(i))}$ closes (landing)")
-    ends += [e.ends() for e in mechanism.model.elements]
+    ends += [e.ends() for e in mechanism.model.switching]
     return [f"It ends when {', or '.join(ends)}."]
 
 

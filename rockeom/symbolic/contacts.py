@@ -16,7 +16,13 @@ import sympy as sp
 
 from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.elements import Element, Unilateral as Unilateral, switch_of
+from rockeom.symbolic.elements import (
+    Element,
+    Spring,
+    Switching,
+    Unilateral as Unilateral,
+    switch_of,
+)
 from rockeom.symbolic.model import (
     READERS,
     Body,
@@ -153,10 +159,12 @@ _LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces
 class Model:
     """A structure that is free to move but for its contacts and elements.
 
-    contacts, elements : what touches, and what carries forces.
+    contacts, elements : what touches, and what carries forces: a `Spring` always, others by their
+        states.
     rotation : the coordinate that overturns, positive clockwise, at `overturning`.
     falls : further coordinates that do, each with the size at which it has, {coordinate: size}.
-    elastic_energy, dissipation : of springs and dampers that always act.
+    elastic_energy, dissipation : of springs and dampers that always act and need no name; those of
+        each `Spring` are added.
     forces : others that always act, each by its work along a displacement.
     rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
         variables. These may stand in forces and in the elastic energy, whose slope by a coordinate
@@ -212,7 +220,7 @@ class Model:
 
     @cached_property
     def free(self) -> Mechanism:
-        """The structure without its contacts and elements, all coordinates free."""
+        """The structure without its contacts and what switches, all coordinates free."""
         return Mechanism(
             {"flight": 0},
             self.coordinates,
@@ -222,7 +230,18 @@ class Model:
             self.dissipation,
             load_point=self.load_point,
             forces=self._generalised_forces,
+            elements=self.springs,
         )
+
+    @property
+    def springs(self) -> tuple[Spring, ...]:
+        """Those of `elements` that always act."""
+        return tuple(e for e in self.elements if isinstance(e, Spring))
+
+    @property
+    def switching(self) -> tuple[Switching, ...]:
+        """Those of `elements` that have states, of which contact states are made."""
+        return tuple(e for e in self.elements if not isinstance(e, Spring))
 
     @property
     def _generalised_forces(self) -> tuple[sp.Expr, ...]:
@@ -236,7 +255,7 @@ class Model:
     def internal(self) -> dict[InternalVariable, sp.Expr]:
         """All internal variables with their rates: those of `rates`, and those of elements."""
         found = dict(self.rates)
-        for i, element in enumerate(self.elements):
+        for i, element in enumerate(self.switching):
             found |= element.rates(switch_of(i), self.coordinates)
         return found
 

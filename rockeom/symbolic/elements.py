@@ -1,15 +1,16 @@
-"""Elements that carry forces and have states of their own, which switch.
+"""Elements that carry forces, by name: springs and dampers, and what switches between states.
 
 A state of an element is a number, its chi, with which its force, the rate of its internal variable
-and its energy are written once for all. A passage ends a state: its guard falls through zero.
-Elements add forces to a contact state, and change none of its constraints.
+and its energy are written once for all. A passage ends a state: its guard falls through zero. A
+`Spring` has one state, and its chi says nothing. Elements add forces to a contact state, and change
+none of its constraints.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, ClassVar, NamedTuple
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self
 
 import sympy as sp
 
@@ -297,4 +298,82 @@ class Yielding:
         }
 
 
-Element = Unilateral | Yielding
+@dataclass(frozen=True)
+class Spring:
+    """A spring and a damper that always act: a storey's columns, a bearing, a tendon that is tight.
+
+    Its force is P + k d + c d', positive where it resists that the deformation d grows: d, a
+    function of the coordinates, on whose rise the force does work -(P + k d + c d'). From it follow
+    the elastic energy and the dissipation of the structure, and a response tells of it by name:
+    NAME_deformation, NAME_force, NAME_energy and NAME_loss.
+
+    stiffness : k [N/m]. damping : c [N s/m]. initial_force : P [N], of either sign, where d is
+    zero. Its energy is what it gives back when it is let loose. mirrored : in a mechanism that is
+    written with the side s, what it is called where s = -1, if not the same.
+
+        Spring("storey_2", u_2 - u_1, stiffness=k_2, damping=c_2)
+
+    Raises ValueError for what is no expression, and for a negative stiffness or damping.
+    """
+
+    name: str
+    deformation: sp.Expr
+    stiffness: sp.Expr = sp.S.Zero
+    damping: sp.Expr = sp.S.Zero
+    initial_force: sp.Expr = sp.S.Zero
+    mirrored: str = ""
+
+    positive: ClassVar = frozenset[str]()
+
+    def __post_init__(self) -> None:
+        what = f"element {self.name!r}"
+        valid.texts(what, name=self.name, mirrored=self.mirrored)
+        valid.expressions(
+            what, deformation=self.deformation, initial_force=self.initial_force, **self.constants
+        )
+        valid.not_negative(what, **self.constants)
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        return {"stiffness": self.stiffness, "damping": self.damping}
+
+    @property
+    def displacement(self) -> sp.Expr:
+        return self.deformation
+
+    @property
+    def told_displacement(self) -> sp.Expr:
+        return self.deformation
+
+    def called(self, side: int) -> str:
+        """Its name on a side, -1, 0 or 1."""
+        return self.mirrored or self.name if side < 0 else self.name
+
+    def changed(self, change: Callable[[sp.Expr], sp.Expr]) -> Self:
+        """It in other coordinates."""
+        return replace(self, deformation=change(sp.sympify(self.deformation)))
+
+    def still_force(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        return self.initial_force + self.stiffness * self.deformation
+
+    def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        return self.still_force(chi) + self.damping * rate(self.deformation, coordinates)
+
+    def energy(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        if self.initial_force == 0:
+            return self.stiffness * sp.sympify(self.deformation) ** 2 / 2
+        if self.stiffness == 0:
+            return self.initial_force * self.deformation
+        return self.still_force(chi) ** 2 / (2 * self.stiffness)
+
+    def dissipation(self, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """Its part of Rayleigh's function, half the power lost in its damper."""
+        return self.damping * rate(self.deformation, coordinates) ** 2 / 2
+
+    def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """Power lost."""
+        return 2 * self.dissipation(coordinates)
+
+
+Switching = Unilateral | Yielding
+Element = Spring | Switching

@@ -104,7 +104,7 @@ def derive_equations(phase: Mechanism) -> Equations:
     shaking = phase.approximated(
         sum(b.mass * (GROUND_X * b.position[0] + GROUND_Y * b.position[1]) for b in phase.bodies)
     )
-    elastic = phase.approximated(phase.elastic_energy)
+    elastic = phase.approximated(phase.stored_energy)
 
     def gradient(expr: sp.Expr, by) -> sp.Matrix:
         return sp.Matrix([tidy(sp.diff(expr, x)) for x in by]).reshape(len(by), 1)
@@ -123,7 +123,7 @@ def derive_equations(phase: Mechanism) -> Equations:
         velocity=velocity,
         gravity=gradient(weight, q),
         stiffness=gradient(elastic, q),
-        damping=gradient(phase.dissipation, qd),
+        damping=gradient(phase.dissipation_function, qd),
         excitation=-gradient(shaking, q),
         force=sp.Matrix(phase.forces or [0] * len(q)).reshape(len(q), 1),
         kinetic_energy=kinetic,

@@ -18,6 +18,7 @@ from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
 if TYPE_CHECKING:
+    from rockeom.symbolic.elements import Spring
     from rockeom.symbolic.evaluate import NumpyPhase
     from rockeom.symbolic.impulse import ImpulseMap
     from rockeom.symbolic.lagrange import Equations
@@ -216,6 +217,8 @@ class Mechanism:
     contacts : side of each contact state that this mechanism serves. A rocking mechanism
         serves two, {"left": -1, "right": +1}, written once with the side s = sgn(theta).
     coordinates : those free to move; all others are held where they are.
+    elements : springs and dampers by name, see `Spring`; what they store and lose is added to
+        elastic_energy and dissipation. The names are the same in each mechanism.
     dissipation : Rayleigh's function, half the power lost.
     forces : generalised force on each coordinate, in their order, for what neither potential nor
         dissipation gives; its virtual work is forces . dq. Empty for none.
@@ -240,9 +243,12 @@ class Mechanism:
     forces: tuple[sp.Expr, ...] = ()
     quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
     beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero)
+    elements: tuple[Spring, ...] = ()
 
     def __post_init__(self) -> None:
         what = f"mechanism {'/'.join(map(str, self.contacts))}"
+        object.__setattr__(self, "elements", tuple(self.elements))
+        _are_springs(what, self.elements)
         valid.points(what, beside_feet=self.beside_feet)
         valid.texts(what, **{f"contact {c}": c for c in self.contacts})
         valid.symbols(what, **{f"small {x}": x for x in self.small})
@@ -261,6 +267,17 @@ class Mechanism:
 
         return derive_equations(self)
 
+    @cached_property
+    def stored_energy(self) -> sp.Expr:
+        """Elastic energy of all that is declared."""
+        return sum((e.energy() for e in self.elements), sp.sympify(self.elastic_energy))
+
+    @cached_property
+    def dissipation_function(self) -> sp.Expr:
+        """Rayleigh's, of all that is declared."""
+        parts = (e.dissipation(self.coordinates) for e in self.elements)
+        return sum(parts, sp.sympify(self.dissipation))
+
     def approximated(self, expr: sp.Expr) -> sp.Expr:
         """The expression to second order in what this mechanism takes as small; else as it is."""
         return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
@@ -274,6 +291,17 @@ class Mechanism:
 
     def side_of(self, contact: str) -> int:
         return self.contacts[contact]
+
+
+def _are_springs(what: str, elements: Any) -> None:
+    from rockeom.symbolic.elements import Spring
+
+    for e in elements:
+        if not isinstance(e, Spring):
+            raise ValueError(
+                f"{what}: elements holds {e!r}: give objects of Spring; what switches is declared "
+                "in a Model"
+            )
 
 
 @dataclass(frozen=True)
@@ -516,12 +544,14 @@ def rocking_structure(
     overturning: sp.Expr = sp.pi / 2,
     reference: str = "",
     members: Iterable[Member] = (),
+    elements: Iterable[Spring] = (),
 ) -> RockingModel:
     """A structure that rocks about the two edges of its base on rigid ground.
 
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
-    same structure with the rotation held at zero. `beside_feet` is as in `Mechanism`.
+    same structure with the rotation held at zero. `beside_feet` and `elements` are as in
+    `Mechanism`.
 
     It stands beside a `Model` on `Pinned()` feet, which becomes the same by `on_pinned_feet`, and
     makes none itself: its bodies know the foot, and may stand where no free coordinates put them.
@@ -559,6 +589,7 @@ def rocking_structure(
             next(b.position for b in turning if b.name == load),
             small,
             beside_feet=beside_feet,
+            elements=tuple(elements),
         ),
         rotation,
         name=name,
@@ -627,10 +658,11 @@ def _upright(rocking: Mechanism, rotation: Coordinate) -> Mechanism:
             for b in rocking.bodies
         ),
         rocking.gravity,
-        rocking.elastic_energy.subs(held),
+        sp.sympify(rocking.elastic_energy).subs(held),
         still(rocking.dissipation),
         {name: Foot(point(foot.position)) for name, foot in rocking.feet.items()},
         None if load is None else point(load),
         rocking.small,
         beside_feet=(still(rocking.beside_feet[0]), still(rocking.beside_feet[1])),
+        elements=tuple(e.changed(hold) for e in rocking.elements),
     )

@@ -603,7 +603,7 @@ def free_motion(model: Model) -> tuple[sp.Matrix, sp.Matrix]:
     """(M, f) of M q'' = f without forces of contact; an element acts by its chi."""
     equations = model.free.equations
     forces = equations.forcing
-    for i, element in enumerate(model.elements):
+    for i, element in enumerate(model.switching):
         force = force_of(model, i)
         for j, c in enumerate(model.coordinates):
             forces[j] -= force * sp.diff(element.displacement, c.position)
@@ -612,7 +612,7 @@ def free_motion(model: Model) -> tuple[sp.Matrix, sp.Matrix]:
 
 def force_of(model: Model, element: int) -> sp.Expr:
     """The force of an element, by its chi."""
-    return model.elements[element].force(switch_of(element), model.coordinates)
+    return model.switching[element].force(switch_of(element), model.coordinates)
 
 
 # --- which there are
@@ -629,7 +629,7 @@ def derive_modes(model: Model) -> Modes:
     states: list[ContactState] = []
     known: dict[tuple[int, ...], int] = {}
     mirror = _mirror(model)
-    ways = prod(len(e.states) for e in model.elements)
+    ways = prod(len(e.states) for e in model.switching)
     _are_few(model, ways)
     for closed in _closed_sets(model):
         groups = DerivedMechanism(model, _stuck(model, closed), False).groups
@@ -661,7 +661,7 @@ def derive_modes(model: Model) -> Modes:
 def _are_few(model: Model, contact_states: int) -> None:
     if contact_states > MOST:
         raise ValueError(
-            f"{model.name}: its {len(model.contacts)} contacts and {len(model.elements)} elements "
+            f"{model.name}: its {len(model.contacts)} contacts and {len(model.switching)} elements "
             f"have more than {MOST} contact states: declare fewer of them"
         )
 
@@ -775,7 +775,7 @@ def _states(
         for group, sign in ways.items():
             for i in group:
                 points[i] = sign
-        for elements in product(*(e.states for e in model.elements)):
+        for elements in product(*(e.states for e in model.switching)):
             name = _name(model, {g: ways.get(g, STICK) for g in sorted(groups)}, elements)
             yield ContactState(name, tuple(points), elements, number)
 
@@ -788,7 +788,7 @@ def _name(model: Model, groups: Mapping[tuple[int, ...], int], elements: tuple[i
         for group, state in groups.items()
     ]
     told: dict[str, list[str]] = {}
-    for element, state in zip(model.elements, elements, strict=True):
+    for element, state in zip(model.switching, elements, strict=True):
         word = element.word(state)
         if word is not None:
             told.setdefault(word, []).append(element.name)

@@ -64,6 +64,7 @@ def reduced(model: Model) -> RockingModel:
         {name: Foot(feet[name]) for name in SIDES},
         None if model.load_point is None else closed.point(model.load_point),
         beside_feet=_beside(model, closed),
+        elements=tuple(e.changed(closed.__call__) for e in model.springs),
     )
     return on_pinned_feet(
         rocking,
@@ -94,19 +95,19 @@ def _a_pair(model: Model) -> None:
             f"of its contacts {names} not all are Pinned(), {', '.join(others)} have another law: "
             "pinned feet are a pair, and stand alone",
         )
-    if model.elements:
+    if model.switching:
         _fail(
             model,
-            f"the element {model.elements[0].name!r} stands beside pinned feet: a spring that "
-            "never leaves is a part of `elastic_energy`",
+            f"the element {model.switching[0].name!r} stands beside pinned feet: declare a spring "
+            "that never leaves as a Spring",
         )
     beside = [f"the force {f.name!r}" for f in model.forces]
     beside += [f"the internal variable {z.name!r}" for z in model.rates]
     if beside:
         _fail(
             model,
-            f"{beside[0]} stands beside pinned feet: forces there are those of `elastic_energy` "
-            "and `dissipation`",
+            f"{beside[0]} stands beside pinned feet: forces there are those of springs and "
+            "dampers, and of `elastic_energy` and `dissipation`",
         )
     if sorted(c.side for c in model.contacts) != [-1, 1]:
         _fail(
@@ -205,7 +206,8 @@ def _beside(model: Model, closed: _Closed) -> Point:
     slopes = sp.Matrix(
         1, 2,
         [
-            sp.diff(model.elastic_energy, c.position) + sp.diff(model.dissipation, c.velocity)
+            sp.diff(model.free.stored_energy, c.position)
+            + sp.diff(model.free.dissipation_function, c.velocity)
             for c in closed.coordinates
         ],
     )  # fmt: skip

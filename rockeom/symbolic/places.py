@@ -43,7 +43,7 @@ def places(model: RockingModel | Model, mechanism: Mechanism) -> dict[str, Place
     ]
     if isinstance(model, Model):
         found += [(c.name, Place(touches(model, c), *c.point)) for c in model.contacts]
-        for e in model.elements:
+        for e in model.switching:
             if isinstance(e, Unilateral) and e.place is not None:
                 found.append((e.name, Place(DAMPED if e.damping != 0 else SPRING, *e.place)))
     else:
@@ -59,7 +59,7 @@ def places(model: RockingModel | Model, mechanism: Mechanism) -> dict[str, Place
 def names_of(model: RockingModel | Model) -> list[str]:
     """All names of places, of which none may stand for two."""
     if isinstance(model, Model):
-        points = [*(c.name for c in model.contacts), *(e.name for e in model.elements)]
+        points = [*(c.name for c in model.contacts), *(e.name for e in model.switching)]
     else:
         points = sorted(model.mechanisms[0].feet)
     return [*(b.name for b in bodies_of(model)), *points, LOAD]

@@ -231,7 +231,7 @@ def _phase(model: RockingModel, phase: Mechanism) -> list[Block]:
         f"T = {notation.write(equations.kinetic_energy)}",
         f"V_g = {notation.write(equations.gravitational_energy)}",
         f"V_e = {notation.plain(equations.elastic_energy)}",
-        f"D = {notation.plain(phase.dissipation)}",
+        f"D = {notation.plain(phase.dissipation_function)}",
     ]
     energies = [line for line in energies if not line.endswith(" = 0")]
     return [

@@ -59,7 +59,7 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
     columns = dict(zip(header, zip(*rows, strict=True), strict=True))
     assert columns["phase"] == tuple(run.phase)
     np.testing.assert_allclose(np.array(columns["t [s]"], float), run.t, rtol=1e-11)
-    for name in run.names:
+    for name in run.main_names:
         (column,) = (values for key, values in columns.items() if key.split()[0] == name)
         np.testing.assert_allclose(np.array(column, float), run[name], rtol=1e-11)
 
@@ -83,7 +83,7 @@ def test_npz_holds_the_same_and_needs_no_pickle(tmp_path):
     block = rk.RigidBlock(half_width=0.095, half_height=0.45)
     run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": -0.1})
     with np.load(tmp_path / "response.npz", allow_pickle=False) as saved:
-        assert set(saved) == {"t", "phase", *run.names}
+        assert set(saved) == {"t", "phase", *run.main_names}
         np.testing.assert_array_equal(saved["t"], run.t)
         np.testing.assert_array_equal(saved["phase"], run.phase)
         np.testing.assert_array_equal(saved["theta"], run["theta"])

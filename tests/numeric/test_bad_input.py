@@ -379,9 +379,9 @@ def test_method_asked_of_what_is_no_state(method):
     ("method", "argument", "value"),
     [
         ("accelerations", "ground_acceleration", "1.2"),
-        ("accelerations", "ground_acceleration", [1.2]),
+        ("accelerations", "ground_acceleration", rk.RigidBlock),
         ("accelerations", "vertical_ground_acceleration", SHAKE),
-        ("reactions", "ground_acceleration", np.ones(3)),
+        ("reactions", "ground_acceleration", {"horizontal": 1.2}),
         ("reactions", "vertical_ground_acceleration", None),
         ("reactions", "phase", 1),
         ("energies", "phase", ["right"]),

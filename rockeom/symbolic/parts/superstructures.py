@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.model import (
     Body,
     Coordinate,
@@ -46,8 +47,8 @@ class Superstructure:
     """Masses on a rigid base, the base among them.
 
     coordinates : its own, beside those of the base. bodies(place, angle) : when the base has turned
-    clockwise through the angle; the first carries the load of a pushover. dissipation : Rayleigh's
-    function, half the power lost. members : what a sketch shows between the bodies.
+    clockwise through the angle; the first carries the load of a pushover. elements : the springs
+    and dampers in it, by name. members : what a sketch shows between the bodies.
     """
 
     name: str
@@ -55,8 +56,7 @@ class Superstructure:
     parameters: tuple[Parameter, ...]
     coordinates: tuple[Coordinate, ...]
     bodies: Callable[[Place, sp.Expr], list[Body]]
-    elastic_energy: sp.Expr = sp.S.Zero
-    dissipation: sp.Expr = sp.S.Zero
+    elements: tuple[Spring, ...] = ()
     members: tuple[Member, ...] = ()
 
     def about_the_middle(self, place: Place, angle: sp.Expr) -> tuple[Body, ...]:
@@ -130,8 +130,7 @@ def elastic_column() -> Superstructure:
         (*rigid().parameters, STIFFNESS, DAMPING),
         (u,),
         lambda place, angle: _two_masses(place, angle, u.position),
-        STIFFNESS.symbol * u.position**2 / 2,
-        DAMPING.symbol * u.velocity**2 / 2,
+        (Spring("column", u.position, STIFFNESS.symbol, DAMPING.symbol),),
         (_on_the_base("cantilever"),),
     )
 
@@ -156,7 +155,6 @@ def shear_frame(storeys: int) -> Superstructure:
         for i in floors
     ]
     drifts = _differences([u.position for u in moved])
-    rates = _differences([u.velocity for u in moved])
 
     thick = heights[-1].symbol / 50
     slab = rectangle(HALF_WIDTH.symbol, thick)
@@ -186,8 +184,10 @@ def shear_frame(storeys: int) -> Superstructure:
         ),
         tuple(moved),
         bodies,
-        sum((k.symbol * d**2 / 2 for k, d in zip(stiffnesses, drifts, strict=True)), sp.S.Zero),
-        sum((c.symbol * d**2 / 2 for c, d in zip(dampings, rates, strict=True)), sp.S.Zero),
+        tuple(
+            Spring(f"storey_{i}", drift, k.symbol, c.symbol)
+            for i, drift, k, c in zip(floors, drifts, stiffnesses, dampings, strict=True)
+        ),
         tuple(member for i in floors for member in columns(i)),
     )  # fmt: skip
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from inspect import signature
 from typing import Any
@@ -12,6 +12,7 @@ import sympy as sp
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contacts import Model, Rigid, Unilateral, feet
+from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     Foot,
@@ -61,10 +62,9 @@ def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingM
         bodies=lambda pivot: of.bodies(lambda point: turned(point, pivot, theta), theta),
         half_width=HALF_WIDTH.symbol,
         gravity=GRAVITY.symbol,
-        elastic_energy=of.elastic_energy,
-        dissipation=of.dissipation,
         reference=reference,
         members=of.members,
+        elements=of.elements,
     )
 
 
@@ -110,9 +110,8 @@ def winkler(of: Superstructure, springs: int) -> Model:
                 FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol, place((x, sp.S.Zero)),
             )
             for name, x in zip(names, places, strict=True)
-        ),
-        elastic_energy=of.elastic_energy,
-        dissipation=of.dissipation,
+        )
+        + of.elements,
         load_point=bodies[0].position,
         members=of.members,
     )  # fmt: skip
@@ -135,8 +134,7 @@ def sliding(of: Superstructure) -> Model:
             slip=lambda s: place((s * HALF_WIDTH.symbol, sp.S.Zero))[0],
             law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol),
         ),
-        elastic_energy=of.elastic_energy,
-        dissipation=of.dissipation,
+        elements=of.elements,
         load_point=bodies[0].position,
         members=of.members,
     )
@@ -180,6 +178,24 @@ def _level(of: Superstructure, springs: int) -> sp.Expr:
     return HEAVE.position - of.weight / (springs * FOUNDATION_STIFFNESS.symbol)
 
 
+def foot_springs(
+    compressions: Mapping[str, sp.Expr], pressed: Iterable[sp.Expr], mirrored: bool = True
+) -> tuple[Spring, ...]:
+    """A spring and a damper under each foot, which act where their compression is in `pressed`.
+
+    compressions : by foot; where `mirrored`, those of the side s = 1, written with s.
+    """
+    k, c = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol
+    down = [*pressed]
+    return tuple(
+        Spring(
+            foot, d, k if d in down else sp.S.Zero, c if d in down else sp.S.Zero,
+            mirrored={"left": "right", "right": "left"}[foot] if mirrored else "",
+        )
+        for foot, d in compressions.items()
+    )  # fmt: skip
+
+
 def _guided_at_the_foot(of: Superstructure) -> RockingModel:
     """Two springs, and the foot to whose side the base leans moves up and down alone.
 
@@ -208,10 +224,12 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
             coordinates,
             bodies,
             GRAVITY.symbol,
-            of.elastic_energy + sum((k * d**2 / 2 for d in pressed), sp.S.Zero),
-            of.dissipation + sum((c * rate(d, coordinates) ** 2 / 2 for d in pressed), sp.S.Zero),
-            {foot: Foot(sole[foot], of_feet[foot], sprung=True) for foot in _FEET},
-            bodies[0].position,
+            feet={foot: Foot(sole[foot], of_feet[foot], sprung=True) for foot in _FEET},
+            load_point=bodies[0].position,
+            elements=(
+                *of.elements,
+                *foot_springs({"right": near, "left": far}, pressed),
+            ),
         )
 
     def passages(foot: str, other: str, side: int) -> list[Transition]:

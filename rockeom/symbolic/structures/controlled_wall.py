@@ -19,6 +19,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact import total_reaction
+from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     Body,
@@ -117,6 +118,34 @@ AT_THE_EDGE = RotationCentre(lambda D: HALF_WIDTH.symbol)
 
 
 @dataclass(frozen=True)
+class TendonState(Spring):
+    """A tendon while it is elastic, slack or yields; its deformation is without what yielded."""
+
+    state: str = ELASTIC
+    yield_force: sp.Expr = sp.S.Zero
+
+    @property
+    def told_displacement(self) -> sp.Expr:
+        if self.state == YIELDING:
+            return (self.yield_force - self.initial_force) / self.stiffness
+        return self.deformation
+
+    def still_force(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        if self.state == ELASTIC:
+            return super().still_force(chi)
+        return self.yield_force if self.state == YIELDING else sp.S.Zero
+
+    def energy(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        """What it gives back when it is let loose, P**2/(2 k)."""
+        return self.still_force(chi) ** 2 / (2 * self.stiffness)
+
+    def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        if self.state != YIELDING:
+            return sp.S.Zero
+        return self.yield_force * rate(self.deformation, coordinates)
+
+
+@dataclass(frozen=True)
 class Tendon:
     """Symbols of one tendon; with several they are numbered from 1."""
 
@@ -127,6 +156,10 @@ class Tendon:
     eccentricity: Parameter
     permanent: Coordinate
     extension: sp.Function
+
+    @property
+    def name(self) -> str:
+        return self.permanent.name.replace("permanent_extension", "tendon")
 
     def force(self, extension: sp.Expr, permanent: sp.Expr | None = None) -> sp.Expr:
         """P_0 + k (x - x_p), as long as it is elastic."""
@@ -145,9 +178,13 @@ class Tendon:
             return self.force(extension)
         return self.yield_force.symbol if state == YIELDING else sp.S.Zero
 
-    def energy_in(self, state: str, extension: sp.Expr) -> sp.Expr:
-        """What the tendon gives back when it is let loose, P**2/(2 k)."""
-        return self.force_in(state, extension) ** 2 / (2 * self.stiffness.symbol)
+    def element(self, state: str, extension: sp.Expr) -> TendonState:
+        """It in a state, by name."""
+        return TendonState(
+            self.name, extension - self.permanent.position, self.stiffness.symbol,
+            initial_force=self.initial_force.symbol, state=state,
+            yield_force=self.yield_force.symbol,
+        )  # fmt: skip
 
     def plastic_force_in(self, state: str, extension: sp.Expr, by: sp.Symbol) -> sp.Expr:
         """Generalised force of the yield force, whose work is not stored."""
@@ -378,9 +415,13 @@ def controlled_wall_oscillator(
         ),
     )  # fmt: skip
 
+    def elements(states: tuple[str, ...]) -> tuple[TendonState, ...]:
+        return tuple(t.element(s, t.extension(q)) for t, s in zip(cables, states, strict=True))
+
+    raised = m * GRAVITY.symbol * rise
+
     def stored(states: tuple[str, ...]) -> sp.Expr:
-        tension = (t.energy_in(s, t.extension(q)) for t, s in zip(cables, states, strict=True))
-        return m * GRAVITY.symbol * rise + sum(tension, sp.S.Zero)
+        return sum((e.energy() for e in elements(states)), raised)
 
     def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
         plastic = (
@@ -392,10 +433,11 @@ def controlled_wall_oscillator(
             (DISPLACEMENT,),
             (Body("wall", M, place, outline=rectangle(B, 0, B)),),
             GRAVITY.symbol,
-            stored(states),
+            raised,
             load_point=place,
             forces=(damping + sum(plastic, sp.S.Zero),),
             quantities=_quantities(cables, states, q, b),
+            elements=elements(states),
         )
 
     places = {f"{side}{part}": s for side, s in SIDES.items() for part in ("", "_inward", "_near")}
@@ -647,7 +689,7 @@ def controlled_wall(
     q = ROTATION.position
     moving = (ROTATION, DEFLECTION) if flexible else (ROTATION,)
     u = DEFLECTION.position if flexible else sp.S.Zero
-    bending = STIFFNESS.symbol * u**2 / 2
+    bending = (Spring("wall", u, STIFFNESS.symbol, DAMPING.symbol),) if flexible else ()
     H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
     b = sp.Function("b", real=True)(q)
     pivot = (SIDE * b, sp.S.Zero)
@@ -664,18 +706,16 @@ def controlled_wall(
 
     def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
         pairs = list(zip(cables, states, strict=True))
-        stored = sum((t.energy_in(s, t.extension(q)) for t, s in pairs), sp.S.Zero)
         plastic = sum((t.plastic_force_in(s, t.extension(q), q) for t, s in pairs), sp.S.Zero)
         phase = Mechanism(
             contacts,
             moving,
             (body,),
             GRAVITY.symbol,
-            stored + bending,
-            DAMPING.symbol * DEFLECTION.velocity**2 / 2 if flexible else sp.S.Zero,
             load_point=turned((u, H), pivot, q),
             forces=(plastic, *(sp.S.Zero for _ in moving[1:])),
             quantities=_quantities(cables, states, q, b),
+            elements=(*(t.element(s, t.extension(q)) for t, s in pairs), *bending),
         )
         down = sum(
             (

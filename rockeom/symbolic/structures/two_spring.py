@@ -8,6 +8,7 @@ from functools import cache
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import (
     Body,
@@ -31,7 +32,12 @@ from rockeom.symbolic.parts.superstructures import (
     Point,
     rigid,
 )
-from rockeom.symbolic.parts.supports import FOUNDATION_DAMPING, FOUNDATION_STIFFNESS, HEAVE
+from rockeom.symbolic.parts.supports import (
+    FOUNDATION_DAMPING,
+    FOUNDATION_STIFFNESS,
+    HEAVE,
+    foot_springs,
+)
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.statics import holding_force
 from rockeom.symbolic.structures.lumped_mass import lumped_mass_structure
@@ -66,17 +72,18 @@ def two_spring_structure() -> RockingModel:
     compression = {foot: at_side(edge, side) for foot, side in sides.items()}
     force = {foot: at_side(press, side) for foot, side in sides.items()}
 
-    def phase(contacts: dict[str, int], compressed: list[sp.Expr], **on: sp.Expr) -> Mechanism:
-        """The mechanism in which springs under the given edges are pressed."""
+    near_and_far = {"right": edge, "left": edge.subs(SIDE, -SIDE)}
+
+    def phase(contacts: dict[str, int], springs: tuple[Spring, ...], **on: sp.Expr) -> Mechanism:
+        """The mechanism in which springs are pressed, and the forces that they have."""
         return Mechanism(
             contacts,
             (ROTATION, HEAVE),
             bodies,
             GRAVITY.symbol,
-            sum((k * d**2 / 2 for d in compressed), sp.S.Zero),
-            sum((c * rate(d, (ROTATION, HEAVE)) ** 2 / 2 for d in compressed), sp.S.Zero),
-            {foot: Foot(sole[foot], on.get(foot, sp.S.Zero), sprung=True) for foot in sides},
-            bodies[0].position,
+            feet={foot: Foot(sole[foot], on.get(foot, sp.S.Zero), sprung=True) for foot in sides},
+            load_point=bodies[0].position,
+            elements=springs,
         )
 
     def lifts(source: str, target: str, foot: str) -> Transition:
@@ -92,9 +99,14 @@ def two_spring_structure() -> RockingModel:
         parameters=(*rigid().parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE),
         mechanisms=(
-            phase({"both": 0}, [*compression.values()], **force),
-            phase(sides, [edge], left=press * (1 - SIDE) / 2, right=press * (1 + SIDE) / 2),
-            phase({"flight": 0}, []),
+            phase({"both": 0}, foot_springs(compression, compression.values(), False), **force),
+            phase(
+                sides,
+                foot_springs(near_and_far, [edge]),
+                left=press * (1 - SIDE) / 2,
+                right=press * (1 + SIDE) / 2,
+            ),
+            phase({"flight": 0}, foot_springs(compression, (), False)),
         ),
         transitions=(
             lifts("both", "right", "left"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from rockeom.symbolic.algebra import truncated
+from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.model import (
     Body,
     Member,
@@ -56,8 +57,7 @@ def uplifting_oscillator() -> RockingModel:
         bodies=bodies,
         half_width=HALF_WIDTH.symbol,
         gravity=GRAVITY.symbol,
-        elastic_energy=STIFFNESS.symbol * u.position**2 / 2,
-        dissipation=DAMPING.symbol * u.velocity**2 / 2,
+        elements=(Spring("column", u.position, STIFFNESS.symbol, DAMPING.symbol),),
         members=(Member("cantilever", "base", "mass"),),
         small=(*small, theta.velocity, u.velocity),
         reference="Chopra and Yim (1985); thesis 2-7, 2-8",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.model import (
     GROUND_Y,
     Body,
@@ -39,7 +39,6 @@ def wall_with_frame() -> RockingModel:
     link_damping = parameter("c_l", "link_damping", "N s/m", "damping of the link")
     moved = coordinate("u", "u", "m", "displacement of the frame")
     theta, u, b = ROTATION.position, moved.position, half_width.symbol
-    coordinates = (ROTATION, moved)
     linked, _ = turned((0, link_height.symbol), (SIDE * b, 0), theta)
     stretch = linked - u
     columns = frame_stiffness.symbol * u + frame_damping.symbol * moved.velocity
@@ -62,15 +61,14 @@ def wall_with_frame() -> RockingModel:
             mass, half_width, height, inertia, frame_mass, frame_stiffness, frame_damping,
             link_height, link_stiffness, link_damping, GRAVITY,
         ),
-        coordinates=coordinates,
+        coordinates=(ROTATION, moved),
         bodies=bodies,
         half_width=b,
         gravity=GRAVITY.symbol,
-        elastic_energy=(frame_stiffness.symbol * u**2 + link_stiffness.symbol * stretch**2) / 2,
-        dissipation=(
-            frame_damping.symbol * moved.velocity**2
-            + link_damping.symbol * rate(stretch, coordinates) ** 2
-        ) / 2,
+        elements=(
+            Spring("frame", u, frame_stiffness.symbol, frame_damping.symbol),
+            Spring("link", stretch, link_stiffness.symbol, link_damping.symbol),
+        ),
         members=(
             Member("spring", "wall", "frame", (0, link_height.symbol - height.symbol), (-end, 0)),
             Member("rod", "frame", "frame", (-end, 0), (end, 0)),
