@@ -20,7 +20,7 @@ __version__ = "0.1.0"
 
 _NAMES_OF = {
     "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
-    "rockeom.motion": ("GroundMotion", "MotionError"),
+    "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet"),
     "rockeom.named": ("structure",),
     "rockeom.numeric.case": ("Case",),
     "rockeom.numeric.ensemble": ("Sweep", "simulate_many"),
@@ -58,7 +58,11 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
-    from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
+    from rockeom.motion import (
+        GroundMotion as GroundMotion,
+        MotionError as MotionError,
+        MotionSet as MotionSet,
+    )
     from rockeom.named import structure as structure
     from rockeom.numeric.case import Case as Case
     from rockeom.numeric.ensemble import Sweep as Sweep, simulate_many as simulate_many
@@ -96,6 +100,24 @@ def _plot_response(*args: Any, **kwargs: Any) -> Any:
     return plot_response(*args, **kwargs)
 
 
+def _plot_motion(*args: Any, **kwargs: Any) -> Any:
+    from rockeom.plots import plot_motion
+
+    return plot_motion(*args, **kwargs)
+
+
+def _plot_spectra(*args: Any, **kwargs: Any) -> Any:
+    from rockeom.plots import plot_spectra
+
+    return plot_spectra(*args, **kwargs)
+
+
+def _response_spectrum(*args: Any, **kwargs: Any) -> Any:
+    from rockeom.analysis.spectra import response_spectrum
+
+    return response_spectrum(*args, **kwargs)
+
+
 def _thesis_wall(initial_force: float) -> Any:
     from rockeom.analysis import Wall
 
@@ -103,6 +125,9 @@ def _thesis_wall(initial_force: float) -> Any:
 
 
 hooks.plot_response.answer = _plot_response
+hooks.plot_motion.answer = _plot_motion
+hooks.plot_spectra.answer = _plot_spectra
+hooks.response_spectrum.answer = _response_spectrum
 hooks.thesis_wall.answer = _thesis_wall
 
 
