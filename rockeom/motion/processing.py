@@ -78,7 +78,8 @@ def filtered(
     from scipy.signal import butter, sosfiltfilt  # takes long to import
 
     kind = "bandpass" if len(corners) == 2 else "highpass" if "low" in corners else "lowpass"
-    sos = butter(n, [*corners.values()], btype=kind, fs=1.0 / dt, output="sos")
+    at = [*corners.values()] if len(corners) == 2 else min(corners.values())
+    sos = butter(n, at, btype=kind, fs=1.0 / dt, output="sos")
     around = math.ceil(_RINGS * n / (min(corners.values()) * dt))
     passed = sosfiltfilt(sos, np.pad(samples, around), padtype=None)[around:-around]
     said = ", ".join(f"{name} corner {corner:g} Hz" for name, corner in corners.items())
