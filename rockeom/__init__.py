@@ -11,7 +11,9 @@ first use, so that ``import rockeom`` costs next to nothing and who only simulat
 SymPy.
 """
 
+from collections.abc import Callable
 from importlib import import_module
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from rockeom import hooks
@@ -20,7 +22,7 @@ __version__ = "0.1.0"
 
 _NAMES_OF = {
     "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
-    "rockeom.motion": ("GroundMotion", "MotionError"),
+    "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet"),
     "rockeom.named": ("structure",),
     "rockeom.numeric.case": ("Case",),
     "rockeom.numeric.ensemble": ("simulate_many",),
@@ -61,7 +63,11 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
-    from rockeom.motion import GroundMotion as GroundMotion, MotionError as MotionError
+    from rockeom.motion import (
+        GroundMotion as GroundMotion,
+        MotionError as MotionError,
+        MotionSet as MotionSet,
+    )
     from rockeom.named import structure as structure
     from rockeom.numeric.case import Case as Case
     from rockeom.numeric.ensemble import simulate_many as simulate_many
@@ -96,25 +102,28 @@ if TYPE_CHECKING:
     )
 
 
-def _plot_response(*args: Any, **kwargs: Any) -> Any:
-    from rockeom.plots import plot_response
-
-    return plot_response(*args, **kwargs)
-
-
-def _save_response(*args: Any) -> None:
-    import_module("rockeom.saved").save(*args)
-
-
-def _thesis_wall(initial_force: float) -> Any:
-    from rockeom.analysis import Wall
-
-    return Wall.thesis(initial_force)
+_ANSWERS = {
+    "plot_motion": ("rockeom.plots", "plot_motion"),
+    "plot_response": ("rockeom.plots", "plot_response"),
+    "plot_spectra": ("rockeom.plots", "plot_spectra"),
+    "response_spectrum": ("rockeom.analysis", "response_spectrum"),
+    "save_response": ("rockeom.saved", "save"),
+    "thesis_wall": ("rockeom.analysis", "Wall.thesis"),
+}
+"""Of each call of `hooks`, where it is answered and by what."""
 
 
-hooks.plot_response.answer = _plot_response
-hooks.save_response.answer = _save_response
-hooks.thesis_wall.answer = _thesis_wall
+def _answer(home: str, name: str) -> Callable[..., Any]:
+    """A function that is imported when it is called."""
+
+    def answer(*args: Any, **kwargs: Any) -> Any:
+        return attrgetter(name)(import_module(home))(*args, **kwargs)
+
+    return answer
+
+
+for _hook, (_home, _name) in _ANSWERS.items():
+    getattr(hooks, _hook).answer = _answer(_home, _name)
 
 
 def __getattr__(name: str) -> Any:

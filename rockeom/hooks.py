@@ -20,6 +20,12 @@ class Hook:
 
 plot_response = Hook()
 """A figure of a response; keyword arguments as in `rockeom.plots.plot_response`."""
+plot_motion = Hook()
+"""A figure of a ground motion; keyword arguments as in `rockeom.plots.plot_motion`."""
+plot_spectra = Hook()
+"""A figure of response spectra; arguments as in `rockeom.plots.plot_spectra`."""
+response_spectrum = Hook()
+"""The spectrum of a motion; arguments as in `rockeom.analysis.response_spectrum`."""
 thesis_wall = Hook()
 """The `rockeom.analysis.Wall` of the thesis with an initial force of its tendon [N]."""
 save_response = Hook()

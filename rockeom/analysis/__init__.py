@@ -171,6 +171,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         points_by_prominence,
         points_by_score,
     )
+    from rockeom.analysis.pulses import PULSE_MODELS, PulseFit, fit_pulse
     from rockeom.analysis.records import MeasuredRecord, Velocities
     from rockeom.analysis.restitution import (
         energy_ratio_from_velocity_ratio,
@@ -212,6 +213,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
 __all__ = [
     "DESIGN_FACTORS",
     "GRANT_FACTORS",
+    "PULSE_MODELS",
     "BilinearRule",
     "CycleDamping",
     "Damping",
@@ -250,6 +252,7 @@ __all__ = [
     "Peaks",
     "PeriodicOrbit",
     "PointsOfInterest",
+    "PulseFit",
     "QuarterPeriods",
     "ResponseSpectrum",
     "Restitution",
@@ -307,6 +310,7 @@ __all__ = [
     "fit",
     "fit_free_vibration",
     "fit_moving_centre",
+    "fit_pulse",
     "fit_rotation_centre",
     "fitted_peaks",
     "fitted_rotational_spring",
@@ -378,7 +382,7 @@ _HOMES = (
     "periods", "restitution", "support_forces", "uplift", "isolation",
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
-    "noise", "points_of_interest", "records", "slips", "windows",
+    "noise", "points_of_interest", "pulses", "records", "slips", "windows",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}

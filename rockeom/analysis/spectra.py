@@ -1,15 +1,17 @@
-"""Elastic response spectra of a ground motion, exact for accelerations linear between samples.
+"""Elastic response spectra of a ground motion, exact to rounding for every kind of motion.
 
     import rockeom as rk
-    from rockeom import analysis
 
     motion = rk.GroundMotion.from_library("El Centro 1940 180")
-    spectrum = analysis.response_spectrum(motion, periods=[0.2, 0.5, 1.0, 2.0], damping_ratio=0.05)
+    spectrum = motion.response_spectrum(periods=[0.2, 0.5, 1.0, 2.0], damping_ratio=0.05)
     spectrum.displacement, spectrum.pseudo_acceleration  # m, m/s2
+    spectrum.plot()
 
 The oscillator is u'' + 2 xi omega u' + omega**2 u = -a_g, at rest at time zero. With the complex
 lambda = -xi omega + i omega sqrt(1 - xi**2), z = u' - conj(lambda) u obeys z' = lambda z - a_g, one
-equation of first order. It is solved exactly from sample to sample (Nigam and Jennings 1969).
+equation of first order. Of a record, which is linear between its samples, it is solved exactly from
+sample to sample (Nigam and Jennings 1969); of an analytic motion its integral over each step is by
+Gauss's rule with eight places.
 """
 
 from __future__ import annotations
@@ -17,13 +19,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom import hooks
 from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.motion import GroundMotion
+from rockeom.motion.segments import C1, C3, END, KIND, LINEAR, START, acceleration, of_row, within
 
 Spectrum = Callable[[float, float], float]
 """Period [s] and damping ratio to the largest displacement [m]."""
@@ -31,17 +35,26 @@ Spectrum = Callable[[float, float], float]
 _PER_PERIOD = 16
 """Steps in a period, at least: no peak between two turns of the velocity is passed over then."""
 
+_PARTS = 8
+"""Of a step that may hold the largest value: each is looked at for a turn."""
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
 
 @dataclass(frozen=True)
 class ResponseSpectrum:
-    """Largest displacements of elastic oscillators under a motion.
+    """Largest answers of elastic oscillators to a motion, (n,) each, found within the steps.
 
-    periods (n,) [s]; damping_ratio : one for all; displacement (n,) relative to the ground [m].
+    periods (n,) [s]; damping_ratio : one for all; displacement and velocity relative to the ground
+    [m], [m/s]; acceleration : the absolute one [m/s2]; name : of the motion.
     """
 
     periods: np.ndarray
     damping_ratio: float
     displacement: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    name: str = ""
 
     @property
     def pseudo_velocity(self) -> np.ndarray:
@@ -52,6 +65,10 @@ class ResponseSpectrum:
     def pseudo_acceleration(self) -> np.ndarray:
         """omega**2 times the displacement [m/s2]: the spring's force for each unit of mass."""
         return (2 * np.pi / self.periods) ** 2 * self.displacement
+
+    def plot(self, **kwargs: Any) -> Any:
+        """A figure of pseudo-acceleration, velocity and displacement; see `plots.plot_spectra`."""
+        return hooks.plot_spectra([self], **kwargs)
 
 
 class OscillatorHistory(NamedTuple):
@@ -65,21 +82,20 @@ class OscillatorHistory(NamedTuple):
 def response_spectrum(
     motion: GroundMotion, periods: ArrayLike, damping_ratio: float = 0.05
 ) -> ResponseSpectrum:
-    """The elastic response spectrum of a motion.
+    """The elastic response spectrum of a motion, also by `motion.response_spectrum`.
 
-    motion : a record, which is linear between its samples; any other motion is taken at a
-        hundredth of its shortest period, and linear in between. periods of the oscillators, (n,)
-        or a number [s]. damping_ratio xi in [0, 1).
+    motion : of any kind. periods of the oscillators, (n,) or a number [s]. damping_ratio xi in
+        [0, 1).
 
-    The largest displacement is found within the steps, and after the end of the motion, when the
+    The largest values are found within the steps, and after the end of the motion, when the
     oscillator is free, too.
     Raises ValueError for a period that is not positive and for a damping_ratio outside [0, 1).
     """
     (periods,) = positive("response_spectrum", periods=np.atleast_1d(periods))
     xi = _damping("response_spectrum", damping_ratio)
-    acceleration, dt = _samples(motion, float(periods.min()))
-    largest = [_Oscillator(float(t), xi, acceleration, dt).largest() for t in periods.ravel()]
-    return ResponseSpectrum(periods, xi, np.reshape(largest, periods.shape))
+    found = np.array([_oscillator(motion, float(t), xi).largest() for t in periods.ravel()])
+    u, v, a = found.T.reshape(3, *periods.shape)
+    return ResponseSpectrum(periods, xi, u, v, a, motion.name)
 
 
 def oscillator_history(
@@ -88,14 +104,14 @@ def oscillator_history(
     """Response of an elastic oscillator at the samples of a motion, exact there.
 
     motion, damping_ratio : as in `response_spectrum`; period [s]. Samples are divided where they
-    are further apart than a sixteenth of the period.
+    are further apart than a sixteenth of the period; an analytic motion is, so that no step is
+    longer than that and none straddles a break.
     Raises ValueError as `response_spectrum` does.
     """
     (t,) = positive("oscillator_history", period=period)
     xi = _damping("oscillator_history", damping_ratio)
-    acceleration, dt = _samples(motion, float(t))
-    one = _Oscillator(float(t), xi, acceleration, dt)
-    return OscillatorHistory(one.dt * np.arange(len(one.u)), one.u, one.v)
+    one = _oscillator(motion, float(t), xi)
+    return OscillatorHistory(one.times, one.u, one.v)
 
 
 def _damping(where: str, value: float) -> float:
@@ -105,32 +121,105 @@ def _damping(where: str, value: float) -> float:
     return float(xi)
 
 
-def _samples(motion: GroundMotion, period: float) -> tuple[np.ndarray, float]:
-    """Accelerations [m/s2] and their time step [s]."""
+def _oscillator(motion: GroundMotion, period: float, xi: float) -> _Oscillator:
     if motion.samples is not None and motion.dt is not None:
-        return motion.samples, motion.dt
-    dt = min(period, motion.duration) / 100
-    return motion.sampled(dt)[1], dt
+        return _UnderRecord(period, xi, motion.samples, motion.dt)
+    return _UnderSegments(period, xi, motion.segments)
 
 
 class _Oscillator:
-    """One oscillator, at rest when the accelerations begin."""
+    """One oscillator, at rest when the accelerations begin.
 
-    def __init__(self, period: float, xi: float, acceleration: np.ndarray, dt: float) -> None:
-        from scipy.signal import lfilter  # takes long to import
+    times (n,) [s]; z (n,) complex, u (n,) [m] and v (n,) [m/s] there; pushes (2, n - 1) : -a_g at
+    the start and at the end of each step [m/s2].
+    """
 
+    times: np.ndarray
+    z: np.ndarray
+    pushes: np.ndarray
+
+    def __init__(self, period: float, xi: float) -> None:
+        omega = 2 * math.pi / period
+        self.rate = omega * complex(-xi, math.sqrt(1 - xi**2))
+
+    @property
+    def u(self) -> np.ndarray:
+        return self.z.imag / self.rate.imag
+
+    @property
+    def v(self) -> np.ndarray:
+        return self.z.real + self.rate.real * self.u
+
+    # -- what the push of the ground does in a step, which each kind of motion knows
+
+    def after(self, k: np.ndarray, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """z and the push -a_g [m/s2] at a time (m,) [s] after the start of each of the steps k."""
+        raise NotImplementedError
+
+    # -- the largest values
+
+    def largest(self) -> tuple[float, float, float]:
+        """Of |u| [m], |u'| [m/s] and |u'' + a_g| [m/s2].
+
+        Each is the real part of a complex number c times z: its rate is that of c z'.
+        """
+        omega, xi_omega = abs(self.rate), -self.rate.real
+        u = -1j / self.rate.imag
+        v = 1.0 + self.rate.real * u
+        absolute = omega**2 * u + 2.0 * xi_omega * v
+        return self._largest(u), self._largest(v), self._largest(absolute)
+
+    def _largest(self, c: complex) -> float:
+        """Of |Re(c z)|: at the ends of the steps, within those that may exceed them, and after."""
+        length = np.diff(self.times)
+        ends = np.abs((c * self.z).real)
+        best = float(ends.max())
+        first = np.abs(self._rate(c, self.z[:-1], self.pushes[0]))
+        last = np.abs(self._rate(c, self.z[1:], self.pushes[1]))
+        reach = np.maximum(first, last) * length
+        near = np.flatnonzero(np.maximum(ends[:-1], ends[1:]) + reach >= best)
+        best = max(best, self._afterwards(c))
+        places = np.linspace(0.0, 1.0, _PARTS + 1)[:, None] * length[near]
+        of = np.tile(near, _PARTS + 1)
+        rates = self._rate(c, *self.after(of, places.ravel())).reshape(places.shape)
+        part, turns = np.nonzero(rates[:-1] * rates[1:] < 0)
+        at, low, width = near[turns], places[part, turns], length[near[turns]] / _PARTS
+        first, last = rates[part, turns], rates[part + 1, turns]
+        bend = (last - first) / width
+        time = low - first / bend
+        # what is left is some 1e-6 of the part, and its square is what a largest value feels
+        change = self._rate(c, *self.after(at, time)) / bend
+        time = np.clip(time - change, low, low + width)
+        inside = np.abs((c * self.after(at, time)[0]).real)
+        return max(best, float(inside.max(initial=0.0)))
+
+    def _rate(self, c: complex, z: np.ndarray, push: np.ndarray) -> np.ndarray:
+        return (c * (self.rate * z + push)).real
+
+    def _afterwards(self, c: complex) -> float:
+        """The first peak of the free vibration after the motion: where Re(c lambda z) vanishes."""
+        z = self.z[-1]
+        if z == 0.0:
+            return 0.0
+        angle = (0.5 * math.pi - float(np.angle(c * self.rate * z))) % math.pi
+        return float(abs((c * z * np.exp(self.rate * angle / self.rate.imag)).real))
+
+
+class _UnderRecord(_Oscillator):
+    """Under accelerations (n,) [m/s2] that are linear between samples dt apart [s]."""
+
+    def __init__(self, period: float, xi: float, samples: np.ndarray, dt: float) -> None:
+        super().__init__(period, xi)
         parts = math.ceil(dt * _PER_PERIOD / period * (1 - 1e-12))
         if parts > 1:
-            at = np.arange(parts * (len(acceleration) - 1) + 1) / parts
-            acceleration, dt = np.interp(at, np.arange(len(acceleration)), acceleration), dt / parts
-        omega = 2 * math.pi / period
-        self.dt, self.push = dt, -np.asarray(acceleration, dtype=float)
-        self.rate = omega * complex(-xi, math.sqrt(1 - xi**2))
+            at = np.arange(parts * (len(samples) - 1) + 1) / parts
+            samples, dt = np.interp(at, np.arange(len(samples)), samples), dt / parts
+        self.dt, self.push = dt, -np.asarray(samples, dtype=float)
+        self.pushes = np.stack([self.push[:-1], self.push[1:]])
         growth, first, last = self._step(dt)
         gained = np.zeros(len(self.push), complex)
         gained[1:] = first * self.push[:-1] + last * self.push[1:]
-        self.z = lfilter([1.0], [1.0, -growth], gained)
-        self.u, self.v = self._real(self.z)
+        self.times, self.z = dt * np.arange(len(self.push)), _recursion(growth, gained)
 
     def _step(self, time):
         """What a step multiplies z by, and what the push at its start and at its end adds."""
@@ -144,34 +233,53 @@ class _Oscillator:
         two = np.where(near, series, (grown / safe - 1) / safe)
         return 1 + grown, time * (one - two), time * two
 
-    def _real(self, z):
-        u = z.imag / self.rate.imag
-        return u, z.real + self.rate.real * u
+    def after(self, k, time):
+        start = self.push[k]
+        push = start + (self.push[k + 1] - start) / self.dt * time
+        growth, first, last = self._step(time)
+        return growth * self.z[k] + first * start + last * push, push
 
-    def largest(self) -> float:
-        turns = np.flatnonzero(self.v[:-1] * self.v[1:] < 0)
-        sizes = [np.abs(self.u).max(), self._afterwards()]
-        if len(turns):
-            sizes.append(np.abs(self._between(turns)).max())
-        return float(max(sizes))
 
-    def _between(self, k: np.ndarray) -> np.ndarray:
-        """Displacement where the velocity vanishes within the steps k, by Newton's method."""
-        v0, v1 = self.v[k], self.v[k + 1]
-        start, slope = self.push[k], (self.push[k + 1] - self.push[k]) / self.dt
-        time = self.dt * v0 / (v0 - v1)
-        u = self.u[k]
-        for _ in range(3):
-            growth, first, last = self._step(time)
-            push = start + slope * time
-            u, v = self._real(growth * self.z[k] + first * start + last * push)
-            a = push + 2 * self.rate.real * v - abs(self.rate) ** 2 * u
-            change = np.divide(v, a, out=np.zeros_like(v), where=a != 0)
-            time = np.clip(time - change, 0.0, self.dt)
-        return u
+class _UnderSegments(_Oscillator):
+    """Under analytic segments (n, 7), each in equal steps."""
 
-    def _afterwards(self) -> float:
-        """The first peak of the free vibration after the motion."""
-        z = self.z[-1]
-        angle = (math.atan2(self.rate.imag, -self.rate.real) - np.angle(z)) % math.pi
-        return abs((z * np.exp(self.rate * angle / self.rate.imag)).imag / self.rate.imag)
+    def __init__(self, period: float, xi: float, segments: np.ndarray) -> None:
+        super().__init__(period, xi)
+        length = segments[:, END] - segments[:, START]
+        curved = segments[:, KIND] != LINEAR
+        fastest = np.where(curved, segments[:, C1] + segments[:, C3], 0.0)
+        least = np.maximum(_PER_PERIOD / period, _PER_PERIOD / (2 * math.pi) * fastest)
+        parts = np.ceil(length * least * (1 - 1e-12)).astype(int)
+        self.rows = np.repeat(segments, parts, axis=0)
+        z, begin, pushes = [np.zeros(1, complex)], [], []
+        for row, n, step in zip(segments, parts, length / parts, strict=True):
+            start = step * np.arange(n)
+            at = 0.5 * step * (1.0 + _NODES)
+            weights = 0.5 * step * _WEIGHTS * np.exp(self.rate * (step - at))
+            gained = weights @ self._push(row, start + at[:, None])
+            into = np.append(z[-1][-1], gained)
+            z.append(_recursion(np.exp(self.rate * step), into)[1:])
+            pushes.append(self._push(row, np.stack([start, start + step])))
+            begin.append(start)
+        self.begin = np.concatenate(begin)  # local times of the steps' starts
+        self.times = np.append(self.rows[:, START] + self.begin, segments[-1, END])
+        self.z, self.pushes = np.concatenate(z), np.concatenate(pushes, axis=1)
+
+    @staticmethod
+    def _push(row: np.ndarray, tau: np.ndarray) -> np.ndarray:
+        return -of_row(within, row, tau)
+
+    def after(self, k, time):
+        at = 0.5 * time * (1.0 + _NODES[:, None])
+        rows = self.rows[k]
+        pushes = -acceleration(np.tile(rows, (len(at), 1)), (self.begin[k] + at).ravel())
+        grown = np.exp(self.rate * (time - at)) * pushes.reshape(at.shape)
+        z = np.exp(self.rate * time) * self.z[k] + 0.5 * time * (_WEIGHTS @ grown)
+        return z, -acceleration(rows, self.begin[k] + time)
+
+
+def _recursion(growth: complex, gained: np.ndarray) -> np.ndarray:
+    """z (n,) of z[k] = growth z[k - 1] + gained[k]."""
+    from scipy.signal import lfilter  # takes long to import
+
+    return lfilter([1.0], [1.0, -growth], gained)

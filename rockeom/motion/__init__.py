@@ -1,11 +1,42 @@
-"""Ground motions: pulses, harmonic motion and records, in SI units.
+"""Ground motions: pulses, harmonic motion, records, synthetic ones and sets of them, in SI units.
 
 Type: `GroundMotion`, a table of analytic segments. Error: `MotionError`.
 """
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.segments import SegmentKind
 from rockeom.motion.units import STANDARD_GRAVITY
 
-__all__ = ["STANDARD_GRAVITY", "GroundMotion", "MotionError", "SegmentKind"]
+if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.motion.intensity import Measures
+    from rockeom.motion.motion_set import MotionSet
+    from rockeom.motion.synthetic import JenningsEnvelope, ShinozukaSatoEnvelope
+
+__all__ = [
+    "STANDARD_GRAVITY",
+    "GroundMotion",
+    "JenningsEnvelope",
+    "Measures",
+    "MotionError",
+    "MotionSet",
+    "SegmentKind",
+    "ShinozukaSatoEnvelope",
+]
+
+_HOMES = {
+    "JenningsEnvelope": "synthetic",
+    "Measures": "intensity",
+    "MotionSet": "motion_set",
+    "ShinozukaSatoEnvelope": "synthetic",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """What a simulation under one motion has no use for is imported when it is asked for."""
+    if name in _HOMES:
+        return getattr(import_module(f"rockeom.motion.{_HOMES[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -8,13 +8,15 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom import hooks
 from rockeom.arguments import number, numbers, told
-from rockeom.many import Many, isfinite
+from rockeom.many import Many
+from rockeom.motion.arguments import finite as _finite, positive as _positive
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
@@ -25,16 +27,23 @@ from rockeom.motion.segments import (
     END,
     KIND,
     LINEAR,
+    MAVROEIDIS_PAPAGEORGIOU,
     RICKER,
     SINE,
     START,
     SegmentKind,
     acceleration as _acceleration,
+    at_starts as _at_starts,
+    displacement as _displacement,
     peak as _peak,
     scaled as _scaled,
     shaking_ends as _shaking_ends,
+    velocity as _velocity,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
+
+if TYPE_CHECKING:
+    from rockeom.motion.intensity import Measures
 
 QUIET_PERIODS = 10
 """Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
@@ -52,8 +61,8 @@ class GroundMotion:
     """The acceleration of the ground in one direction, as a table of analytic segments.
 
     Motions are made by the class methods: `none`, `constant`, `half_sine`, `single_sine`,
-    `single_cosine`, `harmonic`, `ricker`, `from_array`, `from_at2`, `from_columns`, `from_csv`,
-    `read`, `from_library`.
+    `single_cosine`, `harmonic`, `ricker`, `mavroeidis_papageorgiou`, `kanai_tajimi`,
+    `clough_penzien`, `from_array`, `from_at2`, `from_columns`, `from_csv`, `read`, `from_library`.
 
     segments : (n, 7) start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous from
         time 0. Before and after them the acceleration is zero. Read-only.
@@ -218,6 +227,118 @@ class GroundMotion:
         motion = _analytic(name, [(end, kind, c0, c1, centre)])
         return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
 
+    @classmethod
+    def mavroeidis_papageorgiou(
+        cls,
+        velocity: float,
+        period: float,
+        gamma: float,
+        phase: float = 0.0,
+        duration: float | None = None,
+    ) -> GroundMotion:
+        """The pulse of near-fault motions by Mavroeidis and Papageorgiou: a sine that swells.
+
+        Its velocity is velocity/2 (1 + cos(2 pi x/(gamma period))) cos(2 pi x/period + phase) at a
+        time x from its centre, for |x| up to gamma period/2; its acceleration, the rate of that, is
+        a sum of three sines and no approximation.
+
+        velocity : the amplitude A of the velocity [m/s]; period : 1 over the prevailing frequency
+        f_p [s]; gamma : of the envelope's length to the period, above 1; phase : the angle nu at
+        the centre [rad]; duration : with the quiet time after the pulse [s], at least gamma
+        periods; if not given, ten periods of quiet follow.
+
+        Source: Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93
+        (2003) 1099-1131, equations 2 and 3.
+        """
+        a, t_p = _finite("velocity", velocity), _positive("period", period)
+        g, nu = _finite("gamma", gamma), _finite("phase", phase)
+        if g <= 1.0:
+            raise MotionError(
+                f"gamma is {g:g}: give more than 1, the envelope is longer than a period"
+            )
+        omega, end = 2.0 * math.pi / t_p, g * t_p
+        pulse = (
+            end, MAVROEIDIS_PAPAGEORGIOU, 0.5 * a * omega, omega, nu - math.pi * g, omega / g
+        )  # fmt: skip
+        name = _named("Mavroeidis-Papageorgiou, {:.4g} m/s, {:.4g} s", a, t_p)
+        motion = _analytic(name, [pulse])
+        return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
+
+    # -- made by chance
+
+    @classmethod
+    def kanai_tajimi(
+        cls,
+        spectral_intensity: float,
+        *,
+        duration: float,
+        seed: int,
+        angular_frequency: float = 5.0 * math.pi,
+        damping_ratio: float = 0.6,
+        envelope: Callable[[np.ndarray], ArrayLike] | None = None,
+        dt: float = 0.01,
+    ) -> GroundMotion:
+        """White noise of the rock filtered by the ground above it, Gaussian, of a seed.
+
+        Its power spectral density, over angular frequencies of both signs, is
+        S_0 (1 + 4 xi**2 r**2)/((1 - r**2)**2 + 4 xi**2 r**2), r = omega/omega_g, up to pi/dt.
+
+        spectral_intensity : S_0, the density of the white noise [m2/s3]; duration [s];
+        seed : the same one gives the same motion; angular_frequency omega_g [rad/s] and
+        damping_ratio xi of the ground; if not given, those of firm ground; envelope : of times (n,)
+        [s], what multiplies the stationary noise there, such as `JenningsEnvelope` or
+        `ShinozukaSatoEnvelope`; dt : time step of the samples [s].
+
+        Source: Kanai (1957), Tajimi (1960); the method: Shinozuka and Deodatis, Applied Mechanics
+        Reviews 44 (1991) 191-204, with Gaussian amplitudes. Raises MotionError.
+
+        >>> motion = GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
+        >>> motion == GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
+        True
+        """
+        ground = (
+            _positive("angular_frequency", angular_frequency),
+            _positive("damping_ratio", damping_ratio),
+        )
+        return _synthetic(
+            "Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt
+        )
+
+    @classmethod
+    def clough_penzien(
+        cls,
+        spectral_intensity: float,
+        *,
+        duration: float,
+        seed: int,
+        angular_frequency: float = 5.0 * math.pi,
+        damping_ratio: float = 0.6,
+        high_pass_angular_frequency: float = 0.5 * math.pi,
+        high_pass_damping_ratio: float = 0.6,
+        envelope: Callable[[np.ndarray], ArrayLike] | None = None,
+        dt: float = 0.01,
+    ) -> GroundMotion:
+        """As `kanai_tajimi`, behind a second filter that leaves displacements finite.
+
+        It multiplies the density by q**4/((1 - q**2)**2 + 4 xi_f**2 q**2), q = omega/omega_f.
+
+        high_pass_angular_frequency omega_f [rad/s] and high_pass_damping_ratio xi_f of that filter;
+        all else as in `kanai_tajimi`.
+
+        Source: Clough and Penzien, Dynamics of Structures (1975). Raises MotionError.
+        """
+        ground = (
+            _positive("angular_frequency", angular_frequency),
+            _positive("damping_ratio", damping_ratio),
+        )
+        high_pass = (
+            _positive("high_pass_angular_frequency", high_pass_angular_frequency),
+            _positive("high_pass_damping_ratio", high_pass_damping_ratio),
+        )
+        return _synthetic(
+            "Clough-Penzien", spectral_intensity, ground, high_pass, duration, seed, envelope, dt
+        )
+
     # -- made from numbers and files
 
     @classmethod
@@ -373,11 +494,87 @@ class GroundMotion:
         """
         time = _array("t", t)
         flat = time.ravel()
-        starts = self.segments[:, START]
-        index = np.maximum(np.searchsorted(starts, flat, side="right") - 1, 0)
-        found = _acceleration(self.segments[index], flat - starts[index])
+        index, tau = self._at(flat)
+        found = _acceleration(self.segments[index], tau)
         found[(flat < 0.0) | (flat > self.duration)] = 0.0
         return found.reshape(time.shape)[()]
+
+    def _at(self, flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The segments that hold at times (m,), and the times within them [s]."""
+        starts = self.segments[:, START]
+        index = np.maximum(np.searchsorted(starts, flat, side="right") - 1, 0)
+        return index, flat - starts[index]
+
+    def velocity(self, t: ArrayLike) -> Any:
+        """Velocity of the ground [m/s] at times t [s], of the shape of t.
+
+        The exact integral of the acceleration, of ground at rest up to time 0. Behind the end the
+        velocity stays as it is there: zero only if the motion was corrected for it.
+        """
+        time = _array("t", t)
+        flat = np.clip(time.ravel(), 0.0, self.duration)
+        index, tau = self._at(flat)
+        found = _at_starts(self.segments)[0][index] + _velocity(self.segments[index], tau)
+        return found.reshape(time.shape)[()]
+
+    def displacement(self, t: ArrayLike) -> Any:
+        """Displacement of the ground [m] at times t [s], of the shape of t.
+
+        The exact integral of `velocity`; behind the end, too.
+        """
+        time = _array("t", t)
+        flat = np.clip(time.ravel(), 0.0, self.duration)
+        index, tau = self._at(flat)
+        v, d = _at_starts(self.segments)
+        found = d[index] + v[index] * tau + _displacement(self.segments[index], tau)
+        found += v[-1] * np.maximum(time.ravel() - self.duration, 0.0)
+        return found.reshape(time.shape)[()]
+
+    # -- how strong it is
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest absolute velocity of the ground [m/s] within the duration, exact to rounding."""
+        return _intensity().peak_velocity(self)
+
+    @property
+    def peak_displacement(self) -> float:
+        """Largest absolute displacement [m] within the duration, exact to rounding.
+
+        Of a record that ends with a velocity it is what that makes of it: see
+        `baseline_corrected`.
+        """
+        return _intensity().peak_displacement(self)
+
+    def measures(self) -> Measures:
+        """All intensity measures by name, from PGA to the predominant period, with units.
+
+        >>> print(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav)
+        0.6366197723675814
+        """
+        return _intensity().measures(self)
+
+    def significant_interval(self, lower: float = 0.05, upper: float = 0.95) -> tuple[float, float]:
+        """Times [s] at which Arias intensity reaches the parts `lower` and `upper` of its whole.
+
+        Their difference is the significant duration (Trifunac and Brady 1975). Found within the
+        segments. Raises MotionError for parts that are not between 0 and 1, and for no shaking.
+        """
+        return _intensity().significant_interval(self, lower, upper)
+
+    def response_spectrum(
+        self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
+    ) -> Any:
+        """The elastic response spectrum, see `analysis.response_spectrum`.
+
+        periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
+        """
+        periods = np.geomspace(0.02, 10.0, 100) if periods is None else periods
+        return hooks.response_spectrum(self, periods, damping_ratio)
+
+    def plot(self, **kwargs: Any) -> Any:
+        """A figure of acceleration, velocity and displacement; see `plots.plot_motion`."""
+        return hooks.plot_motion(self, **kwargs)
 
     def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """Times 0, dt, 2 dt ... up to the duration (m,) [s], and accelerations (m,) [m/s2]."""
@@ -438,6 +635,63 @@ class GroundMotion:
             f"padded_to({duration}) lasts {duration} s in all, as padded did; "
             f"padded_by({duration}) adds {duration} s of quiet time at the end"
         )
+
+    # -- processed
+
+    def baseline_corrected(self, degree: int = 1, of: str = "velocity") -> GroundMotion:
+        """The record without the polynomial that fits its velocity best.
+
+        degree : of the polynomial, fitted by least squares to all samples.
+        of : what it is fitted to: "velocity", "acceleration" or "displacement". Of the velocity and
+            the displacement it is one that starts at rest, as the ground does, and its derivative,
+            the first or the second, is taken from the acceleration.
+
+        Raises MotionError for a motion without samples and for a degree that such a polynomial
+        cannot have.
+        """
+        return _processing().baseline_corrected(self, degree, of)
+
+    def filtered(
+        self, low: float | None = None, high: float | None = None, order: int = 4
+    ) -> GroundMotion:
+        """The record through a Butterworth filter, forward and backward: no phase is shifted.
+
+        low, high : corners [Hz]; what is slower than `low` and faster than `high` is taken out. At
+            a corner half of the amplitude is left. One may be left out.
+        order : of one pass.
+
+        The record counts as zero before and after, for as long as the filter rings; what it leaves
+        there is cut off.
+        Raises MotionError for a motion without samples, and corners that are not between zero and
+        half of the rate of sampling, or in wrong order.
+        """
+        return _processing().filtered(self, low, high, order)
+
+    def resampled(self, dt: float, method: str = "linear") -> GroundMotion:
+        """The motion as a record with another time step.
+
+        dt : [s]. method : "linear" takes the acceleration as it is at the new times: every peak
+            between them is cut, and what is faster than half of the new rate is folded to lower
+            frequencies. "band limited" interpolates a record through its Fourier spectrum and takes
+            out what is too fast, by scipy.signal.resample_poly; the old and the new step must then
+            be in a ratio of whole numbers up to 1000.
+
+        An analytic motion becomes a record: linear between the new times.
+        Raises MotionError.
+        """
+        return _processing().resampled(self, dt, method)
+
+    def trimmed(self, start: float = 0.0, end: float | None = None) -> GroundMotion:
+        """The part from `start` to `end` [s], its times counted from there.
+
+        A record begins and ends at the samples nearest to them; an analytic motion exactly there.
+
+            record.trimmed(*record.significant_interval(0.05, 0.95))
+
+        Raises MotionError for times outside the motion, for fewer than two samples, and where a
+        Mavroeidis-Papageorgiou pulse would lose its beginning.
+        """
+        return _processing().trimmed(self, start, self.duration if end is None else end)
 
     def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
         """The component between two records at right angles: cos(angle) self + sin(angle) other.
@@ -560,6 +814,26 @@ def _readers() -> ModuleType:
     return readers
 
 
+def _intensity() -> ModuleType:
+    """As `_readers`, for what few simulations ask."""
+    from rockeom.motion import intensity
+
+    return intensity
+
+
+def _processing() -> ModuleType:
+    """As `_intensity`."""
+    from rockeom.motion import processing
+
+    return processing
+
+
+def _synthetic(model: str, *given: Any) -> GroundMotion:
+    from rockeom.motion import synthetic
+
+    return synthetic.motion(model, *given)
+
+
 def _library() -> ModuleType:
     """As `_readers`, for records that packages carry."""
     from rockeom.motion import library
@@ -613,27 +887,15 @@ def _check_rows(
     if not every((start == before) & (end > start)):
         raise MotionError("segments must follow each other without gap from time 0 on")
     linear = kind == LINEAR
-    if not every(linear | (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER)):
+    two_rates = kind == MAVROEIDIS_PAPAGEORGIOU
+    curved = (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER) | two_rates
+    if not every(linear | curved):
         raise MotionError(f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}")
     if not every(linear | (constants[1] > 0.0)):
         raise MotionError("c1, the rate of a sine or a wavelet, must be positive")
-
-
-def _finite(name: str, value: Any) -> float:
-    try:
-        given = number(name, value)
-    except TypeError as error:
-        raise MotionError(str(error)) from None
-    if not isfinite(given):
-        raise MotionError(f"{name} is {given}: give a finite number")
-    return given
-
-
-def _positive(name: str, value: Any) -> float:
-    number = _finite(name, value)
-    if number <= 0.0:
-        raise MotionError(f"{name} is {number:g}: give a positive number")
-    return number
+    slower = (constants[3] > 0.0) & (constants[3] < constants[1])
+    if not every((kind != MAVROEIDIS_PAPAGEORGIOU) | slower):
+        raise MotionError("c3, the rate of a pulse's envelope, must be positive and below c1")
 
 
 def _array(name: str, value: ArrayLike) -> np.ndarray:

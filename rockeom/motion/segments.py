@@ -2,18 +2,21 @@
 
 Columns: start [s], end [s], kind, c0, c1, c2, c3. Within a segment the acceleration is a smooth
 function of the local time tau = t - start, so that an integrator which stops at every segment's
-end never steps over a kink or a jump. c0 is the amplitude of every kind but LINEAR; c3 is spare.
+end never steps over a kink or a jump. c0 is the amplitude of every kind but LINEAR; c3 is the
+second rate of the one kind that has two.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 from enum import IntEnum
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-START, END, KIND, C0, C1, C2 = range(6)
+START, END, KIND, C0, C1, C2, C3 = range(7)
 COLUMNS = 7
 
 
@@ -24,9 +27,13 @@ class SegmentKind(IntEnum):
     SINE = 1  # c0 sin(c1 tau + c2)
     RICKER = 2  # c0 (1 - 2 x^2) exp(-x^2), x = c1 (tau - c2)
     ANTISYMMETRIC_RICKER = 3  # c0 x (x^2 - 3) exp(-x^2 / 2), x = c1 (tau - c2)
+    MAVROEIDIS_PAPAGEORGIOU = 4  # the rate of the velocity c0/c1 (1 - cos(c3 tau)) cos(y),
+    # c0 [c3/c1 sin(c3 tau) cos(y) - (1 - cos(c3 tau)) sin(y)], y = c1 tau + c2, c3 < c1
 
 
-LINEAR, SINE, RICKER, ANTISYMMETRIC_RICKER = map(int, SegmentKind)  # an enum is slow to look up
+# an enum is slow to look up
+_KINDS = tuple(map(int, SegmentKind))
+LINEAR, SINE, RICKER, ANTISYMMETRIC_RICKER, MAVROEIDIS_PAPAGEORGIOU = _KINDS
 
 # Both wavelets are stationary where a quadratic in x^2 vanishes.
 _RICKER_EXTREMA = (0.0, math.sqrt(1.5))
@@ -40,25 +47,162 @@ ANTISYMMETRIC_RICKER_PEAK = math.sqrt(6.0 * (3.0 - math.sqrt(6.0))) * math.exp(
 
 def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
     """Acceleration (m,) [m/s2] of the segments `rows` (m, 7) at their local times tau (m,) [s]."""
+    return _by_kind(within, rows, tau)
+
+
+def _by_kind(function: Callable[..., Any], rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """A function of (kind, c0, c1, c2, c3, tau) for rows (m, 7) at tau (m,)."""
     found = np.empty(len(tau))
-    for kind in SegmentKind:
+    for kind in _KINDS:
         of_kind = rows[:, KIND] == kind
         if of_kind.any():
-            c0, c1, c2 = rows[of_kind, C0 : C2 + 1].T
-            found[of_kind] = within(kind, c0, c1, c2, tau[of_kind])
+            found[of_kind] = function(kind, *rows[of_kind, C0:].T, tau[of_kind])
     return found
 
 
-def within(kind: float, c0: Any, c1: Any, c2: Any, tau: Any) -> Any:
+def of_row(function: Callable[..., Any], row: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Such a function for one segment, row (7,), at tau of any shape."""
+    kind, c0, c1, c2, c3 = row[KIND:].tolist()
+    return function(kind, c0, c1, c2, c3, tau)
+
+
+def within(kind: float, c0: Any, c1: Any, c2: Any, c3: Any, tau: Any) -> Any:
     """Acceleration [m/s2] at the local time tau [s] of a segment; numbers or arrays."""
     if kind == LINEAR:
         return c0 + c1 * tau
     if kind == SINE:
         return c0 * np.sin(c1 * tau + c2)
+    if kind == MAVROEIDIS_PAPAGEORGIOU:
+        return sum(within(SINE, *sine, 0.0, tau) for sine in sines(c0, c1, c2, c3))
     x = c1 * (tau - c2)
     if kind == RICKER:
         return c0 * (1.0 - 2.0 * x**2) * np.exp(-(x**2))
     return c0 * x * (x**2 - 3.0) * np.exp(-0.5 * x**2)
+
+
+def sines(c0: Any, c1: Any, c2: Any, c3: Any) -> Iterator[tuple[Any, Any, Any]]:
+    """Amplitude, rate and phase of each of the three sines of a pulse with two rates."""
+    ratio = c3 / c1
+    yield -c0, c1, c2
+    yield 0.5 * c0 * (1.0 + ratio), c1 + c3, c2
+    yield 0.5 * c0 * (1.0 - ratio), c1 - c3, c2
+
+
+def jerk(kind: float, c0: Any, c1: Any, c2: Any, c3: Any, tau: Any) -> Any:
+    """Rate of the acceleration [m/s3] of a curved segment; as `within`."""
+    if kind == SINE:
+        return c0 * c1 * np.cos(c1 * tau + c2)
+    if kind == MAVROEIDIS_PAPAGEORGIOU:
+        return sum(jerk(SINE, *sine, 0.0, tau) for sine in sines(c0, c1, c2, c3))
+    x = c1 * (tau - c2)
+    if kind == RICKER:
+        return c0 * c1 * x * (4.0 * x**2 - 6.0) * np.exp(-(x**2))
+    return -c0 * c1 * (x**4 - 6.0 * x**2 + 3.0) * np.exp(-0.5 * x**2)
+
+
+# -- velocity and displacement -------------------------------------------------------------------
+
+
+def velocity(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Velocity (m,) [m/s] that segments `rows` (m, 7) add from their start up to tau (m,) [s]."""
+    return _by_kind(_velocity, rows, tau)
+
+
+def displacement(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Displacement (m,) [m] that they add up to tau (m,) [s] to one that starts without speed."""
+    return _by_kind(_displacement, rows, tau)
+
+
+def _velocity(kind: float, c0: Any, c1: Any, c2: Any, c3: Any, tau: Any) -> Any:
+    if kind == LINEAR:
+        return (c0 + 0.5 * c1 * tau) * tau
+    if kind == SINE:  # the difference of two cosines
+        half = 0.5 * c1 * tau
+        return 2.0 * c0 / c1 * np.sin(half + c2) * np.sin(half)
+    if kind == MAVROEIDIS_PAPAGEORGIOU:
+        return c0 / c1 * (1.0 - np.cos(c3 * tau)) * np.cos(c1 * tau + c2)
+    x0, x = -c1 * c2, c1 * (tau - c2)
+    return c0 / c1 * (_once(kind, x) - _once(kind, x0))
+
+
+def _displacement(kind: float, c0: Any, c1: Any, c2: Any, c3: Any, tau: Any) -> Any:
+    if kind == LINEAR:
+        return (0.5 * c0 + c1 * tau / 6.0) * tau**2
+    if kind == SINE:
+        return c0 / c1 * (tau * np.cos(c2) - (np.sin(c1 * tau + c2) - np.sin(c2)) / c1)
+    if kind == MAVROEIDIS_PAPAGEORGIOU:  # at its start the speeds of its three sines cancel
+        return -sum(
+            a / rate**2 * (np.sin(rate * tau + angle) - np.sin(angle))
+            for a, rate, angle in sines(c0, c1, c2, c3)
+        )
+    x0, x = -c1 * c2, c1 * (tau - c2)
+    twice = (_twice(kind, x) - _twice(kind, x0)) / c1
+    return c0 / c1 * (twice - _once(kind, x0) * tau)
+
+
+def _once(kind: float, x: Any) -> Any:
+    """The integral of the shape of a wavelet."""
+    if kind == RICKER:
+        return x * np.exp(-(x**2))
+    return (1.0 - x**2) * np.exp(-0.5 * x**2)
+
+
+def _twice(kind: float, x: Any) -> Any:
+    """The integral of that."""
+    return -0.5 * np.exp(-(x**2)) if kind == RICKER else x * np.exp(-0.5 * x**2)
+
+
+def at_starts(segments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Velocity [m/s] and displacement [m] at the start of each segment and behind the last.
+
+    (n + 1,) each, of ground at rest at time 0.
+    """
+    length = segments[:, END] - segments[:, START]
+    v = np.append(0.0, np.cumsum(velocity(segments, length)))
+    return v, np.append(0.0, np.cumsum(displacement(segments, length) + v[:-1] * length))
+
+
+# -- where the acceleration turns ----------------------------------------------------------------
+
+
+def bisected(
+    function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray
+) -> np.ndarray:
+    """The zero (m,) of a function between low (m,) and high (m,), to the last bit.
+
+    function : of (m,), of opposite signs at both ends, or zero at one.
+    """
+    rises = function(high) > function(low)
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        if np.array_equal(middle, low):
+            break
+        above = (function(middle) > 0.0) == rises
+        low, high = np.where(above, low, middle), np.where(above, middle, high)
+    return 0.5 * (low + high)
+
+
+STEP = 0.5
+"""Radians, of the fastest rate of a curved segment, between two looks at it."""
+
+
+def turns(row: np.ndarray) -> np.ndarray:
+    """Local times [s] that divide a curved segment (7,), its ends among them.
+
+    Between two of them the acceleration neither changes sign nor turns, and its fastest sine runs
+    through no more than STEP.
+    """
+    length, (kind, _, c1, _, c3) = row[END] - row[START], row[KIND:].tolist()
+    rate = c1 + (c3 if kind == MAVROEIDIS_PAPAGEORGIOU else 0.0)
+    grid = np.linspace(0.0, length, math.ceil(rate * length / STEP) + 1)
+    found = [grid]
+    for what in (within, jerk):
+        of = partial(of_row, what, row)
+        value = of(grid)
+        at = np.flatnonzero(value[:-1] * value[1:] < 0.0)
+        if len(at):
+            found.append(bisected(of, grid[at], grid[at + 1]))
+    return np.unique(np.concatenate(found))
 
 
 def peak(segments: np.ndarray) -> float:
@@ -77,7 +221,10 @@ def peak(segments: np.ndarray) -> float:
     for of_kind, tau in stationary:
         # A point beyond an end falls back on that end, which is a candidate anyway.
         candidates.append(np.where(kind == of_kind, np.clip(tau, 0.0, length), 0.0))
-    return float(max(np.abs(acceleration(segments, tau)).max() for tau in candidates))
+    found = max(np.abs(acceleration(segments, tau)).max() for tau in candidates)
+    for row in segments[kind == MAVROEIDIS_PAPAGEORGIOU]:
+        found = max(found, np.abs(of_row(within, row, turns(row))).max())
+    return float(found)
 
 
 def shaking_ends(segments: np.ndarray) -> float:
@@ -95,6 +242,27 @@ def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
     found = segments * np.array([time, time, 1.0, amplitude, 1.0, 1.0, 1.0])
     rate = segments[:, C1] / time
     found[:, C1] = np.where(linear, rate * amplitude, rate)
-    wavelet = segments[:, KIND] >= RICKER
+    kind = segments[:, KIND]
+    wavelet = (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER)
     found[wavelet, C2] *= time  # the centre of a wavelet is a time, the c2 of a sine an angle
+    found[kind == MAVROEIDIS_PAPAGEORGIOU, C3] /= time
     return found
+
+
+def cut(segments: np.ndarray, start: float, end: float) -> np.ndarray:
+    """The part of a table from `start` to `end` [s], its times counted from there.
+
+    Raises ValueError where a Mavroeidis-Papageorgiou pulse would begin behind its start: its table
+    knows no such one.
+    """
+    kept = segments[(segments[:, END] > start) & (segments[:, START] < end)].copy()
+    late = np.maximum(start - kept[:, START], 0.0)
+    kind = kept[:, KIND]
+    if (late[kind == MAVROEIDIS_PAPAGEORGIOU] > 0.0).any():
+        raise ValueError("a Mavroeidis-Papageorgiou pulse has no end without its beginning")
+    kept[:, C0] += np.where(kind == LINEAR, kept[:, C1] * late, 0.0)
+    kept[:, C2] += np.where(kind == SINE, kept[:, C1] * late, 0.0)
+    kept[:, C2] -= np.where((kind == RICKER) | (kind == ANTISYMMETRIC_RICKER), late, 0.0)
+    kept[:, END] = np.minimum(kept[:, END], end) - start
+    kept[:, START] = np.append(0.0, kept[:-1, END])
+    return kept

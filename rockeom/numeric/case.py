@@ -231,9 +231,10 @@ def _pushes(motion: GroundMotion) -> Iterator[float]:
     Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
     """
     for row in motion.segments:
-        start, end, kind, c0, c1, c2, _ = row.tolist()
+        start, end, kind, c0, c1, c2, c3 = row.tolist()
         curved = kind != LINEAR and c1 != 0.0
-        yield within(kind, c0, c1, c2, 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9))
+        tau = 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9)
+        yield within(kind, c0, c1, c2, c3, tau)
 
 
 def ground_table(motion: GroundMotion | None) -> np.ndarray:

@@ -96,8 +96,8 @@ if TYPE_CHECKING:  # joined before this text
 (
     Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
     Z_LAST,  # end of the present laws of the ground
-    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2,  # the ground's horizontal law
-    Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2,
+    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2, Z_X3,  # the ground's horizontal law
+    Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2, Z_Y3,
     Z_LONGEST,  # step in full contact
     Z_EQUAL,  # length of equal steps, 0 where the error is controlled
     Z_CONTACT, Z_SIDE, Z_TOUCHING,  # as in the loop
@@ -109,8 +109,8 @@ if TYPE_CHECKING:  # joined before this text
     Z_NEXT,  # step that the control of the error proposes, 0 if none
     Z_DAMP,  # what the last error damps the answer to the next one by
     Z_IMPACT, Z_FLIGHT,  # time of the last impact, and the parabola's length of the flight from it
-) = (i * LANES for i in range(30))  # fmt: skip
-Z_Q = 30 * LANES  # positions
+) = (i * LANES for i in range(32))  # fmt: skip
+Z_Q = 32 * LANES  # positions
 Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
 Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
 Z_MOST = Z_LEAST + N_STATES * LANES
@@ -140,7 +140,7 @@ NEAR = 1e-8
 def ground_x(z, lane):
     return (
         z[Z_START_X + lane], np.inf, z[Z_KIND_X + lane], z[Z_X0 + lane], z[Z_X1 + lane],
-        z[Z_X2 + lane], 0.0,
+        z[Z_X2 + lane], z[Z_X3 + lane],
     )  # fmt: skip
 
 
@@ -148,7 +148,7 @@ def ground_x(z, lane):
 def ground_y(z, lane):
     return (
         z[Z_START_Y + lane], np.inf, z[Z_KIND_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane],
-        z[Z_Y2 + lane], 0.0,
+        z[Z_Y2 + lane], z[Z_Y3 + lane],
     )  # fmt: skip
 
 
@@ -503,6 +503,7 @@ def next_laws(lane, z, w, case, ground, fixed):
         w[W_NX + lane] = n
         z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
         z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
+        z[Z_X3 + lane] = row[6]
         jumped = jumps(before, shaking(row, t))
     if t >= z[Z_END_Y + lane]:
         before = shaking(ground_y(z, lane), t)
@@ -510,6 +511,7 @@ def next_laws(lane, z, w, case, ground, fixed):
         w[W_NY + lane] = n
         z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
         z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
+        z[Z_Y3 + lane] = row[6]
         jumped |= jumps(before, shaking(row, t))
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
     span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])

@@ -157,11 +157,20 @@ def pulse(row, t):
     tau = t - row[0]
     if kind == 1.0:  # sine
         return row[3] * sine(row[4] * tau + row[5])
+    if kind == 4.0:
+        return mavroeidis_papageorgiou(row, tau)
     # expm1, since the compiler would call exp for every law, just in case
     x = row[4] * (tau - row[5])
     if kind == 2.0:  # symmetric Ricker
         return row[3] * (1.0 - 2.0 * x * x) / (1.0 + math.expm1(x * x))
     return row[3] * x * (x * x - 3.0) / (1.0 + math.expm1(0.5 * x * x))
+
+
+def mavroeidis_papageorgiou(row, tau):
+    """Ground acceleration by the pulse of Mavroeidis and Papageorgiou: three sines."""
+    ratio, angle, turn = row[6] / row[4], row[4] * tau + row[5], row[6] * tau
+    beside = (1.0 + ratio) * sine(angle + turn) + (1.0 - ratio) * sine(angle - turn)
+    return row[3] * (0.5 * beside - sine(angle))
 
 
 @inlined

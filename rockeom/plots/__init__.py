@@ -8,6 +8,7 @@ holds the pieces of a drawing of your own, and `use_style` gives pyplot the look
 from rockeom.plots import free_body
 from rockeom.plots.comparison import plot_comparison
 from rockeom.plots.design_report import DesignReport, design_report
+from rockeom.plots.ground_motion import plot_motion, plot_spectra
 from rockeom.plots.portrait import plot_phase_portrait
 from rockeom.plots.response import plot_response
 from rockeom.plots.sketch import draw_structure
@@ -19,7 +20,9 @@ __all__ = [
     "draw_structure",
     "free_body",
     "plot_comparison",
+    "plot_motion",
     "plot_phase_portrait",
     "plot_response",
+    "plot_spectra",
     "use_style",
 ]

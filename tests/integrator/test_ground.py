@@ -20,6 +20,7 @@ MOTIONS = {
     "harmonic": rk.GroundMotion.harmonic(1.0, frequency=3.3, phase=0.4, duration=3.0),
     "Ricker": rk.GroundMotion.ricker(3.0, period=0.4),
     "antisymmetric Ricker": rk.GroundMotion.ricker(3.0, period=0.4, antisymmetric=True),
+    "Mavroeidis-Papageorgiou": rk.GroundMotion.mavroeidis_papageorgiou(0.3, 0.6, 1.7, 0.4),
     "record": rk.GroundMotion.from_array(np.random.default_rng(1).normal(size=300), dt=0.01),
 }
 

@@ -223,6 +223,7 @@ MOTIONS = {
     "harmonic": rk.GroundMotion.harmonic(2.4, frequency=1.3, duration=5.0, phase=0.4),
     "wavelet": rk.GroundMotion.ricker(3.0, 0.4, duration=5.0),
     "other wavelet": rk.GroundMotion.ricker(3.0, 0.5, duration=5.0, antisymmetric=True),
+    "near-fault pulse": rk.GroundMotion.mavroeidis_papageorgiou(0.4, 0.8, 1.6, 0.3, duration=5.0),
     "record": record(n=900),
     "constant": rk.GroundMotion.constant(2.5, 0.4, 5.0),
 }

@@ -159,6 +159,7 @@ MOTIONS = {
     "harmonic": lambda a, t: rk.GroundMotion.harmonic(a, duration=3.0, frequency=1 / t, phase=a),
     "by period": lambda a, t: rk.GroundMotion.harmonic(a, duration=10 * t, period=t),
     "ricker": lambda a, t: rk.GroundMotion.ricker(a, t),
+    "near fault": lambda a, t: rk.GroundMotion.mavroeidis_papageorgiou(0.1 * a, t, 1.0 + t, a),
     "antisymmetric": lambda a, t: rk.GroundMotion.ricker(a, t, antisymmetric=True, duration=9.0),
     "constant": lambda a, t: rk.GroundMotion.constant(a, t, total_duration=3.0),
     "none": lambda a, t: rk.GroundMotion.none(t),

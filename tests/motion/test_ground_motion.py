@@ -44,6 +44,7 @@ def motions(draw):
                 GroundMotion.harmonic(a, period=period, duration=7.3 * period, phase=1.0),
                 GroundMotion.ricker(a, period),
                 GroundMotion.ricker(-a, period, antisymmetric=True),
+                GroundMotion.mavroeidis_papageorgiou(a, period, gamma=1.7, phase=1.0),
                 GroundMotion.from_array(draw(samples()), dt=0.01 * period),
             ]
         )
@@ -472,7 +473,7 @@ def test_motions_differ_by_acceleration_and_by_name():
             lambda: GroundMotion([[0, 1, 0, 0, 0, 0, 0], [1.5, 2, 0, 0, 0, 0, 0]]),
             r"follow each other without gap",
         ),
-        (lambda: GroundMotion([[0, 1, 4, 0, 0, 0, 0]]), r"kinds of segments are 0, 1, 2, 3"),
+        (lambda: GroundMotion([[0, 1, 5, 0, 0, 0, 0]]), r"kinds of segments are 0, 1, 2, 3, 4"),
         (lambda: GroundMotion([[0, 1, 0, math.nan, 0, 0, 0]]), r"NaN"),
         (
             lambda: GroundMotion([[0, 1, SegmentKind.SINE, 1, 0, 0, 0]]),
@@ -495,7 +496,7 @@ def test_bad_input_is_refused_with_the_value_and_the_remedy(call, message):
         (1, -1.0, "without gap"),
         (2, 1.5, "kinds of segments"),
         (2, -1.0, "kinds of segments"),
-        (2, 4.0, "kinds of segments"),
+        (2, 5.0, "kinds of segments"),
         (4, 0.0, "c1, the rate"),
         (6, math.inf, "NaN or infinity"),
     ],

@@ -77,6 +77,9 @@ SMOOTH = {
     "antisymmetric Ricker": lambda peak: rk.GroundMotion.ricker(
         peak, period=0.5, antisymmetric=True
     ),
+    "Mavroeidis-Papageorgiou": lambda peak: rk.GroundMotion.mavroeidis_papageorgiou(
+        1.0, period=0.5, gamma=1.2, phase=0.4
+    ).scaled_to(peak),
 }
 MOTIONS = pytest.mark.parametrize("motion_of", SMOOTH.values(), ids=SMOOTH)
 

@@ -1,0 +1,302 @@
+"""How strong a ground motion is: its peaks, energies and durations, exact within its segments.
+
+What is said of the acceleration alone holds between the samples, too: a segment is divided where
+its acceleration changes sign or turns, and integrals over the parts are by Gauss's rule with eight
+places, which leaves rounding errors alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.motion import segments as table
+from rockeom.motion.arguments import finite, positive
+from rockeom.motion.errors import MotionError
+from rockeom.motion.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from rockeom.motion.ground_motion import GroundMotion
+
+BRACKET = 0.05 * STANDARD_GRAVITY
+"""Acceleration [m/s2] that a bracketed duration begins and ends with, where none is given."""
+
+PREDOMINANT = np.geomspace(0.02, 10.0, 100)
+"""Periods [s] of the oscillators among which `predominant_period` looks for the largest answer."""
+
+_MEAN_BAND = 0.25, 20.0  # Hz, as Rathje et al. (1998) take it
+_RESOLVED = 0.05  # Hz between two frequencies, at most
+_ANALYTIC_STEP = 1 / 400  # s, of the samples of a motion that has none
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass(frozen=True)
+class Measures:
+    """The intensity measures of a ground motion. `print` shows them with their units.
+
+    pga [m/s2], pgv [m/s], pgd [m] : largest absolute acceleration, velocity and displacement.
+    arias_intensity [m/s] : pi/(2 g) times the integral of the acceleration's square (Arias 1970).
+    cav [m/s] : cumulative absolute velocity, the integral of the acceleration's size.
+    significant_duration_5_75, significant_duration_5_95 [s] : in which Arias intensity grows from
+    5 to 75 or 95 percent (Trifunac and Brady 1975).
+    bracketed_duration [s] : between the first and the last time that 0.05 g are reached.
+    mean_period [s] : of the Fourier spectrum from 0.25 to 20 Hz, sum(C**2/f)/sum(C**2) with the
+    amplitudes C at frequencies f (Rathje et al. 1998).
+    predominant_period [s] : at which the pseudo-acceleration of an oscillator with 5 % damping is
+    largest, among 100 periods from 0.02 to 10 s.
+    """
+
+    pga: float
+    pgv: float
+    pgd: float
+    arias_intensity: float
+    cav: float
+    significant_duration_5_75: float
+    significant_duration_5_95: float
+    bracketed_duration: float
+    mean_period: float
+    predominant_period: float
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each measure by its name."""
+        units = {"pga": "m/s2", "pgd": "m"} | dict.fromkeys(
+            ("pgv", "arias_intensity", "cav"), "m/s"
+        )
+        return {one.name: units.get(one.name, "s") for one in fields(self)}
+
+    def __str__(self) -> str:
+        return "\n".join(
+            f"{name:<26}{getattr(self, name):>12.6g} {unit}" for name, unit in self.units.items()
+        )
+
+
+def measures(motion: GroundMotion) -> Measures:
+    """All intensity measures of a motion; nan for what a motion without shaking does not have."""
+    parts = _Parts(motion)
+    shakes = motion.peak > 0.0
+
+    def duration(upper: float) -> float:
+        if not shakes:
+            return math.nan
+        start, end = parts.significant_interval(0.05, upper)
+        return end - start
+
+    return Measures(
+        pga=motion.peak,
+        pgv=parts.peak_velocity,
+        pgd=parts.peak_displacement,
+        arias_intensity=parts.arias_intensity(STANDARD_GRAVITY),
+        cav=parts.cumulative_absolute_velocity,
+        significant_duration_5_75=duration(0.75),
+        significant_duration_5_95=duration(0.95),
+        bracketed_duration=parts.bracketed_duration(BRACKET),
+        mean_period=mean_period(motion) if shakes else math.nan,
+        predominant_period=predominant_period(motion) if shakes else math.nan,
+    )
+
+
+def peak_velocity(motion: GroundMotion) -> float:
+    """Largest absolute velocity of the ground [m/s], within the motion's duration."""
+    return _Parts(motion).peak_velocity
+
+
+def peak_displacement(motion: GroundMotion) -> float:
+    """Largest absolute displacement of the ground [m], within the motion's duration."""
+    return _Parts(motion).peak_displacement
+
+
+def arias_intensity(motion: GroundMotion, gravity: float = STANDARD_GRAVITY) -> float:
+    """Arias intensity [m/s], with 1 g as so many m/s2."""
+    return _Parts(motion).arias_intensity(positive("gravity", gravity))
+
+
+def cumulative_absolute_velocity(motion: GroundMotion) -> float:
+    """Cumulative absolute velocity [m/s]."""
+    return _Parts(motion).cumulative_absolute_velocity
+
+
+def significant_interval(
+    motion: GroundMotion, lower: float = 0.05, upper: float = 0.95
+) -> tuple[float, float]:
+    """Times [s] at which Arias intensity has reached two parts of its whole.
+
+    lower, upper : such as 0.05 and 0.75; between 0 and 1.
+    Raises MotionError for other parts and for a motion that does not shake.
+    """
+    parts = finite("lower", lower), finite("upper", upper)
+    if not 0.0 <= parts[0] < parts[1] <= 1.0:
+        raise MotionError(
+            f"lower is {parts[0]:g} and upper {parts[1]:g}: give parts of the Arias intensity "
+            "between 0 and 1, the smaller one first, such as 0.05 and 0.95"
+        )
+    if motion.peak == 0.0:
+        raise MotionError(f"{motion.name or 'the motion'} does not shake: it has no duration")
+    return _Parts(motion).significant_interval(*parts)
+
+
+def significant_duration(motion: GroundMotion, lower: float = 0.05, upper: float = 0.95) -> float:
+    """The time between those of `significant_interval` [s]."""
+    start, end = significant_interval(motion, lower, upper)
+    return end - start
+
+
+def bracketed_duration(motion: GroundMotion, threshold: float = BRACKET) -> float:
+    """Time [s] from the first to the last that the acceleration reaches a threshold [m/s2].
+
+    0.0 if it never does; 0.05 g if no threshold is given.
+    """
+    return _Parts(motion).bracketed_duration(positive("threshold", threshold))
+
+
+def mean_period(motion: GroundMotion) -> float:
+    """Mean period of the Fourier spectrum [s]: sum(C**2/f)/sum(C**2) from 0.25 to 20 Hz.
+
+    C : Fourier amplitudes of the samples, at frequencies f no more than 0.05 Hz apart, for which a
+        record of less than 20 s is followed by zeros. A motion without samples is taken 400 times a
+        second.
+    Source: Rathje, Abrahamson and Bray, Journal of Geotechnical and Geoenvironmental Engineering
+    124 (1998) 150-159. Raises MotionError for a motion without shaking in that band.
+    """
+    dt = motion.dt or _ANALYTIC_STEP
+    samples = motion.sampled(dt)[1] if motion.samples is None else motion.samples
+    n = max(len(samples), math.ceil(1.0 / (_RESOLVED * dt)))
+    frequency = np.fft.rfftfreq(n, dt)
+    band = (frequency >= _MEAN_BAND[0]) & (frequency <= _MEAN_BAND[1])
+    power = np.abs(np.fft.rfft(samples, n)[band]) ** 2
+    if not power.sum() > 0.0:
+        raise MotionError(
+            f"{motion.name or 'the motion'} does not shake between 0.25 and 20 Hz: it has no mean "
+            "period"
+        )
+    return float((power / frequency[band]).sum() / power.sum())
+
+
+def predominant_period(motion: GroundMotion) -> float:
+    """Period [s] at which the pseudo-acceleration of an oscillator with 5 % damping is largest.
+
+    Among 100 periods from 0.02 to 10 s, each 6 % above the one before.
+    """
+    spectrum = motion.response_spectrum(PREDOMINANT, 0.05)
+    return float(PREDOMINANT[np.argmax(spectrum.pseudo_acceleration)])
+
+
+class _Parts:
+    """A motion in parts within which its acceleration neither changes sign nor turns.
+
+    rows (m, 7) : the segment of each part; low, high (m,) : local times of its ends [s].
+    """
+
+    def __init__(self, motion: GroundMotion) -> None:
+        segments = motion.segments
+        self.starts = table.at_starts(segments)
+        index, low, high = _linear(segments)
+        for i in np.flatnonzero(segments[:, table.KIND] != table.LINEAR):
+            times = table.turns(segments[i])
+            index = np.append(index, np.full(len(times) - 1, i))
+            low, high = np.append(low, times[:-1]), np.append(high, times[1:])
+        order = np.argsort(segments[index, table.START] + low, kind="stable")
+        self.index, self.low, self.high = index[order], low[order], high[order]
+        self.rows = segments[self.index]
+
+    def velocity(self, tau: np.ndarray, of: np.ndarray | slice = slice(None)) -> np.ndarray:
+        """Velocity [m/s] at local times of some parts."""
+        return self.starts[0][self.index[of]] + table.velocity(self.rows[of], tau)
+
+    def displacement(self, tau: np.ndarray, of: np.ndarray | slice = slice(None)) -> np.ndarray:
+        """Displacement [m] there."""
+        v, d = (found[self.index[of]] for found in self.starts)
+        return d + v * tau + table.displacement(self.rows[of], tau)
+
+    def integral(
+        self,
+        function: Callable[[np.ndarray], np.ndarray],
+        high: np.ndarray,
+        of: np.ndarray | slice = slice(None),
+    ) -> np.ndarray:
+        """Of a function of the acceleration, from the start of some parts up to local times."""
+        low = self.low[of]
+        half = 0.5 * (high - low)
+        tau = low + half * (1.0 + _NODES[:, None])
+        rows = np.tile(self.rows[of], (len(_NODES), 1))
+        values = function(table.acceleration(rows, tau.ravel())).reshape(tau.shape)
+        return half * (_WEIGHTS @ values)
+
+    @cached_property
+    def peak_velocity(self) -> float:
+        return float(np.abs([self.velocity(self.low), self.velocity(self.high)]).max())
+
+    @cached_property
+    def peak_displacement(self) -> float:
+        """At the end of a part, or where the ground stands still within it."""
+        before, after = self.velocity(self.low), self.velocity(self.high)
+        of = np.flatnonzero(before * after < 0.0)
+        still = table.bisected(lambda tau: self.velocity(tau, of), self.low[of], self.high[of])
+        found = (self.displacement(self.high), self.displacement(still, of))
+        return float(max(np.abs(d).max(initial=0.0) for d in found))
+
+    @cached_property
+    def cumulative_absolute_velocity(self) -> float:
+        return float(self.integral(np.abs, self.high).sum())
+
+    @cached_property
+    def squares(self) -> np.ndarray:
+        """Integral of the acceleration's square up to the end of each part, (m,) [m2/s3]."""
+        return np.cumsum(self.integral(np.square, self.high))
+
+    def arias_intensity(self, gravity: float) -> float:
+        return float(0.5 * math.pi / gravity * self.squares[-1])
+
+    def significant_interval(self, lower: float, upper: float) -> tuple[float, float]:
+        """Husid's curve inverted within the part in which it passes each of two heights."""
+        wanted = np.array([lower, upper]) * self.squares[-1]
+        of = np.minimum(np.searchsorted(self.squares, wanted), len(self.squares) - 1)
+        missing = wanted - np.append(0.0, self.squares)[of]
+        tau = table.bisected(
+            lambda high: self.integral(np.square, high, of) - missing, self.low[of], self.high[of]
+        )
+        start, end = self.rows[of, table.START] + tau
+        return float(start), float(end)
+
+    def bracketed_duration(self, threshold: float) -> float:
+        ends = np.abs([table.acceleration(self.rows, at) for at in (self.low, self.high)])
+        above = np.flatnonzero(ends.max(axis=0) >= threshold)
+        if not len(above):
+            return 0.0
+        first, last = above[0], above[-1]
+        start = self._reached(first, threshold, ends[0, first])
+        return self._reached(last, threshold, ends[1, last], from_end=True) - start
+
+    def _reached(self, part: int, threshold: float, at_end: float, from_end: bool = False) -> float:
+        """Time at which a part is at a threshold first, or last; at_end : what it has there."""
+        of = np.array([part])
+        tau = self.high[of] if from_end else self.low[of]
+        if at_end < threshold:
+            tau = table.bisected(
+                lambda t: np.abs(table.acceleration(self.rows[of], t)) - threshold,
+                self.low[of],
+                self.high[of],
+            )
+        return (self.rows[of, table.START] + tau).item()
+
+
+def _linear(segments: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(segment, start, end) of the parts of linear segments, which are divided where they cross 0.
+
+    Start and end are local times [s].
+    """
+    index = np.flatnonzero(segments[:, table.KIND] == table.LINEAR)
+    rows = segments[index]
+    length, c0, c1 = rows[:, table.END] - rows[:, table.START], rows[:, table.C0], rows[:, table.C1]
+    zero = np.divide(-c0, c1, out=np.zeros_like(c0), where=c1 != 0.0)
+    inside = (zero > 0.0) & (zero < length)
+    return (
+        np.append(index, index[inside]),
+        np.append(np.zeros_like(length), zero[inside]),
+        np.append(np.where(inside, zero, length), length[inside]),
+    )

@@ -1,0 +1,306 @@
+"""`MotionSet`: ground motions that belong together, each with a name of its own."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from fnmatch import fnmatch
+from pathlib import Path
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom import hooks
+from rockeom.arguments import near, told
+from rockeom.motion import intensity as measured
+from rockeom.motion.arguments import positive
+from rockeom.motion.errors import FilePath, MotionError
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.units import STANDARD_GRAVITY
+
+Intensity = str | Callable[[GroundMotion], float]
+
+_OF_MOTION: dict[str, Callable[[GroundMotion], float]] = {
+    "pga": lambda motion: motion.peak,
+    "pgv": measured.peak_velocity,
+    "pgd": measured.peak_displacement,
+    "cav": measured.cumulative_absolute_velocity,
+    "arias_intensity": measured.arias_intensity,
+}
+_NAMES = (*_OF_MOTION, "sa")
+
+_MIDDLES: dict[str, Callable[[np.ndarray], float]] = {
+    "median": lambda x: float(np.median(x)),
+    "geometric mean": lambda x: float(np.exp(np.log(x).mean())),
+}
+
+
+class MotionSet(Sequence[GroundMotion]):
+    """Ground motions in order, found by number or by name.
+
+        motions = rk.MotionSet.from_library("far field").scaled_to("sa", 3.0, period=1.0)
+        motions["Northridge, 1994, Beverly Hills - Mulhol, MUL009"], motions[0], motions.names
+        rk.simulate_many(lambda motion: rk.Case(block, motion), over={"motion": motions})
+
+    motions : each with a name that no other has. name : what the set is called.
+
+    Raises MotionError for no motions, and for two of one name.
+    """
+
+    def __init__(self, motions: Iterable[GroundMotion], name: str = "") -> None:
+        self._motions = tuple(motions)
+        self.name = name
+        if not self._motions:
+            raise MotionError("a set of no motions: give one or more")
+        for one in self._motions:
+            if not isinstance(one, GroundMotion):
+                raise MotionError(f"{told(one)} is in a set of motions: give GroundMotions")
+        for given in self.names:
+            if not given or self.names.count(given) > 1:
+                raise MotionError(
+                    f"{self.names.count(given)} motion(s) of a set have the name {given!r}: give "
+                    "each one of its own, by dataclasses.replace(motion, name=...)"
+                )
+
+    @classmethod
+    def from_folder(
+        cls,
+        path: FilePath,
+        pattern: str = "*.at2",
+        *,
+        units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> MotionSet:
+        """The records of a folder, each read by `GroundMotion.read` and named as its file is.
+
+        pattern : of the files' names, small and capital letters alike, such as "*.txt" or
+            "RSN*_H1.at2". Folders within the folder are not looked into.
+        units, gravity : as of `GroundMotion.read`, for all files.
+
+        The motions stand in the order of their names. Raises MotionError where no file has such a
+        name, and where one cannot be read: it tells of all that cannot, and none is left out.
+        """
+        folder = Path(path)
+        if not folder.is_dir():
+            raise MotionError(f"{os.fspath(path)} is no folder: give one that holds records")
+        files = sorted(p for p in folder.iterdir() if p.is_file())
+        wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
+        if not wanted:
+            endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
+            raise MotionError(
+                f"{folder} holds no file like {pattern!r} among {len(files)}: give another "
+                f"pattern; the endings are {endings}"
+            )
+        motions, faults = [], []
+        for file in wanted:
+            try:
+                motions.append(
+                    GroundMotion.read(file, units=units, gravity=gravity, name=file.stem)
+                )
+            except (MotionError, OSError) as error:
+                faults.append(str(error))
+        if faults:
+            raise MotionError(
+                f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out "
+                "silently: mend them, or give a pattern that they do not have\n  "
+                + "\n  ".join(faults)
+            )
+        return cls(motions, folder.name)
+
+    @classmethod
+    def from_library(cls, words: str, *, normalized: bool = False) -> MotionSet:
+        """The records whose names have all these words, see `GroundMotion.library`.
+
+        words : such as one of the sets of FEMA P695 (2009): "far field" (44 components), "near
+            field pulse" and "near field no pulse" (28 each).
+        normalized : each times the factor by which FEMA P695 evens out the peak velocities of a set
+            (its Tables A-4D and A-6D).
+
+        Raises MotionError if none has them, if no extra is installed, and where a record has no
+        such factor.
+        """
+        from rockeom.motion import library
+
+        motions = []
+        for name in library.names(words):
+            stored = library.records()[name]
+            motion = GroundMotion.from_library(name)
+            if normalized:
+                factor = getattr(stored, "normalization", None)
+                if factor is None:
+                    raise MotionError(
+                        f"{name} is in no set of FEMA P695, which has factors: leave out "
+                        "normalized, or give words of such a set"
+                    )
+                source = f"{motion.source}, normalized"
+                motion = replace(motion.scaled(factor), name=motion.name, source=source)
+            motions.append(motion)
+        if len({one.name for one in motions}) < len(motions):  # of a station in two sets
+            names = library.names(words)
+            motions = [replace(m, name=n) for m, n in zip(motions, names, strict=True)]
+        return cls(motions, words)
+
+    # -- what is in it
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the motions, in order."""
+        return tuple(motion.name for motion in self._motions)
+
+    def __len__(self) -> int:
+        return len(self._motions)
+
+    def __iter__(self) -> Iterator[GroundMotion]:
+        return iter(self._motions)
+
+    @overload
+    def __getitem__(self, key: int | str) -> GroundMotion: ...
+
+    @overload
+    def __getitem__(self, key: slice) -> MotionSet: ...
+
+    def __getitem__(self, key: int | str | slice) -> GroundMotion | MotionSet:
+        """A motion by its number or name; a set of several by a slice."""
+        if isinstance(key, slice):
+            return MotionSet(self._motions[key], self.name)
+        if not isinstance(key, str):
+            return self._motions[key]
+        if key not in self.names:
+            raise KeyError(
+                f"no motion is called {key!r}{near(key, self.names)}; `names` lists them"
+            )
+        return self._motions[self.names.index(key)]
+
+    def __contains__(self, one: object) -> bool:
+        return one in self.names if isinstance(one, str) else one in self._motions
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, MotionSet):
+            return NotImplemented
+        return (self.name, self._motions) == (other.name, other._motions)
+
+    def __hash__(self) -> int:
+        return hash((self.name, self._motions))
+
+    def __repr__(self) -> str:
+        shown = ", ".join(map(repr, self.names[:3])) + (", ..." if len(self) > 3 else "")
+        return f"MotionSet({self.name!r}: {len(self)} motions, {shown})"
+
+    # -- how strong it is
+
+    def measures(self) -> dict[str, measured.Measures]:
+        """The intensity measures of each motion by its name; see `GroundMotion.measures`."""
+        return {motion.name: motion.measures() for motion in self}
+
+    def intensities(
+        self, intensity: Intensity, *, period: float | None = None, damping_ratio: float = 0.05
+    ) -> np.ndarray:
+        """One intensity measure of each motion, (n,).
+
+        intensity : "pga" [m/s2], "pgv" [m/s], "pgd" [m], "cav" [m/s], "arias_intensity" [m/s],
+            "sa", or a function of a motion. "sa" is the pseudo-acceleration [m/s2] of an oscillator
+            with this period [s] and damping_ratio.
+
+        Raises MotionError for another word, and where a period is missing or of no use.
+        """
+        of = _function(intensity, period, damping_ratio)
+        return np.array([of(motion) for motion in self])
+
+    def scaled_to(
+        self,
+        intensity: Intensity,
+        value: float,
+        *,
+        period: float | None = None,
+        damping_ratio: float = 0.05,
+        of: str = "each",
+    ) -> MotionSet:
+        """The motions with accelerations multiplied so that an intensity measure has a value.
+
+        intensity, period, damping_ratio : as of `intensities`; a function must be proportional to
+            the accelerations.
+        value : in the unit of the measure. of : "each" scales every motion to it; "median" and
+            "geometric mean" multiply all by one factor, so that this of the set has it.
+
+        The motions keep their names, so that each is compared with itself at another intensity;
+        their `source` has the factor. Raises MotionError, also where a motion has none of that
+        intensity, and where a function proves not to be proportional.
+        """
+        wanted = positive("value", value)
+        measure = _function(intensity, period, damping_ratio)
+        found = np.array([measure(motion) for motion in self])
+        for motion, one in zip(self, found, strict=True):
+            if not (np.isfinite(one) and one > 0.0):
+                raise MotionError(
+                    f"{motion.name} has an intensity of {one:g}: no factor makes it {wanted:g}"
+                )
+        if of not in ("each", *_MIDDLES):
+            raise MotionError(f"of is {told(of)}: choose one of each, {', '.join(_MIDDLES)}")
+        reached = found if of == "each" else np.full(len(found), _MIDDLES[of](found))
+        power = 0.5 if _word(intensity) == "arias_intensity" else 1.0
+        factors = (wanted / reached) ** power
+        scaled = MotionSet(
+            (
+                replace(
+                    motion.scaled(factor),
+                    name=motion.name,
+                    source=f"{motion.source}, times {factor:.6g}",
+                )
+                for motion, factor in zip(self, factors.tolist(), strict=True)
+            ),
+            self.name,
+        )
+        if callable(intensity) and not np.isclose(
+            measure(scaled[0]), found[0] * factors[0], rtol=1e-6, atol=0.0
+        ):
+            raise MotionError(
+                f"{told(intensity)} is {found[0]:g} of {self.names[0]}, and {measure(scaled[0]):g} "
+                f"of {factors[0]:g} times that: give an intensity proportional to the accelerations"
+            )
+        return scaled
+
+    def response_spectra(
+        self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
+    ) -> dict[str, Any]:
+        """The elastic response spectrum of each motion by its name.
+
+        periods, damping_ratio : as of `GroundMotion.response_spectrum`.
+        """
+        return {motion.name: motion.response_spectrum(periods, damping_ratio) for motion in self}
+
+    def plot(
+        self, periods: ArrayLike | None = None, damping_ratio: float = 0.05, **kwargs: Any
+    ) -> Any:
+        """A figure of the response spectra with their median; see `plots.plot_spectra`."""
+        spectra = [*self.response_spectra(periods, damping_ratio).values()]
+        title = self.name and f"Response spectra, {self.name}"
+        return hooks.plot_spectra(spectra, **{"title": title} | kwargs)
+
+
+def _function(
+    intensity: Intensity, period: float | None, damping_ratio: float
+) -> Callable[[GroundMotion], float]:
+    """The measure that a word, in small or capital letters, or a function stands for."""
+    if callable(intensity):
+        return intensity
+    word = _word(intensity)
+    if word not in _NAMES:
+        hint = near(word, _NAMES)
+        raise MotionError(
+            f"intensity {told(intensity)} is unknown{hint}: choose one of {', '.join(_NAMES)}, or "
+            "give a function of a motion"
+        )
+    if word != "sa":
+        if period is not None:
+            raise MotionError(f"{intensity} has no period: leave it out, or give sa")
+        return _OF_MOTION[word]
+    if period is None:
+        raise MotionError("sa needs the period of its oscillator [s]: give period=")
+    t = positive("period", period)
+    return lambda motion: float(motion.response_spectrum(t, damping_ratio).pseudo_acceleration[0])
+
+
+def _word(intensity: Intensity) -> str:
+    return intensity.lower() if isinstance(intensity, str) else ""

@@ -1,0 +1,152 @@
+"""Records made fit for use: baseline, filters, another time step, a part of the time.
+
+What is done is said at the end of the record's `source`; its name stays.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from rockeom.arguments import told
+from rockeom.motion.arguments import finite, positive, whole
+from rockeom.motion.errors import MotionError
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.segments import cut
+
+_INTEGRALS = {"acceleration": 0, "velocity": 1, "displacement": 2}
+"""What a baseline is fitted to: how often the acceleration is integrated for it."""
+
+_MOST_DEGREE = 10
+_LARGEST_RATIO = 1000
+_RINGS = 1.5
+"""Zeros before and after a filtered record: so many orders over the lower corner, as Boore (2005)
+has it."""
+
+
+def baseline_corrected(motion: GroundMotion, degree: int, of: str) -> GroundMotion:
+    """See `GroundMotion.baseline_corrected`."""
+    if not isinstance(of, str) or of not in _INTEGRALS:
+        raise MotionError(
+            f"a baseline of {told(of)} is unknown: choose one of {', '.join(_INTEGRALS)}"
+        )
+    first = _INTEGRALS[of]
+    n = whole("degree", degree, first)
+    if n > _MOST_DEGREE:
+        raise MotionError(
+            f"degree is {n}: give at most {_MOST_DEGREE}, filtered(low=) takes out what is faster"
+        )
+    samples, dt = _samples(motion, "a baseline")
+    if len(samples) <= n + 1:
+        raise MotionError(f"{len(samples)} samples have no polynomial of degree {n}: give less")
+    t = dt * np.arange(len(samples))
+    x = t / t[-1]
+    powers = np.arange(first, n + 1)
+    fitted = (samples, motion.velocity(t), motion.displacement(t))[first]
+    coefficients = np.linalg.lstsq(x[:, None] ** powers, fitted, rcond=None)[0]
+    falling = [math.perm(power, first) for power in powers]
+    baseline = x[:, None] ** (powers - first) @ (coefficients * falling) / t[-1] ** first
+    done = f"less its baseline, of degree {n} of the {of}"
+    return _record(motion, samples - baseline, dt, done)
+
+
+def filtered(
+    motion: GroundMotion, low: float | None, high: float | None, order: int
+) -> GroundMotion:
+    """See `GroundMotion.filtered`."""
+    samples, dt = _samples(motion, "a filter")
+    n = whole("order", order, 1)
+    if low is None and high is None:
+        raise MotionError("a filter has no corner: give low, high or both [Hz]")
+    nyquist = 0.5 / dt
+    given = {"low": low, "high": high}
+    corners = {name: finite(name, value) for name, value in given.items() if value is not None}
+    for name, corner in corners.items():
+        if not 0.0 < corner < nyquist:
+            raise MotionError(
+                f"{name} is {corner:g} Hz: give a corner above 0 and below {nyquist:g} Hz, half of "
+                "the rate of sampling"
+            )
+    if len(corners) == 2 and corners["low"] >= corners["high"]:
+        raise MotionError(
+            f"low is {corners['low']:g} Hz and high {corners['high']:g} Hz: what lies between them "
+            "is kept, give the smaller one as low"
+        )
+    from scipy.signal import butter, sosfiltfilt  # takes long to import
+
+    kind = "bandpass" if len(corners) == 2 else "highpass" if "low" in corners else "lowpass"
+    at = [*corners.values()] if len(corners) == 2 else min(corners.values())
+    sos = butter(n, at, btype=kind, fs=1.0 / dt, output="sos")
+    around = math.ceil(_RINGS * n / (min(corners.values()) * dt))
+    passed = sosfiltfilt(sos, np.pad(samples, around), padtype=None)[around:-around]
+    said = ", ".join(f"{name} corner {corner:g} Hz" for name, corner in corners.items())
+    return _record(motion, passed, dt, f"filtered, {said}, order {n} forward and backward")
+
+
+def resampled(motion: GroundMotion, dt: float, method: str) -> GroundMotion:
+    """See `GroundMotion.resampled`."""
+    new = positive("dt", dt)
+    if new > motion.duration:
+        raise MotionError(f"dt is {new:g} s: give less than the motion's {motion.duration:g} s")
+    if method == "linear":
+        return _record(motion, motion.sampled(new)[1], new, f"taken every {new:g} s")
+    if method != "band limited":
+        raise MotionError(f'method is {told(method)}: give "linear" or "band limited"')
+    samples, old = _samples(motion, "a band-limited interpolation")
+    ratio = Fraction(old / new).limit_denominator(_LARGEST_RATIO)
+    if abs(ratio * new / old - 1) > 1e-9 or ratio.numerator > _LARGEST_RATIO:
+        raise MotionError(
+            f"dt is {new:g} s and that of the record {old:g} s, which are in no ratio of whole "
+            f'numbers up to {_LARGEST_RATIO}: give another one, or method="linear"'
+        )
+    from scipy.signal import resample_poly  # takes long to import
+
+    values = resample_poly(samples, ratio.numerator, ratio.denominator)
+    kept = math.floor((len(samples) - 1) * old / new * (1.0 + 1e-12)) + 1
+    return _record(motion, values[:kept], new, f"band limited to a step of {new:g} s")
+
+
+def trimmed(motion: GroundMotion, start: float, end: float) -> GroundMotion:
+    """See `GroundMotion.trimmed`."""
+    first, last = finite("start", start), finite("end", end)
+    if not 0.0 <= first < last <= motion.duration * (1.0 + 1e-12):
+        raise MotionError(
+            f"start is {first:g} s and end {last:g} s: give times between 0 and the motion's "
+            f"{motion.duration:g} s, the smaller one first"
+        )
+    done = f"from {first:g} to {last:g} s"
+    if motion.samples is not None:
+        samples, dt = _samples(motion, "a part")
+        kept = samples[round(first / dt) : round(last / dt) + 1]
+        return _record(motion, kept, dt, done, padded=False)
+    try:
+        segments = cut(motion.segments, first, last)
+    except ValueError:
+        raise MotionError(
+            f"start is {first:g} s, within a Mavroeidis-Papageorgiou pulse, which has no end "
+            "without its beginning: make a record of it first, by resampled(dt)"
+        ) from None
+    return GroundMotion(segments, motion.name, f"{motion.source}, {done}")
+
+
+def _samples(motion: GroundMotion, what: str) -> tuple[np.ndarray, float]:
+    """The samples of a record, with zeros for the quiet time after it, and their step [s]."""
+    if motion.samples is None or motion.dt is None:
+        raise MotionError(
+            f"{motion.name or 'the motion'} has no samples for {what}: resampled(dt) gives it some"
+        )
+    n = math.floor(motion.duration / motion.dt * (1.0 + 1e-12)) + 1
+    return np.append(motion.samples, np.zeros(max(n - len(motion.samples), 0))), motion.dt
+
+
+def _record(
+    motion: GroundMotion, samples: np.ndarray, dt: float, done: str, padded: bool = True
+) -> GroundMotion:
+    """A record made of another one, as long as that if `padded`, which says what was done."""
+    made = GroundMotion.from_array(samples, dt, name=motion.name)
+    if padded and made.duration < motion.duration * (1.0 - 1e-9):
+        made = made.padded_to(motion.duration)
+    return replace(made, source=f"{motion.source}, {done}")

@@ -1,0 +1,132 @@
+"""Ground motions against time, and their response spectra."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
+
+from rockeom.motion import STANDARD_GRAVITY, GroundMotion
+from rockeom.plots import style
+
+if TYPE_CHECKING:
+    from rockeom.analysis import ResponseSpectrum
+
+_POINTS = 4000
+"""Times at which a motion is drawn, besides its breaks."""
+
+_BY_NAME = 6
+"""So many spectra are told apart; more are one crowd, with their median."""
+
+
+@style.styled
+def plot_motion(
+    motion: GroundMotion,
+    *,
+    figure: Figure | SubFigure | None = None,
+    start: float = 0.0,
+    end: float | None = None,
+) -> Figure | SubFigure:
+    """Acceleration [g], velocity [m/s] and displacement [m] of the ground on one time axis.
+
+    figure : an empty figure or subfigure to draw in; a new one if not given.
+    start, end : the part of the time axis shown [s]; all of it if not given.
+
+    The largest value of each is that of the whole motion, found within its segments.
+    """
+    if figure is None:
+        figure = style.new_figure(7.2, 4.6)
+    axes = figure.subplots(3, 1, sharex=True)
+    breaks = motion.breakpoints
+    t = np.unique(np.concatenate([np.linspace(0.0, motion.duration, _POINTS), breaks]))
+    # a jump is drawn as one: the last value before a break stands at it, too
+    jumps = np.nextafter(breaks[1:], 0.0)
+    both = np.sort(np.concatenate([t, jumps]))
+    rows = (
+        ("acceleration [g]", both, motion.acceleration(both) / STANDARD_GRAVITY,
+         motion.peak / STANDARD_GRAVITY, "PGA {:.3g} g"),
+        ("velocity [m/s]", t, motion.velocity(t), motion.peak_velocity, "PGV {:.3g} m/s"),
+        ("displacement [m]", t, motion.displacement(t), motion.peak_displacement, "PGD {:.3g} m"),
+    )  # fmt: skip
+    for ax, (label, times, values, peak, said), color in zip(
+        axes, rows, (style.INK, *style.LINES[:2]), strict=True
+    ):
+        ax.plot(times, values, color=color, lw=0.8, label=said.format(peak))
+        ax.set_ylabel(label)
+        style.legend_above(ax)
+    axes[-1].set_xlabel("time [s]")
+    axes[-1].set_xlim(start, motion.duration if end is None else end)
+    figure.align_ylabels(axes)
+    figure.suptitle(style.wrapped(motion.name or "Ground motion"), fontsize=9.5)
+    return figure
+
+
+@style.styled
+def plot_spectra(
+    spectra: Sequence[ResponseSpectrum],
+    *,
+    figure: Figure | SubFigure | None = None,
+    title: str | None = None,
+) -> Figure | SubFigure:
+    """Pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period [s].
+
+    spectra : of one damping ratio and the same periods, such as those of `MotionSet`. Of more than
+        six the median is drawn, and the band between the 16th and the 84th percentile.
+    figure : as in `plot_motion`. title : what stands above.
+
+    Raises ValueError for no spectra, and for such of several dampings or periods.
+    """
+    spectra = list(spectra)
+    if not spectra:
+        raise ValueError("no spectra: give one or more")
+    first = spectra[0]
+    for one in spectra[1:]:
+        same = np.array_equal(one.periods, first.periods)
+        if not same or one.damping_ratio != first.damping_ratio:
+            raise ValueError(
+                f"the spectra of {first.name!r} and {one.name!r} have other periods or damping: "
+                "draw them in figures of their own"
+            )
+    if figure is None:
+        figure = style.new_figure(7.2, 3.0)
+    axes = figure.subplots(1, 3, sharex=True)
+    for ax, (of, scale, label) in zip(
+        axes,
+        (
+            ("pseudo_acceleration", STANDARD_GRAVITY, "pseudo-acceleration [g]"),
+            ("velocity", 1.0, "relative velocity [m/s]"),
+            ("displacement", 1.0, "relative displacement [m]"),
+        ),
+        strict=True,
+    ):
+        values = np.array([getattr(one, of) for one in spectra]) / scale
+        _draw(ax, first.periods, values, [one.name for one in spectra])
+        ax.set_xscale("log")
+        ax.set_xlabel("period [s]")
+        ax.set_ylabel(label)
+        ax.set_ylim(bottom=0.0)
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=min(len(labels), 3))
+    damping = f"damping ratio {100 * first.damping_ratio:g} %"
+    figure.suptitle(
+        f"{style.wrapped(title or 'Elastic response spectra')}, {damping}", fontsize=9.5
+    )
+    return figure
+
+
+def _draw(ax: Axes, periods: np.ndarray, values: np.ndarray, names: Sequence[str]) -> None:
+    """Lines of a few spectra (m, n); of many the crowd, its median and its band."""
+    if len(values) <= _BY_NAME:
+        for one, name, color in zip(values, names, style.LINES, strict=False):
+            ax.plot(periods, one, color=color, label=name)
+        return
+    ax.plot(periods, values.T, color="0.75", lw=0.4, label=f"each of {len(values)}")
+    for extra in ax.lines[1:]:
+        extra.set_label("_")
+    low, median, high = np.percentile(values, (16, 50, 84), axis=0)
+    band = style.LINES[0]
+    ax.fill_between(periods, low, high, color=band, alpha=0.2, lw=0, label="16 to 84 %")
+    ax.plot(periods, median, color=band, lw=1.6, label="median")
