@@ -113,6 +113,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         winkler_stiffness_from_rotation,
         winkler_uplift_rotation,
     )
+    from rockeom.analysis.fragility import Fragility, fit_fragility, fragility_of
     from rockeom.analysis.free_vibration import (
         CycleDamping,
         FreeVibration,
@@ -201,6 +202,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         centroid_acceleration,
         impact_speed,
     )
+    from rockeom.analysis.sweeps import outcome_labels, peaks_of
     from rockeom.analysis.uplift import (
         uplift_acceleration,
         uplift_displacement,
@@ -230,6 +232,7 @@ __all__ = [
     "Fit",
     "FlagRule",
     "FoundationSprings",
+    "Fragility",
     "FreeVibration",
     "GrantFactors",
     "HysteresisLoop",
@@ -305,12 +308,14 @@ __all__ = [
     "fema_356_damping",
     "fema_356_rocking",
     "fit",
+    "fit_fragility",
     "fit_free_vibration",
     "fit_moving_centre",
     "fit_rotation_centre",
     "fitted_peaks",
     "fitted_rotational_spring",
     "flag_damping",
+    "fragility_of",
     "grant_damping",
     "gravitational_energy",
     "harmonic_force",
@@ -325,10 +330,12 @@ __all__ = [
     "moving_window",
     "noise_level",
     "oscillator_history",
+    "outcome_labels",
     "overturning_constant",
     "overturning_half_sine",
     "overturning_spectral_velocity",
     "peak_sequence",
+    "peaks_of",
     "points_by_prominence",
     "points_by_score",
     "priestley_damping",
@@ -379,6 +386,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "records", "slips", "windows",
+    "fragility", "sweeps",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}
