@@ -40,6 +40,8 @@ _NAMES_OF = {
     "rockeom.numeric.structures": ("Structure",),
     "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
 }
+_NAMESPACES = ("analysis", "plots")
+"""Packages whose many names are no top-level ones."""
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
 
 
@@ -96,6 +98,18 @@ def _plot_response(*args: Any, **kwargs: Any) -> Any:
     return plot_response(*args, **kwargs)
 
 
+def _animate(*args: Any, **kwargs: Any) -> Any:
+    from rockeom.plots import animate
+
+    return animate(*args, **kwargs)
+
+
+def _html_of(shown: Any) -> str:
+    from rockeom.plots.notebook import html_of
+
+    return html_of(shown)
+
+
 def _thesis_wall(initial_force: float) -> Any:
     from rockeom.analysis import Wall
 
@@ -103,12 +117,14 @@ def _thesis_wall(initial_force: float) -> Any:
 
 
 hooks.plot_response.answer = _plot_response
+hooks.animate.answer = _animate
+hooks.html_of.answer = _html_of
 hooks.thesis_wall.answer = _thesis_wall
 
 
 def __getattr__(name: str) -> Any:
-    if name == "analysis":  # a namespace of its own: its many formulas are no top-level names
-        return import_module("rockeom.analysis")
+    if name in _NAMESPACES:
+        return import_module(f"rockeom.{name}")
     if name == "__all__":
         return sorted({*_HOME_OF, *_classes()})
     home = _HOME_OF.get(name)
@@ -125,4 +141,6 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__getattr__("__all__")})
+    """What is ours: not what this file needs to find it."""
+    dunder = (name for name in globals() if name.startswith("__"))
+    return sorted({*dunder, *_NAMESPACES, *__getattr__("__all__")})

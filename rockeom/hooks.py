@@ -20,5 +20,9 @@ class Hook:
 
 plot_response = Hook()
 """A figure of a response; keyword arguments as in `rockeom.plots.plot_response`."""
+animate = Hook()
+"""An animation of a response; keyword arguments as in `rockeom.plots.animate`."""
+html_of = Hook()
+"""What Jupyter shows of a structure, a response, a motion or a sweep."""
 thesis_wall = Hook()
 """The `rockeom.analysis.Wall` of the thesis with an initial force of its tendon [N]."""

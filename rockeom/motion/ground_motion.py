@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom import hooks
 from rockeom.arguments import number, numbers, told
 from rockeom.many import Many, isfinite
 from rockeom.motion.errors import FilePath, MotionError
@@ -498,6 +499,9 @@ class GroundMotion:
         return (
             f"GroundMotion({self.name!r}: {self.duration:.6g} s, peak {self.peak:.4g} m/s2{record})"
         )
+
+    def _repr_html_(self) -> str:
+        return hooks.html_of(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.

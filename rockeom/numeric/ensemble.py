@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
+from rockeom import hooks
 from rockeom.arguments import is_number, numbers, told, whole_number
 from rockeom.contract import AT_THE_START, CONTACT, FULL, IMPACT, IMPACTS, REFINED, TIME
 from rockeom.many import Differs, Many
@@ -64,6 +65,9 @@ class Sweep(xr.Dataset):
         if name in _RENAMED and name not in self.variables:
             raise AttributeError(_renamed(name))
         return super().__getattr__(name)
+
+    def _repr_html_(self) -> str:
+        return hooks.html_of(self)
 
 
 def _renamed(name: str) -> str:
