@@ -22,7 +22,7 @@ from PIL import Image
 from rockeom.arguments import number, told
 from rockeom.numeric.positions import places
 from rockeom.plots import free_body, style
-from rockeom.plots.sketch import Sketch, outlines
+from rockeom.plots.sketch import Sketch, all_points
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -61,7 +61,7 @@ def animate(
         the drawing moves with it. Structures in pure numbers are drawn so in any case.
 
     Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles
-    are feet on rigid ground, stars the feet that have just met it; the dashed line stands still.
+    are feet in contact, stars those that have just landed; the dashed line stands still.
 
     Raises ValueError for times outside the response, more than 2000 frames, and other files.
     """
@@ -153,11 +153,12 @@ class Animation:
         """Draw a frame into empty axes of equal scales."""
         sketch = Sketch(self.run.structure, self.states[i], int(self.contacts[i]))
         sketch.draw(ax)
-        for foot in sketch.grounded:
-            free_body.pivot(ax, sketch.now.places[foot])
+        for foot in sketch.touching:
+            for at in sketch.feet_at(foot):
+                free_body.pivot(ax, at)
         for foot in self._landing(i, sketch):
-            ax.plot(*sketch.now.places[foot], "*", color=style.LINES[1], mec=style.INK, mew=0.5,
-                    ms=17, zorder=10)  # fmt: skip
+            for at in sketch.feet_at(foot):
+                ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=17, zorder=10)
         x, y = self.ground[i]
         (left, right), (low, high) = self.limits
         if self.ground.any():
@@ -192,7 +193,7 @@ class Animation:
             impact = self._impacts[k]
             after = style.feet_of(impact.phase_after)
             named = impact.contact.split("+") if impact.contact else [after]
-            landed |= {*named} & {*sketch.feet} or {*sketch.grounded}
+            landed |= {*named} & {*sketch.feet} or {*sketch.touching}
         return landed
 
     @cached_property
@@ -200,14 +201,10 @@ class Animation:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
         found = places(structure.module, self.contacts, self.states, structure.vector)
-        points = np.concatenate(
-            [found[..., :2], *outlines(structure, found).values()], axis=1
-        ) + np.expand_dims(self.ground, 1)
+        points = all_points(structure, found) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
-        copies = structure.shapes.copies.values()
-        apart = max(((some - 1) * far for some, far in copies), default=0.0)
         size = float((high - low).max()) or 1.0
-        beside = np.array([0.2 * size + apart / 2, 0.08 * size])
+        beside = np.array([0.2 * size, 0.08 * size])
         return np.array([low - beside - [0.0, 0.1 * size], high + beside]).T
 
     # -- all of them
@@ -266,7 +263,7 @@ def _signs(animation: Animation) -> list[Line2D]:
     """What the marks mean, as far as the structure has them."""
     signs: list[Line2D] = []
     if "foot" in animation.run.structure.module.POSITION_KINDS:
-        signs.append(_sign("on the ground", ls="", marker="o", color="white", ms=5.5))
+        signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
     if animation.run.impacts:
         signs.append(_sign("impact", ls="", marker="*", color=style.LINES[1], ms=11))
     if animation.ground.any():

@@ -69,7 +69,7 @@ def _motion(shown: GroundMotion) -> str:
     figure = _history(shown)
     picture = _svg(figure, "acceleration against time")
     name = shown.name or "a ground motion"
-    return _page(name, picture + _table(("", "value", "unit"), rows))
+    return _page(name, _side_by_side(picture, _table(("", "value", "unit"), rows)))
 
 
 @html_of.register
@@ -98,7 +98,7 @@ def _history(motion: GroundMotion) -> Figure:
 
 
 def _page(title: str, body: str) -> str:
-    return f'<div class="rockeom"><strong>{escape(title)}</strong>{body}</div>'
+    return f'<div class="rockeom"><div><strong>{escape(title)}</strong></div>{body}</div>'
 
 
 def _side_by_side(*parts: str) -> str:

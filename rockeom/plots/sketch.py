@@ -113,10 +113,18 @@ class Sketch:
         self.supports: list[tuple[float, float]] = []
 
     @property
-    def grounded(self) -> list[str]:
-        """Feet that stand on rigid ground."""
-        feet = (name for name in self.feet if self.kinds[name] == "foot")
-        return [name for name in feet if abs(self.gaps[name]) <= 1e-9 * self.size]
+    def touching(self) -> list[str]:
+        """Feet without a gap below them, on rigid ground or on another body."""
+        return [
+            name
+            for name in self.feet
+            if self.kinds[name] not in _SPRUNG and abs(self.gaps.get(name, 1.0)) <= 1e-9 * self.size
+        ]
+
+    def feet_at(self, name: str) -> np.ndarray:
+        """(k, 2) where a foot is, and those of the copies of its body."""
+        shifts = next(iter(self.copies.values()), np.zeros(1))
+        return self.now.places[name] + np.column_stack([shifts, np.zeros(len(shifts))])
 
     def draw(self, ax: Axes) -> None:
         for member in self.shapes.members:
@@ -124,9 +132,9 @@ class Sketch:
         for name in self.now.angles:
             for shift in self.copies.get(name, np.zeros(1)):
                 self._body(ax, name, np.array([shift, 0.0]))
-        for shift in next(iter(self.copies.values()), np.zeros(1)):
-            for name in self.feet:
-                self._foot(ax, name, self.now.places[name] + np.array([shift, 0.0]))
+        for name in self.feet:
+            for at in self.feet_at(name):
+                self._foot(ax, name, at)
         self._ground(ax)
 
     # -- bodies
@@ -251,17 +259,19 @@ class Sketch:
         free_body.ground(ax, left, feet[-1][0] + beyond, feet[-1][1], depth)
 
 
-def outlines(structure: Structure, found: np.ndarray) -> dict[str, np.ndarray]:
-    """Corners (n, k, 2) of the bodies that have a size, of what `places` has found (n, m, 3)."""
-    m = structure.module
+def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
+    """(n, k, 2) places and corners of bodies and feet, of what `places` has found (n, m, 3)."""
+    m, shapes = structure.module, structure.shapes
     at, angles = positions_of(m, found), rotations_of(m, found)
-    drawn = {}
-    for name, corners in structure.shapes.outlines.items():
-        cos, sin = np.cos(angles[name])[:, None], np.sin(angles[name])[:, None]
-        x, y = corners.T
-        turned = np.stack([x * cos + y * sin, y * cos - x * sin], axis=-1)
-        drawn[name] = at[name][:, None] + turned
-    return drawn
+    points = [found[..., :2]]
+    for name, angle in angles.items():
+        x, y = shapes.outlines.get(name, np.zeros((1, 2))).T
+        cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
+        corners = np.stack([x * cos + y * sin, y * cos - x * sin], axis=-1) + at[name][:, None]
+        number, apart = shapes.copies.get(name, (1, 0.0))
+        reach = np.array([apart * (number - 1) / 2, 0.0])
+        points += [corners - reach, corners + reach]
+    return np.concatenate(points, axis=1)
 
 
 def _pose(structure: Structure, contact: int, y: np.ndarray) -> _Pose:
