@@ -141,6 +141,7 @@ _rockeom() {{
     esac
   fi
   if [ -n "$files" ]; then
+    if [ -n "$ZSH_VERSION" ]; then return; fi
     local IFS=$'\\n'  # names may hold blanks
     compopt -o filenames 2>/dev/null
     COMPREPLY=($(compgen -f -- "$word"))
@@ -152,7 +153,12 @@ _rockeom() {{
 complete -F _rockeom rockeom
 """
 
-_ZSH = "autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n"
+# zsh itself completes files where nothing else is offered.
+_ZSH = """\
+autoload -U +X compinit && compinit
+autoload -U +X bashcompinit && bashcompinit
+{bash}complete -o default -F _rockeom rockeom
+"""
 
 
 def _bash(commands: list[Command], shell: str = "bash") -> str:
@@ -194,7 +200,7 @@ def _joined(words) -> str:
 
 
 def _zsh(commands: list[Command]) -> str:
-    return _ZSH + _bash(commands, "zsh")
+    return _ZSH.format(bash=_bash(commands, "zsh"))
 
 
 # --- fish

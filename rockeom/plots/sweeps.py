@@ -441,7 +441,7 @@ def _label(sweep: xr.Dataset, name: str) -> str:
     """Name and unit of a coordinate."""
     attrs = sweep[name].attrs
     words = style.plain(str(attrs.get("long_name", name.replace("_", " "))))
-    return f"{words} [{style.plain(str(attrs['units']))}]" if "units" in attrs else words
+    return f"{words} [{_unit(attrs['units'])}]" if "units" in attrs else words
 
 
 def _demand_label(sweep: xr.Dataset, demand: str) -> str:
@@ -453,10 +453,15 @@ def _demand_label(sweep: xr.Dataset, demand: str) -> str:
 def _unit_of_demand(sweep: xr.Dataset, demand: str) -> str:
     """Unit of a state or quantity, where the dataset tells it; else nothing."""
     found = peaks_of(sweep, demand)
-    for coordinate in found.coords.values():
-        if str(coordinate.name).endswith("units") and coordinate.ndim == 0:
-            return style.plain(str(coordinate.values))
-    return style.plain(str(found.attrs.get("units", "")))
+    for name in ("state_unit", "quantity_unit"):
+        if name in found.coords:
+            return _unit(found[name].values)
+    return _unit(found.attrs.get("units", ""))
+
+
+def _unit(unit: Any) -> str:
+    """As it is written on an axis: "1" is none."""
+    return "-" if str(unit) == "1" else style.plain(str(unit))
 
 
 def _said(value: Any) -> str:

@@ -95,6 +95,24 @@ def test_other_shells_take_their_scripts(shell, tmp_path):
     subprocess.run([shell, "-n", str(path)], check=True)
 
 
+@pytest.mark.skipif(shutil.which("fish") is None, reason="there is no fish here")
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("rockeom s", {"simulate", "statements"}),
+        ("rockeom simulate --m", {"--motion", "--method"}),
+        ("rockeom simulate rigid_block --method ", {"DOP853", "RK45", "Radau"}),
+        ("rockeom simulate rigid_block --set half", {"half_width=", "half_height="}),
+    ],
+)
+def test_fish_completes(line, expected, tmp_path):
+    path = tmp_path / "rockeom.fish"
+    path.write_text(script("fish"), encoding="utf-8")
+    asked = f"source {shlex.quote(str(path))}; complete -C {shlex.quote(line)}"
+    done = subprocess.run(["fish", "--no-config", "-c", asked], capture_output=True, text=True)
+    assert {row.partition("\t")[0] for row in done.stdout.splitlines()} == expected
+
+
 def test_fish_has_a_line_for_every_option():
     lines = script("fish").splitlines()
     assert all(shlex.split(line)[:3] == ["complete", "-c", "rockeom"] for line in lines)

@@ -166,7 +166,7 @@ def records(labels, peaks=None, names=("a", "b", "c")) -> xr.Dataset:
             "peak": (("record", "pga", "state"), np.asarray(peaks)[..., None]),
         },
         coords={"record": list(names), "pga": [1.0, 2.0, 3.0, 4.0], "state": ["theta"],
-                "state_units": ("state", ["rad"])},
+                "state_unit": ("state", ["rad"])},
     )  # fmt: skip
     found["pga"].attrs.update(units="m/s2", long_name="peak ground acceleration")
     return found
