@@ -45,6 +45,8 @@ _NAMES_OF = {
     "rockeom.saved": ("load",),
     "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
 }
+_NAMESPACES = ("analysis", "plots")
+"""Packages whose many names are no top-level ones."""
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
 
 
@@ -103,6 +105,8 @@ if TYPE_CHECKING:
 
 
 _ANSWERS = {
+    "animate": ("rockeom.plots", "animate"),
+    "html_of": ("rockeom.plots.notebook", "html_of"),
     "plot_motion": ("rockeom.plots", "plot_motion"),
     "plot_response": ("rockeom.plots", "plot_response"),
     "plot_spectra": ("rockeom.plots", "plot_spectra"),
@@ -127,8 +131,8 @@ for _hook, (_home, _name) in _ANSWERS.items():
 
 
 def __getattr__(name: str) -> Any:
-    if name == "analysis":  # a namespace of its own: its many formulas are no top-level names
-        return import_module("rockeom.analysis")
+    if name in _NAMESPACES:
+        return import_module(f"rockeom.{name}")
     if name == "__all__":
         return sorted({*_HOME_OF, *_classes()})
     home = _HOME_OF.get(name)
@@ -145,4 +149,6 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__getattr__("__all__")})
+    """What is ours: not what this file needs to find it."""
+    dunder = (name for name in globals() if name.startswith("__"))
+    return sorted({*dunder, *_NAMESPACES, *__getattr__("__all__")})

@@ -26,6 +26,10 @@ plot_spectra = Hook()
 """A figure of response spectra; arguments as in `rockeom.plots.plot_spectra`."""
 response_spectrum = Hook()
 """The spectrum of a motion; arguments as in `rockeom.analysis.response_spectrum`."""
+animate = Hook()
+"""An animation of a response; keyword arguments as in `rockeom.plots.animate`."""
+html_of = Hook()
+"""What Jupyter shows of a structure, a response, a motion or a sweep."""
 thesis_wall = Hook()
 """The `rockeom.analysis.Wall` of the thesis with an initial force of its tendon [N]."""
 save_response = Hook()

@@ -113,6 +113,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         winkler_stiffness_from_rotation,
         winkler_uplift_rotation,
     )
+    from rockeom.analysis.fragility import Fragility, fit_fragility, fragility_of
     from rockeom.analysis.free_vibration import (
         CycleDamping,
         FreeVibration,
@@ -202,6 +203,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         centroid_acceleration,
         impact_speed,
     )
+    from rockeom.analysis.sweeps import outcome_labels, peaks_of
     from rockeom.analysis.uplift import (
         uplift_acceleration,
         uplift_displacement,
@@ -232,6 +234,7 @@ __all__ = [
     "Fit",
     "FlagRule",
     "FoundationSprings",
+    "Fragility",
     "FreeVibration",
     "GrantFactors",
     "HysteresisLoop",
@@ -308,6 +311,7 @@ __all__ = [
     "fema_356_damping",
     "fema_356_rocking",
     "fit",
+    "fit_fragility",
     "fit_free_vibration",
     "fit_moving_centre",
     "fit_pulse",
@@ -315,6 +319,7 @@ __all__ = [
     "fitted_peaks",
     "fitted_rotational_spring",
     "flag_damping",
+    "fragility_of",
     "grant_damping",
     "gravitational_energy",
     "harmonic_force",
@@ -329,10 +334,12 @@ __all__ = [
     "moving_window",
     "noise_level",
     "oscillator_history",
+    "outcome_labels",
     "overturning_constant",
     "overturning_half_sine",
     "overturning_spectral_velocity",
     "peak_sequence",
+    "peaks_of",
     "points_by_prominence",
     "points_by_score",
     "priestley_damping",
@@ -383,6 +390,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
+    "fragility", "sweeps",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}

@@ -1,7 +1,7 @@
 """The command line.
 
 ``rockeom models | derive | simulate | report | equations | verify | figure | tables | statements
-| generate``
+| generate | completion``
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from collections.abc import Sequence
 
 from rockeom import __version__
 from rockeom.cli import (
+    completion,
     derive,
     equations,
     figure,
@@ -42,6 +43,7 @@ through every impact.
   rockeom tables 2-1                a table of the thesis, printed beside computed
   rockeom statements                its sentences with a number, judged
   rockeom generate                  rewrite generated/ from the symbolic models (developers)
+  rockeom completion bash           what bash, zsh or fish offers after Tab
 
 Each command explains itself: rockeom simulate --help
 """
@@ -100,6 +102,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
     for module in (
         models, derive, simulate, report, equations, verify, figure, tables, statements, generate,
+        completion,
     ):  # fmt: skip
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(
@@ -111,7 +114,7 @@ def _parser() -> argparse.ArgumentParser:
             allow_abbrev=False,
         )
         module.add_arguments(command)
-        command.set_defaults(run=module.run, parser=command)
+        command.set_defaults(run=module.run, parser=command, program=parser)
     return parser
 
 

@@ -753,6 +753,9 @@ class GroundMotion:
             f"GroundMotion({self.name!r}: {self.duration:.6g} s, peak {self.peak:.4g} m/s2{record})"
         )
 
+    def _repr_html_(self) -> str:
+        return hooks.html_of(self)
+
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.
         return GroundMotion, (self.segments, self.name, self.source, self.dt, self.samples)

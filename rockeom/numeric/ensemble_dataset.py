@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from rockeom import hooks
 from rockeom.numeric.ensemble_cases import ROW, Cases
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
 from rockeom.numeric.quantities import units_of
@@ -48,6 +49,9 @@ class Sweep(xr.Dataset):
         if name in _RENAMED and name not in self.variables:
             raise AttributeError(_renamed(name))
         return super().__getattr__(name)
+
+    def _repr_html_(self) -> str:
+        return hooks.html_of(self)
 
 
 def _renamed(name: str) -> str:

@@ -789,5 +789,19 @@ class Response:
         """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""
         return hooks.plot_response(self, **kwargs)
 
+    def animate(self, path=None, **kwargs):
+        """The motion drawn to scale, frame by frame: a .gif or .html file, or in Jupyter.
+
+        path : of the file, if one is wanted. Others as in `rockeom.plots.animate`.
+        """
+        return hooks.animate(self, path, **kwargs)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """What IPython offers after `run["`."""
+        return list(self.names)
+
+    def _repr_html_(self) -> str:
+        return hooks.html_of(self)
+
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts_in_words()}>"

@@ -84,6 +84,9 @@ class Structure:
         """The generated module."""
         return importlib.import_module(f"rockeom.generated.{self.model}")
 
+    def _repr_html_(self) -> str:
+        return hooks.html_of(self)
+
     # -- what follows -----------------------------------------------------------------------
 
     @functools.cached_property

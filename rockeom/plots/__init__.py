@@ -1,4 +1,4 @@
-"""Figures of responses and structures, for papers and notebooks.
+"""Figures of responses, structures and sweeps, for papers and notebooks.
 
 Every function returns a matplotlib figure and never opens a window: save it with
 ``figure.savefig("name.png")``, or leave it as the last line of a notebook's cell. `free_body`
@@ -6,6 +6,7 @@ holds the pieces of a drawing of your own, and `use_style` gives pyplot the look
 """
 
 from rockeom.plots import free_body
+from rockeom.plots.animation import Animation, animate
 from rockeom.plots.comparison import plot_comparison
 from rockeom.plots.design_report import DesignReport, design_report
 from rockeom.plots.ground_motion import plot_motion, plot_spectra
@@ -13,16 +14,28 @@ from rockeom.plots.portrait import plot_phase_portrait
 from rockeom.plots.response import plot_response
 from rockeom.plots.sketch import draw_structure
 from rockeom.plots.style import use_style
+from rockeom.plots.sweeps import (
+    fragility_curve,
+    incremental_dynamic_analysis,
+    overturning_map,
+    rocking_spectrum,
+)
 
 __all__ = [
+    "Animation",
     "DesignReport",
+    "animate",
     "design_report",
     "draw_structure",
+    "fragility_curve",
     "free_body",
+    "incremental_dynamic_analysis",
+    "overturning_map",
     "plot_comparison",
     "plot_motion",
     "plot_phase_portrait",
     "plot_response",
     "plot_spectra",
+    "rocking_spectrum",
     "use_style",
 ]

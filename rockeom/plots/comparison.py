@@ -67,7 +67,7 @@ def plot_comparison(
 
 
 def _title(runs: Sequence[Response]) -> str:
-    motions = dict.fromkeys(run.motion.name or "a ground motion" for run in runs)
+    motions = dict.fromkeys(style.plain(run.motion.name) or "a ground motion" for run in runs)
     return f"Response to {'; '.join(motions)}"
 
 

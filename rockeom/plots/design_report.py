@@ -349,7 +349,9 @@ def _draw_history(ax: Axes, one: UnderRecord) -> None:
     ax.set_ylabel("displacement [mm]")
     ax.set_xlim(0, one.run.t[-1])
     ax.set_title(
-        f"largest displacement: {_short(one.run.motion.name, 64)}", loc="left", fontsize=8.5
+        f"largest displacement: {style.plain(_short(one.run.motion.name, 64))}",
+        loc="left",
+        fontsize=8.5,
     )
     style.legend_above(ax)
 

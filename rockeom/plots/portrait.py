@@ -23,7 +23,7 @@ def plot_phase_portrait(run: Response, *, ax: Axes | None = None) -> Figure:
     """
     if ax is None:
         ax = style.new_figure(4.6, 3.8).add_subplot()
-        ax.set_title(style.wrapped(style.title_of(run), 70), fontsize=9)
+        ax.set_title(style.wrapped(style.plain(style.title_of(run)), 70), fontsize=9)
     p = run.program
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1

@@ -49,10 +49,8 @@ def plot_response(
         run.t[-1] if end is None else end,
     )
     figure.align_ylabels(axes)
-    figure.suptitle(
-        f"{style.wrapped(style.title_of(run))}\nOutcome: {run.outcome}. {run.outcome.sentence}",
-        fontsize=9.5,
-    )
+    title = style.wrapped(style.plain(style.title_of(run)))
+    figure.suptitle(f"{title}\nOutcome: {run.outcome}. {run.outcome.sentence}", fontsize=9.5)
     return figure
 
 

@@ -48,7 +48,8 @@ def draw_structure(
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     if ax is None:
         ax = style.new_figure(2.6, 3.4).add_subplot()
-    _Sketch(structure, named | dict(state or {})).draw(ax)
+    y = structure.state(named | dict(state or {}))
+    Sketch(structure, y, structure.contact(y)).draw(ax)
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)
@@ -84,27 +85,26 @@ class _Pose(NamedTuple):
         return free_body.turned(away, (0.0, 0.0), -self.angles[name])
 
 
-class _Sketch:
-    """What is drawn of a structure in a state.
+class Sketch:
+    """What is drawn of a structure in a state (N,) and the contact state of that number.
 
     size : of the structure at rest, in proportion to which springs and hatches are drawn.
     copies : where each of a body that stands for several is drawn, beside its place.
     supports : places along the ground, and its level there.
     """
 
-    def __init__(self, structure: Structure, state: Mapping[str, float]) -> None:
+    def __init__(self, structure: Structure, y: np.ndarray, contact: int) -> None:
         m = structure.module
         self.shapes = structure.shapes
         self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
         self.feet = [n for n, kind in self.kinds.items() if kind not in ("load", *BODIES)]
-        y, upright = structure.state(state), structure.state({})
-        contact = structure.contact(y)
+        upright = structure.state({})
         moved = y + 0.01 * np.arange(1, len(y) + 1)
         self.now, self.moved = _pose(structure, contact, y), _pose(structure, contact, moved)
         self.rest = _pose(structure, structure.contact(upright), upright)
         self.gaps = _gaps(structure, contact, y)
-        outlines = [self.rest.at(name, outline) for name, outline in self.shapes.outlines.items()]
-        self.extent = np.vstack([*self.rest.places.values(), *outlines])
+        drawn = [self.rest.at(name, outline) for name, outline in self.shapes.outlines.items()]
+        self.extent = np.vstack([*self.rest.places.values(), *drawn])
         self.size = float(np.ptp(self.extent, axis=0).max()) or 1.0
         self.copies = {
             name: apart * (number - 1) / 2 * np.linspace(-1.0, 1.0, min(number, _MOST_COPIES))
@@ -112,15 +112,29 @@ class _Sketch:
         }
         self.supports: list[tuple[float, float]] = []
 
+    @property
+    def touching(self) -> list[str]:
+        """Feet without a gap below them, on rigid ground or on another body."""
+        return [
+            name
+            for name in self.feet
+            if self.kinds[name] not in _SPRUNG and abs(self.gaps.get(name, 1.0)) <= 1e-9 * self.size
+        ]
+
+    def feet_at(self, name: str) -> np.ndarray:
+        """(k, 2) where a foot is, and those of the copies of its body."""
+        shifts = next(iter(self.copies.values()), np.zeros(1))
+        return self.now.places[name] + np.column_stack([shifts, np.zeros(len(shifts))])
+
     def draw(self, ax: Axes) -> None:
         for member in self.shapes.members:
             self._member(ax, member)
         for name in self.now.angles:
             for shift in self.copies.get(name, np.zeros(1)):
                 self._body(ax, name, np.array([shift, 0.0]))
-        for shift in next(iter(self.copies.values()), np.zeros(1)):
-            for name in self.feet:
-                self._foot(ax, name, self.now.places[name] + np.array([shift, 0.0]))
+        for name in self.feet:
+            for at in self.feet_at(name):
+                self._foot(ax, name, at)
         self._ground(ax)
 
     # -- bodies
@@ -130,7 +144,7 @@ class _Sketch:
         if name not in self.shapes.outlines:
             for foot in self._feet_of(name):
                 ax.plot(*np.transpose([centre, self.now.places[foot] + shift]), color=_BLUE, lw=1.2)
-            free_body.mass(ax, centre, name, (_MASS / 2, 3 + _MASS / 2), _MASS)
+            free_body.mass(ax, centre, style.plain(name), (_MASS / 2, 3 + _MASS / 2), _MASS)
             return
         corners = self.now.at(name, self.shapes.outlines[name]) + shift
         if np.ptp(self.shapes.outlines[name], axis=0).min() == 0.0:  # flat
@@ -243,6 +257,21 @@ class _Sketch:
                 ax.plot([middle, middle], [level, next_level], color=style.INK, lw=1.2)
                 left = middle
         free_body.ground(ax, left, feet[-1][0] + beyond, feet[-1][1], depth)
+
+
+def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
+    """(n, k, 2) places and corners of bodies and feet, of what `places` has found (n, m, 3)."""
+    m, shapes = structure.module, structure.shapes
+    at, angles = positions_of(m, found), rotations_of(m, found)
+    points = [found[..., :2]]
+    for name, angle in angles.items():
+        x, y = shapes.outlines.get(name, np.zeros((1, 2))).T
+        cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
+        corners = np.stack([x * cos + y * sin, y * cos - x * sin], axis=-1) + at[name][:, None]
+        number, apart = shapes.copies.get(name, (1, 0.0))
+        reach = np.array([apart * (number - 1) / 2, 0.0])
+        points += [corners - reach, corners + reach]
+    return np.concatenate(points, axis=1)
 
 
 def _pose(structure: Structure, contact: int, y: np.ndarray) -> _Pose:

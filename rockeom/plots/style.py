@@ -121,6 +121,11 @@ def time_label(run: Response) -> str:
 # --- names
 
 
+def plain(text: str) -> str:
+    """A name that a user gave, as a figure takes it: no letter of it is read as mathematics."""
+    return text.replace("$", r"\$")
+
+
 def title_of(run: Response) -> str:
     """Structure and motion."""
     structure = run.program.NAME.replace("_", " ")

@@ -28,6 +28,7 @@ COMMANDS = (
     "tables",
     "statements",
     "generate",
+    "completion",
 )
 
 

@@ -1,0 +1,195 @@
+"""Lognormal fragility curves: how likely an intensity makes a structure exceed a limit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+from scipy.special import log_ndtr, ndtr, ndtri
+
+from rockeom.analysis.arguments import numbers, positive, require
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+
+
+@dataclass(frozen=True, eq=False)
+class Fragility:
+    """The probability Phi(ln(im/median)/dispersion) that a limit is exceeded, and its doubt.
+
+    median : intensity at which half exceed the limit [unit of the intensity]; dispersion :
+        standard deviation of its logarithm [-].
+    covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information.
+    intensity (n,), exceeded (n,), number (n,) : what was observed.
+    left_out : cases without an answer, which are not counted.
+    """
+
+    median: float
+    dispersion: float
+    covariance: np.ndarray
+    intensity: np.ndarray
+    exceeded: np.ndarray
+    number: np.ndarray
+    left_out: int = 0
+
+    def probability(self, im: ArrayLike) -> np.ndarray:
+        """Probability that the limit is exceeded at intensities, of the shape of `im`."""
+        return ndtr(self._deviates(im))
+
+    def bounds(self, im: ArrayLike, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
+        """Lower and upper confidence bound of the probability, each of the shape of `im`.
+
+        level : probability that both lie around the true curve at an intensity. They are Wald's:
+        of the normal deviate ln(im/median)/dispersion, by the covariance. Raises ValueError for a
+        level that does not lie between 0 and 1.
+        """
+        require(0.0 < level < 1.0, "bounds", "level", level, "it lies between 0 and 1, as 0.95")
+        deviates = self._deviates(im)
+        slopes = np.stack([np.full_like(deviates, -1.0 / self.median), -deviates], axis=-1)
+        slopes /= self.dispersion
+        variance = np.einsum("...i,ij,...j", slopes, self.covariance, slopes)
+        reach = ndtri(0.5 + 0.5 * level) * np.sqrt(variance)
+        return ndtr(deviates - reach), ndtr(deviates + reach)
+
+    def fractions(self) -> tuple[np.ndarray, np.ndarray]:
+        """(k,) the different intensities, and (k,) which part exceeded the limit at each."""
+        levels, where = np.unique(self.intensity, return_inverse=True)
+        exceeded, number = (np.bincount(where, weights) for weights in (self.exceeded, self.number))
+        return levels[number > 0], exceeded[number > 0] / number[number > 0]
+
+    def _deviates(self, im: ArrayLike) -> np.ndarray:
+        (intensity,) = positive("Fragility", im=im)
+        return np.asarray(np.log(intensity / self.median) / self.dispersion)
+
+    def __repr__(self) -> str:
+        doubt = np.sqrt(np.diag(self.covariance))
+        return (
+            f"Fragility(median={self.median:.4g} +- {doubt[0]:.2g}, "
+            f"dispersion={self.dispersion:.4g} +- {doubt[1]:.2g})"
+        )
+
+
+def fit_fragility(
+    intensity: ArrayLike, exceeded: ArrayLike, number: ArrayLike = 1, left_out: int = 0
+) -> Fragility:
+    """The lognormal fragility curve that makes what was observed most likely.
+
+        fit_fragility([0.2, 0.4, 0.6, 0.8], exceeded=[1, 4, 9, 10], number=10)
+
+    intensity : of the ground motion, above zero [any unit].
+    exceeded : how many of `number` motions of that intensity exceeded the limit; of single motions
+        True or False. The three broadcast.
+    left_out : cases that gave no answer, to be told with the result.
+
+    The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
+    maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
+
+    Raises ValueError for numbers that cannot be, and where no curve is most likely: all or none
+    exceeded, one intensity alone, observations that one intensity separates, or fractions that
+    fall as the intensity rises.
+    """
+    function = "fit_fragility"
+    (im,) = positive(function, intensity=intensity)
+    hits, of = numbers(function, exceeded=exceeded, number=number)
+    require(hits == np.floor(hits), function, "exceeded", hits, "give whole numbers of motions")
+    require(of == np.floor(of), function, "number", of, "give whole numbers of motions")
+    numbers(function, intensity=im, exceeded=hits, number=of)
+    im, hits, of = (a.ravel() for a in np.broadcast_arrays(im, hits, of))
+    require((hits >= 0) & (hits <= of), function, "exceeded", hits, "it lies between 0 and number")
+    _refuse_separable(im, hits, of)
+    centre = np.average(np.log(im), weights=of)
+    columns = np.column_stack([np.ones(len(im)), np.log(im) - centre])
+    (level, slope), information = _probit(columns, hits, of)
+    if slope <= 0.0:
+        raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
+    median, dispersion = np.exp(centre - level / slope), 1.0 / slope
+    turned = np.array(
+        [[-median / slope, median * level / slope**2], [0.0, -1.0 / slope**2]]
+    )  # of median and dispersion by level and slope
+    covariance = turned @ np.linalg.inv(information) @ turned.T
+    return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out)
+
+
+def fragility_of(
+    sweep: xr.Dataset, *, intensity: str, limit: float | None = None, demand: str | None = None
+) -> Fragility:
+    """The fragility curve of a sweep of `simulate_many`, all its other names taken together.
+
+        fragility_of(sweep, intensity="pga")                                # of overturning
+        fragility_of(sweep, intensity="pga", demand="theta", limit=0.05)    # of a rotation
+
+    intensity : a name of the sweep's dimensions or coordinates.
+    demand, limit : of the state or quantity whose largest size is to stay below the limit [its
+        unit]; who overturns exceeds it. If neither is given, overturning is meant.
+
+    Cases that were not run or gave no answer are not counted, but told: `left_out`. Otherwise as
+    `fit_fragility`. Raises ValueError also for names that the sweep does not have.
+    """
+    if (limit is None) != (demand is None):
+        raise ValueError("fragility_of: demand and limit belong together: give both or neither")
+    if intensity not in sweep.coords:
+        raise ValueError(
+            f"fragility_of: the sweep has no coordinate {intensity!r}; it has "
+            f"{', '.join(map(str, sweep.coords))}"
+        )
+    labels = outcome_labels(sweep)
+    fell = labels == FALLS
+    answered = fell | labels.isin(STANDS)
+    exceeds = fell
+    if demand is not None and limit is not None:
+        exceeds = fell | (peaks_of(sweep, demand) >= limit)
+    im, known, hit = xr.broadcast(sweep[intensity], answered, exceeds)
+    told = known.values.ravel()
+    return fit_fragility(
+        im.values.ravel()[told], hit.values.ravel()[told], left_out=int((~told).sum())
+    )
+
+
+def _refuse_separable(im: np.ndarray, hits: np.ndarray, of: np.ndarray) -> None:
+    """Where an intensity parts what exceeded from what did not, any steeper curve is likelier."""
+    function = "fit_fragility"
+    with_hits, without = im[hits > 0], im[hits < of]
+    if not len(with_hits) or not len(without):
+        which = "none" if not len(with_hits) else "all"
+        raise ValueError(
+            f"{function}: {which} of {of.sum():g} motions exceeded the limit: add "
+            f"{'higher' if which == 'none' else 'lower'} intensities, or change the limit"
+        )
+    if len(np.unique(im[of > 0])) == 1:
+        raise ValueError(f"{function}: all motions have the intensity {im[0]:g}: vary it")
+    if without.max() <= with_hits.min():
+        raise ValueError(
+            f"{function}: the observations are separable: all above {with_hits.min():g} exceeded "
+            f"the limit and none below {without.max():g}, so that the likelihood has no maximum "
+            "(the dispersion goes to zero); add motions or intensities between"
+        )
+    if with_hits.max() <= without.min():
+        raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
+
+
+_ROUNDS = 100
+
+
+def _probit(columns: np.ndarray, hits: np.ndarray, of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Coefficients (2,) of the most likely probit regression, and their expected information.
+
+    By Fisher's scoring. The likelihood is concave: a step is halved until it gains.
+    """
+    found, best = np.zeros(2), -np.inf
+    step = np.zeros(2)
+    for _ in range(_ROUNDS):
+        deviates = columns @ (found + step)
+        above, below = log_ndtr(deviates), log_ndtr(-deviates)
+        likelihood = float(hits @ above + (of - hits) @ below)
+        if likelihood < best - 1e-12 * abs(best):
+            step = step / 2
+            continue
+        found, best = found + step, likelihood
+        density = -0.5 * deviates**2 - 0.5 * np.log(2 * np.pi)
+        score = columns.T @ (hits * np.exp(density - above) - (of - hits) * np.exp(density - below))
+        weights = of * np.exp(2 * density - above - below)
+        information = columns.T @ (weights[:, None] * columns)
+        step = np.linalg.solve(information, score)
+        if np.abs(step).max() <= 1e-13 * np.abs(found).max():
+            return found, information
+    return found, information

@@ -1,0 +1,60 @@
+"""What a dataset of `simulate_many` says of its cases, however it keeps it."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+STANDS = ("completed", "came to rest")
+"""Outcomes of cases that were followed to their end and did not fall."""
+FALLS = "overturned"
+
+
+def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
+    """How each case of a sweep ended, in words such as "overturned", of the shape of the sweep.
+
+    sweep : its variable `outcome` holds labels, or numbers whose `flag_values` and `flag_meanings`
+        say what they mean (CF conventions, 3.5). "not run" is none.
+
+    Raises ValueError where there is no such variable, and for numbers that mean nothing.
+    """
+    if "outcome" not in sweep:
+        raise ValueError("outcome_labels: the dataset has no `outcome`: give one of simulate_many")
+    found = sweep["outcome"]
+    if found.dtype.kind in "OTU":
+        return found.astype(str)
+    meanings = str(found.attrs.get("flag_meanings", ""))
+    words = [word.replace("_", " ") for word in meanings.split()]
+    values = np.atleast_1d(found.attrs.get("flag_values", []))
+    known = dict(zip(values.tolist(), words, strict=False))
+    strange = set(np.unique(found.values).tolist()) - set(known)
+    if len(values) != len(words) or strange:
+        raise ValueError(
+            f"outcome_labels: outcome is {min(strange, default='numbers')}, and its flag_values "
+            f"{values.tolist()} with flag_meanings {meanings!r} do not say what that means"
+        )
+    order = np.argsort(values)
+    labels = np.array(words)[order][np.searchsorted(values[order], found.values)]
+    return found.copy(data=labels)
+
+
+def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
+    """Largest size of a state, or of one of the `quantities` asked for, in each case of a sweep.
+
+    name : of the state or quantity, such as "theta"; or of a variable that the dataset has.
+
+    Raises ValueError, naming all there are, for a name that the dataset does not have.
+    """
+    there = list(map(str, sweep.data_vars))
+    for variable, of in (("peak", "state"), ("peak_quantity", "quantity")):
+        if variable in sweep and of in sweep[variable].dims:
+            names = [str(value) for value in sweep[of].values]
+            if name in names:
+                return sweep[variable].isel({of: names.index(name)})
+            there += names
+    if name in sweep.data_vars:
+        return sweep[name]
+    raise ValueError(
+        f"the sweep has no {name!r}: choose of {', '.join(there)}, or give simulate_many "
+        f"quantities=[{name!r}]"
+    )

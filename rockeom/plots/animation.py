@@ -1,0 +1,324 @@
+"""A response in motion: the structure drawn to scale, frame by frame, above the moving ground."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+import math
+import os
+import uuid
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from PIL import Image
+
+from rockeom.arguments import number, told
+from rockeom.numeric.positions import places
+from rockeom.plots import free_body, style
+from rockeom.plots.sketch import Sketch, all_points
+
+if TYPE_CHECKING:
+    from rockeom.motion import GroundMotion
+    from rockeom.numeric.response import Impact, Response
+
+MOST_FRAMES = 2000
+FLASH = 0.2
+"""How long an impact is shown [s of the viewer]."""
+FILES = (".gif", ".html")
+_WIDTH, _DPI = 4.8, 100  # in, dots per in
+_HEIGHTS = 2.6, 6.0  # in
+_TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
+
+
+def animate(
+    run: Response,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    start: float | None = None,
+    end: float | None = None,
+    frames_per_second: float = 20.0,
+    speed: float = 1.0,
+    ground: bool = True,
+) -> Animation:
+    """The response as an animation, in a file or a notebook.
+
+        run.animate("block.gif")
+        run.animate("block.html", start=2.0, end=6.0, speed=0.25)
+        run.animate()    # shown by Jupyter
+
+    path : a file to write, .gif or .html: a page that needs nothing else, with a slider. None
+        writes none.
+    start, end : the part of the response that is shown [s]; all of it if not given.
+    frames_per_second : of the viewer's time; speed : how much faster than real time it runs.
+    ground : whether the ground moves, by the displacement that follows from its acceleration; else
+        the drawing moves with it. Structures in pure numbers are drawn so in any case.
+
+    Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles
+    are feet in contact, stars those that have just landed; the dashed line stands still.
+
+    Raises ValueError for times outside the response, more than 2000 frames, and other files.
+    """
+    made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
+    if path is not None:
+        made.save(path)
+    return made
+
+
+def _times(
+    run: Response, start: float | None, end: float | None, frames_per_second: float, speed: float
+) -> np.ndarray:
+    """(n,) times of the frames [s], the last of which may fall short of the end."""
+    rates = {"frames_per_second": frames_per_second, "speed": speed}
+    for name, value in rates.items():
+        if not 0.0 < number(name, value) < math.inf:
+            raise ValueError(f"{name} is {told(value)}: give a number above zero")
+    ends = run.t[0] if start is None else start, run.t[-1] if end is None else end
+    first, last = (number(n, value) for n, value in zip(("start", "end"), ends, strict=True))
+    if not run.t[0] <= first < last <= run.t[-1]:
+        raise ValueError(
+            f"start and end are {first:g} and {last:g} s: they lie within the response, from "
+            f"{run.t[0]:g} to {run.t[-1]:g} s, start before end"
+        )
+    step = speed / frames_per_second
+    n = math.floor((last - first) / step * (1 + 1e-12)) + 1
+    if n > MOST_FRAMES:
+        raise ValueError(
+            f"{n} frames are more than {MOST_FRAMES}: show a part (start, end), run it faster "
+            f"(speed={speed * n / MOST_FRAMES:.2g}), or draw fewer frames_per_second"
+        )
+    return np.minimum(first + step * np.arange(n), last)
+
+
+def ground_displacement(motion: GroundMotion, times: np.ndarray) -> np.ndarray:
+    """Displacement (n,) [m] of the ground at times (n,) [s], which starts at rest, as recorded.
+
+    The acceleration is integrated as linear between the motion's breakpoints and 4000 times more:
+    exact for records. After the motion the ground stands where it came to.
+    """
+    t = np.union1d(motion.breakpoints, np.linspace(0.0, motion.duration, 4001))
+    left, right = motion.acceleration(t[:-1]), motion.acceleration(np.nextafter(t[1:], 0.0))
+    h = np.diff(t)
+    v = np.append(0.0, np.cumsum(h * (left + right) / 2))
+    x = np.append(0.0, np.cumsum(h * v[:-1] + h**2 * (2 * left + right) / 6))
+    at = np.clip(times, 0.0, motion.duration)
+    i = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(h) - 1)
+    tau, slope = at - t[i], (right - left)[i] / h[i]
+    return x[i] + v[i] * tau + left[i] * tau**2 / 2 + slope * tau**3 / 6
+
+
+class Animation:
+    """Frames of a response; made by `animate`.
+
+    times (n,) : of the frames [s]; `frames_per_second` of the viewer.
+    ground (n, 2) : displacement of the ground at those times [m].
+    states (n, N), contacts (n,) : of the structure at those times.
+    """
+
+    def __init__(self, run: Response, times: np.ndarray, speed: float, ground: bool) -> None:
+        self.run, self.times, self.speed = run, times, speed
+        self.states, self.contacts = run.steps.at(times, "right")
+        self.ground = np.zeros((len(times), 2))
+        if ground and not style.is_dimensionless(run):
+            for i, motion in enumerate((run.motion, run.vertical)):
+                if motion is not None:
+                    self.ground[:, i] = ground_displacement(motion, times)
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    @property
+    def frames_per_second(self) -> float:
+        return self.speed / self._step
+
+    @property
+    def _step(self) -> float:
+        return float(self.times[1] - self.times[0]) if len(self) > 1 else self.speed
+
+    def __repr__(self) -> str:
+        return (
+            f"<Animation: {len(self)} frames, {self.frames_per_second:.4g} a second, "
+            f"from {self.times[0]:.4g} to {self.times[-1]:.4g} s>"
+        )
+
+    # -- one frame
+
+    def draw(self, i: int, ax: Axes) -> None:
+        """Draw a frame into empty axes of equal scales."""
+        sketch = Sketch(self.run.structure, self.states[i], int(self.contacts[i]))
+        sketch.draw(ax)
+        for foot in sketch.touching:
+            for at in sketch.feet_at(foot):
+                free_body.pivot(ax, at)
+        for foot in self._landing(i, sketch):
+            for at in sketch.feet_at(foot):
+                ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=17, zorder=10)
+        x, y = self.ground[i]
+        (left, right), (low, high) = self.limits
+        if self.ground.any():
+            free_body.line(ax, (-x, low - y), (-x, high - y))
+        ax.set(xlim=(left - x, right - x), ylim=(low - y, high - y), aspect="equal")
+        ax.axis("off")
+
+    def title(self, i: int) -> str:
+        """Time, and how many impacts there have been."""
+        digits = max(2, math.ceil(-math.log10(self._step)))
+        unit = "" if style.is_dimensionless(self.run) else " s"
+        text = f"t = {self.times[i]:.{digits}f}{unit}"
+        if self.speed != 1.0:
+            text += f" ({self.speed:g} times real time)"
+        n = int(np.searchsorted(self._impact_times, self.times[i], side="right"))
+        return f"{text}, {n} impact{'s' * (n != 1)}"
+
+    @cached_property
+    def _impacts(self) -> tuple[Impact, ...]:
+        return self.run.impacts
+
+    @cached_property
+    def _impact_times(self) -> np.ndarray:
+        return np.array([impact.time for impact in self._impacts])
+
+    def _landing(self, i: int, sketch: Sketch) -> set[str]:
+        """Feet that met the ground a moment ago."""
+        before = self.times[i] - max(FLASH * self.speed, self._step)
+        which = (self._impact_times > before) & (self._impact_times <= self.times[i])
+        landed: set[str] = set()
+        for k in np.flatnonzero(which):
+            impact = self._impacts[k]
+            after = style.feet_of(impact.phase_after)
+            named = impact.contact.split("+") if impact.contact else [after]
+            landed |= {*named} & {*sketch.feet} or {*sketch.touching}
+        return landed
+
+    @cached_property
+    def limits(self) -> np.ndarray:
+        """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
+        structure = self.run.structure
+        found = places(structure.module, self.contacts, self.states, structure.vector)
+        points = all_points(structure, found) + self.ground[:, None]
+        low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+        size = float((high - low).max()) or 1.0
+        beside = np.array([0.2 * size, 0.08 * size])
+        return np.array([low - beside - [0.0, 0.1 * size], high + beside]).T
+
+    # -- all of them
+
+    @cached_property
+    def frames(self) -> tuple[bytes, ...]:
+        """The frames as PNG, each drawn once."""
+        return self._drawn()
+
+    @style.styled
+    def _drawn(self) -> tuple[bytes, ...]:
+        (left, right), (low, high) = self.limits
+        tall = (_WIDTH - 0.2) * (high - low) / (right - left)
+        tall = min(max(tall, _HEIGHTS[0]), _HEIGHTS[1])
+        height = tall + _TOP + _BOTTOM
+        figure = Figure(figsize=(_WIDTH, height), dpi=_DPI)
+        canvas = FigureCanvasAgg(figure)
+        ax = figure.add_axes((0.02, _BOTTOM / height, 0.96, tall / height))
+        name = style.wrapped(style.plain(style.title_of(self.run)), 62).split("\n")[0]
+        figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
+        clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
+        figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)
+        found = []
+        for i in range(len(self)):
+            for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts):
+                artist.remove()  # to clear the axes takes as long as to draw them
+            self.draw(i, ax)
+            clock.set_text(self.title(i))
+            canvas.draw()
+            found.append(_png(canvas))
+        return tuple(found)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a .gif or a .html page; raises ValueError for any other name."""
+        path = Path(path)
+        kind = path.suffix.lower()
+        if kind not in FILES:
+            raise ValueError(f"{path}: the name of an animation ends in {' or '.join(FILES)}")
+        if kind == ".html":
+            title = html.escape(style.title_of(self.run))
+            page = '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+            page += f"<title>{title}</title></head>\n<body>{self._repr_html_()}</body></html>\n"
+            path.write_text(page, encoding="utf-8")
+            return
+        first, *rest = (Image.open(io.BytesIO(frame)) for frame in self.frames)
+        # it counts hundredths of a second: rounded so that no frame is late
+        ticks = np.round(100 * np.arange(len(self) + 1) / self.frames_per_second)
+        lasting = [10 * int(n) for n in np.diff(ticks)]
+        first.save(path, "GIF", save_all=True, append_images=rest, duration=lasting, loop=0)
+
+    def _repr_html_(self) -> str:
+        return _player(self.frames, self.frames_per_second, self.run)
+
+
+def _signs(animation: Animation) -> list[Line2D]:
+    """What the marks mean, as far as the structure has them."""
+    signs: list[Line2D] = []
+    if "foot" in animation.run.structure.module.POSITION_KINDS:
+        signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
+    if animation.run.impacts:
+        signs.append(_sign("impact", ls="", marker="*", color=style.LINES[1], ms=11))
+    if animation.ground.any():
+        signs.append(_sign("stands still", ls=(0, (6, 3)), color="0.45", lw=0.8))
+    return signs
+
+
+def _sign(label: str, **look: Any) -> Line2D:
+    return Line2D([], [], mec=style.INK, label=label, **look)
+
+
+def _png(canvas: FigureCanvasAgg) -> bytes:
+    """What is drawn, in 64 colours: a drawing has few."""
+    image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    kept = io.BytesIO()
+    image.quantize(64, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(kept, "PNG")
+    return kept.getvalue()
+
+
+_PLAYER = """\
+<div id="{key}" style="display:inline-block;font:13px sans-serif;color:#333">
+<img alt="{title}" src="data:image/png;base64,{first}" style="display:block">
+<div style="display:flex;gap:8px;padding:4px">
+<button type="button">pause</button>
+<input type="range" aria-label="frame" min="0" max="{last}" value="0" style="flex:1">
+</div>
+<script>
+(function () {{
+  const box = document.getElementById("{key}"), image = box.querySelector("img");
+  const button = box.querySelector("button"), slider = box.querySelector("input");
+  const frames = [{frames}];
+  let timer = null;
+  function show(i) {{ slider.value = i; image.src = "data:image/png;base64," + frames[i]; }}
+  function pause() {{ clearInterval(timer); timer = null; button.textContent = "play"; }}
+  function play() {{
+    button.textContent = "pause";
+    timer = setInterval(() => show((Number(slider.value) + 1) % frames.length), {pause});
+  }}
+  button.onclick = () => timer === null ? play() : pause();
+  slider.oninput = () => {{ pause(); show(Number(slider.value)); }};
+  play();
+}})();
+</script>
+</div>
+"""
+
+
+def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Response) -> str:
+    """The frames with a button and a slider, as a piece of a page that needs nothing else."""
+    coded = [base64.b64encode(frame).decode() for frame in frames]
+    return _PLAYER.format(
+        key=f"rockeom-{uuid.uuid4().hex}",
+        title=html.escape(style.title_of(run), quote=True),
+        first=coded[0],
+        last=len(coded) - 1,
+        frames=",".join(f'"{frame}"' for frame in coded),
+        pause=f"{1000 / frames_per_second:.3f}",
+    )

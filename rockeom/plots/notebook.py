@@ -1,0 +1,132 @@
+"""What Jupyter shows of a structure, a response, a ground motion and a sweep.
+
+Names are the user's: they are data, and escaped.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Iterable, Sequence
+from functools import singledispatch
+from html import escape
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from rockeom.analysis.sweeps import outcome_labels
+from rockeom.motion import GroundMotion
+from rockeom.numeric.ensemble import Sweep
+from rockeom.numeric.response import Response
+from rockeom.numeric.structures import Structure
+from rockeom.plots import style
+from rockeom.plots.response import plot_response
+from rockeom.plots.sketch import draw_structure
+
+_CELL = 'style="text-align:left"'
+
+
+@singledispatch
+def html_of(shown: Any) -> str:
+    """What a notebook shows of an object, as HTML; raises TypeError for objects of other kinds."""
+    raise TypeError(f"html_of knows nothing of {type(shown).__name__}")
+
+
+@html_of.register
+def _structure(shown: Structure) -> str:
+    m, values = shown.module, shown.parameters()
+    rows = [
+        (name.replace("_", " "), f"{values[name]:.6g}", unit, meaning)
+        for name, unit, meaning in zip(
+            m.PARAMETERS, m.PARAMETER_UNITS, m.PARAMETER_MEANINGS, strict=True
+        )
+        if name in values
+    ]
+    title = (m.__doc__ or m.NAME).partition("\n")[0]
+    sketch = _svg(draw_structure(shown), f"sketch of {type(shown).__name__}")
+    table = _table(("parameter", "value", "unit", "meaning"), rows)
+    return _page(type(shown).__name__, _side_by_side(sketch, f"<p>{escape(title)}</p>{table}"))
+
+
+@html_of.register
+def _response(shown: Response) -> str:
+    first, *lines = shown.summary().split("\n")
+    told = "".join(f"<li>{escape(line)}</li>" for line in lines)
+    figure = plot_response(shown)
+    assert isinstance(figure, Figure)
+    return _page(first, f"<ul>{told}</ul>{_png(figure, f'response: {shown.outcome}', 75)}")
+
+
+@html_of.register
+def _motion(shown: GroundMotion) -> str:
+    rows = [("duration", f"{shown.duration:.6g}", "s"), ("peak", f"{shown.peak:.6g}", "m/s2")]
+    if shown.dt is not None and shown.samples is not None:
+        rows.append(("time step", f"{shown.dt:.6g}", "s"))
+        rows.append(("samples", str(len(shown.samples)), ""))
+    rows.append(("source", shown.source, ""))
+    figure = _history(shown)
+    picture = _svg(figure, "acceleration against time")
+    name = shown.name or "a ground motion"
+    return _page(name, _side_by_side(picture, _table(("", "value", "unit"), rows)))
+
+
+@html_of.register
+def _sweep(shown: Sweep) -> str:
+    table = xr.Dataset._repr_html_(shown)
+    if "outcome" not in shown:  # a part of it
+        return table
+    labels, counts = np.unique(outcome_labels(shown).values, return_counts=True)
+    order = np.argsort(-counts, kind="stable")
+    rows = [(str(labels[i]), f"{counts[i]:,}") for i in order]
+    model = str(shown.attrs.get("model", "sweep")).replace("_", " ")
+    return _page(f"{model}, {counts.sum():,} motions", _table(("outcome", "motions"), rows) + table)
+
+
+@style.styled
+def _history(motion: GroundMotion) -> Figure:
+    figure = style.new_figure(5.2, 1.6)
+    ax = figure.add_subplot()
+    t = np.union1d(motion.breakpoints, np.linspace(0.0, motion.duration, 1001))
+    ax.plot(t, motion.acceleration(t), color=style.INK, lw=0.7)
+    ax.set(xlabel="time [s]", ylabel="acceleration\n[m/s2]", xlim=(0.0, motion.duration))
+    return figure
+
+
+# --- pieces of a page
+
+
+def _page(title: str, body: str) -> str:
+    return f'<div class="rockeom"><div><strong>{escape(title)}</strong></div>{body}</div>'
+
+
+def _side_by_side(*parts: str) -> str:
+    inner = "".join(f"<div>{part}</div>" for part in parts)
+    return f'<div style="display:flex;gap:16px;align-items:flex-start;flex-wrap:wrap">{inner}</div>'
+
+
+def _table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    head = "".join(f"<th {_CELL}>{escape(word)}</th>" for word in heads)
+    body = "".join(
+        "<tr>" + "".join(f"<td {_CELL}>{escape(cell)}</td>" for cell in row) + "</tr>"
+        for row in rows
+    )
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _svg(figure: Figure, words: str) -> str:
+    """A drawing of lines; as a file within the page, so that no names in it meet others."""
+    return _image(figure, words, "svg", "svg+xml", 72)
+
+
+def _png(figure: Figure, words: str, dpi: float) -> str:
+    """A drawing of so many points that lines would take more room."""
+    return _image(figure, words, "png", "png", dpi)
+
+
+def _image(figure: Figure, words: str, kind: str, media: str, dpi: float) -> str:
+    kept = io.BytesIO()
+    figure.savefig(kept, format=kind, dpi=dpi)
+    data = base64.b64encode(kept.getvalue()).decode()
+    return f'<img alt="{escape(words)}" src="data:image/{media};base64,{data}">'

@@ -1,0 +1,476 @@
+"""Figures of the datasets of `simulate_many`: maps, spectra, fragility and incremental analyses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from rockeom.analysis.fragility import Fragility, fragility_of
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.plots import style
+
+_STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
+_NAMED = len(style.LINES)
+"""So many lines have a name each in a legend."""
+
+
+# --- which pulses overturn
+
+_NO_ANSWER = 6
+_CLASSES = (
+    ("stands, no impact", "#ffffff"),
+    ("stands, after impacts", "#dbe9f6"),
+    ("overturns after 3 or more impacts", "#f2bd80"),
+    ("overturns after 2 impacts", "#e8924a"),
+    ("overturns after 1 impact", "#b24a2b"),
+    ("overturns without impact", "#591513"),
+    ("no answer", "#9a9a9a"),
+)
+"""What becomes of a case, each darker than the one before."""
+
+
+@style.styled
+def overturning_map(sweep: xr.Dataset, *, x: str, y: str, ax: Axes | None = None) -> Figure:
+    """Which cases overturn, and after how many impacts, over two names of a sweep.
+
+        overturning_map(sweep, x="frequency", y="amplitude")
+
+    x, y : names of the sweep's dimensions; or two coordinates of the cases of a table, which are
+        then drawn as dots. A name's attributes `long_name` and `units` label its axis:
+        sweep["frequency"].attrs["units"] = "Hz".
+    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+
+    Each class is darker than the one before, without colours, too. Overturning without an impact
+    and after some are the two modes of Zhang and Makris (2001), Journal of Engineering Mechanics
+    127(5), 473-483. Cases that were not run or gave no answer are grey and crossed out.
+
+    Raises ValueError for names that the sweep does not have, and where it varies others as well.
+    """
+    kinds = _only("overturning_map", _classes(sweep), sweep, x, y)
+    if ax is None:
+        ax = style.new_figure(6.8, 4.2).add_subplot()
+    _name_axes(ax, sweep, x, y)
+    if kinds.ndim == 1:
+        at = _places(sweep[x]), _places(sweep[y])
+        colours = [_CLASSES[kind][1] for kind in kinds.values]
+        ax.scatter(*at, c=colours, s=22, edgecolors="0.3", linewidths=0.5)
+    else:
+        _cells(ax, kinds.transpose(y, x).sortby(_sortable(sweep, x, y)), x, y)
+    present = [_CLASSES[kind] for kind in np.unique(kinds.values)]
+    handles = [
+        Patch(facecolor=colour, edgecolor="0.3", lw=0.6, label=label,
+              hatch="xxx" if label == _CLASSES[_NO_ANSWER][0] else None)
+        for label, colour in present
+    ]  # fmt: skip
+    ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
+    _entitle(ax, sweep, kinds.size)
+    return style.parent_figure(ax)
+
+
+def _classes(sweep: xr.Dataset) -> xr.DataArray:
+    """Which of _CLASSES each case is."""
+    labels = outcome_labels(sweep)
+    impacts = sweep["impacts"]
+    fell, stands = labels == FALLS, labels.isin(STANDS)
+    found = xr.where(fell, 5 - np.minimum(impacts, 3), xr.where(impacts > 0, 1, 0))
+    return xr.where(fell | stands, found, _NO_ANSWER).astype(int)
+
+
+def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
+    """A rectangle around each pair of values; those without an answer are crossed out."""
+    edges = [_edges(_places(kinds[name])) for name in (x, y)]
+    colours = np.array([_rgb(colour) for _, colour in _CLASSES])
+    ax.pcolormesh(*edges, colours[kinds.values], rasterized=True)
+    unknown = np.ma.masked_not_equal(kinds.values, _NO_ANSWER)
+    if unknown.count():
+        grey = ListedColormap([_CLASSES[_NO_ANSWER][1]])
+        ax.pcolor(*edges, unknown, cmap=grey, hatch="xxx", edgecolor="0.3", lw=0)
+    ax.grid(visible=False)
+    ax.set_xlim(edges[0][0], edges[0][-1])
+    ax.set_ylim(edges[1][0], edges[1][-1])
+
+
+def _rgb(colour: str) -> list[float]:
+    return [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+
+
+def _edges(centres: np.ndarray) -> np.ndarray:
+    """(n + 1,) edges half-way between (n,) centres, and as far beyond the first and the last."""
+    if len(centres) == 1:
+        return centres[0] + np.array([-0.5, 0.5])
+    between = (centres[1:] + centres[:-1]) / 2
+    first, last = 2 * centres[0] - between[0], 2 * centres[-1] - between[-1]
+    return np.concatenate([[first], between, [last]])
+
+
+# --- how far it rocks
+
+
+@style.styled
+def rocking_spectrum(
+    sweep: xr.Dataset,
+    *,
+    x: str,
+    alpha: float | str,
+    by: str | None = None,
+    state: str = "theta",
+    ax: Axes | None = None,
+) -> Figure:
+    """Peak rotation over the slenderness against a name of a sweep, a line for each value of `by`.
+
+        rocking_spectrum(sweep, x="frequency_parameter", by="alpha", alpha="alpha")
+
+    x : a name of the sweep, such as the frequency parameter p or the period 2 pi/p of the blocks.
+    alpha : slenderness of the blocks [rad], or the sweep's name of it.
+    by : another name of the sweep, if it varies one. Many lines have a scale of colours; many of
+        words, such as records, are thin and grey.
+    state : the rotation.
+    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+
+    Cases that overturn have no peak: they are triangles in the band above, a row for each line.
+    Lines have gaps there, and where there is no answer. Source: Makris and Konstantinidis (2003),
+    Earthquake Engineering and Structural Dynamics 32(2), 265-289.
+
+    Raises ValueError for names that the sweep does not have, and where it varies others as well.
+    """
+    function = "rocking_spectrum"
+    labels = outcome_labels(sweep)
+    slenderness = sweep[_known(function, sweep, alpha)] if isinstance(alpha, str) else alpha
+    ratios = (peaks_of(sweep, state) / slenderness).where(labels.isin(STANDS))
+    names = (x,) if by is None else (by, x)
+    ratios = _only(function, ratios, sweep, *names).transpose(*reversed(names))
+    fell = _only(function, labels == FALLS, sweep, *names).transpose(*reversed(names))
+    order = np.argsort(at := _places(sweep[x]))
+    at = at[order]
+    lines = ratios.values.reshape(len(at), -1)[order]
+    down = fell.values.reshape(lines.shape)[order]
+    if ax is None:
+        ax = style.new_figure(6.4, 3.8).add_subplot()
+    top = 1.05 * np.nanmax(lines, initial=1.0)
+    rows = top * (1.0 + 0.2 * (np.arange(lines.shape[1]) + 0.5) / lines.shape[1])
+    looks = _looks(ax, sweep, by, lines.shape[1])
+    for line, lost, row, look in zip(lines.T, down.T, rows, looks, strict=True):
+        ax.plot(at, line, **look)
+        ax.plot(at[lost], np.full(lost.sum(), row), "^", color=look["color"], ms=3.5, mew=0)
+    if down.any():
+        ax.axhspan(top, 1.2 * top, facecolor="0.95", lw=0, zorder=0)
+        ax.plot([], [], "^", color=style.INK, ms=3.5, mew=0, label="overturned")
+        ax.set_yticks([tick for tick in ax.get_yticks() if tick <= top])
+    ax.set_ylim(0.0, 1.2 * top if down.any() else top)
+    ax.set_xlim(at[0], at[-1])
+    ax.set_xlabel(_label(sweep, x))
+    ax.set_ylabel(rf"largest $|${style.symbol(state)}$|/\alpha$ [-]")
+    if ax.get_legend_handles_labels()[0]:
+        title = None if by is None or lines.shape[1] > _NAMED else _label(sweep, by)
+        ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
+    _entitle(ax, sweep, lines.size)
+    return style.parent_figure(ax)
+
+
+def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str, Any]]:
+    """How each of n lines is drawn: few by name, many by a scale of colours, words in grey."""
+    if by is None:
+        return [{"color": style.LINES[0]}]
+    values = sweep[by].values
+    if n <= _NAMED:
+        return [
+            {"color": colour, "ls": dashes, "label": _said(value)}
+            for value, colour, dashes in zip(values, style.LINES, _STYLES, strict=False)
+        ]
+    if values.dtype.kind not in "iuf":
+        name = style.plain(by.replace("_", " "))
+        return [{"color": "0.45", "lw": 0.6, "label": f"each {name}" * (i == 0)} for i in range(n)]
+    from matplotlib import colormaps
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    scale = ScalarMappable(Normalize(values.min(), values.max()), colormaps["viridis"])
+    style.parent_figure(ax).colorbar(scale, ax=ax, label=_label(sweep, by))
+    return [{"color": scale.to_rgba(value), "lw": 0.9} for value in values]
+
+
+# --- how likely it is
+
+
+@style.styled
+def fragility_curve(
+    found: xr.Dataset | Fragility,
+    *,
+    intensity: str = "intensity",
+    demand: str | None = None,
+    limit: float | None = None,
+    level: float = 0.95,
+    ax: Axes | None = None,
+) -> Figure:
+    """The lognormal fragility curve of a sweep, its confidence bounds, and what was observed.
+
+        fragility_curve(sweep, intensity="pga")
+        fragility_curve(sweep, intensity="pga", demand="theta", limit=0.05)
+
+    found : a sweep, or a curve that `analysis.fit_fragility` has fitted.
+    intensity, demand, limit : as of `analysis.fragility_of`; of overturning without the latter two.
+        Of a curve that is given, `intensity` labels the axis.
+    level : probability of the bounds at an intensity; they come from the Fisher information.
+    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+
+    Dots are the fractions observed. Raises ValueError where no curve is most likely, as
+    `analysis.fit_fragility` says.
+    """
+    if isinstance(found, Fragility):
+        curve, label = found, style.plain(intensity.replace("_", " "))
+    else:
+        curve = fragility_of(found, intensity=intensity, demand=demand, limit=limit)
+        label = _label(found, intensity)
+    if ax is None:
+        ax = style.new_figure(5.4, 3.8).add_subplot()
+    levels, fractions = curve.fractions()
+    end = 1.05 * max(levels[-1], curve.median)
+    im = np.linspace(1e-3 * end, end, 400)
+    low, high = curve.bounds(im, level)
+    ax.fill_between(
+        im, low, high, facecolor="#cfe0ee", lw=0, label=f"{100 * level:g} % confidence, Fisher"
+    )
+    ax.plot(im, curve.probability(im), color=style.LINES[0], lw=1.6, label="maximum likelihood")
+    ax.plot(levels, fractions, "o", color=style.INK, mfc="white", ms=4.5, zorder=4,
+            label="observed", clip_on=False)  # fmt: skip
+    ax.plot([curve.median] * 2, [0.0, 0.5], ":", color=style.INK, lw=0.9)
+    ax.set(xlabel=label, xlim=(0.0, end), ylim=(0.0, 1.0))
+    ax.set_ylabel(_event(demand, limit, found))
+    _, _, unit = label.partition(" [")
+    told = f"median {curve.median:.4g} {unit.rstrip(']')}".rstrip(" -")
+    told += f", dispersion {curve.dispersion:.3g}, {curve.number.sum():g} motions"
+    if curve.left_out:
+        told += f", {curve.left_out} without an answer left out"
+    ax.set_title(told, fontsize=8.5)
+    ax.legend(loc="lower right")
+    return style.parent_figure(ax)
+
+
+def _event(demand: str | None, limit: float | None, found: xr.Dataset | Fragility) -> str:
+    if isinstance(found, Fragility):
+        return "probability of exceedance [-]"
+    if demand is None:
+        return "probability of overturning [-]"
+    unit = _unit_of_demand(found, demand)
+    reached = f"{limit:g} {unit}".rstrip()
+    return f"probability that |{style.plain(demand)}|\nreaches {reached} or overturns [-]"
+
+
+# --- what each record asks for
+
+_FRACTILES = ((0.16, "--"), (0.50, "-"), (0.84, "-."))
+_FEW_NAMES = 12
+
+
+@style.styled
+def incremental_dynamic_analysis(
+    sweep: xr.Dataset,
+    *,
+    intensity: str,
+    demand: str = "theta",
+    record: str | None = None,
+    ax: Axes | None = None,
+) -> Figure:
+    """What each record asks of a structure as its intensity grows, and fractiles of all records.
+
+        incremental_dynamic_analysis(sweep, intensity="pga", demand="theta")
+
+    intensity : a name of the sweep, or a coordinate of the cases of a table.
+    demand : the state or quantity whose largest size is drawn.
+    record : the sweep's name of the records: what else it varies, if not given.
+    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+
+    A record is a thin line. Where it overturns there is no demand: the line goes to the band at
+    the right, and a few records are named where they do so first. Thick lines are the 16, 50 and 84
+    % fractiles of the demand at an intensity, overturning being more than any demand; they end in
+    the band where so many records overturn. Source: Vamvatsikos and Cornell (2002), Earthquake
+    Engineering and Structural Dynamics 31(3), 491-514.
+
+    Raises ValueError for names that the sweep does not have, and where `record` is not told.
+    """
+    function = "incremental_dynamic_analysis"
+    curves, names = _by_record(function, sweep, intensity, demand, record)
+    known = np.concatenate([d[np.isfinite(d)] for _, d in curves])
+    if not len(known):
+        raise ValueError(f"{function}: no case has a demand: all overturned, or were not run")
+    last = 1.04 * known.max() or 1.0
+    edge = 1.14 * last
+    if ax is None:
+        ax = style.new_figure(7.2, 4.4).add_subplot()
+    for i, (im, d) in enumerate(curves):
+        at = np.where(np.isposinf(d), edge, d)
+        ax.plot(at, im, color="0.6", lw=0.6, zorder=2, label="each record" * (i == 0) or None)
+        down = np.isposinf(d)
+        ax.plot(at[down], im[down], ">", color="0.35", ms=3, mew=0, zorder=3, clip_on=False)
+    levels = np.unique(np.concatenate([im for im, _ in curves]))
+    for part, dashes in _FRACTILES:
+        at, im = _fractile(curves, levels, part)
+        ax.plot(np.where(np.isposinf(at), edge, at), im, ls=dashes, color=style.LINES[1], lw=1.8,
+                zorder=5, label=f"{100 * part:.0f} % of records")  # fmt: skip
+    ax.set_xlim(0.0, edge)
+    ax.set_ylim(0.0, 1.03 * levels[-1])
+    if any(np.isposinf(d).any() for _, d in curves):
+        ax.axvspan(last, edge, facecolor="0.93", lw=0, zorder=1)
+        ax.text((last + edge) / 2, 0.02, "overturned", rotation=90, ha="center", va="bottom",
+                fontsize=8, transform=ax.get_xaxis_transform(), zorder=6)  # fmt: skip
+        ax.set_xticks([tick for tick in ax.get_xticks() if tick <= last])
+        if len(names) <= _FEW_NAMES:
+            _name_fallen(ax, curves, names, edge)
+    ax.set_xlabel(_demand_label(sweep, demand))
+    ax.set_ylabel(_label(sweep, intensity))
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2)
+    return style.parent_figure(ax)
+
+
+def _by_record(
+    function: str, sweep: xr.Dataset, intensity: str, demand: str, record: str | None
+) -> tuple[list[tuple[np.ndarray, np.ndarray]], list[str]]:
+    """(intensities, demands) of each record, overturned being infinite, and their names.
+
+    Cases without an answer are nan.
+    """
+    im = sweep[_known(function, sweep, intensity)]
+    labels = outcome_labels(sweep)
+    found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
+    others = [str(d) for d in labels.dims if d not in im.dims]
+    if record is None and not others:
+        raise ValueError(
+            f"{function}: the sweep varies {', '.join(map(str, labels.dims))}, and no record: "
+            "give record=, the name of its coordinate that tells one"
+        )
+    keys = [record] if record is not None else others
+    columns = [sweep[_known(function, sweep, key)] for key in keys]
+    each = [a.values.ravel() for a in xr.broadcast(im, found, *columns)]
+    of = np.array([", ".join(map(_said, key)) for key in zip(*each[2:], strict=True)])
+    curves, names = [], list(dict.fromkeys(of.tolist()))
+    for name in names:
+        mine = np.flatnonzero(of == name)
+        mine = mine[np.argsort(each[0][mine], kind="stable")]
+        curves.append((each[0][mine], each[1][mine]))
+    return curves, names
+
+
+def _fractile(
+    curves: Sequence[tuple[np.ndarray, np.ndarray]], levels: np.ndarray, part: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The least demand that is not exceeded by this part of the records, at each intensity.
+
+    It ends at the first intensity at which it is infinite.
+    """
+    found = []
+    for level in levels:
+        there = np.concatenate([d[im == level] for im, d in curves])
+        there = there[~np.isnan(there)]
+        found.append(np.quantile(there, part, method="inverted_cdf") if len(there) else np.nan)
+    at = np.array(found)
+    down = np.flatnonzero(np.isposinf(at))
+    end = down[0] + 1 if len(down) else len(at)
+    return at[:end], levels[:end]
+
+
+def _name_fallen(
+    ax: Axes, curves: Sequence[tuple[np.ndarray, np.ndarray]], names: Sequence[str], edge: float
+) -> None:
+    """Records, beside the intensity at which each overturns first."""
+    first: dict[float, list[str]] = {}
+    for (im, d), name in zip(curves, names, strict=True):
+        if np.isposinf(d).any():
+            first.setdefault(float(im[np.isposinf(d)][0]), []).append(name)
+    for level, those in first.items():
+        text = _short(those[0]) + (f"\nand {len(those) - 1} more" if len(those) > 1 else "")
+        ax.annotate(style.plain(text), (edge, level), xytext=(5, 0), textcoords="offset points",
+                    fontsize=7, va="center", annotation_clip=False)  # fmt: skip
+
+
+def _short(name: str, letters: int = 24) -> str:
+    return name if len(name) <= letters else name[: letters - 1] + "…"
+
+
+# --- names and places
+
+
+def _known(function: str, sweep: xr.Dataset, name: str) -> str:
+    if name not in sweep.coords:
+        raise ValueError(
+            f"{function}: the sweep has no coordinate {name!r}; it has "
+            f"{', '.join(map(str, sweep.coords))}"
+        )
+    return name
+
+
+def _only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
+    """What is left of the dimensions when those of one value are dropped: those of the names."""
+    wanted = {d for name in names for d in sweep[_known(function, sweep, name)].dims}
+    others = {str(d): n for d, n in found.sizes.items() if d not in wanted and n > 1}
+    if others:
+        told = ", ".join(f"{name} ({n} values)" for name, n in others.items())
+        first = next(iter(others))
+        raise ValueError(
+            f"{function}: the sweep varies {told} as well: choose one, as in "
+            f"sweep.isel({first}=0), or name it"
+        )
+    return found.squeeze([d for d in found.dims if d not in wanted], drop=True)
+
+
+def _sortable(sweep: xr.Dataset, *names: str) -> list[str]:
+    return [name for name in names if sweep[name].dtype.kind in "iuf"]
+
+
+def _places(values: xr.DataArray) -> np.ndarray:
+    """Where values stand on an axis: numbers where they are, words one after the other."""
+    return values.values if values.dtype.kind in "iuf" else np.arange(values.size)
+
+
+def _name_axes(ax: Axes, sweep: xr.Dataset, x: str, y: str) -> None:
+    ax.set_xlabel(_label(sweep, x))
+    ax.set_ylabel(_label(sweep, y))
+    for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
+        if sweep[name].dtype.kind not in "iuf":
+            words = [_said(value) for value in sweep[name].values]
+            axis.set_ticks(range(len(words)), words)
+
+
+def _label(sweep: xr.Dataset, name: str) -> str:
+    """Name and unit of a coordinate."""
+    attrs = sweep[name].attrs
+    words = style.plain(str(attrs.get("long_name", name.replace("_", " "))))
+    return f"{words} [{_unit(attrs['units'])}]" if "units" in attrs else words
+
+
+def _demand_label(sweep: xr.Dataset, demand: str) -> str:
+    unit = _unit_of_demand(sweep, demand)
+    shown = style.plain(demand.replace("_", " "))
+    return f"largest |{shown}|" + (f" [{unit}]" if unit else "")
+
+
+def _unit_of_demand(sweep: xr.Dataset, demand: str) -> str:
+    """Unit of a state or quantity, where the dataset tells it; else nothing."""
+    found = peaks_of(sweep, demand)
+    for name in ("state_unit", "quantity_unit"):
+        if name in found.coords:
+            return _unit(found[name].values)
+    return _unit(found.attrs.get("units", ""))
+
+
+def _unit(unit: Any) -> str:
+    """As it is written on an axis: "1" is none."""
+    return "-" if str(unit) == "1" else style.plain(str(unit))
+
+
+def _said(value: Any) -> str:
+    """A coordinate's value in a figure."""
+    if isinstance(value, (int, float, np.number)):
+        return f"{value:.4g}"
+    return style.plain(str(value))
+
+
+def _entitle(ax: Axes, sweep: xr.Dataset, n: int) -> None:
+    name = style.plain(str(sweep.attrs.get("model", "")).replace("_", " "))
+    ax.set_title(f"{name[:1].upper()}{name[1:]}, {n:,} motions".lstrip(", "), fontsize=9)

@@ -1,0 +1,203 @@
+"""Fragility curves: against closed forms, an optimisation of another kind, and chance itself."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from scipy.optimize import minimize
+from scipy.stats import norm
+
+from rockeom.analysis import fit_fragility, fragility_of, outcome_labels, peaks_of
+
+IM = np.array([0.1, 0.2, 0.3, 0.4, 0.6, 0.8])
+HITS = np.array([0, 2, 5, 4, 9, 19])
+OF = np.array([20, 20, 18, 10, 15, 20])
+
+
+def probability(im, median, dispersion):
+    return norm.cdf(np.log(im / median) / dispersion)
+
+
+def unlikelihood(parameters, im=IM, hits=HITS, of=OF):
+    """The negative logarithm of Baker's equation 11, by binomial probabilities."""
+    p = probability(im, *parameters)
+    return -np.sum(hits * np.log(p) + (of - hits) * np.log1p(-p))
+
+
+# --- the curve
+
+
+def test_median_and_dispersion_are_those_another_optimisation_finds():
+    found = minimize(unlikelihood, [0.5, 0.5], method="Nelder-Mead",
+                     options={"xatol": 1e-10, "fatol": 1e-13, "maxiter": 4000})  # fmt: skip
+    curve = fit_fragility(IM, HITS, OF)
+    assert (curve.median, curve.dispersion) == pytest.approx(found.x, rel=1e-6)
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 9.81e3])
+def test_two_intensities_are_met_exactly_in_any_unit(unit):
+    """As many parameters as fractions: Phi(ln(x/median)/dispersion) is each of them."""
+    im, hits = unit * np.array([0.2, 0.5]), np.array([3, 16])
+    curve = fit_fragility(im, hits, 20)
+    deviates = norm.ppf(hits / 20)
+    dispersion = np.log(im[1] / im[0]) / (deviates[1] - deviates[0])
+    assert curve.dispersion == pytest.approx(dispersion, rel=1e-10)
+    assert curve.median == pytest.approx(im[0] * np.exp(-deviates[0] * dispersion), rel=1e-10)
+    np.testing.assert_allclose(curve.probability(im), hits / 20, rtol=1e-10)
+
+
+def test_single_motions_say_the_same_as_their_numbers():
+    each = np.repeat(IM, OF)
+    exceeded = np.concatenate([np.arange(n) < k for n, k in zip(OF, HITS, strict=True)])
+    one, all_ = fit_fragility(each, exceeded), fit_fragility(IM, HITS, OF)
+    assert (one.median, one.dispersion) == pytest.approx((all_.median, all_.dispersion), rel=1e-9)
+    np.testing.assert_allclose(one.covariance, all_.covariance, rtol=1e-8)
+    for found, expected in zip(one.fractions(), (IM, HITS / OF), strict=True):
+        np.testing.assert_allclose(found, expected)
+
+
+@pytest.mark.parametrize(("median", "dispersion"), [(0.3, 0.1), (2.0, 0.6), (50.0, 1.5)])
+def test_fractions_of_a_known_curve_give_it_back(median, dispersion):
+    """A billion motions: fractions are probabilities but for the last."""
+    im = median * np.exp(dispersion * np.linspace(-2.0, 2.0, 9))
+    number = 10**9
+    hits = np.round(number * probability(im, median, dispersion))
+    curve = fit_fragility(im, hits, number)
+    assert (curve.median, curve.dispersion) == pytest.approx((median, dispersion), rel=1e-6)
+
+
+# --- its doubt
+
+
+def test_covariance_is_the_inverse_of_the_information_by_differences():
+    """Expected information of binomial counts: the sum of n (dp/dx)(dp/dy)/(p(1-p))."""
+    curve = fit_fragility(IM, HITS, OF)
+    at = np.array([curve.median, curve.dispersion])
+    p = probability(IM, *at)
+    slopes = []
+    for i in range(2):
+        step = 1e-6 * at * (np.arange(2) == i)
+        change = probability(IM, *(at + step)) - probability(IM, *(at - step))
+        slopes.append(change / (2 * step[i]))
+    information = np.array([[np.sum(OF * a * b / (p * (1 - p))) for a in slopes] for b in slopes])
+    np.testing.assert_allclose(curve.covariance, np.linalg.inv(information), rtol=1e-7)
+
+
+def test_bounds_lie_around_the_truth_as_often_as_their_level_says():
+    rng = np.random.default_rng(5)
+    im = np.linspace(0.2, 1.2, 11)
+    truth = probability(im, 0.6, 0.4)
+    inside = []
+    for hits in rng.binomial(44, truth, size=(400, len(im))):
+        low, high = fit_fragility(im, hits, 44).bounds(im, 0.9)
+        inside.append((low <= truth) & (truth <= high))
+    assert np.mean(inside, axis=0) == pytest.approx(0.9, abs=0.06)
+
+
+def test_bounds_hold_the_curve_and_widen_with_the_level():
+    curve = fit_fragility(IM, HITS, OF)
+    im = np.linspace(0.01, 2.0, 50).reshape(5, 10)
+    (low, high), (lower, higher) = curve.bounds(im, 0.5), curve.bounds(im, 0.95)
+    p = curve.probability(im)
+    assert p.shape == low.shape == (5, 10)
+    assert np.all((lower <= low) & (low <= p) & (p <= high) & (high <= higher))
+    with pytest.raises(ValueError, match=r"level is 95.*between 0 and 1"):
+        curve.bounds(im, 95)
+
+
+# --- what has no curve
+
+
+@pytest.mark.parametrize(
+    ("im", "hits", "of", "message"),
+    [
+        ([0.1, 0.2, 0.3, 0.4], [0, 0, 5, 5], 5, "separable"),
+        ([0.1, 0.2, 0.3], [0, 2, 5], 5, "separable"),
+        ([0.1, 0.2], [0, 0], 5, "none of 10 motions exceeded"),
+        ([0.1, 0.2], [5, 5], 5, "all of 10 motions exceeded"),
+        ([0.3, 0.3], [1, 0], 1, "all motions have the intensity 0.3"),
+        ([0.1, 0.2, 0.3], [4, 3, 1], 5, "falls as the intensity rises"),
+        ([0.1, 0.3], [5, 0], 5, "falls as the intensity rises"),
+        ([0.0, 0.3], [0, 3], 5, r"intensity\[0\] is 0.0"),
+        ([0.1, 0.3], [0, 6], 5, r"exceeded\[1\] is 6"),
+        ([0.1, 0.3], [0.5, 2], 5, "whole numbers"),
+        ([0.1, np.nan], [0, 2], 5, "finite"),
+        ([0.1, 0.2, 0.3], [0, 2], 5, "do not broadcast"),
+    ],
+)
+def test_what_no_curve_fits_best_is_refused_and_said_why(im, hits, of, message):
+    with pytest.raises(ValueError, match=message):
+        fit_fragility(im, hits, of)
+
+
+# --- of a sweep
+
+
+def sweep(outcome=None) -> xr.Dataset:
+    """Four records at five intensities; one case of the last record has no answer."""
+    labels = np.array([
+        ["came to rest", "came to rest", "completed", "overturned", "overturned"],
+        ["completed", "overturned", "overturned", "overturned", "overturned"],
+        ["completed", "completed", "completed", "completed", "overturned"],
+        ["completed", "completed", "overturned", "not run", "completed"],
+    ])  # fmt: skip
+    peak = np.where(labels == "overturned", 1.6, 0.02 * np.arange(1, 6))
+    return xr.Dataset(
+        {
+            "outcome": (("record", "pga"), labels) if outcome is None else outcome(labels),
+            "peak": (("record", "pga", "state"), np.stack([peak, 9 * peak], axis=-1)),
+        },
+        coords={"record": list("abcd"), "pga": [1.0, 2.0, 3.0, 4.0, 5.0],
+                "state": ["theta", "theta_dot"]},
+    )  # fmt: skip
+
+
+def flagged(labels):
+    """Numbers with the meanings of CF, in no order."""
+    flags = {"not_run": 0, "overturned": 7, "came_to_rest": 2, "completed": 3}
+    numbers = np.vectorize(lambda x: flags[x.replace(" ", "_")])(labels)
+    attrs = {"flag_values": np.array([*flags.values()]), "flag_meanings": " ".join(flags)}
+    return xr.Variable(("record", "pga"), numbers, attrs)
+
+
+@pytest.mark.parametrize("outcome", [None, flagged])
+def test_sweep_counts_who_overturns_at_each_intensity(outcome):
+    curve = fragility_of(sweep(outcome), intensity="pga")
+    expected = fit_fragility([1, 2, 3, 4, 5], [0, 1, 2, 2, 3], [4, 4, 4, 3, 4])
+    assert (curve.median, curve.dispersion) == pytest.approx(
+        (expected.median, expected.dispersion), rel=1e-9
+    )
+    assert curve.left_out == 1
+    assert curve.number.sum() == 19
+
+
+def test_sweep_counts_who_reaches_a_limit_or_overturns():
+    curve = fragility_of(sweep(), intensity="pga", demand="theta", limit=0.0999)
+    _, fractions = curve.fractions()
+    np.testing.assert_allclose(fractions, [0, 1 / 4, 2 / 4, 2 / 3, 1.0])
+
+
+def test_cases_of_a_table_count_as_those_of_a_grid():
+    table = sweep().stack(case=("record", "pga")).reset_index("case")
+    one, other = fragility_of(table, intensity="pga"), fragility_of(sweep(), intensity="pga")
+    assert one.median == pytest.approx(other.median, rel=1e-9)
+
+
+def test_labels_are_the_same_however_outcomes_are_kept():
+    found = outcome_labels(sweep(flagged))
+    np.testing.assert_array_equal(found.values, outcome_labels(sweep()).values)
+    assert found.dims == ("record", "pga")
+
+
+def test_names_that_a_sweep_does_not_have_are_refused_with_those_it_has():
+    with pytest.raises(ValueError, match=r"no coordinate 'pgv'; it has .*pga"):
+        fragility_of(sweep(), intensity="pgv")
+    with pytest.raises(ValueError, match=r"no 'drift': choose of .*theta"):
+        peaks_of(sweep(), "drift")
+    with pytest.raises(ValueError, match="belong together"):
+        fragility_of(sweep(), intensity="pga", limit=0.1)
+    with pytest.raises(ValueError, match="no `outcome`"):
+        outcome_labels(sweep().drop_vars("outcome"))
+    odd = sweep(flagged)
+    odd["outcome"].attrs["flag_meanings"] = "completed"
+    with pytest.raises(ValueError, match="do not say what that means"):
+        outcome_labels(odd)
