@@ -102,8 +102,16 @@ def _thesis_wall(initial_force: float) -> Any:
     return Wall.thesis(initial_force)
 
 
+def _code_of_model(model: Any, language: str) -> str:
+    from rockeom.declared import module_of_model
+    from rockeom.exports import code
+
+    return code(module_of_model(model), language)
+
+
 hooks.plot_response.answer = _plot_response
 hooks.thesis_wall.answer = _thesis_wall
+hooks.code_of_model.answer = _code_of_model
 
 
 def __getattr__(name: str) -> Any:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _MODULES: dict[int, tuple[RockingModel, ModuleType]] = {}
 
 
-def _module_of(model: RockingModel) -> ModuleType:
+def module_of_model(model: RockingModel) -> ModuleType:
     """The generated module of a declared model, derived once on a machine."""
     if id(model) not in _MODULES:
         from rockeom.codegen import declaration_digest
@@ -58,4 +58,4 @@ def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> M
 
 def class_of_model(model: RockingModel) -> type[Structure]:
     """The class of structures of a declared model."""
-    return class_of(_module_of(model))
+    return class_of(module_of_model(model))

@@ -22,3 +22,5 @@ plot_response = Hook()
 """A figure of a response; keyword arguments as in `rockeom.plots.plot_response`."""
 thesis_wall = Hook()
 """The `rockeom.analysis.Wall` of the thesis with an initial force of its tendon [N]."""
+code_of_model = Hook()
+"""The text of a RockingModel or Model in a language, see `rockeom.exports.code`."""

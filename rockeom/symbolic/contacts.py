@@ -308,6 +308,15 @@ class Model:
         """The same equations as a Markdown page."""
         return READERS["markdown"](self)
 
+    def code(self, language: str) -> str:
+        """What is simulated, as the text of one self-contained file: "c" (C99) or "matlab".
+
+        Equations of motion, guards, impact map, energies and more of every contact state, with
+        arguments and units told in it; MATLAB's runs in Octave as well. See `rockeom export`.
+        Raises ValueError for another language.
+        """
+        return hooks.code_of_model(self, language)
+
     # what is asked of a model whichever way it was declared
 
     @property

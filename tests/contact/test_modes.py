@@ -15,7 +15,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
-from rockeom.declared import _module_of
+from rockeom.declared import module_of_model
 from rockeom.numeric.contact_states import Points
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
@@ -41,7 +41,7 @@ def model(name: str):
 def module(name: str):
     if name in rk.models():  # what is generated is what is derived: another test compares them
         return importlib.import_module(f"rockeom.generated.{name}")
-    return _module_of(model(name))  # derived once for all tests
+    return module_of_model(model(name))  # derived once for all tests
 
 
 def cases(name: str, seed: int):
