@@ -103,10 +103,7 @@ def _thesis_wall(initial_force: float) -> Any:
 
 
 def _code_of_model(model: Any, language: str) -> str:
-    from rockeom.declared import module_of_model
-    from rockeom.exports import code
-
-    return code(module_of_model(model), language)
+    return import_module("rockeom.exports").code_of_model(model, language)
 
 
 hooks.plot_response.answer = _plot_response

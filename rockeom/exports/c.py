@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from functools import lru_cache
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -25,24 +26,24 @@ from rockeom.exports.closed import (
 )
 from rockeom.exports.writer import EITHER, ITEM, OR, POWER, PRODUCT, SIGNED, STEP, SUM, Writer
 
-RESERVED = frozenset(
-    """
-auto break case char const continue default do double else enum extern float for goto if inline int
-long register restrict return short signed sizeof static struct switch typedef union unsigned void
-volatile while alignas alignof bool constexpr false nullptr static_assert thread_local true typeof
-typeof_unqual asm fortran and and_eq bitand bitor catch class compl const_cast delete dynamic_cast
-explicit export friend mutable namespace new not not_eq operator or or_eq private protected public
-reinterpret_cast static_cast template this throw try typeid typename using virtual wchar_t xor xor_eq
-acos asin atan atan2 cos sin tan acosh asinh atanh cosh sinh tanh exp exp2 expm1 frexp ilogb ldexp log
-log10 log1p log2 logb modf scalbn scalbln cbrt fabs hypot pow sqrt erf erfc lgamma tgamma ceil floor
-nearbyint rint lrint llrint lround llround round trunc fmod remainder remquo copysign nan nextafter
-nexttoward fdim fmax fmin fma fpclassify isfinite isinf isnan isnormal signbit isgreater
-isgreaterequal isless islessequal islessgreater isunordered INFINITY NAN HUGE_VAL HUGE_VALF HUGE_VALL
-FP_INFINITE FP_NAN FP_NORMAL FP_SUBNORMAL FP_ZERO FP_FAST_FMA FP_ILOGB0 FP_ILOGBNAN MATH_ERRNO
-MATH_ERREXCEPT math_errhandling float_t double_t errno main NULL EOF linux unix i386 result
-""".split()
-)
+_WORDS = """
+auto break case char const continue default do double else enum extern float for goto if inline
+int long register restrict return short signed sizeof static struct switch typedef union
+unsigned void volatile while alignas alignof bool constexpr false nullptr static_assert
+thread_local true typeof typeof_unqual asm fortran and and_eq bitand bitor catch class compl
+const_cast delete dynamic_cast explicit export friend mutable namespace new not not_eq operator
+or or_eq private protected public reinterpret_cast static_cast template this throw try typeid
+typename using virtual wchar_t xor xor_eq acos asin atan atan2 cos sin tan acosh asinh atanh
+cosh sinh tanh exp exp2 expm1 frexp ilogb ldexp log log10 log1p log2 logb modf scalbn scalbln
+cbrt fabs hypot pow sqrt erf erfc lgamma tgamma ceil floor nearbyint rint lrint llrint lround
+llround round trunc fmod remainder remquo copysign nan nextafter nexttoward fdim fmax fmin fma
+fpclassify isfinite isinf isnan isnormal signbit isgreater isgreaterequal isless islessequal
+islessgreater isunordered INFINITY NAN HUGE_VAL HUGE_VALF HUGE_VALL FP_INFINITE FP_NAN FP_NORMAL
+FP_SUBNORMAL FP_ZERO FP_FAST_FMA FP_ILOGB0 FP_ILOGBNAN MATH_ERRNO MATH_ERREXCEPT
+math_errhandling float_t double_t errno main NULL EOF linux unix i386 result
+"""
 """Words of C and C++, and what <math.h> may define, functions and macros."""
+RESERVED = frozenset(_WORDS.split())
 
 JOINED = "\x1f"
 """A blank at which no line is broken."""
@@ -62,7 +63,9 @@ class CWriter(Writer):
         self.prefix = prefix
         self.given = _array_given(function)
         self.pending: list[set[str]] = []  # names by block, declared when they are first assigned
-        self.inner: set[str] = set()  # names that only the statement knows which is written now
+        self.inner: Set[str] = (
+            frozenset()
+        )  # names that only the statement knows which is written now
         self.times = Counter(
             n.id for s in function.body for n in names_of(s) if isinstance(n.ctx, ast.Store)
         )
@@ -85,9 +88,9 @@ class CWriter(Writer):
             return self.text(node, PRODUCT)
         match node:
             case ast.Constant(value=value):
-                return f"{value}.0"
+                return f"{value!r}.0"
             case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=value)):
-                return f"-{value}.0"
+                return f"-{value!r}.0"
         return f"(double) {self.text(node, ITEM)}"
 
     def power(self, base: ast.expr, exponent: ast.expr) -> tuple[str, int]:
@@ -158,7 +161,7 @@ class CWriter(Writer):
         word = _word(returns) if isinstance(returns, str) else "void"
         return f"{word} {self.prefix}{self.names.of(function.name)}({', '.join(given)})"
 
-    def declaring(self, body: Sequence[ast.stmt], names: set[str]) -> None:
+    def declaring(self, body: Sequence[ast.stmt], names: Set[str]) -> None:
         """A block; `names` are those that nothing outside of it asks for.
 
         Each is declared where it is first assigned, in the innermost block that knows it.
@@ -249,7 +252,7 @@ class CWriter(Writer):
             case _:
                 self.function.refuse(node, f"{type(node).__name__} is not written")
 
-    def branches(self, node: ast.If, names: set[str]) -> None:
+    def branches(self, node: ast.If, names: Set[str]) -> None:
         self.line(f"if ({self.text(node.test)}) {{")
         while True:
             self.declaring(node.body, names)
@@ -264,7 +267,7 @@ class CWriter(Writer):
             self.declaring(rest, names)
         self.line("}")
 
-    def loop(self, node: ast.For, names: set[str]) -> None:
+    def loop(self, node: ast.For, names: Set[str]) -> None:
         assert isinstance(node.target, ast.Name)
         name, arguments = node.target.id, node.iter.args  # type: ignore[attr-defined]
         first = self.text(arguments[0]) if len(arguments) > 1 else "0"
@@ -403,6 +406,8 @@ def table(name: str, value: Any) -> list[str]:
 
 
 def _wrapped(head: str, items: str) -> list[str]:
-    import textwrap
-
-    return [f"{head} {{", *textwrap.wrap(items, 92, initial_indent="    ", subsequent_indent="    "), "};"]
+    return [
+        f"{head} {{",
+        *wrap(items, 92, initial_indent="    ", subsequent_indent="    "),
+        "};",
+    ]

@@ -1,9 +1,9 @@
 """The functions of a generated module as they are written out for another language.
 
-Generated modules stand in a closed part of Python, see `rockeom.numeric.printer`: numbers, tuples of
-them, arrays that are passed in, calls, `while`, `for`, `if`. What a language with declared types must
-be told is found out here: the type of each variable, which arrays a function fills, and which names
-would mean something else there. Nothing of it is run but tables of constants.
+Generated modules stand in a closed part of Python, see `rockeom.numeric.printer`: numbers, tuples
+of them, arrays that are passed in, calls, `while`, `for`, `if`. What a language with declared types
+must be told is found out here: the type of each variable, which arrays a function fills, what is
+needed of its values, and which names would mean something else there.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ Type = str | Array | Row | None
 """None is what is not known yet, or a function that gives nothing back."""
 
 
-class Unwritten(NotImplementedError):
+class Unwritten(NotImplementedError):  # noqa: N818
     """Of a text what is not written in another language, by function and line."""
 
 
@@ -255,8 +255,8 @@ class Functions:
                 called = self.asked(name, types)
                 if name not in function.calls:
                     function.calls.append(name)
-                for argument, given in zip(called.arguments, node.args, strict=True):
-                    if argument in called.fills:
+                for own, given in zip(called.arguments, node.args, strict=True):
+                    if own in called.fills:
                         self.fill(function, base_of(given))
                 return called.returns
             case ast.Attribute(value=ast.Name(id="math"), attr="isfinite"):
@@ -271,12 +271,12 @@ class Functions:
         """An array is changed, and with it that of which it is a part."""
         if not isinstance(node, ast.Name):
             function.refuse(node, "only an array with a name is changed")
-        name: str | None = node.id
-        while name is not None:
-            if name not in function.fills:
-                function.fills.add(name)
-                self.news = True
-            name = function.aliases[name].array if name in function.aliases else None
+        name = node.id
+        if name not in function.fills:
+            function.fills.add(name)
+            self.news = True
+        if name in function.aliases:
+            self.fill(function, ast.Name(function.aliases[name].array))
 
     def constant(self, node: ast.expr) -> Any:
         """The value of an expression of constants; raises LookupError for any other."""
@@ -574,7 +574,9 @@ class Names:
 
 def in_plain_letters(name: str) -> str:
     """A name of letters that every compiler takes, beginning with one of them."""
-    plain = "".join(c if c.isascii() and (c.isalnum() or c == "_") else f"u{ord(c):04x}" for c in name)
+    plain = "".join(
+        c if c.isascii() and (c.isalnum() or c == "_") else f"u{ord(c):04x}" for c in name
+    )
     return plain if plain[:1].isalpha() else f"x{plain}"
 
 

@@ -7,6 +7,7 @@ structures whose contacts open, slide and bounce, the search for what follows a 
 
 from __future__ import annotations
 
+import ast
 import textwrap
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -18,6 +19,7 @@ from typing import Any
 
 from rockeom import __version__
 from rockeom.arguments import near, told
+from rockeom.declared import module_of_model
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import (
     FLOAT,
@@ -36,9 +38,7 @@ from rockeom.numeric.program import source
 
 TYPES: Mapping[str, Type] = {
     **dict.fromkeys(("contact", "guard", "law", "number"), INT),
-    **dict.fromkeys(
-        ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces"), Array(FLOAT)
-    ),
+    **dict.fromkeys(("y", "p", "parameters", "out", "dy", "g", "matrix", "forces"), Array(FLOAT)),
 }
 """Of the arguments of what is called from outside; all others are numbers."""
 FILLED = ("out", "dy", "g", "matrix", "forces")
@@ -65,8 +65,8 @@ def impact(contact, guard, y, p, ax, ay, out):
     """Pass through what a guard that fell leads to: state after into out (N,).
 
     At a landing all points that touch meet by their restitution and friction at once; the contact
-    state that follows is that whose impulses, and then forces, fit. Returns its number, -1 where none
-    fits, -2 where several do that move differently.
+    state that follows is that whose impulses, and then forces, fit. Returns its number, -1 where
+    none fits, -2 where several do that move differently.
     """
     known = np.empty(N_KNOWN)
     follows, _ = pass_on(contact, guard, 1e-3, y, p, ax, ay, ax, ay, 1e-9, known, out)
@@ -154,7 +154,10 @@ class Described:
             *([self.source] if self.source else []),
             "",
             "States y, in their order:",
-            *_rows((f"{i}", n, f"[{u}]") for i, (n, u) in enumerate(zip(m.STATES, m.STATE_UNITS, strict=True))),
+            *_rows(
+                (f"{i}", n, f"[{u}]")
+                for i, (n, u) in enumerate(zip(m.STATES, m.STATE_UNITS, strict=True))
+            ),
             "",
             "Parameters, in their order:",
             *_rows(
@@ -174,9 +177,9 @@ class Described:
     def _use(self) -> list[str]:
         passage = "`impact`" if "impact" in self.entries else "`jump`"
         return [
-            "`prepare` is called once for a set of parameters; what it gives is the p of all others.",
-            "Within a contact state integrate `rates`, while all its `guards` are positive. Where the",
-            f"first of them falls to zero, {passage} gives the state with which the next one begins.",
+            "`prepare` is called once for a set of parameters; it gives the p of all others.",
+            "Within a contact state integrate `rates` while all its `guards` are positive. Where",
+            f"the first of them falls to zero, {passage} gives the state after it.",
         ]
 
     def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
@@ -186,7 +189,7 @@ class Described:
         rows = []
         for name in given:
             if name in FILLED:
-                columns = getattr(m, function.name.upper(), None)
+                columns: Any = getattr(m, function.name.upper(), None)
                 found = f"({self.size(function, name)}) what is found"
                 if _are_words(columns) and function.name != "positions":
                     found = f"({self.size(function, name)}) {', '.join(columns)}"
@@ -197,6 +200,11 @@ class Described:
         return rows
 
 
+def code_of_model(model: Any, language: str) -> str:
+    """The same of a RockingModel or Model."""
+    return code(module_of_model(model), language)
+
+
 def code(module: ModuleType, language: str) -> str:
     """A generated module as the text of one file of "c" or "matlab".
 
@@ -205,9 +213,9 @@ def code(module: ModuleType, language: str) -> str:
     reactions, kinematics, positions and more, each with its arguments and units. They agree with
     those that are simulated but for the rounding of the language's own sine, cosine and powers.
 
-    C: C99, nothing included but <math.h>; what is global begins with the structure's name. MATLAB: a
-    function of the structure's name that gives a struct of function handles; runs in Octave as well.
-    Raises ValueError for another language.
+    C: C99, nothing included but <math.h>; what is global begins with the structure's name. MATLAB:
+    a function of the structure's name that gives a struct of function handles; runs in Octave as
+    well. Raises TypeError for what is no text, and ValueError for another language.
     """
     if not isinstance(language, str):
         raise TypeError(f"language is {told(language)}: give one of {', '.join(LANGUAGES)}")
@@ -225,7 +233,9 @@ def _described(module: ModuleType) -> Described:
         contacts = (files("rockeom.numeric") / "contacts.py").read_text(encoding="utf-8")
         texts += [Text("contacts.py", contacts), Text("impact", _OF_POINTS)]
     texts.append(Text("sine and cosine", _SINE_COSINE))
-    entries = {name: [TYPES.get(a, FLOAT) for a in _arguments(module, name)] for name in _entries(module)}
+    entries = {
+        name: [TYPES.get(a, FLOAT) for a in _arguments(module, name)] for name in _entries(module)
+    }
     functions = Functions(texts, entries)
     for name in entries:
         function = functions.known[name]
@@ -266,8 +276,6 @@ def _arguments(module: ModuleType, name: str) -> Sequence[str]:
 
 def _places(function: Function, argument: str) -> list[int]:
     """The places of an array that are named by their number."""
-    import ast
-
     return [
         node.slice.value
         for node in ast.walk(function.tree)
@@ -275,6 +283,7 @@ def _places(function: Function, argument: str) -> list[int]:
         and isinstance(node.value, ast.Name)
         and node.value.id == argument
         and isinstance(node.slice, ast.Constant)
+        and isinstance(node.slice.value, int)
     ]
 
 
@@ -307,7 +316,7 @@ def _explained(described: Described, function: Function, given: Sequence[str]) -
 
 
 def _names(described: Described, reserved: Iterable[str]) -> Names:
-    """Names for all that stands in the functions; those of functions stay as they are, if they can."""
+    """Names for all in the functions; those of the functions that are called come first."""
     names = Names(frozenset(reserved))
     for name in described.entries:
         names.of(name)
@@ -319,9 +328,7 @@ def _names(described: Described, reserved: Iterable[str]) -> Names:
 
 def _comment(lines: Sequence[str]) -> list[str]:
     """A comment of C, which nothing in it ends."""
-    safe = [
-        line.replace("??", "? ?").replace("*/", "* /").replace("/*", "/ *") for line in lines
-    ]
+    safe = [line.replace("??", "? ?").replace("*/", "* /").replace("/*", "/ *") for line in lines]
     return ["/*", *(f" * {line}".rstrip() for line in safe), " */"]
 
 
@@ -336,7 +343,14 @@ def _c(described: Described) -> str:
         if entry:
             given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
             told = _explained(described, function, given)
-            told = [line.replace("result", f"result  ({described.prepared()}) the p of all other functions", 1) if line.startswith("  result") else line for line in told]
+            told = [
+                line.replace(
+                    "result", f"result  ({described.prepared()}) the p of all other functions", 1
+                )
+                if line.startswith("  result")
+                else line
+                for line in told
+            ]
         else:
             told = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", *_comment(told), *writer.write("" if entry else "static ")]
@@ -344,10 +358,14 @@ def _c(described: Described) -> str:
     tables = []
     numbers = described.contact_names
     for contact, name in numbers.items():
-        tables += c.table(f"{prefix.upper()}{names.of(name)}", described.module.CONTACTS.index(contact))
+        tables += c.table(
+            f"{prefix.upper()}{names.of(name)}", described.module.CONTACTS.index(contact)
+        )
     for name in used:
         if name not in numbers.values():
-            tables += c.table(f"{prefix.upper()}{names.of(name)}", described.functions.constants[name])
+            tables += c.table(
+                f"{prefix.upper()}{names.of(name)}", described.functions.constants[name]
+            )
     head = [
         *described.head(),
         "",
@@ -374,7 +392,7 @@ end
 
 def _matlab(described: Described) -> str:
     names = _names(described, [*matlab.RESERVED, described.name])
-    file_name = matlab_name(described.module)
+    called = file_name(described.module, "matlab")
     bodies: list[str] = []
     handles: list[str] = []
     for function in described.functions.ordered():
@@ -398,13 +416,18 @@ def _matlab(described: Described) -> str:
     head = [
         *described.head(),
         "",
-        f"    m = {file_name}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
+        f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
         "",
         "Arrays that a function fills are what it gives, behind a value of its own: as in",
         "[follows, y] = m.jump(...). Contact states, guards and laws are numbered from 0.",
     ]
-    head = [line.replace("m.jump", "m.impact") if "impact" in described.entries and "jump" not in described.entries else line for line in head]
-    lines = [f"function m = {file_name}()", *(f"    % {line}".rstrip() for line in head)]
+    head = [
+        line.replace("m.jump", "m.impact")
+        if "impact" in described.entries and "jump" not in described.entries
+        else line
+        for line in head
+    ]
+    lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
     for field, words in (
         ("states", m.STATES),
         ("parameters", m.PARAMETERS),
@@ -426,9 +449,9 @@ def _cells(head: str, words: Sequence[str]) -> list[str]:
     return [*lines, "    };"]
 
 
-def matlab_name(module: ModuleType) -> str:
-    """Of the function, and so of its file."""
-    return Names(matlab.RESERVED).of(module.NAME)
+def file_name(module: ModuleType, language: str) -> str:
+    """What the file is called, without its ending; in MATLAB that is the function's name."""
+    return Names(matlab.RESERVED if language == "matlab" else ()).of(module.NAME)
 
 
 LANGUAGES: Mapping[str, Callable[[Described], str]] = {"c": _c, "matlab": _matlab}

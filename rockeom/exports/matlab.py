@@ -10,24 +10,22 @@ import numpy as np
 
 from rockeom.exports.closed import (
     Function,
-    Functions,
     Names,
     base_of,
 )
 from rockeom.exports.writer import ITEM, POWER, PRODUCT, SIGNED, SUM, Writer
 
-RESERVED = frozenset(
-    """
-break case catch classdef continue do else elseif end end_try_catch end_unwind_protect endclassdef
-endenumeration endevents endfor endfunction endif endmethods endparfor endproperties endswitch
-endwhile enumeration events for function global if methods otherwise parfor persistent properties
-return spmd switch try until unwind_protect unwind_protect_cleanup while arguments endarguments
-endspmd abs acos acosh all any asin asinh atan atanh cos cosh disp either error exp expm1 fix floor
-inf Inf isfinite log log1p max min nan NaN numel ones pi power sin sinh size sqrt sum tan tanh true
-false zeros ans eps i1 nargin nargout result model m
-""".split()
-)
+_WORDS = """
+break case catch classdef continue do else elseif end end_try_catch end_unwind_protect
+endclassdef endenumeration endevents endfor endfunction endif endmethods endparfor endproperties
+endswitch endwhile enumeration events for function global if methods otherwise parfor persistent
+properties return spmd switch try until unwind_protect unwind_protect_cleanup while arguments
+endarguments endspmd abs acos acosh all any asin asinh atan atanh cos cosh disp either error exp
+expm1 fix floor inf Inf isfinite log log1p max min nan NaN numel ones pi power sin sinh size
+sqrt sum tan tanh true false zeros ans eps i1 nargin nargout result model m
+"""
 """Words of MATLAB and Octave, and the functions that are called here."""
+RESERVED = frozenset(_WORDS.split())
 
 
 class MatlabWriter(Writer):
@@ -178,7 +176,11 @@ class MatlabWriter(Writer):
         self.line(f"if {self.test(node.test)}")
         self.block(node.body)
         rest = node.orelse
-        while len(rest) == 1 and isinstance(rest[0], ast.If) and not self.functions.changes(rest[0].test):
+        while (
+            len(rest) == 1
+            and isinstance(rest[0], ast.If)
+            and not self.functions.changes(rest[0].test)
+        ):
             self.line(f"elseif {self.text(rest[0].test)}")
             self.block(rest[0].body)
             rest = rest[0].orelse

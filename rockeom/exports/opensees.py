@@ -1,7 +1,7 @@
 """A script for OpenSeesPy of a structure on two springs that press and never pull.
 
-The frame is of corotational elements, so that rotations may be of any size; what is rigid here is a
-very stiff element there. The base's centre is guided vertically, as it is in `TwoSpringStructure` and
+The frame is of corotational elements, so that rotations may be of any size; what is rigid here is
+a very stiff element there. The base's centre is guided vertically, as in `TwoSpringStructure` and
 in `FlexibleStructure` on `TwoSprings`.
 """
 
@@ -15,7 +15,6 @@ import numpy as np
 
 from rockeom import __version__
 from rockeom.arguments import number
-from rockeom.exports.closed import printable
 from rockeom.motion import GroundMotion
 from rockeom.numeric.structures import Structure, check_states
 
@@ -52,7 +51,7 @@ for element, (one, other) in enumerate([(1, 2), (1, 3), (1, 4)], 1):
     ops.element("elasticBeamColumn", element, one, other, 1.0, stiff, 1.0, 1)
 $column
 # Springs of the foundation, which press and never pull; a node's x is that of the ground
-$springs
+ops.uniaxialMaterial("ENT", 1, foundation_stiffness)
 for element, (ground, foot) in {5: (6, 2), 6: (7, 3)}.items():
     ops.element("zeroLength", element, ground, foot, "-mat", 1, "-dir", 2)
 
@@ -120,10 +119,6 @@ ops.element("elasticBeamColumn", 4, 1, 5, 1.0, stiff, bending / stiff, 1)
 if damping:
     ops.region(1, "-ele", 4, "-rayleigh", 0.0, damping / stiffness, 0.0, 0.0)
 """
-_SPRINGS = 'ops.uniaxialMaterial("ENT", 1, foundation_stiffness)'
-_DAMPED = """\
-# a spring and a damper that press together, and never pull
-ops.uniaxialMaterial("ViscoelasticGap", 1, foundation_stiffness, foundation_damping, -1e-15)"""
 
 
 def script(
@@ -143,27 +138,33 @@ def script(
     the motion if not given [s]. step : of Newmark's method [s]. out : the file of comma-separated
     values that the script writes, the structure's name and `_opensees.csv` if not given.
 
-    Where no foot has a damper, the error is of the second order in the step. The column of the
-    flexible structure is an elastic beam there, whose end moves on an arc: the two differ by the
-    order of (u/height)**2. Its damping is proportional to its stiffness.
+    Of the rigid structure the error is of the second order in the step. The column of the flexible
+    one is an elastic beam there, whose end moves on an arc, which rockeom's does not: what that
+    takes of its stiffness is given back upright, and beyond it the two differ by the order of
+    u/height. Its damping is proportional to its stiffness.
 
-    Raises TypeError for another structure and for states that it does not take, ValueError for
-    numbers that are not positive.
+    Raises ValueError for another structure, for feet with dampers, for states that it does not take
+    and for numbers that are not positive.
 
     >>> import rockeom as rk
     >>> structure = rk.TwoSpringStructure(
-    ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37,
-    ...     half_width=0.285, foundation_stiffness=5e5, foundation_damping=0.0,
+    ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
+    ...     base_inertia=1.37, half_width=0.285, foundation_stiffness=5e5, foundation_damping=0.0,
     ... )
     >>> text = script(structure, rk.GroundMotion.none(1.0), initial={"theta": 0.05})
     """
     values, elastic = _values(structure)
+    if values.pop("foundation_damping") != 0.0:
+        raise ValueError(
+            f"{type(structure).__name__}: OpenSees has no spring and damper that press together "
+            "and never pull: give feet without dampers, foundation_damping=0"
+        )
     initial = {} if initial is None else initial
     check_states("initial", initial, structure)
     places = ("theta", "heave", *(("u",) if elastic else ()))
     for name in initial:
         if name not in places:
-            raise TypeError(
+            raise ValueError(
                 f"initial: {name} is not handed on to OpenSees, which starts at rest: "
                 f"give {', '.join(places)}"
             )
@@ -182,23 +183,21 @@ def script(
         "step": step,
         "apart": spacing,
     }
-    damped = values["foundation_damping"] != 0.0
     body = _BODY.substitute(
         inertia="inertia" if elastic else "0.0",
         top_inertia="0.0" if elastic else "inertia",
         column=_ELASTIC_COLUMN if elastic else _RIGID_COLUMN,
-        springs=_DAMPED if damped else _SPRINGS,
         of_u=",u" if elastic else "",
         columns=4 if elastic else 3,
     )
     told = [
         f"{type(structure).__name__} of rockeom {__version__}, for OpenSeesPy 3.7.",
         "",
-        "pip install openseespy==3.7.1.2 (Python 3.11; 3.8 wants Python 3.12). Where the import fails",
-        "on a library, put the folder openseespylinux/lib beside openseespy on LD_LIBRARY_PATH.",
+        "pip install openseespy==3.7.1.2 (Python 3.11; 3.8 wants Python 3.12). Where the import",
+        "lacks a library, put the folder openseespylinux/lib beside openseespy on LD_LIBRARY_PATH.",
         "",
-        "SI units: kg, m, s, N, rad; theta is clockwise, heave counts from the settled position, and",
-        "u is that of the upper mass across the column.",
+        "SI units: kg, m, s, N, rad; theta is clockwise, heave counts from the settled position,",
+        "and u is that of the upper mass across the column.",
     ]
     lines = [
         '"""' + "\n".join(told) + '\n"""',
@@ -210,7 +209,7 @@ def script(
         "",
         *(f"{name} = {value!r}" for name, value in numbers.items()),
         f"every = {max(1, round(lasts / step / 2000))}  # steps between rows",
-        f"out = {ascii(printable(out or f'{structure.model}_opensees.csv'))}",
+        f"out = {(out or f'{structure.model}_opensees.csv')!a}",
         *_list("accelerations", samples),
     ]
     return "\n".join(lines) + "\n" + body
@@ -224,18 +223,18 @@ def _values(structure: Structure) -> tuple[dict[str, float], bool]:
     support = getattr(structure, "support", None)
     if structure.model in ("flexible_structure", "lumped_mass_structure"):
         if type(support).__name__ != "TwoSprings":
-            raise TypeError(
-                f"{type(structure).__name__} stands on rigid ground or a bed: a finite-element model "
-                "rocks on springs; give support=rk.TwoSprings(stiffness=..., damping=...), on the "
-                "command line support=two_springs foundation_stiffness= foundation_damping="
+            raise ValueError(
+                f"{type(structure).__name__} stands on rigid ground or a bed: a finite-element "
+                "model rocks on springs; give support=rk.TwoSprings(stiffness=..., damping=0), on "
+                "the command line support=two_springs foundation_stiffness= foundation_damping=0"
             )
         if support.guided != "centre":  # type: ignore[union-attr]
-            raise TypeError(
-                f'TwoSprings: guided is {support.guided!r}: '  # type: ignore[union-attr]
+            raise ValueError(
+                f"TwoSprings: guided is {support.guided!r}: "  # type: ignore[union-attr]
                 'OpenSees is given the base guided at its "centre" alone'
             )
         return values, structure.model == "flexible_structure"
-    raise TypeError(
+    raise ValueError(
         f"{type(structure).__name__} is not written for OpenSees: give a TwoSpringStructure, or a "
         "FlexibleStructure or LumpedMassStructure on TwoSprings"
     )
@@ -249,7 +248,7 @@ def _positive(name: str, value: float) -> float:
 
 
 def _samples(motion: GroundMotion, duration: float, step: float) -> tuple[list[float], float]:
-    """(accelerations, spacing): those of a record, or those at the steps; none where all is still."""
+    """(accelerations, spacing): those of a record, or at the steps; none where all is still."""
     samples, dt = getattr(motion, "samples", None), getattr(motion, "dt", None)
     if samples is not None and dt:
         return np.asarray(samples).tolist(), float(dt)

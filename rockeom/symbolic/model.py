@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from rockeom import hooks
 from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 

@@ -13,12 +13,12 @@ from functools import cache
 
 import numpy as np
 import pytest
-import sympy as sp
 
 import rockeom as rk
+from rockeom.contract import LANDING
 from rockeom.declared import module_of_model
 from rockeom.exports import LANGUAGES, code
-from rockeom.exports.code import FILLED, matlab_name
+from rockeom.exports.code import FILLED, file_name
 from rockeom.numeric.structures import SHIPPED
 from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
 from tests.shipped import plain
@@ -213,6 +213,32 @@ def test_c_gives_the_numbers_of_the_generated_module(name, library):
         compare(call, found)
 
 
+@cache
+def landings():
+    """Of a block that slides and bounces: (contact, guard, before, after, contact after)."""
+    block = rk.SlidingBlock(half_width=0.2, half_height=0.5, friction=0.3, restitution=0.4)
+    run = rk.simulate(block, rk.GroundMotion.none(1.2), initial={"theta": 0.1, "x_dot": 0.3})
+    found = []
+    _, kinds, states = run.passages
+    for (kind, old, new, guard), (before, after) in zip(kinds.tolist(), states, strict=True):
+        if kind == LANDING:
+            found.append((old, guard, before, after, new))
+    assert len(found) > 4
+    return block, found
+
+
+def test_c_finds_what_follows_the_landings_of_a_simulated_block(library):
+    block, found = landings()
+    p = block.vector
+    for contact, guard, before, after, follows in found:
+        out = np.zeros(len(before))
+        given = {"contact": contact, "guard": guard, "y": before, "p": p, "ax": 0.0, "ay": 0.0}
+        arguments = ["contact", "guard", "y", "p", "ax", "ay", "out"]
+        value = call_c(library, "sliding_block", "impact", arguments, "int", given, {"out": out})
+        assert value == follows
+        np.testing.assert_allclose(out, after, rtol=0, atol=1e-12 * np.abs(before).max())
+
+
 def literal(value):
     if isinstance(value, np.ndarray):
         return f"[{'; '.join(map(repr, value.tolist()))}]"
@@ -228,7 +254,7 @@ def octave(tmp_path_factory):
     folder = tmp_path_factory.mktemp("octave")
     lines = [f"addpath('{folder}');"]
     for name in NAMES:
-        called = matlab_name(module(name))
+        called = file_name(module(name), "matlab")
         (folder / f"{called}.m").write_text(text(name, "matlab"), encoding="utf-8")
         lines += [f"m = {called}();", f"p = m.prepare({literal(parameters(name))});", "told(p);"]
         for call in calls(name):
@@ -241,18 +267,35 @@ def octave(tmp_path_factory):
             wanted = f"m.{call.function}({', '.join(given)})"
             lines += [f"[{', '.join(outs)}] = {wanted}; told({', '.join(outs)});"]
     told = "for i = 1:numel(varargin) fprintf('%.17g ', varargin{i}); end; fprintf('\\n');"
+    p = literal(landings()[0].vector)
+    lines.append("m = sliding_block();")
+    for contact, guard, before, _, _ in landings()[1]:
+        lines.append(
+            f"[o1, o2] = m.impact({contact}, {guard}, {literal(before)}, {p}, 0, 0); told(o1, o2);"
+        )
     (folder / "told.m").write_text(f"function told(varargin)\n  {told}\nend\n", encoding="utf-8")
     (folder / "every_structure.m").write_text("\n".join(lines), encoding="utf-8")
     done = subprocess.run(
-        [program, "--no-gui", "--quiet", "--norc", folder / "every_structure.m"], capture_output=True, text=True
+        [program, "--no-gui", "--quiet", "--norc", folder / "every_structure.m"],
+        capture_output=True,
+        text=True,
     )
     assert done.returncode == 0, done.stderr[:3000]
     assert "warning" not in done.stderr, done.stderr[:3000]
     rows = iter(done.stdout.splitlines())
-    return {
+    found = {
         name: [np.array(next(rows).split(), float) for _ in range(1 + len(calls(name)))]
         for name in NAMES
     }
+    return found | {"landings": [np.array(row.split(), float) for row in rows]}
+
+
+def test_matlab_finds_what_follows_the_landings_of_a_simulated_block(octave):
+    for (_, _, before, after, follows), (value, *out) in zip(
+        landings()[1], octave["landings"], strict=True
+    ):
+        assert value == follows
+        np.testing.assert_allclose(out, after, rtol=0, atol=1e-12 * np.abs(before).max())
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -264,7 +307,7 @@ def test_matlab_gives_the_numbers_of_the_generated_module(name, octave):
         whole = call.expected if call.value is None else call.expected[1:]
         if call.value is not None:
             expected.append(next(given))
-        for i, a in enumerate(call.filled):
+        for a in call.filled:
             # a file of MATLAB gives no more than there is
             wanted = size(module(name), call.function, a)
             rest = list(given) if len(call.filled) == 1 else [next(given) for _ in range(wanted)]
