@@ -8,7 +8,7 @@ RUNS    ?= 20000
 FIRST   ?= 0
 
 .DEFAULT_GOAL := help
-.PHONY: help run test soak oracle generated check bench docs clean
+.PHONY: help run test soak oracle generated check bench crosscheck docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -40,6 +40,9 @@ check: $(VENV)/.dev ## lint, format, types, import borders, generated/ up to dat
 bench: $(VENV)/.test ## speed and error beside C, heyoka and SciPy, side by side (minutes), into out/
 	$(BIN)/python -m benchmarks --out $(OUT)
 
+crosscheck: $(VENV)/.crosscheck ## the same motions by OpenSees, Exudyn and MuJoCo beside ours, into out/
+	$(BIN)/python -m benchmarks.crosscheck --out $(OUT)
+
 docs: $(VENV)/.docs ## build the documentation, every example and derivation run, into out/docs
 	$(BIN)/python -m sphinx -W --keep-going -b html -d docs/_build/doctrees docs $(OUT)/docs
 
@@ -48,7 +51,7 @@ clean: ## remove .venv, out/ and every cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Stamps: an extra is installed once, and again when pyproject.toml changes.
-$(VENV)/.test $(VENV)/.dev $(VENV)/.docs: $(VENV)/.%: pyproject.toml | $(BIN)/python
+$(VENV)/.test $(VENV)/.dev $(VENV)/.crosscheck $(VENV)/.docs: $(VENV)/.%: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable ".[$*]"
 	@touch $@
 

@@ -106,6 +106,7 @@ if TYPE_CHECKING:
 
 _ANSWERS = {
     "animate": ("rockeom.plots", "animate"),
+    "code_of_model": ("rockeom.exports", "code_of_model"),
     "html_of": ("rockeom.plots.notebook", "html_of"),
     "plot_motion": ("rockeom.plots", "plot_motion"),
     "plot_response": ("rockeom.plots", "plot_response"),

@@ -34,3 +34,5 @@ thesis_wall = Hook()
 """The `rockeom.analysis.Wall` of the thesis with an initial force of its tendon [N]."""
 save_response = Hook()
 """Write a response to a file; see `Response.save`."""
+code_of_model = Hook()
+"""The text of a RockingModel or Model in a language, see `rockeom.exports.code`."""

@@ -1,7 +1,7 @@
 """The command line.
 
 ``rockeom models | derive | simulate | report | equations | verify | figure | tables | statements
-| generate | completion``
+| export | generate | completion``
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from rockeom.cli import (
     completion,
     derive,
     equations,
+    export,
     figure,
     generate,
     models,
@@ -42,6 +43,7 @@ through every impact.
   rockeom figure 2-16               a figure of the thesis, drawn anew
   rockeom tables 2-1                a table of the thesis, printed beside computed
   rockeom statements                its sentences with a number, judged
+  rockeom export c rigid_block      the equations as C, MATLAB, or a model for OpenSees
   rockeom generate                  rewrite generated/ from the symbolic models (developers)
   rockeom completion bash           what bash, zsh or fish offers after Tab
 
@@ -101,8 +103,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
     for module in (
-        models, derive, simulate, report, equations, verify, figure, tables, statements, generate,
-        completion,
+        models, derive, simulate, report, equations, verify, figure, tables, statements, export,
+        generate, completion,
     ):  # fmt: skip
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(

@@ -103,7 +103,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--impact", metavar="LAW", help="what an impact does, see below")
     parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
-    _add_motion(parser.add_argument_group("ground motion (one of the first four)"))
+    add_motion(parser.add_argument_group("ground motion (one of the first four)"))
     parser.add_argument(
         "--method",
         choices=METHODS,
@@ -128,8 +128,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_motion(group) -> None:
-    one = group.add_mutually_exclusive_group(required=True)
+def add_motion(group, required: bool = True) -> None:
+    """The options that `motions` reads."""
+    one = group.add_mutually_exclusive_group(required=required)
     one.add_argument(
         "--motion", metavar="FILE", help="a recorded acceleration: PEER .AT2, or two columns"
     )
@@ -171,7 +172,7 @@ def run(args: argparse.Namespace) -> int:
     structure = made(args)
     initial = numbers(args.initial, "--initial", "theta=0.1")
     law = impact_law(args.impact)
-    motion, vertical = _motions(args)
+    motion, vertical = motions(args)
     if args.out is not None:
         _check_folder(args.out)
     response = simulate(
@@ -247,7 +248,7 @@ def impact_law(text: str | None) -> ImpactLaw | None:
     )
 
 
-def _motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None]:
+def motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None]:
     """The horizontal and the vertical motion, both scaled alike."""
     if args.units is not None and args.motion is None and args.vertical is None:
         raise UsageError(f"--units {args.units} is for a file: leave it out, or give --motion FILE")

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from rockeom import hooks
 from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
@@ -452,6 +453,15 @@ class RockingModel:
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
         return READERS["markdown"](self)
+
+    def code(self, language: str) -> str:
+        """What is simulated, as the text of one self-contained file: "c" (C99) or "matlab".
+
+        Equations of motion, guards, impact map, energies and more of every contact state, with
+        arguments and units told in it; MATLAB's runs in Octave as well. See `rockeom export`.
+        Raises ValueError for another language.
+        """
+        return hooks.code_of_model(self, language)
 
     def _repr_latex_(self) -> str:
         return READERS["notebook"](self)

@@ -27,6 +27,7 @@ COMMANDS = (
     "figure",
     "tables",
     "statements",
+    "export",
     "generate",
     "completion",
 )

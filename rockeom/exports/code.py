@@ -1,0 +1,458 @@
+"""The functions of a structure as one self-contained file of another language.
+
+What is written is the generated module that is simulated, and nothing else: its functions of the
+parameters, the equations of motion, guards, impact map and energies of each contact state. Of
+structures whose contacts open, slide and bounce, the search for what follows a landing as well.
+"""
+
+from __future__ import annotations
+
+import ast
+import textwrap
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from types import ModuleType
+from typing import Any
+
+from rockeom import __version__
+from rockeom.arguments import near, told
+from rockeom.declared import class_of_model
+from rockeom.exports import c, matlab
+from rockeom.exports.closed import (
+    FLOAT,
+    INT,
+    Array,
+    Function,
+    Functions,
+    Names,
+    Type,
+    in_plain_letters,
+    printable,
+)
+from rockeom.numeric.contact_states import has_points
+from rockeom.numeric.printer import Text
+from rockeom.numeric.program import source
+
+TYPES: Mapping[str, Type] = {
+    **dict.fromkeys(("contact", "guard", "law", "number"), INT),
+    **dict.fromkeys(("y", "p", "parameters", "out", "dy", "g", "matrix", "forces"), Array(FLOAT)),
+}
+"""Of the arguments of what is called from outside; all others are numbers."""
+FILLED = ("out", "dy", "g", "matrix", "forces")
+
+MEANINGS = {
+    "contact": "number of the contact state, see above",
+    "guard": "number of the guard that fell, from 0",
+    "law": "0: the rate of rotation is multiplied by `ratio`; 1: the impulsive form of\n"
+    "Lagrange's equations",
+    "ratio": "of the rates of rotation after and before the impact; used where law is 0",
+    "number": "of the coordinate that may fall, from 0",
+    "y": "states, in the order above",
+    "p": "what `prepare` makes of the parameters",
+    "parameters": "in the order above",
+    "ax": "acceleration of the ground to the right [m/s2]",
+    "ay": "acceleration of the ground upwards [m/s2]",
+    "load": "horizontal force at the load point [N]",
+}
+_LEFT_OUT = ("shapes", "sizes", "held_guards", "opening_acceleration")
+"""What only a sketch, a check of parameters and the integrator of the program ask for."""
+
+_OF_POINTS = '''
+def impact(contact, guard, y, p, ax, ay, out):
+    """Pass through what a guard that fell leads to: state after into out (N,).
+
+    At a landing all points that touch meet by their restitution and friction at once; the contact
+    state that follows is that whose impulses, and then forces, fit. Returns its number, -1 where
+    none fits, -2 where several do that move differently.
+    """
+    known = np.empty(N_KNOWN)
+    follows, _ = pass_on(contact, guard, 1e-3, y, p, ax, ay, ax, ay, 1e-9, known, out)
+    return follows
+'''
+
+
+_SINE_COSINE = '''
+def sine_cosine(x):
+    """Sine and cosine."""
+    return math.sin(x), math.cos(x)
+'''
+"""In place of the polynomials, which hold only where nothing is rounded otherwise."""
+
+
+@dataclass(frozen=True)
+class Described:
+    """A module and its functions, and all that is told of them in words.
+
+    name : of the file. entries : what is called from outside.
+    """
+
+    module: ModuleType
+    name: str
+    functions: Functions
+    entries: tuple[str, ...]
+
+    @property
+    def title(self) -> str:
+        return (self.module.__doc__ or "").partition("\n")[0]
+
+    @property
+    def source(self) -> str:
+        """Where the structure is described, as it is declared; may be empty."""
+        lines = (self.module.__doc__ or "").splitlines()
+        return next((line for line in lines if line.startswith("Source: ")), "")
+
+    @property
+    def contact_names(self) -> dict[str, str]:
+        """The name of the constant that is the number of each contact state."""
+        found = {}
+        for i, contact in enumerate(self.module.CONTACTS):
+            name = unicodedata.normalize("NFKC", contact.upper())
+            while self.functions.constants.get(name) is not i:
+                name += "_"
+                if len(name) > 2 * len(contact) + 40:
+                    raise AssertionError(f"no constant is the number of {contact}")
+            found[contact] = name
+        return found
+
+    def size(self, function: Function, argument: str) -> int:
+        """How many numbers a function puts into an argument."""
+        m = self.module
+        known = {
+            "dy": m.N_STATES,
+            "g": m.N_GUARDS + m.N_PARTS,
+            "matrix": (m.N_STATES // 2) ** 2,
+            "forces": m.N_STATES // 2,
+        }
+        of_function = {
+            "jump": m.N_STATES,
+            "impact": m.N_STATES,
+            "energies": len(m.ENERGIES),
+            "reactions": len(m.REACTIONS),
+            "kinematics": len(m.KINEMATICS),
+            "positions": 3 * len(m.POSITIONS),
+        }
+        if argument in known:
+            return known[argument]
+        if function.name in of_function:
+            return of_function[function.name]
+        return 1 + max(_places(function, argument), default=-1)
+
+    def prepared(self) -> int:
+        """How many numbers `prepare` gives."""
+        return self.functions.known["prepare"].lengths["p"]
+
+    def head(self) -> list[str]:
+        """What the file is, its states, parameters and contact states, and how it is used."""
+        m = self.module
+        lines = [
+            self.title,
+            "",
+            f"Written by rockeom {__version__} out of the equations that it derives and simulates.",
+            *([self.source] if self.source else []),
+            "",
+            "States y, in their order:",
+            *_rows(
+                (f"{i}", n, f"[{u}]")
+                for i, (n, u) in enumerate(zip(m.STATES, m.STATE_UNITS, strict=True))
+            ),
+            "",
+            "Parameters, in their order:",
+            *_rows(
+                (f"{i}", n, f"[{u}]", meaning)
+                for i, (n, u, meaning) in enumerate(
+                    zip(m.PARAMETERS, m.PARAMETER_UNITS, m.PARAMETER_MEANINGS, strict=True)
+                )
+            ),
+            "",
+            "Contact states, and how many guards end each:",
+            *_rows((f"{i}", n, f"{m.GUARDS[i]}") for i, n in enumerate(m.CONTACTS)),
+            "",
+            *self._use(),
+        ]
+        return [printable(line) for line in lines]
+
+    def _use(self) -> list[str]:
+        passage = "`impact`" if "impact" in self.entries else "`jump`"
+        return [
+            "`prepare` is called once for a set of parameters; it gives the p of all others.",
+            "Within a contact state integrate `rates` while all its `guards` are positive. Where",
+            f"the first of them falls to zero, {passage} gives the state after it.",
+        ]
+
+    def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
+        """Name and meaning of each, those that are filled told by what stands in them."""
+        m = self.module
+        sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS), "p": self.prepared()}
+        rows = []
+        for name in given:
+            if name in FILLED:
+                columns: Any = getattr(m, function.name.upper(), None)
+                found = f"({self.size(function, name)}) what is found"
+                if _are_words(columns) and function.name != "positions":
+                    found = f"({self.size(function, name)}) {', '.join(columns)}"
+                rows.append((name, found))
+            else:
+                size = f"({sizes[name]}) " if name in sizes else ""
+                rows.append((name, size + MEANINGS.get(name, "")))
+        return rows
+
+
+def code_of_model(model: Any, language: str) -> str:
+    """The same of a RockingModel or Model."""
+    return code(class_of_model(model).module, language)
+
+
+def code(module: ModuleType, language: str) -> str:
+    """A generated module as the text of one file of "c" or "matlab".
+
+    Both hold functions of plain numbers and arrays, by the names that they have in the module:
+    prepare, rates, guards, jump (or impact, where contacts open, slide and bounce), energies,
+    reactions, kinematics, positions and more, each with its arguments and units. They agree with
+    those that are simulated but for the rounding of the language's own sine, cosine and powers.
+
+    C: C99, nothing included but <math.h>; what is global begins with the structure's name. MATLAB:
+    a function of the structure's name that gives a struct of function handles; runs in Octave as
+    well. Raises TypeError for what is no text, and ValueError for another language.
+    """
+    if not isinstance(language, str):
+        raise TypeError(f"language is {told(language)}: give one of {', '.join(LANGUAGES)}")
+    if language not in LANGUAGES:
+        raise ValueError(
+            f"no language {language!r}{near(language, LANGUAGES)}; there are {', '.join(LANGUAGES)}"
+        )
+    return LANGUAGES[language](_described(module))
+
+
+@lru_cache(maxsize=1)  # of a structure that is written in both languages
+def _described(module: ModuleType) -> Described:
+    texts = [Text(f"{module.NAME}.py", source(module))]
+    if has_points(module):
+        contacts = (files("rockeom.numeric") / "contacts.py").read_text(encoding="utf-8")
+        texts += [Text("contacts.py", contacts), Text("impact", _OF_POINTS)]
+    texts.append(Text("sine and cosine", _SINE_COSINE))
+    entries = {
+        name: [TYPES.get(a, FLOAT) for a in _arguments(module, name)] for name in _entries(module)
+    }
+    functions = Functions(texts, entries)
+    for name in entries:
+        function = functions.known[name]
+        function.fills |= {a for a in FILLED if a in function.arguments}
+    return Described(module, in_plain_letters(module.NAME), functions, tuple(entries))
+
+
+def _entries(module: ModuleType) -> list[str]:
+    """The functions that a user calls, in the order of the module; `prepare` first."""
+    text = source(module)
+    inner = {line for mark in ("@inlined", "@everywhere") for line in _behind(text, mark)}
+    found = [
+        line.removeprefix("def ").partition("(")[0]
+        for line in text.splitlines()
+        if line.startswith("def ") and line not in inner
+    ]
+    found = ["prepare", "rates", "guards", *(n for n in found if n not in ("prepare", "rates"))]
+    of_states = [n for n in found if n not in _LEFT_OUT and not n.startswith("impulse_")]
+    return [*of_states, *(["impact"] if has_points(module) else [])]
+
+
+def _behind(text: str, mark: str) -> set[str]:
+    """The lines of functions with a mark."""
+    lines = text.splitlines()
+    found = set()
+    for i, line in enumerate(lines):
+        if line == mark:
+            found.add(next(later for later in lines[i:] if later.startswith("def ")))
+    return found
+
+
+def _arguments(module: ModuleType, name: str) -> Sequence[str]:
+    if name == "impact":
+        return ("contact", "guard", "y", "p", "ax", "ay", "out")
+    function: Callable[..., Any] = getattr(module, name)
+    return function.__code__.co_varnames[: function.__code__.co_argcount]
+
+
+def _places(function: Function, argument: str) -> list[int]:
+    """The places of an array that are named by their number."""
+    return [
+        node.slice.value
+        for node in ast.walk(function.tree)
+        if isinstance(node, ast.Subscript)
+        and isinstance(node.value, ast.Name)
+        and node.value.id == argument
+        and isinstance(node.slice, ast.Constant)
+        and isinstance(node.slice.value, int)
+    ]
+
+
+def _are_words(columns: Any) -> bool:
+    return isinstance(columns, tuple) and all(isinstance(x, str) for x in columns)
+
+
+def _rows(rows: Iterable[tuple[str, ...]]) -> list[str]:
+    """Aligned columns."""
+    given = list(rows)
+    if not given:
+        return ["  none"]
+    widths = [max(map(len, column)) for column in zip(*given, strict=True)]
+    return [
+        "  " + "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
+        for row in given
+    ]
+
+
+def _explained(described: Described, function: Function, given: Sequence[str]) -> list[str]:
+    """What a function does and what its arguments are."""
+    rows = described.arguments(function, given)
+    width = max((len(name) for name, _ in rows), default=0)
+    lines = [printable(line) for line in function.doc.splitlines()]
+    for name, meaning in rows:
+        first, *more = meaning.split("\n")
+        lines.append(f"  {name.ljust(width)}  {first}".rstrip())
+        lines += [f"  {' ' * width}  {line}" for line in more]
+    return lines
+
+
+def _names(described: Described, reserved: Iterable[str]) -> Names:
+    """Names for all in the functions; those of the functions that are called come first."""
+    names = Names(frozenset(reserved))
+    for name in described.entries:
+        names.of(name)
+    return names
+
+
+# -- C -------------------------------------------------------------------------------------------
+
+
+def _comment(lines: Sequence[str]) -> list[str]:
+    """A comment of C, which nothing in it ends."""
+    safe = [line.replace("??", "? ?").replace("*/", "* /").replace("/*", "/ *") for line in lines]
+    return ["/*", *(f" * {line}".rstrip() for line in safe), " */"]
+
+
+def _c(described: Described) -> str:
+    names = _names(described, c.RESERVED)
+    prefix = f"{described.name}_"
+    bodies: list[str] = []
+    used: list[str] = []
+    for function in described.functions.ordered():
+        entry = function.name in described.entries
+        writer = c.CWriter(described.functions, function, names, prefix)
+        if entry:
+            given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
+            told = _explained(described, function, given)
+            told = [
+                line.replace(
+                    "result", f"result  ({described.prepared()}) the p of all other functions", 1
+                )
+                if line.startswith("  result")
+                else line
+                for line in told
+            ]
+        else:
+            told = [printable(line) for line in function.doc.splitlines()]
+        bodies += ["", *_comment(told), *writer.write("" if entry else "static ")]
+        used += [name for name in writer.constants if name not in used]
+    tables = []
+    numbers = described.contact_names
+    for contact, name in numbers.items():
+        tables += c.table(
+            f"{prefix.upper()}{names.of(name)}", described.module.CONTACTS.index(contact)
+        )
+    for name in used:
+        if name not in numbers.values():
+            tables += c.table(
+                f"{prefix.upper()}{names.of(name)}", described.functions.constants[name]
+            )
+    head = [
+        *described.head(),
+        "",
+        f"All names begin with {prefix}, as {prefix}rates.",
+        "Compile it as C99, or include it in one file of a program.",
+    ]
+    return "\n".join([*_comment(head), "", "#include <math.h>", "", *tables, *bodies, ""])
+
+
+# -- MATLAB --------------------------------------------------------------------------------------
+
+
+_EITHER = """
+function result = either(test, one, other)
+    % One of two values.
+    if test
+        result = one;
+    else
+        result = other;
+    end
+end
+"""
+
+
+def _matlab(described: Described) -> str:
+    names = _names(described, [*matlab.RESERVED, described.name])
+    called = file_name(described.module, "matlab")
+    bodies: list[str] = []
+    handles: list[str] = []
+    for function in described.functions.ordered():
+        writer = matlab.MatlabWriter(described.functions, function, names)
+        lines = writer.write()
+        entry = function.name in described.entries
+        if entry:
+            given = [a for a in function.arguments if a not in FILLED]
+            filled = [a for a in function.arguments if a in FILLED]
+            told = _explained(described, function, [*given, *filled])
+            sizes = {a: f"zeros({described.size(function, a)}, 1)" for a in filled}
+            call = ", ".join(sizes.get(a, names.of(a)) for a in function.arguments)
+            handles.append(
+                f"    m.{names.of(function.name)} = @({', '.join(map(names.of, given))}) ..."
+            )
+            handles.append(f"        {names.of(function.name)}({call});")
+        else:
+            told = [printable(line) for line in function.doc.splitlines()]
+        bodies += ["", lines[0], *(f"    % {line}".rstrip() for line in told), *lines[1:]]
+    m = described.module
+    head = [
+        *described.head(),
+        "",
+        f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
+        "",
+        "Arrays that a function fills are what it gives, behind a value of its own: as in",
+        "[follows, y] = m.jump(...). Contact states, guards and laws are numbered from 0.",
+    ]
+    head = [
+        line.replace("m.jump", "m.impact")
+        if "impact" in described.entries and "jump" not in described.entries
+        else line
+        for line in head
+    ]
+    lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
+    for field, words in (
+        ("states", m.STATES),
+        ("parameters", m.PARAMETERS),
+        ("contacts", m.CONTACTS),
+    ):
+        lines += _cells(f"    m.{field} = ", words)
+    for contact, name in described.contact_names.items():
+        lines.append(f"    m.{names.of(name)} = {m.CONTACTS.index(contact)};")
+    text = "\n".join([*lines, *handles, "end", *bodies, ""])
+    return text + _EITHER if "either(" in text else text
+
+
+def _cells(head: str, words: Sequence[str]) -> list[str]:
+    """A row of strings."""
+    cells = [f"'{printable(word).replace(chr(39), chr(39) * 2)}'" for word in words]
+    wrapped = textwrap.wrap(", ".join(cells), 84, break_long_words=False, break_on_hyphens=False)
+    lines = [f"{head}{{ ..."]
+    lines += [f"        {line} ..." for line in wrapped]
+    return [*lines, "    };"]
+
+
+def file_name(module: ModuleType, language: str) -> str:
+    """What the file is called, without its ending; in MATLAB that is the function's name."""
+    return Names(matlab.RESERVED if language == "matlab" else ()).of(module.NAME)
+
+
+LANGUAGES: Mapping[str, Callable[[Described], str]] = {"c": _c, "matlab": _matlab}
+"""What writes each language."""

@@ -1,0 +1,278 @@
+"""What languages have in common: expressions, and the order of statements.
+
+A language is a subclass that says how it writes numbers, calls, items of arrays and assignments.
+"""
+
+from __future__ import annotations
+
+import ast
+import textwrap
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from rockeom.exports.closed import (
+    FLOAT,
+    Array,
+    Function,
+    Functions,
+    Names,
+    Row,
+    Type,
+    base_of,
+    indices_of,
+    made_array,
+    one_by_one,
+    pairs,
+)
+
+EITHER, OR, AND, NOT, COMPARED, SUM, PRODUCT, SIGNED, POWER, ITEM = range(10)
+"""How strongly the parts of an expression hold together."""
+
+WIDTH = 96
+STEP = "    "
+
+_SUMS: dict[type, tuple[str, int]] = {
+    ast.Add: ("+", SUM), ast.Sub: ("-", SUM), ast.Mult: ("*", PRODUCT), ast.Div: ("/", PRODUCT),
+}  # fmt: skip
+_COMPARISONS: dict[type, str] = {
+    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=",
+}  # fmt: skip
+
+
+class Writer:
+    """Writes one function; what it has written so far stands in `lines`."""
+
+    and_, or_, not_, unequal = "&&", "||", "!", "!="
+    end, comment, go_on = "", "", ""
+
+    def __init__(self, functions: Functions, function: Function, names: Names) -> None:
+        self.functions, self.function, self.names = functions, function, names
+        self.lines: list[str] = []
+        self.depth = 1
+        self.temporary = 0
+        self.constants: list[str] = []
+
+    # -- what a language says -----------------------------------------------------------------
+
+    def number(self, value: Any) -> str:
+        raise NotImplementedError
+
+    def power(self, base: ast.expr, exponent: ast.expr) -> tuple[str, int]:
+        raise NotImplementedError
+
+    def either(self, test: ast.expr, one: ast.expr, other: ast.expr) -> tuple[str, int]:
+        raise NotImplementedError
+
+    def item(self, array: str, indices: Sequence[ast.expr], of_table: bool) -> str:
+        raise NotImplementedError
+
+    def part(self, array: str, first: ast.expr) -> tuple[str, int]:
+        raise NotImplementedError
+
+    def call(self, node: ast.Call) -> tuple[str, int]:
+        raise NotImplementedError
+
+    def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
+        raise NotImplementedError
+
+    def constant_name(self, name: str) -> str:
+        raise NotImplementedError
+
+    def statement(self, node: ast.stmt) -> None:
+        raise NotImplementedError
+
+    # -- expressions --------------------------------------------------------------------------
+
+    def type_of(self, node: ast.expr) -> Type:
+        return self.functions.type_of(self.function, node)
+
+    def text(self, node: ast.expr, least: int = EITHER) -> str:
+        """An expression, in brackets where its parts hold together less than is asked for."""
+        written, level = self.expression(node)
+        return written if level >= least else f"({written})"
+
+    def expression(self, node: ast.expr) -> tuple[str, int]:
+        match node:
+            case ast.Constant(value=value):
+                return self.number(value), ITEM
+            case ast.Name(id=name):
+                return self.name(name), ITEM
+            case ast.BinOp(left=left, op=ast.Pow(), right=right):
+                return self.power(left, right)
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in _SUMS:
+                sign, level = _SUMS[type(op)]
+                first = self.divided(left) if sign == "/" else self.text(left, level)
+                second = self.text(right, level + 1)
+                blank = " " if level == SUM else ""
+                return f"{first}{blank}{sign}{blank}{second}", level
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return f"-{self.text(operand, POWER)}", SIGNED
+            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+                return self.expression(operand)
+            case ast.UnaryOp(op=ast.Not(), operand=operand):
+                return f"{self.not_}{self.text(operand, POWER)}", NOT
+            case ast.Compare():
+                return self.compared(node)
+            case ast.BoolOp(op=op, values=values):
+                sign, level = (self.and_, AND) if isinstance(op, ast.And) else (self.or_, OR)
+                return f" {sign} ".join(self.text(v, NOT) for v in values), level
+            case ast.IfExp(test=test, body=body, orelse=orelse):
+                return self.either(test, body, orelse)
+            case ast.Attribute():
+                return self.number(self.functions_value(node)), ITEM
+            case ast.Subscript():
+                return self.subscript(node)
+            case ast.Call(func=ast.Name(id="len")):
+                return self.number(self.functions.constant(node)), ITEM
+            case ast.Call(func=ast.Name(id=name)) if name not in self.functions.known:
+                return self.library(name, node.args)
+            case ast.Call(func=ast.Attribute(attr=name)):
+                return self.library(name, node.args)
+            case ast.Call():
+                return self.call(node)
+        self.function.refuse(node, f"{type(node).__name__} is not written")
+
+    def functions_value(self, node: ast.Attribute) -> float:
+        """math.pi, np.inf and the like."""
+        return float(getattr(np, node.attr))
+
+    def divided(self, node: ast.expr) -> str:
+        """What is divided, which is no whole number."""
+        return self.text(node, PRODUCT)
+
+    def name(self, name: str) -> str:
+        if name in self.function.own:
+            return self.names.of(name)
+        return self.constant(name)
+
+    def constant(self, name: str) -> str:
+        """A constant of the text, which is told of where it is defined."""
+        if name not in self.constants:
+            self.constants.append(name)
+        return self.constant_name(name)
+
+    def compared(self, node: ast.Compare) -> tuple[str, int]:
+        """Each comparison of a chain; what stands in it has no effects."""
+        found, left = [], node.left
+        for op, right in zip(node.ops, node.comparators, strict=True):
+            if isinstance(op, ast.In) and isinstance(right, ast.Tuple) and len(node.ops) == 1:
+                every = [f"{self.text(left, SUM)} == {self.text(x, SUM)}" for x in right.elts]
+                return f" {self.or_} ".join(every), OR
+            if type(op) in _COMPARISONS:
+                sign = _COMPARISONS[type(op)]
+                sign = self.unequal if sign == "!=" else sign
+                found.append(f"{self.text(left, SUM)} {sign} {self.text(right, SUM)}")
+            else:
+                self.function.refuse(node, f"{type(op).__name__} is not written")
+            left = right
+        return f" {self.and_} ".join(found), COMPARED if len(found) == 1 else AND
+
+    def subscript(self, node: ast.Subscript) -> tuple[str, int]:
+        base = base_of(node)
+        if not isinstance(base, ast.Name):
+            self.function.refuse(node, "only what has a name is subscripted")
+        if isinstance(node.slice, ast.Slice):
+            if node.slice.upper or node.slice.lower is None:
+                self.function.refuse(node, "a part of an array is array[first:]")
+            return self.part(base.id, node.slice.lower)
+        of_table = base.id not in self.function.own
+        return self.item(base.id, indices_of(node), of_table), ITEM
+
+    def is_row(self, node: ast.expr) -> bool:
+        """Whether an expression is a call that gives several numbers."""
+        return isinstance(node, ast.Call) and isinstance(self.type_of(node), Row)
+
+    # -- statements ---------------------------------------------------------------------------
+
+    def line(self, text: str) -> None:
+        """A line, wrapped at blanks where it is long."""
+        indent = STEP * self.depth
+        if len(indent + text) <= WIDTH:
+            self.lines.append(indent + text)
+            return
+        parts = textwrap.wrap(
+            text, WIDTH - len(indent) - 8, break_long_words=False, break_on_hyphens=False
+        )
+        self.lines.append(f"{indent}{parts[0]}{self.go_on if len(parts) > 1 else ''}")
+        for i, part in enumerate(parts[1:], 2):
+            self.lines.append(f"{indent}{STEP}{part}{self.go_on if i < len(parts) else ''}")
+
+    def block(self, body: Sequence[ast.stmt]) -> None:
+        self.depth += 1
+        for statement in body:
+            self.statement(statement)
+        self.depth -= 1
+
+    def new(self, word: str) -> str:
+        """A name for what is kept for a moment."""
+        self.temporary += 1
+        return f"{word}_{self.temporary}_"
+
+    def assign(self, node: ast.Assign) -> None:
+        """One value to one or several targets, or a tuple of them to as many."""
+        if len(node.targets) > 1:
+            self.assign_to_all(node.targets, node.value)
+            return
+        target = node.targets[0]
+        several = pairs(target, node.value)
+        if several is None:
+            self.unpack(target.elts, node.value)  # type: ignore[attr-defined]
+        elif one_by_one(several):
+            for one, value in several:
+                self.assign_one(one, value)
+        else:
+            kept = [self.keep(value) for _, value in several]
+            for (one, _), text in zip(several, kept, strict=True):
+                self.put(one, text)
+
+    def assign_to_all(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
+        if isinstance(value, ast.Constant):
+            for target in targets:
+                self.assign_one(target, value)
+            return
+        text = self.keep(value)
+        for target in targets:
+            self.put(target, text)
+
+    def assign_one(self, target: ast.expr, value: ast.expr) -> None:
+        if isinstance(target, ast.Name):
+            if made_array(value):
+                self.make_array(target.id, made_array(value) == "zeros")
+                return
+            if target.id in self.function.aliases:
+                self.make_alias(target.id)
+                return
+            if self.is_row(value):
+                self.keep_row(target.id, value)
+                return
+        if isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Slice):
+            self.copy(target, value)
+            return
+        self.put(target, self.text(value))
+
+    def put(self, target: ast.expr, text: str) -> None:
+        raise NotImplementedError
+
+    def keep(self, value: ast.expr) -> str:
+        raise NotImplementedError
+
+    def unpack(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
+        raise NotImplementedError
+
+    def make_array(self, name: str, zeros: bool) -> None:
+        raise NotImplementedError
+
+    def make_alias(self, name: str) -> None:
+        raise NotImplementedError
+
+    def keep_row(self, name: str, value: ast.expr) -> None:
+        raise NotImplementedError
+
+    def copy(self, target: ast.Subscript, value: ast.expr) -> None:
+        raise NotImplementedError
+
+
+def is_float(type_: Type) -> bool:
+    return (type_.element if isinstance(type_, (Array, Row)) else type_) == FLOAT
