@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 2
+#     level: research
+#     minutes: 45
 # ---
 
 # %% [markdown]
@@ -476,3 +481,101 @@ assert 1e-4 < np.abs(difference).max() < 5e-3
 #    $x - \tanh(x/n)$, and how does it differ from that of (1) far from $x = 0$?*
 # 6. In the thesis's 4-28 the same force stands on the *left* of the equation of a wall, without a
 #    minus sign. Is it right there? *Hint: which sign must a damping force have on that side?*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Any $h(\log v)$ with the period $\log\sqrt r$ does:
+# $g(\sqrt r\,v) = r\,v^2\,h(\log v + \log\sqrt r) = r\,g(v)$. But the period belongs to one $r$,
+# and the force would go up and down with the speed, for which nothing in the impact is a reason.
+# Only the constant works for every $r$.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# In a fast passage $v^2 = v_0^2\,r^\Phi$, and $\delta_n v^2 \propto \mathrm e^{-X^2}r^{\Phi(X)}$ is
+# largest at $2X = \ln(r)\,\Phi'(X)$, which is the hint's equation. For $r = 0.7225$ it is at
+# $x = -0.091\,n$: a little before upright, where the block is still faster.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# The force acts over some $2n$, for $2n/v = 0.0025$ in units of $1/p$. The speed at the first
+# impact is $v_0 = \sqrt{1-(1-x_0)^2} = 0.8$, and upright it is $\sqrt[4]r\,v_0$. With $n = 10^{-3}$
+# the acceleration is 50 in units of $\alpha p^2$, of which the weight gives 1 at the most. A spike
+# of this height says what $n$ was, not what the ground did.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# By (11) $c$ is the same at each impact. At the second one (2) adds to it what the first has left,
+# $r\cdot2(1-x_1)\,\delta x_1 = r\,c\,n$:
+#
+# $$\delta x_2 = \frac{(1+r)\,c}{2\,(1-x_2)}\,n = 0.529\,n .$$
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# With $r = 1$ the right-hand side is zero and $\tfrac12\dot x^2 + n\ln\cosh(x/n) - \tfrac12x^2$ is
+# constant. Far from upright $n\ln\cosh(x/n) = |x| - n\ln2$: only a constant away from (1), which
+# changes no force. Near upright the block is slower, by $\delta w = -2n\ln(1+\mathrm e^{-2x/n})$ in
+# $w = \dot x^2$, and comes late by
+#
+# $$\int\frac{-\delta w}{2v_0^3}\,\mathrm dx = \frac{n^2}{v_0^3}\int_0^\infty
+#   \ln(1+\mathrm e^{-2X})\,\mathrm dX = \frac{\pi^2}{24}\frac{n^2}{v_0^3} .$$
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# No. On the left a force that takes energy has the sign of the velocity, and $\ln r < 0$: there the
+# minus sign is needed. The two slips are the same one, made on two sides of an equation.
+#
+# </details>
+
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+def wavy(speed):
+    """v/g(v) of a force with a periodic part."""
+    return (1 + 0.5 * np.sin(2 * np.pi * np.log(speed) / np.log(np.sqrt(R)))) / speed
+
+
+through = [quad(wavy, start, np.sqrt(R) * start)[0] for start in (0.3, 0.5, 0.8)]
+assert np.allclose(through, np.log(np.sqrt(R)), rtol=1e-9)
+
+grid = np.linspace(-1, 1, 200001)
+highest = grid[np.argmax(np.exp(-(grid**2)) * R ** ((1 + erf(grid)) / 2))]
+assert np.isclose(highest * np.exp(highest**2), np.log(R) / (2 * np.sqrt(np.pi)), atol=2e-5)
+assert round(highest, 3) == -0.091
+
+near = first_impact + np.linspace(-0.01, 0.01, 4001)
+place, rate = right.sol(near)
+spike = np.log(np.sqrt(R)) / (1e-3 * np.sqrt(np.pi)) * rate**2 * np.exp(-((place / 1e-3) ** 2))
+assert round(np.abs(spike).max()) == 50
+
+second = (1 + R) * c / (2 * (1 - peaks[2]))
+late_errors = [(released(width, 4.5)[1][1] - peaks[2]) / width for width in (1e-3, 3e-4)]
+assert round(second, 3) == 0.529
+assert np.allclose(late_errors, second, rtol=5e-3)
+
+
+def upright(t, state):
+    return state[0]
+
+
+upright.terminal = True
+width = 0.005
+lossless = solve_ivp(
+    spread_block(1.0, width), (0, 2), (X0, 0.0), method="DOP853", rtol=1e-11, atol=1e-13,
+    max_step=0.01, events=upright,
+)  # fmt: skip
+delay = lossless.t_events[0][0] - first_impact
+assert np.isclose(delay, np.pi**2 / 24 * width**2 / 0.8**3, rtol=0.03)
+
+(as_printed,), (as_it_should,) = equation("4-28").printed, equation("4-28").right
+assert sp.simplify(as_printed.rhs + as_it_should.rhs) == 0

@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 1
+#     level: first course
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -570,3 +575,87 @@ sp.Eq(F / N, needed)
 #    $\theta\to0$.*
 # 6. **The slowest return.** Fit the growth of $T_{1/4}$ as $\theta_0 \to \alpha$ in Figure 3.
 #    *Hint: $\operatorname{arcosh} x \approx \ln 2x$.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Seen from $O'$ the centroid is at $(2B - R\sin(\alpha-\theta),\ R\cos(\alpha-\theta)) = (x', y)$.
+# Weight, inertia force and $N$ have moments about $O'$, $F$ has none:
+#
+# $$I_g\ddot\theta + m\,(y\,\ddot x - x'\,\ddot y) = m g\,x' - m a_g\,y - 2B\,N.$$
+#
+# Put in $N = m(g + \ddot y)$: the terms with $2B$ cancel, and (5) is left. A second point gives no
+# second equation, only the same with an unknown in it.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# The centroid rises by $y_g$ more, so that $N = m\,(g + a_v + \ddot y_G)$, and $F$ stays as it was.
+# In (4) $g$ stands nowhere but in $N$: wherever it was it is $g + a_v$ now. A block cannot tell
+# ground that accelerates upwards from more gravity.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# $p \propto 1/\sqrt R$ is half as large. All times are proportional to $1/p$: the quarter period
+# doubles. Rates of rotation are proportional to $p$, and the top corner is four times as far away,
+# so that it lands twice as fast.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# With $\theta_0 = \epsilon^2\alpha$ the series is
+# $p\,T_{1/4} = \sqrt2\,\epsilon\,\bigl(1 + \tfrac5{12}\epsilon^2 + \dots\bigr)$: the square root is
+# 4 % too small at a tenth of $\alpha$.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# With $\tau = \tan\alpha$ the ratio is $3\tau/(4+\tau^2)$. It is 0.3 at $\tau = 5 - \sqrt{21} =
+# 0.417$: blocks that are less than 2.4 times as high as wide slide.
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# By (14) $p\,T_{1/4} \approx \ln\frac{2}{1-\theta_0/\alpha}$. Each tenth of what is left to the
+# balance costs another $\ln 10 = 2.3$ of $1/p$. The exact period (13) grows at the same rate, for
+# at the balance point the linear equation becomes exact.
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+ahead, up = 2 * R * sp.sin(alpha) - R * sp.sin(alpha - theta), R * sp.cos(alpha - theta)
+turning = I_G * theta_dd + m * (up * acceleration_x - ahead * (g + acceleration_y))
+assert sp.simplify(turning + 2 * R * sp.sin(alpha) * vertical - moments) == 0
+
+a_v = sp.Symbol("a_v", real=True)
+lifted = euler.subs({F: horizontal, N: m * (g + a_v + acceleration_y)})
+assert sp.simplify(lifted - moments.subs(g, g + a_v)) == 0
+(engine,) = model.equations("right").residual(model.coordinates)
+heavier = about_right_edge.subs({g: g + a_v, I_O: I_G + m * R**2})
+assert sp.simplify(engine.subs(to_polar | {GROUND_Y: a_v}) - heavier) == 0
+
+large = rk.RigidBlock.from_frequency(p=p / 2, alpha=block.alpha)
+assert np.isclose(large.radius, 4 * block.radius)
+first = {
+    one: rk.simulate(one, rk.GroundMotion.none(6.0), initial={"theta": 0.5 * block.alpha}).impacts[
+        0
+    ]
+    for one in (block, large)
+}
+landing = {one: one.half_height * impact.before["theta_dot"] for one, impact in first.items()}
+assert np.isclose(first[large].time / first[block].time, 2.0)
+assert np.isclose(landing[large] / landing[block], 2.0)
+
+small = 1e-3
+assert np.isclose((np.arccosh(1 / (1 - small)) / np.sqrt(2 * small) - 1) / small, 5 / 12, rtol=2e-3)
+slides_at = needed.subs(alpha, sp.atan(5 - sp.sqrt(21)))
+assert np.isclose(float(slides_at), 0.3, rtol=1e-12)
+late = p * (elliptic((1 - 1e-5) * block.alpha) - elliptic((1 - 1e-3) * block.alpha))
+assert np.isclose(late, np.log(100), rtol=1e-3)

@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 1
+#     level: graduate
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -606,3 +611,108 @@ assert 0.81 < best.x < 0.82
 # 6. Simulate run 3 of the thesis: El Centro with the time scaled to 1/5 and the peak to 0.8 g, with
 #    both values of $r$. How much do they differ, and why more than in Figure 3?
 #    *Hint: `rk.GroundMotion.from_library`, and the README.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Newton's law for all masses together gives $F = \sum m(\ddot x + \ddot u_g)$ and
+# $N = \sum m(g + \ddot y)$ at the foot. Their moments about the centroid, put into Euler's law for
+# the whole, are the moments of the single inertia forces and weights about the foot: (3) again, by
+# a longer way.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# About a new pivot at $-b$ the masses have $m(H^2 - bB)\,\dot\theta_1$ before and
+# $m(H^2 + b^2)\,\dot\theta_2$ after the impact. $e = 0.9$ is a quadratic equation for $b$, with the
+# root 0.223 m: the impulse acts 62 mm inside the edge.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# $e = (H_e^2 - B^2)/(H_e^2 + B^2) = \cos2\alpha_e$. At $H_e = B$ it is zero: the mass comes in
+# along the line to the new pivot, and its momentum has no moment about it.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# $g\,B/H_c = 3.53$ m/s², where $H_c$ is the height of the common centroid: (3) at $\theta = 0$. The
+# pushover gives the same moment $WB$ by a force at the height $H_e$ alone, 448 N.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# Both are the same. $mR\sin(\alpha - s\theta) = m(B\cos\theta - sH\sin\theta)$ is linear in $B$ and
+# $H$, and so is the cosine: the sums are those of the centroid. And $e = 1 - 2(m_e+m_b)B^2/I_O$ has
+# nothing but the total mass and $I_O$ in it. For a rigid structure three numbers are all there is.
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# The mass moves by 6.4 mm with $r = 0.74$ and by 8.3 mm with 0.81, 30 % more. In a release each
+# impact changes only what is left. Under shaking it also changes when the next one comes, and
+# whether the ground then pushes or brakes: the two motions part company after a few impacts.
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+one_by_one = [(m_e, R_e, alpha_e, I_eg), (m_b, R_b, alpha_b, I_bg)]
+spots = [from_pivot(R, alpha, 1) for _, R, alpha, _ in one_by_one]
+common = sum((m * r for (m, *_), r in zip(one_by_one, spots, strict=True)), sp.zeros(2, 1))
+common /= m_e + m_b
+pushes = [
+    -m * (r.diff(t, 2) + sp.Matrix([a_g, g])) for (m, *_), r in zip(one_by_one, spots, strict=True)
+]
+foot = -(pushes[0] + pushes[1])  # F and N
+about_G = clockwise(-common, foot) - (I_eg + I_bg) * rotation.diff(t, 2)
+about_G += sum(clockwise(r - common, push) for r, push in zip(spots, pushes, strict=True))
+about_G = about_G.subs(rotation.diff(t, 2), theta_dd).subs(rotation.diff(t), 0.7)
+point = numbers | {theta: 0.11, theta_dd: -1.3, a_g: 0.4}
+assert np.isclose(
+    float(about_G.subs(rotation, theta).subs(point)), float(about_O.subs(point)), rtol=1e-9
+)
+
+about_centre = chosen + COLUMN["mass"] * COLUMN["height"] ** 2
+total = COLUMN["mass"] + COLUMN["base_mass"]
+
+
+def velocity_ratio_at(b):
+    return (about_centre - total * b * 0.285) / (about_centre + total * b**2)
+
+
+assert np.isclose(velocity_ratio_at(0.285), column.velocity_ratio)
+inside = brentq(lambda b: velocity_ratio_at(b) - 0.9, 0.0, 0.285)
+assert round(inside, 3) == 0.223
+
+single = e.subs({m_b: 0, I_eg: 0, I_bg: 0}).subs(
+    {B: R_e * sp.sin(alpha_e), H_e: R_e * sp.cos(alpha_e)}
+)
+assert sp.simplify(single - sp.cos(2 * alpha_e)) == 0
+
+middle = float(centroid_height.subs(numbers))
+assert np.isclose(column.uplift_acceleration, 9.81 * 0.285 / middle)
+assert round(column.uplift_acceleration, 2) == 3.53
+assert np.isclose(column.pushover([0.0])[0], total * 9.81 * 0.285 / 1.05)
+assert round(float(column.pushover([0.0])[0])) == 448
+
+merged = rk.RigidBlock(
+    half_width=0.285, half_height=middle, mass=total,
+    inertia=float(numbers[I_O]) - total * (0.285**2 + middle**2),
+)  # fmt: skip
+assert np.isclose(merged.velocity_ratio, column.velocity_ratio, rtol=1e-12)
+here = {"theta": 0.05, "theta_dot": 0.3}
+one, other = (s.accelerations(here, ground_acceleration=1.0)["theta"] for s in (merged, column))
+assert np.isclose(one, other, rtol=1e-12)
+
+shaking = rk.GroundMotion.from_library("El Centro 1940 180").scaled(time=0.2).scaled_to(0.8 * 9.81)
+largest = {
+    r: np.abs(rk.simulate(column, shaking, impact=rk.EnergyRatio(r))["displacement"]).max()
+    for r in (0.74, 0.81)
+}
+assert [round(1e3 * value, 1) for value in largest.values()] == [6.4, 8.3]

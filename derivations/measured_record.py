@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 3
+#     level: research
+#     minutes: 45
 # ---
 
 # %% [markdown]
@@ -33,6 +38,8 @@
 # $\sigma$ = 0.02 degrees.
 
 # %%
+from math import comb
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -307,3 +314,89 @@ plt.show()
 #    *Hint: the acceleration is then finite; compare windows below and above 20 ms.*
 # 5. Use `points_by_score` and `points_by_prominence` on the record. Which peaks does the window of
 #    half a second miss, and why? *Hint: compare it with the time between peaks.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# The coefficient of $x^n$ in $(1+x)^{2n}$ is $\binom{2n}n$. In $(1+x)^n(1+x)^n$ it is
+# $\sum_j\binom nj\binom n{n-j}$, and $\binom n{n-j} = \binom nj$.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# Next to nothing comes out, a billionth of a degree. Differences of the sixth order see only what
+# is fast, and that the filter has taken: what is left of the noise is slow, and its neighbouring
+# samples know of one another. The record itself carries its noise through the filter by (3) and
+# says 0.004 degrees.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# Down to about 9 J before the impact, a third of the first one. By (5) the limit is at a rotation
+# of some fifty standard deviations of a fitted peak, which the half-cycles, ever shorter, determine
+# less and less well.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# Windows up to the duration of the impact give its own acceleration, $(1-e)v$ over 20 ms, within
+# some per cent. One of 80 ms gives three quarters of it, and knows it as little as before. But a
+# window of 20 ms has eight times the noise in the rate of one of 80 ms, and thirty-two times in the
+# acceleration.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# It misses the last three, from 4.5 s on. There a whole cycle takes 0.36 s and less, and the higher
+# peak before, on the same side, stands within the window. Prominence has no window, and finds them
+# until they drown in the noise.
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+for order in range(1, 12):
+    assert sum(comb(order, j) ** 2 for j in range(order + 1)) == comb(2 * order, order)
+
+smooth = record.low_pass(25.0)
+assert analysis.noise_level(t, smooth["theta"]) < 1e-6 * sigma
+assert 0.1 < smooth.noise["theta"].level / sigma < 0.3
+
+equal = rk.simulate(
+    block,
+    rk.GroundMotion.none(5.0),
+    initial={"theta": np.radians(7.876)},
+    impact=rk.EnergyRatio(0.85),
+)
+coarse = equal.at(t)["theta"] + rng.normal(0.0, 10 * sigma, len(t))
+noisy = analysis.MeasuredRecord(t, {"theta": coarse})
+told = analysis.Impacts.of_record(noisy, block, threshold=1.0)
+sure = told.half_width < 0.05 * told.energy_ratio
+print(f"r to 5 % down to {told.energy_before[sure].min():.1f} J")
+assert 8.0 < told.energy_before[sure].min() < 11.0
+assert told.energy_before[~sure].max() < 9.0
+
+lasting, rate_before, share = 0.02, 0.4, 0.9  # s, rad/s, -
+moments = np.arange(-0.2, 0.2, 1e-4)
+fallen = np.clip(moments / lasting + 0.5, 0.0, 1.0)
+rate = rate_before * (1 - (1 - share) * fallen)
+turned = np.concatenate([[0.0], np.cumsum((rate[1:] + rate[:-1]) / 2) * 1e-4])
+slow = analysis.MeasuredRecord(moments, {"theta": turned})
+true = (1 - share) * rate_before / lasting
+for window, least, most in [(0.01, 0.99, 1.1), (0.02, 0.99, 1.1), (0.08, 0.5, 0.8)]:
+    largest = np.abs(slow.with_derivatives("theta", window=window)["theta_ddot"]).max()
+    assert least < largest / true < most
+
+by_score, by_prominence = (
+    t[found.peaks]
+    for found in (
+        analysis.points_by_score(record, "theta"),
+        analysis.points_by_prominence(record, "theta"),
+    )
+)
+assert np.array_equal(by_prominence[:-3], by_score)
+assert by_prominence[-3] - by_prominence[-5] < 0.36

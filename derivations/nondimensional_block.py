@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 4
+#     level: graduate
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -38,6 +43,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import rockeom as rk
+from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import equation
@@ -573,3 +579,122 @@ plt.show()
 # 6. **Feigenbaum.** Refine Figure 3 and find the values of $\beta$ of the first three doublings.
 #    How does the ratio of their distances compare with 4.669? *Hint: bisect on the number of
 #    distinct speeds; near a doubling let the block run longer.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Seven quantities in three units make four groups, such as $\alpha$, $A/g$, $\Omega^2R/g$ and
+# $I_o/(mR^2)$. Divided by $mgR$, (1) holds $m$, $I_o$ and $R$ only as the length $I_o/(mR)$: five
+# quantities in two units, which make three groups.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# $g$ becomes $g + a_v$, and in (3) the sine is multiplied by $1 + a_v/g$. It is compared with
+# gravity itself. A horizontal acceleration is compared with $\alpha g$, because that is what lifts
+# a slender block; a vertical one alone lifts nothing until it is $-g$.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# Let $\sigma = \sigma_0 + \sigma' c$. The roots of (7) meet where its discriminant vanishes,
+# $C^2(\omega^2 + \sigma'^2) = \sigma_0^2$:
+#
+# $$\beta = (1+\omega^2)\,\frac{|\sigma_0|}{\sqrt{\omega^2+\sigma'^2}},$$
+#
+# which is 0.121 for $\omega = 3$, $e = 0.9$. To keep a block rocking takes far less than the
+# $\beta = 1$ that starts it.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# From the second and fourth of (6) $b = -a\tanh\frac\pi{2\omega}$; with the first and third $c = 0$
+# and $a = -1$. So $\cos\varphi = 0$: the ground is a quarter of its cycle ahead or behind, and puts
+# no energy in, as none is lost. The two motions have
+# $v = \tanh\frac\pi{2\omega} \pm \frac{\omega\beta}{1+\omega^2}$.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# With $\beta^2 = 1+\omega^2$ the last two terms of the bracket make $\beta$, and the left-hand side
+# of (10) is 1 plus something positive. So the block has fallen before: the estimate is not on the
+# safe side, by 1 % at $\omega = 0.5$, by 20 % at 2. For fast pulses the border tends to
+# $\beta = \omega/2$, half of the estimate: only the impulse counts, $2\beta/\omega = 1$.
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# The doublings are at 3.1106, 3.2066 and 3.2264, where a multiplier of the orbit passes -1. The
+# ratio of their distances is 4.85; 4.669 is the limit of such ratios.
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+units = {  # of mass, length and time
+    "I_o": (1, 2, 0), "m": (1, 0, 0), "g": (0, 1, -2), "R": (0, 1, 0), "alpha": (0, 0, 0),
+    "A": (0, 1, -2), "Omega": (0, 0, -1), "I_o/(mR)": (0, 1, 0),
+}  # fmt: skip
+for chosen, groups in [
+    (["I_o", "m", "g", "R", "alpha", "A", "Omega"], 4),
+    (["I_o/(mR)", "g", "alpha", "A", "Omega"], 3),
+]:
+    rank = np.linalg.matrix_rank([units[name] for name in chosen])
+    assert len(chosen) - rank == groups
+
+upwards = sp.Symbol("a_v", real=True)  # over g
+(engine,) = model.equations("right").residual(model.coordinates)
+more = ours + s * upwards * sp.sin(alpha * (1 - s * x))
+difference = engine.subs(harmonic | {GROUND_Y: upwards}) - alpha * rho * more.subs(s, 1)
+assert sp.simplify(difference) == 0
+
+w, restitution = 3.0, 0.9
+sigma_0, sigma_1 = (
+    as_functions(q, math.cosh(math.pi / w), math.sinh(math.pi / w), restitution)[3] for q in (0, 1)
+)
+least = (1 + w**2) * abs(sigma_0) / math.hypot(w, sigma_1 - sigma_0)
+assert round(least, 3) == 0.121
+assert len(symmetric_orbits(1.001 * least, w, restitution)) == 2
+assert not symmetric_orbits(0.999 * least, w, restitution)
+
+perfect = symmetric_orbits(0.5, 2.0, 1 - 1e-7)
+for (speed, phase, _), side in zip(perfect, (1, -1), strict=True):
+    assert math.isclose(abs(phase), math.pi / 2, abs_tol=1e-5)
+    assert math.isclose(speed, math.tanh(math.pi / 4) + side * 2 * 0.5 / 5, rel_tol=1e-5)
+
+borders = {w: border(w) / math.sqrt(1 + w**2) for w in (0.5, 2.0, 5.0, 50.0)}
+assert np.allclose([borders[0.5], borders[2.0]], [0.99, 0.80], atol=6e-3)
+assert all(one < 1 for one in borders.values())
+assert math.isclose(borders[50.0], 0.5, rel_tol=0.05)
+
+squat_law = rk.VelocityRatio(0.5)
+
+
+def stroboscope(beta):
+    motion = rk.GroundMotion.harmonic(
+        squat * beta, angular_frequency=drive, phase=math.pi / 2, duration=48.0
+    )
+    return analysis.StroboscopicMap(squat_block, motion, 3.0, impact=squat_law)
+
+
+def settled(beta):
+    """The state once a cycle, after the start is forgotten."""
+    motion = rk.GroundMotion.harmonic(
+        squat * beta, angular_frequency=drive, phase=math.pi / 2, duration=900.0
+    )
+    options = rk.SolverOptions(output_step=100.0)
+    return rk.simulate(squat_block, motion, impact=squat_law, options=options).final
+
+
+# at a doubling a multiplier of the orbit is -1
+doublings = [
+    analysis.bifurcation_value(stroboscope, between, settled(between[0]), cycles, tolerance=1e-5)
+    for cycles, between in [(1, (3.1, 3.12)), (2, (3.2, 3.21)), (4, (3.225, 3.227))]
+]
+assert np.allclose(doublings, [3.1106, 3.2066, 3.2264], atol=1e-4)
+assert np.isclose((doublings[1] - doublings[0]) / (doublings[2] - doublings[1]), 4.85, atol=0.02)

@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 1
+#     level: first course
+#     minutes: 45
 # ---
 
 # %% [markdown]
@@ -469,5 +474,99 @@ assert impacts_to_a_tenth[1] - impacts_to_a_tenth[0] > 5
 # 4. **Half the energy.** For which shape does one impact take half of the energy? *Hint: $r=1/2$.*
 # 5. **A hollow base.** Aslam's block had a concave base, so that it touched the ground only along
 #    its edges. What should $\lambda$ be? What does Figure 2 say? *Hint: (8).*
-# 6. **An unsymmetric body.** Let the centroid lie off the centre line. Derive $e$ for both edges
-#    and show that $r$ differs. *Hint: $B_1$ and $B_2$; $I_o$ differs too.*
+# 6. **An unsymmetric body.** Let the centroid lie off the centre line. Derive $e$ for both edges.
+#    Does $r$ differ, too? *Hint: $B_1$ and $B_2$; $I_o$ differs too.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Each mass adds $m(H^2 - B^2)\,\dot\theta_1$ before and $m(H^2 + B^2)\,\dot\theta_2$ after the
+# impact, and its own inertia to both. So
+#
+# $$e = \frac{\sum I + m(H^2 - B^2)}{\sum I + m(H^2 + B^2)}.$$
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# $e = (H^2 - B^2)/(H^2 + B^2) = \cos^2\alpha - \sin^2\alpha = \cos2\alpha$. In Figure 1 $v_1$ is at
+# right angles to $OG$ and $v_2$ to $O'G$; these lines make the angle $2\alpha$. Without inertia the
+# impulse must pass through $G$, along $O'G$: it takes the component of $v_1$ along $O'G$, and
+# leaves the one at right angles to it, $v_1\cos2\alpha$.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# It is none. A landing edge arrives with a velocity straight downwards, $2B|\dot\theta_1|$, and the
+# impulse has to stop it. A block let go near $\theta = 0$ would fall freely, its edge, too, with
+# $g$ straight downwards, and in each instant the force at the edge has to stop that. Both times the
+# question is what push at an edge stops a vertical motion of that edge. The answer has one
+# direction: $J_x/J_y = mHB/(I_g + mH^2)$.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# $1 - \tfrac32\sin^2\alpha = 1/\sqrt2$ gives $\alpha = 0.457$, 26 degrees: a block twice as high as
+# wide (2.03).
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# Where nothing but edges touches, the push is at the edge: $\lambda = 1$. In Figure 2 no specimen
+# is on that line. Those of wood and granite are below it. The two at height/width 5 are above, at
+# 1.3 and 1.4, where no push can be: whatever their base was, they lost energy by more than the
+# impact of (1).
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# Let the centroid be at $B_1$ from the left edge and $B_2$ from the right one. Landing on the left
+# edge, and on the right one,
+#
+# $$e_1 = \frac{I_g + m(H^2 - B_1B_2)}{I_g + m(H^2 + B_1^2)}, \qquad
+#   e_2 = \frac{I_g + m(H^2 - B_1B_2)}{I_g + m(H^2 + B_2^2)}.$$
+#
+# They differ. But $r$ does not: the kinetic energy has another $I_o$ on either side of the impact,
+# and $r = e_1^2\,I_{o1}/I_{o2} = e_1 e_2$ for both edges. Two feet with different measured energy
+# ratios are not told apart by where the centroid is.
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+two = rk.derive("lumped_mass_structure")
+named = {parameter.name: parameter.symbol for parameter in two.parameters}
+parts = [("mass", "height", "inertia"), ("base_mass", "base_height", "base_inertia")]
+kept, whole = (
+    sum(
+        named[i] + named[mass] * (named[height] ** 2 + sign * named["half_width"] ** 2)
+        for mass, height, i in parts
+    )
+    for sign in (-1, 1)
+)
+assert sp.cancel(two.velocity_ratio - kept / whole) == 0
+
+assert sp.simplify(e.subs(I_G, 0).subs(polar) - sp.cos(2 * alpha)) == 0
+
+compliance = sp.Matrix([[1 / m + H**2 / I_G, -H * B / I_G], [-H * B / I_G, 1 / m + B**2 / I_G]])
+push = compliance.solve(sp.Matrix([0, 1]))  # at the edge, to stop one unit downwards
+assert sp.simplify(push[0] / push[1] - m * H * B / (I_G + m * H**2)) == 0
+assert sp.simplify((push[0] / push[1]).subs(homogeneous).subs(polar) - needed) == 0
+
+half_lost = math.asin(math.sqrt(2 / 3 * (1 - 1 / math.sqrt(2))))
+assert math.isclose(energy_ratio(1 / math.tan(half_lost)), 0.5)
+assert round(1 / math.tan(half_lost), 2) == 2.03
+assert [round(resultant(5, r), 1) for r in (0.856, 0.844)] == [1.3, 1.4]
+
+B_1, B_2 = sp.symbols("B_1 B_2", positive=True)
+about = {edge: I_G + m * (H**2 + edge**2) for edge in (B_1, B_2)}
+ratio_1, ratio_2 = ((I_G + m * (H**2 - B_1 * B_2)) / about[edge] for edge in (B_1, B_2))
+from_right = ratio_1**2 * about[B_1] / about[B_2]
+from_left = ratio_2**2 * about[B_2] / about[B_1]
+assert (ratio_1 / ratio_2).subs({B_1: 1, B_2: 2, H: 3, m: 1, I_G: 1}) != 1
+assert sp.cancel(from_right - from_left) == 0
+assert sp.cancel(from_right - ratio_1 * ratio_2) == 0

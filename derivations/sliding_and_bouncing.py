@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 1
+#     level: graduate
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -654,8 +659,48 @@ print(rk.Outcome.NO_SOLUTION.sentence, rk.Outcome.SEVERAL_SOLUTIONS.sentence, se
 #    cycle if and only if $A/(\mu g) < \sqrt{1 + \pi^2/4}$. Derive it. *Hint: it begins to slip at
 #    $\sin\omega t = \mu g/A$; its velocity must be back at zero before the next such instant.*
 
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Divided by $\cos^2\alpha$, with $\tau = \tan\alpha$, (2) is $3\tau/(4+\tau^2)$. For small $\tau$
+# it is $\tfrac34\tau$. Its derivative vanishes at $\tau = 2$, where it is $\tfrac34$: on a friction
+# of 0.75 no block that is let go from rest slides.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# $g' = 0.7\,g$. All borders are functions of $\mu$ and $a/g'$, so that Figure 2 shrinks to 0.7 of
+# its height: it takes 30 % less push for everything.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# $\omega'/\omega = (1-3s^2)/(1+3s^2)$. Without friction nothing pushes the block sideways: its
+# centroid keeps its horizontal velocity. It stops turning at $3s^2 = 1$, $\alpha = 35.3°$, and a
+# stockier one keeps both feet down.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# Friction brakes with $\mu g$: $v^2/(2\mu g) = 63.7$ mm in $v/(\mu g) = 0.255$ s. The mass drops
+# out.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# It begins to slip at $\sin\varphi_1 = \mu g/A$. From there its velocity over the ground is, to the
+# left, $\frac A\omega(\cos\varphi_1 - \cos\omega t) - \mu g\,(t - t_1)$. Half a cycle later that is
+# $\frac1\omega(2A\cos\varphi_1 - \pi\mu g)$. The block has stuck in between if this is negative:
+# $2\cos\varphi_1 < \pi\sin\varphi_1$, that is $1/\sin^2\varphi_1 < 1 + \pi^2/4$.
+#
+# </details>
+
 # %% tags=["hide-cell"]
-# the numbers of the hints
+# the solutions, checked
 assert math.isclose(landing_friction(math.atan(2.0)), 0.75)
 assert math.isclose(landing_friction(1e-4), 0.75e-4, rel_tol=1e-6)
 assert round(landed(0.0, 0.0), 3) == 0.690
@@ -674,3 +719,7 @@ for strength, sticks_at_all in [(0.99 * factor, True), (1.01 * factor, False)]:
     sine = rk.GroundMotion.harmonic(0.2 * gravity * strength, frequency=1.0, duration=20.0)
     late = [event for event in rk.simulate(sliding(0.2), sine).events if event.time > 15.0]
     assert any(event.phase_after == "both" for event in late) == sticks_at_all
+flat = rk.simulate(
+    sliding(0.0, alpha=0.7), still, initial={"theta": 1e-10, "theta_dot": -0.5}, duration=1e-6
+)
+assert flat.impacts[0].after["theta_dot"] == 0.0

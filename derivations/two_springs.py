@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 1
+#     level: graduate
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -590,3 +595,90 @@ print(f"peaks {1e3 * peak[0]:.1f} mm and {1e3 * peak[1]:.1f} mm")
 #    both, after lift-off too? *Hint: after lift-off $I_C$ becomes $I_O$.*
 # 6. At which ground acceleration does a foot of the column lift, if the shaking is slow? And of the
 #    cart? *Hint: compare (12) with $P$ at lift-off.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# From the position of rest the forces change by $-k_L(v + B\sin\theta)$ and
+# $-k_R(v - B\sin\theta)$. Their sum vanishes for $v = B\sin\theta\,(k_R-k_L)/(k_R+k_L)$. The point
+# of the base at $x = B\,(k_R-k_L)/(k_R+k_L)$ keeps its level: it is nearer to the stiffer spring.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# The linear rows are $(m_e+m_b)\ddot v + 2k_fv = 0$ and
+# $I_C\ddot\theta + (2k_fB^2 - gS)\,\theta = 0$, with periods of 0.078 s and 0.286 s. The cart has
+# the second, 1 % too long, by its mass; it has no vertical motion at all.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# $2k_fB^2 > gS$, that is $k_f > gS/(2B^2) = 8.0$ kN/m. On softer springs the weights overturn the
+# column as soon as it leaves upright, though no foot has lifted.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# About the pivot the masses are at $(-B\cos\theta + H\sin\theta,\ B\sin\theta + H\cos\theta)$.
+# Moments of $P$ and of the weights:
+# $P\,(H_e\cos\theta + B\sin\theta) = WB\cos\theta - gS\sin\theta$. The spring under the foot is
+# pressed by the same force all the time, and takes no part.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# A mass $M$ at the height $H$ has the load $MH$ and the inertia $MH^2$. Both are right for
+# $H = I_C/S = 1.36$ m and $M = S^2/I_C = 98$ kg: the centre of percussion. After lift-off the
+# structure turns about its foot, and $H$ would have to be $I_O/S = 1.47$ m. One cart cannot have
+# both.
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# For slow shaking the inertia forces act like $P$, but each at its own height: $a\,S = P\,H_e$ at
+# lift-off, so that $a = P\,H_e/S = 3.48$ m/s². The cart lifts where $(m_e+m_b)\,a = P$, at 2.62
+# m/s²: too early by the factor $H_c/H_e$ of its load.
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+k_L, k_R, lean, across = sp.symbols("k_L k_R lean x", positive=True)  # lean: B sin(theta)
+(risen,) = sp.solve(k_L * (v + lean) + k_R * (v - lean), v)
+(still_at,) = sp.solve(risen - across / B * lean, across)
+assert sp.simplify(still_at - B * (k_R - k_L) / (k_R + k_L)) == 0
+
+I_C_, S_, total_ = (float(q.subs(numbers)) for q in (I_C, S, m_e + m_b))
+turns = 2 * K_F * b**2 - 9.81 * S_
+periods = 2 * np.pi * np.sqrt([total_ / (2 * K_F), I_C_ / turns])
+for period, state in zip(periods, ("heave", "theta"), strict=True):
+    start = {"theta": 0.0, "heave": 0.0} | {state: 1e-5}
+    vibrates = rk.simulate(structure, rk.GroundMotion.none(1.01 * period), initial=start)
+    moved = vibrates.at([0.5 * period, period], names=[state])[state]
+    rest = vibrates.at([0.25 * period], names=[state])[state]
+    assert np.allclose(moved - rest, [-1e-5, 1e-5], rtol=1e-2)
+of_cart = 2 * np.pi * np.sqrt(total_ * h**2 / turns)
+assert [round(one, 3) for one in periods] == [0.078, 0.286]
+assert round(of_cart / periods[1], 2) == 1.01
+
+softest = 9.81 * S_ / (2 * b**2)
+assert round(softest / 1e3, 1) == 8.0
+slope = P_pressed.diff(theta).subs(theta, 0).subs(W, weight).subs(numbers | {k_f: softest})
+assert abs(float(slope)) < 1e-9
+
+on_pivots = rk.LumpedMassStructure(**COLUMN)
+np.testing.assert_allclose(
+    on_pivots.pushover(after), evaluate["foot", "lifted"](after), rtol=1e-9, atol=1e-9
+)
+
+I_O_ = I_C_ + total_ * b**2
+assert [round(one / S_, 2) for one in (I_C_, I_O_)] == [1.36, 1.47]
+assert round(S_**2 / I_C_) == 98
+
+slow = {"structure": P_crit * h / S_, "cart": P_crit / total_}
+assert [round(one, 2) for one in slow.values()] == [3.48, 2.62]

@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 1
+#     level: graduate
+#     minutes: 45
 # ---
 
 # %% [markdown]
@@ -428,3 +433,124 @@ plt.show()
 # 6. **Shaking.** Let the ground accelerate with $0.5\,g\tan\alpha$ all the time. Does the block
 #    still stop in finite time? Derive the bouncing-ball time, and check it with
 #    `rk.GroundMotion.constant`. *Hint: the acceleration differs on the two sides.*
+
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# $n = \ln\tfrac12/\ln r = 3.3$: the fourth impact takes it below a half. By (7) this is at 40 % of
+# $t_\infty$: the slender block spends the longer part of its time with the smaller part of its
+# energy.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# For $e\to0$ only the first quarter cycle is left, $p\,t_\infty = \operatorname{artanh}v_0$. For
+# $e\to1$ the sum of (7) becomes an integral. With $z = e^kv_0$ the steps are $\mathrm dz =
+# -(1-e)\,z\,\mathrm dk$, so that
+#
+# $$2\sum_k\operatorname{artanh}(e^kv_0) \approx
+#   \frac2{1-e}\int_0^{v_0}\frac{\operatorname{artanh}z}{z}\,\mathrm dz .$$
+#
+# Its series is $c = 2\,(v_0 + v_0^3/9 + v_0^5/25 + \dots)$. A block that loses a hundredth of its
+# speed at an impact rocks ten times as long as one that loses a tenth.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# Only $\operatorname{artanh}v_0$ diverges, as $\tfrac12\ln\frac2{1-v_0}$. All other terms start
+# from $e^kv_0 < e$, and stay below those of $v_0 = 1$: once it has left the brink, the block needs
+# no longer than from any other large peak.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# In the bouncing-ball limit the time that is left is in proportion to the speed of the impacts over
+# the downward acceleration. The slender block has the larger acceleration, $p^2\alpha$ for
+# $p^2\sin\alpha$, and so the shorter end. Its speed at the first impact differs as well, by the
+# energy of the release: $\alpha\theta_0-\theta_0^2/2$ for $\cos(\alpha-\theta_0)-\cos\alpha$. The
+# two together are the ratio of the times that are left after many impacts.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# After $n$ impacts the energy, with $|\theta|$ in the potential, is at most $r^nE_0$. Below the
+# floor program C turns on about the old pivot, and that energy grows from step to step. The test
+# finds it in the very leg in which the block sinks.
+#
+# </details>
+#
+# <details><summary>Solution 6</summary>
+#
+# Yes. At $\theta = 0$ the downward acceleration is $a\,(1\pm\tfrac12)$ with $a = p^2\sin\alpha$:
+# more on the right foot, to which the inertia force pushes back, and less on the left one. A flight
+# to the left after an impact that leaves $v$ lasts $2v/(\tfrac12a)$, the next one, to the right,
+# $2ev/(\tfrac32a)$, and so on:
+#
+# $$t = \frac{2v}{a}\,\frac{2 + \tfrac23e}{1-e^2} .$$
+#
+# </details>
+
+# %% tags=["hide-cell"]
+# the solutions, checked
+needed = math.ceil(math.log(0.5) / math.log(r))
+assert needed == 4
+share = linear_run.impacts[needed - 1].time / linear_run.rest_time
+print(f"below half of the energy after {share:.2f} of the time")
+assert round(share, 1) == 0.4
+
+odd = np.arange(1, 400, 2)
+c = 2 * (0.5**odd / odd**2).sum()
+assert math.isclose(end_of_slender(0.5, 1e-9), math.atanh(0.5), rel_tol=1e-8)
+assert math.isclose(end_of_slender(0.5, 0.9999) * 1e-4, c, rel_tol=1e-3)
+
+later = [end_of_slender(1 - gap, e) - math.atanh(1 - gap) for gap in (1e-6, 1e-10)]
+assert math.isclose(*later, rel_tol=1e-5)
+assert math.isclose(math.atanh(1 - 1e-10), math.log(2 / 1e-10) / 2, rel_tol=1e-6)
+
+by_speed = math.sqrt((alpha * release - release**2 / 2) / impact_energy(release))
+by_acceleration = math.sin(alpha) / alpha
+slender_left = slender_end - linear_run.impacts[35].time
+print(f"slender {slender_end:.3f} s, rigid {rigid_end:.3f} s")
+assert math.isclose(slender_left / remaining[35], by_speed * by_acceleration, rel_tol=1e-3)
+
+
+def watched(wait=1e-4, most_impacts=600):
+    """Program C; where its energy has grown, how often it has hit the ground and how deep it is."""
+    t, side, state, hits = 0.0, 1, [release, 0.0], 0
+    allowed = impact_energy(release)
+
+    def rates(_, y):
+        return [y[1], -side * p**2 * math.sin(alpha - side * y[0])]
+
+    def landing(_, y):
+        return y[0]
+
+    landing.terminal = True
+    while hits < most_impacts:
+        if hits:
+            pause = solve_ivp(rates, (t, t + wait), state, rtol=1e-9, atol=1e-12)
+            t, state = pause.t[-1], pause.y[:, -1]
+        size = abs(state[0])
+        energy = state[1] ** 2 / (2 * p**2) + 2 * math.sin(alpha - size / 2) * math.sin(size / 2)
+        if energy > 1.01 * allowed:
+            return hits, state[0]
+        landing.direction = -side
+        found = solve_ivp(rates, (t, 13.0), state, events=landing, rtol=1e-9, atol=1e-12)
+        t, state = found.t[-1], found.y[:, -1]
+        hits, side, state, allowed = hits + 1, -side, [0.0, e * state[1]], r * allowed
+    return None
+
+
+hits, depth = watched()
+assert abs(hits - len(impacts_c)) <= 1
+assert abs(depth) < 1e-7
+
+leaning = rk.GroundMotion.constant(0.5 * block.gravity * math.tan(alpha), 3.0)
+pushed = rk.simulate(block, leaning, impact=rk.VelocityRatio(e), initial={"theta": 1e-5})
+left = abs(pushed.impacts[0].after["theta_dot"])
+bounces = 2 * left / (p**2 * math.sin(alpha)) * (2 + 2 * e / 3) / (1 - e**2)
+assert math.isclose(pushed.rest_time - pushed.impacts[0].time, bounces, rel_tol=1e-3)

@@ -1,6 +1,7 @@
 # ---
 # jupyter:
 #   jupytext:
+#     notebook_metadata_filter: rockeom
 #     text_representation:
 #       extension: .py
 #       format_name: percent
@@ -8,6 +9,10 @@
 #     display_name: Python 3
 #     language: python
 #     name: python3
+#   rockeom:
+#     figure: 3
+#     level: research
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -392,7 +397,7 @@ plt.show()
 #
 # ## Exercises
 #
-# Each has an answer that you can check. The solutions are in the last cell, which this page hides.
+# Each has an answer that you can check.
 #
 # 1. **A leg.** The right foot stands on a leg of the length $\ell$ below the base. Declare it: two
 #    `Contact`s, no longer a mirrored pair. At which angle does the element stand? *Hint:
@@ -412,7 +417,46 @@ plt.show()
 # 5. **Three feet.** Add a foot under the middle of the base. Why is it refused, and what does the
 #    message propose? *Hint: three normal forces, two equations of statics.*
 
+# %% [markdown]
+# <details><summary>Solution 1</summary>
+#
+# Two `Contact`s, one of them at `placed(B, -leg)`. In the position of rest both gaps are zero, and
+# the line between the feet, which falls by $\ell$ over $2B$, is level.
+#
+# </details>
+#
+# <details><summary>Solution 2</summary>
+#
+# `elastic_energy=k * (length - H)**2 / 2`, with `length` the distance of the end from the anchor.
+# About the right foot only $\theta$ is free, and `forcing` gets the derivative of that energy along
+# this motion, with the opposite sign. Nobody had to find its lever.
+#
+# </details>
+#
+# <details><summary>Solution 3</summary>
+#
+# One more coordinate and one more body. In "both" the base cannot move, and $u$ alone is free; in
+# "both_slides_left" $x$ is free, too, and friction couples the two.
+#
+# </details>
+#
+# <details><summary>Solution 4</summary>
+#
+# The centroid: no horizontal force acts on the element, and its horizontal velocity stays zero. The
+# middle of the base goes to and fro by some centimetres below it.
+#
+# </details>
+#
+# <details><summary>Solution 5</summary>
+#
+# On three feet the two equations of statics leave one force open: each choice of it gives the same
+# motion, but other feet that lift. The message proposes springs, whose compression tells the
+# forces.
+#
+# </details>
+
 # %% tags=["hide-cell"]
+# the solutions, checked
 # 1. a leg
 leg = parameter("l", "leg", "m", "length of the right foot's leg")
 law = Rigid(friction=mu)

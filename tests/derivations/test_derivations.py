@@ -81,6 +81,55 @@ def test_teaches(path):
     assert captions == [str(n + 1) for n in range(figures)]
 
 
+LEVELS = ("first course", "graduate", "research")
+
+
+@NOTEBOOKS
+def test_header_says_for_whom_and_how_long_it_is(path):
+    """The list of notebooks is made of it; but for it, all headers are the same."""
+    told = jupytext.read(path).metadata["rockeom"]
+    assert set(told) == {"figure", "level", "minutes"}
+    assert told["level"] in LEVELS
+    assert 10 <= told["minutes"] <= 120
+    assert f"*Figure {told['figure']}." in path.read_text()
+    header = path.read_text().split("\n\n", 1)[0]
+    assert re.sub(r"(figure|level|minutes): .*", r"\1:", header) == HEADER
+
+
+HEADER = """\
+# ---
+# jupyter:
+#   jupytext:
+#     notebook_metadata_filter: rockeom
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+#   rockeom:
+#     figure:
+#     level:
+#     minutes:
+# ---"""
+
+
+@NOTEBOOKS
+def test_every_exercise_has_a_solution_that_is_closed_and_checked(path):
+    notebook = jupytext.read(path)
+    cells = notebook.cells
+    (last,) = (n for n, cell in enumerate(cells) if "## Exercises" in cell.source)
+    exercises = re.findall(r"^(\d+)\. ", cells[last].source.split("## Exercises")[1], re.MULTILINE)
+    solutions, checks = cells[last + 1 :]
+    closed = r"<details><summary>Solution (\d+)</summary>\n\n(?:(?!<).+\n|\n)+</details>"
+    assert re.findall(closed, solutions.source) == exercises
+    assert checks.metadata["tags"] == ["hide-cell"]
+    assert checks.source.startswith("# the solutions, checked\n")
+    asserted = [n for n in ast.walk(ast.parse(checks.source)) if isinstance(n, ast.Assert)]
+    assert len(asserted) >= len(exercises)
+
+
 @NOTEBOOKS
 def test_numbered_equations_and_links(path):
     """Numbers rise from 1 without gaps, and every link leads to a notebook that exists."""
