@@ -9,6 +9,7 @@ import time
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context, parent_process
 from pathlib import Path
+from pickle import PicklingError
 
 import numpy as np
 import pytest
@@ -338,6 +339,38 @@ def test_a_case_that_cannot_be_is_told_as_ever():
     notes = " ".join(caught.value.__notes__)
     assert "in the case frequency = -1.0, amplitude = 1.0" in notes
     assert "of the sweep, run by" in notes
+
+
+def test_a_function_that_cannot_be_sent_is_told():
+    with (
+        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool,
+        pytest.raises((PicklingError, AttributeError)) as caught,
+    ):
+        swept(lambda frequency, amplitude: pulse(frequency, amplitude), executor=pool)
+    assert "top level of a module" in caught.value.__notes__[-1]
+
+
+def test_an_interrupt_while_an_executor_works(store):
+    """What has come is returned and kept, and nothing more is begun."""
+
+    class Interrupted(ThreadPoolExecutor):
+        given = 0
+
+        def submit(self, function, *args, **named):
+            self.given += 1
+            future = super().submit(function, *args, **named)
+            if self.given == 3:
+                future.result = interrupt
+            return future
+
+    def interrupt():
+        raise KeyboardInterrupt
+
+    with Interrupted(1) as pool:
+        found = swept(slowly, executor=pool, store=store)
+    assert found.attrs["interrupted"] == 1
+    assert done(store) == [0, 1]
+    assert int((found.outcome != "not run").sum()) == 100
 
 
 def test_an_executor_is_what_takes_work():
