@@ -25,7 +25,7 @@ import numpy as np
 
 from rockeom.arguments import is_number, told
 from rockeom.numeric.ensemble_cases import Cases, Source, labels
-from rockeom.numeric.ensemble_dataset import FLAGS, PENDING
+from rockeom.numeric.ensemble_dataset import FLAGS, PENDING, flags_of, outcomes_of
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
 from rockeom.numeric.ensemble_work import Work
 
@@ -62,7 +62,7 @@ class Store:
         there = np.repeat(self.written, self.size)[:n]
         for name, array in self.arrays.items():
             found = self._read(name)[there]
-            array[there] = _codes(found) if name == "outcome" else found
+            array[there] = outcomes_of(found) if name == "outcome" else found
 
     def keep(self, rows: np.ndarray) -> None:
         """Write the chunks that are complete with these rows."""
@@ -74,7 +74,7 @@ class Store:
             for name, array in self.arrays.items():
                 if name != "outcome":
                     self.on_disk[name][of] = array[of]
-            self.on_disk["outcome"][of] = _flags(outcome)
+            self.on_disk["outcome"][of] = flags_of(outcome)
             self.written[chunk] = True
 
     def _read(self, name: str) -> np.ndarray:
@@ -94,14 +94,6 @@ def _not_empty(kept: Kept) -> dict[str, np.ndarray]:
 
 def _meaning() -> dict[str, Any]:
     return {name: np.asarray(value).tolist() for name, value in FLAGS.items()}
-
-
-def _flags(outcome: np.ndarray) -> np.ndarray:
-    return (outcome - NOT_RUN).astype(np.int8)
-
-
-def _codes(flags: np.ndarray) -> np.ndarray:
-    return flags.astype(np.int64) + NOT_RUN
 
 
 @contextmanager
