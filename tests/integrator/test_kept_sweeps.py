@@ -244,6 +244,34 @@ def test_a_chunk_that_was_not_written_whole_is_made_again_or_told(whole, store):
     same_bits(whole, swept(store=store))
 
 
+def test_a_chunk_is_pending_until_all_of_it_is_written(whole, store):
+    """A disk that takes all but one of its arrays."""
+    in_the_way = store / "final" / "c"
+
+    def blocking(frequency, amplitude):
+        if store.exists() and not in_the_way.exists():
+            in_the_way.write_text("no folder")
+        return pulse(frequency, amplitude)
+
+    with pytest.raises(OSError, match="final"):
+        swept(blocking, store=store, threads=1)
+    assert (store / "peaks" / "c").exists()
+    assert done(store) == []
+    in_the_way.unlink()
+    same_bits(whole, swept(store=store))
+
+
+def test_other_equations_or_another_loop_are_refused(begun, monkeypatch):
+    """Here, and where a worker has them."""
+    with ThreadPoolExecutor(1) as pool:
+        monkeypatch.setattr("rockeom.numeric.ensemble_work.revision", lambda *_: "another")
+        with pytest.raises(RuntimeError, match=r"another rigid_block.*install the same"):
+            swept(executor=pool)
+    monkeypatch.setattr("rockeom.numeric.ensemble.revision", lambda *_: "another")
+    with pytest.raises(ValueError, match=r"equations and loop .* there, another here"):
+        swept(store=begun)
+
+
 def test_what_is_no_store_is_left_alone(tmp_path, monkeypatch):
     mine = tmp_path / "mine"
     mine.mkdir()
