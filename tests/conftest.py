@@ -19,6 +19,7 @@ LONGEST = (
     "readme/test_names.py",
     "integrator/test_lanes.py",
     "integrator/test_ensembles.py",
+    "integrator/test_dask_sweeps.py",
     "numeric/test_printer.py",
     "oracle/test_oracle.py",
     "symbolic/test_declarations.py",

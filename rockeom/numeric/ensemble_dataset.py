@@ -26,6 +26,17 @@ FLAGS = {
 }
 """What the numbers of outcomes mean, by the CF conventions (section 3.5, flags)."""
 
+
+def flags_of(outcome: np.ndarray) -> np.ndarray:
+    """The flags of outcomes, of the numbers that results have."""
+    return (outcome - NOT_RUN + PENDING).astype(np.int8)
+
+
+def outcomes_of(flags: np.ndarray) -> np.ndarray:
+    """The other way round."""
+    return flags.astype(np.int64) - PENDING + NOT_RUN
+
+
 _RENAMED = {
     old + of: (f"maximum{of}" if old == "largest" else f"minimum{of}", f"peak{of}")
     for old in ("largest", "smallest")
@@ -118,10 +129,10 @@ def _variables(
         }
 
     labels, phases = np.array(_LABELS), np.array([*module.CONTACTS, ""])
-    flags = r.outcome - NOT_RUN + PENDING
+    flags = flags_of(r.outcome)
     found = named("state", module.STATES) | {
         "outcome": shaped(labels[flags], "outcome"),
-        "outcome_flag": shaped(flags.astype(np.int8), "outcome", **FLAGS),
+        "outcome_flag": shaped(flags, "outcome", **FLAGS),
         "final_time": shaped(r.final_time, "time at the end", units=seconds),
         "final_phase": shaped(phases[np.where(ran, r.contact, -1)], "contact state at the end"),
         "impacts": shaped(r.impacts, "number of impacts", units="1"),

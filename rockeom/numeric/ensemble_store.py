@@ -25,7 +25,7 @@ import numpy as np
 
 from rockeom.arguments import is_number, told
 from rockeom.numeric.ensemble_cases import Cases, Source, labels
-from rockeom.numeric.ensemble_dataset import FLAGS, PENDING
+from rockeom.numeric.ensemble_dataset import FLAGS, PENDING, flags_of, outcomes_of
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
 from rockeom.numeric.ensemble_work import Work
 
@@ -48,8 +48,10 @@ class Store:
     """
 
     def __init__(self, path: Path, group: Any, kept: Kept) -> None:
-        self.path, self.group, self.kept = path, group, kept
-        self.size: int = group["outcome"].chunks[0]
+        self.path, self.kept = path, kept
+        self.arrays = _not_empty(kept)
+        self.on_disk = {name: group[name] for name in self.arrays}
+        self.size: int = self.on_disk["outcome"].chunks[0]
         self.written = np.zeros(-(-len(kept.results.outcome) // self.size), dtype=bool)
 
     def read(self) -> None:
@@ -58,9 +60,9 @@ class Store:
         ran = self._read("outcome") != PENDING
         self.written[:] = np.logical_and.reduceat(ran, np.arange(0, n, self.size))
         there = np.repeat(self.written, self.size)[:n]
-        for name, array in self._arrays().items():
+        for name, array in self.arrays.items():
             found = self._read(name)[there]
-            array[there] = _codes(found) if name == "outcome" else found
+            array[there] = outcomes_of(found) if name == "outcome" else found
 
     def keep(self, rows: np.ndarray) -> None:
         """Write the chunks that are complete with these rows."""
@@ -69,18 +71,15 @@ class Store:
             outcome = self.kept.results.outcome[of]
             if self.written[chunk] or (outcome == NOT_RUN).any():
                 continue
-            for name, array in self._arrays().items():
+            for name, array in self.arrays.items():
                 if name != "outcome":
-                    self.group[name][of] = array[of]
-            self.group["outcome"][of] = _flags(outcome)
+                    self.on_disk[name][of] = array[of]
+            self.on_disk["outcome"][of] = flags_of(outcome)
             self.written[chunk] = True
-
-    def _arrays(self) -> dict[str, np.ndarray]:
-        return _not_empty(self.kept)
 
     def _read(self, name: str) -> np.ndarray:
         try:
-            return self.group[name][:]
+            return self.on_disk[name][:]
         except Exception as error:
             error.add_note(
                 f"a file of {self.path / name} cannot be read: remove the files of its chunk from "
@@ -95,14 +94,6 @@ def _not_empty(kept: Kept) -> dict[str, np.ndarray]:
 
 def _meaning() -> dict[str, Any]:
     return {name: np.asarray(value).tolist() for name, value in FLAGS.items()}
-
-
-def _flags(outcome: np.ndarray) -> np.ndarray:
-    return (outcome - NOT_RUN).astype(np.int8)
-
-
-def _codes(flags: np.ndarray) -> np.ndarray:
-    return flags.astype(np.int64) + NOT_RUN
 
 
 @contextmanager
@@ -144,22 +135,23 @@ def _make(path: Path, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
     import zarr
 
     beside = path.with_name(f"{path.name}.{uuid.uuid4().hex}.partial")
-    attributes = {"rockeom_sweep": dict(definition)}
-    group = zarr.create_group(str(beside), zarr_format=3, attributes=attributes)
-    for name, array in _not_empty(kept).items():
-        flags = name == "outcome"
-        group.create_array(
-            name, shape=array.shape, dtype=np.int8 if flags else array.dtype,
-            chunks=(min(chunk, len(array)), *array.shape[1:]),
-            fill_value=np.nan if array.dtype == float else 0,
-            dimension_names=_DIMS.get(name, ("case",)), attributes=_meaning() if flags else {},
-        )  # fmt: skip
     try:
+        attributes = {"rockeom_sweep": dict(definition)}
+        group = zarr.create_group(str(beside), zarr_format=3, attributes=attributes)
+        for name, array in _not_empty(kept).items():
+            flags = name == "outcome"
+            group.create_array(
+                name, shape=array.shape, dtype=np.int8 if flags else array.dtype,
+                chunks=(min(chunk, len(array)), *array.shape[1:]),
+                fill_value=np.nan if array.dtype == float else 0,
+                dimension_names=_DIMS.get(name, ("case",)), attributes=_meaning() if flags else {},
+            )  # fmt: skip
         beside.rename(path)
     except OSError:  # another process was faster: what it has made is looked at like any other
-        shutil.rmtree(beside)
         if not path.exists():
             raise
+    finally:
+        shutil.rmtree(beside, ignore_errors=True)
 
 
 # -- the definition ------------------------------------------------------------------------------

@@ -127,6 +127,11 @@ def in_executor(
                 continue
             except Exception as error:
                 error.add_note(f"{_rows(chunks[i])} of the sweep, run by {told(executor)}")
+                if "pickle" in str(error):
+                    error.add_note(
+                        "what goes to another process must be picklable: let the function stand "
+                        "at the top level of a module"
+                    )
                 raise
             done(chunks[i], found)
     finally:

@@ -9,6 +9,7 @@ import time
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context, parent_process
 from pathlib import Path
+from pickle import PicklingError
 
 import numpy as np
 import pytest
@@ -48,7 +49,8 @@ def store(tmp_path):
 
 def done(store):
     """Chunks that are there."""
-    return sorted(int(path.name) for path in (store / "outcome" / "c").glob("[0-9]*"))
+    names = [path.name for path in (store / "outcome" / "c").glob("[0-9]*")]
+    return sorted(int(name) for name in names if name.isdigit())
 
 
 def same_bits(one, other):
@@ -242,6 +244,34 @@ def test_a_chunk_that_was_not_written_whole_is_made_again_or_told(whole, store):
     same_bits(whole, swept(store=store))
 
 
+def test_a_chunk_is_pending_until_all_of_it_is_written(whole, store):
+    """A disk that takes all but one of its arrays."""
+    in_the_way = store / "final" / "c"
+
+    def blocking(frequency, amplitude):
+        if store.exists() and not in_the_way.exists():
+            in_the_way.write_text("no folder")
+        return pulse(frequency, amplitude)
+
+    with pytest.raises(OSError, match="final"):
+        swept(blocking, store=store, threads=1)
+    assert (store / "peaks" / "c").exists()
+    assert done(store) == []
+    in_the_way.unlink()
+    same_bits(whole, swept(store=store))
+
+
+def test_other_equations_or_another_loop_are_refused(begun, monkeypatch):
+    """Here, and where a worker has them."""
+    with ThreadPoolExecutor(1) as pool:
+        monkeypatch.setattr("rockeom.numeric.ensemble_work.revision", lambda *_: "another")
+        with pytest.raises(RuntimeError, match=r"another rigid_block.*install the same"):
+            swept(executor=pool)
+    monkeypatch.setattr("rockeom.numeric.ensemble.revision", lambda *_: "another")
+    with pytest.raises(ValueError, match=r"equations and loop .* there, another here"):
+        swept(store=begun)
+
+
 def test_what_is_no_store_is_left_alone(tmp_path, monkeypatch):
     mine = tmp_path / "mine"
     mine.mkdir()
@@ -338,6 +368,38 @@ def test_a_case_that_cannot_be_is_told_as_ever():
     notes = " ".join(caught.value.__notes__)
     assert "in the case frequency = -1.0, amplitude = 1.0" in notes
     assert "of the sweep, run by" in notes
+
+
+def test_a_function_that_cannot_be_sent_is_told():
+    with (
+        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool,
+        pytest.raises((PicklingError, AttributeError)) as caught,
+    ):
+        swept(lambda frequency, amplitude: pulse(frequency, amplitude), executor=pool)
+    assert "top level of a module" in caught.value.__notes__[-1]
+
+
+def test_an_interrupt_while_an_executor_works(store):
+    """What has come is returned and kept, and nothing more is begun."""
+
+    class Interrupted(ThreadPoolExecutor):
+        given = 0
+
+        def submit(self, function, *args, **named):
+            self.given += 1
+            future = super().submit(function, *args, **named)
+            if self.given == 3:
+                future.result = interrupt
+            return future
+
+    def interrupt():
+        raise KeyboardInterrupt
+
+    with Interrupted(1) as pool:
+        found = swept(slowly, executor=pool, store=store)
+    assert found.attrs["interrupted"] == 1
+    assert done(store) == [0, 1]
+    assert int((found.outcome != "not run").sum()) == 100
 
 
 def test_an_executor_is_what_takes_work():
