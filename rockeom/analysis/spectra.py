@@ -198,7 +198,7 @@ class _Oscillator:
         time = np.clip(time - change, low, low + width)
         return place, np.abs((c * self.after(k, time)[0]).real)
 
-    def _rate(self, c: complex, z: np.ndarray, push: np.ndarray) -> np.ndarray:
+    def _rate(self, c: np.ndarray, z: np.ndarray, push: np.ndarray) -> np.ndarray:
         return (c * (self.rate * z + push)).real
 
     def _afterwards(self, c: np.ndarray) -> np.ndarray:
