@@ -158,51 +158,54 @@ class _Oscillator:
 
     # -- the largest values
 
-    def largest(self) -> tuple[float, float, float]:
-        """Of |u| [m], |u'| [m/s] and |u'' + a_g| [m/s2].
+    def largest(self) -> np.ndarray:
+        """Of |u| [m], |u'| [m/s] and |u'' + a_g| [m/s2], (3,).
 
-        Each is the real part of a complex number c times z: its rate is that of c z'.
+        Each is the real part of a complex number c times z: its rate is that of c z'. They are
+        looked for at the ends of the steps, within those that may exceed them, and afterwards.
         """
-        omega, xi_omega = abs(self.rate), -self.rate.real
         u = -1j / self.rate.imag
         v = 1.0 + self.rate.real * u
-        absolute = omega**2 * u + 2.0 * xi_omega * v
-        return self._largest(u), self._largest(v), self._largest(absolute)
-
-    def _largest(self, c: complex) -> float:
-        """Of |Re(c z)|: at the ends of the steps, within those that may exceed them, and after."""
+        absolute = abs(self.rate) ** 2 * u - 2.0 * self.rate.real * v
+        c = np.array([[u], [v], [absolute]])
         length = np.diff(self.times)
         ends = np.abs((c * self.z).real)
-        best = float(ends.max())
+        best = ends.max(axis=1)
         first = np.abs(self._rate(c, self.z[:-1], self.pushes[0]))
         last = np.abs(self._rate(c, self.z[1:], self.pushes[1]))
-        reach = np.maximum(first, last) * length
-        near = np.flatnonzero(np.maximum(ends[:-1], ends[1:]) + reach >= best)
-        best = max(best, self._afterwards(c))
-        places = np.linspace(0.0, 1.0, _PARTS + 1)[:, None] * length[near]
-        of = np.tile(near, _PARTS + 1)
-        rates = self._rate(c, *self.after(of, places.ravel())).reshape(places.shape)
-        part, turns = np.nonzero(rates[:-1] * rates[1:] < 0)
-        at, low, width = near[turns], places[part, turns], length[near[turns]] / _PARTS
-        first, last = rates[part, turns], rates[part + 1, turns]
+        # a parabola exceeds the higher end by half of this at most
+        reach = 0.5 * np.minimum(first, last) * length
+        highest = np.maximum(ends[:, :-1], ends[:, 1:]) + reach
+        which, near = np.nonzero(highest >= best[:, None])
+        place, values = self._turns(c[which, 0], near, length[near])
+        np.maximum.at(best, which[place], values)
+        return np.maximum(best, self._afterwards(c[:, 0]))
+
+    def _turns(
+        self, c: np.ndarray, k: np.ndarray, length: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Sizes of Re(c z) where its rate vanishes within steps k (m,), and the places in k."""
+        at = np.linspace(0.0, 1.0, _PARTS + 1)[:, None] * length
+        z, push = self.after(np.tile(k, _PARTS + 1), at.ravel())
+        rates = self._rate(c, z.reshape(at.shape), push.reshape(at.shape))
+        part, place = np.nonzero(rates[:-1] * rates[1:] < 0)
+        low, width, c, k = at[part, place], length[place] / _PARTS, c[place], k[place]
+        first, last = rates[part, place], rates[part + 1, place]
         bend = (last - first) / width
         time = low - first / bend
         # what is left is some 1e-6 of the part, and its square is what a largest value feels
-        change = self._rate(c, *self.after(at, time)) / bend
+        change = self._rate(c, *self.after(k, time)) / bend
         time = np.clip(time - change, low, low + width)
-        inside = np.abs((c * self.after(at, time)[0]).real)
-        return max(best, float(inside.max(initial=0.0)))
+        return place, np.abs((c * self.after(k, time)[0]).real)
 
-    def _rate(self, c: complex, z: np.ndarray, push: np.ndarray) -> np.ndarray:
+    def _rate(self, c: np.ndarray, z: np.ndarray, push: np.ndarray) -> np.ndarray:
         return (c * (self.rate * z + push)).real
 
-    def _afterwards(self, c: complex) -> float:
-        """The first peak of the free vibration after the motion: where Re(c lambda z) vanishes."""
+    def _afterwards(self, c: np.ndarray) -> np.ndarray:
+        """The first peaks of the free vibration after the motion: where Re(c lambda z) vanishes."""
         z = self.z[-1]
-        if z == 0.0:
-            return 0.0
-        angle = (0.5 * math.pi - float(np.angle(c * self.rate * z))) % math.pi
-        return float(abs((c * z * np.exp(self.rate * angle / self.rate.imag)).real))
+        angle = (0.5 * math.pi - np.angle(c * self.rate * z)) % math.pi
+        return np.abs((c * z * np.exp(self.rate * angle / self.rate.imag)).real)
 
 
 class _UnderRecord(_Oscillator):

@@ -90,8 +90,9 @@ def plot_spectra(
                 f"the spectra of {first.name!r} and {one.name!r} have other periods or damping: "
                 "draw them in figures of their own"
             )
+    rows = len(spectra) if 1 < len(spectra) <= _BY_NAME else 1
     if figure is None:
-        figure = style.new_figure(7.2, 3.0)
+        figure = style.new_figure(7.2, 2.8 + 0.18 * rows)
     axes = figure.subplots(1, 3, sharex=True)
     for ax, (of, scale, label) in zip(
         axes,
@@ -109,7 +110,8 @@ def plot_spectra(
         ax.set_ylabel(label)
         ax.set_ylim(bottom=0.0)
     handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=min(len(labels), 3))
+    columns = 1 if rows > 1 else len(labels)
+    figure.legend(handles, labels, loc="outside lower center", ncols=columns)
     damping = f"damping ratio {100 * first.damping_ratio:g} %"
     figure.suptitle(
         f"{style.wrapped(title or 'Elastic response spectra')}, {damping}", fontsize=9.5
@@ -123,10 +125,11 @@ def _draw(ax: Axes, periods: np.ndarray, values: np.ndarray, names: Sequence[str
         for one, name, color in zip(values, names, style.LINES, strict=False):
             ax.plot(periods, one, color=color, label=name)
         return
-    ax.plot(periods, values.T, color="0.75", lw=0.4, label=f"each of {len(values)}")
-    for extra in ax.lines[1:]:
-        extra.set_label("_")
+    labels = [f"each of {len(values)}", *["_"] * (len(values) - 1)]
+    ax.plot(periods, values.T, color="0.75", lw=0.4, label=labels)
     low, median, high = np.percentile(values, (16, 50, 84), axis=0)
     band = style.LINES[0]
-    ax.fill_between(periods, low, high, color=band, alpha=0.2, lw=0, label="16 to 84 %")
+    ax.fill_between(
+        periods, low, high, color=band, alpha=0.25, lw=0, label="16 to 84 %", zorder=2.5
+    )
     ax.plot(periods, median, color=band, lw=1.6, label="median")
