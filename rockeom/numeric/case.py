@@ -148,7 +148,8 @@ class Case:
     phase: str | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.structure, GroundMotion) and isinstance(self.motion, Structure):
+        given: tuple[object, object] = self.structure, self.motion
+        if isinstance(given[0], GroundMotion) and isinstance(given[1], Structure):
             raise TypeError("structure and motion are swapped: the structure comes first")
         if not isinstance(self.structure, Structure):
             raise TypeError(

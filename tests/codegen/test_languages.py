@@ -53,7 +53,9 @@ NAMES = (*SHIPPED, "while")
 
 @cache
 def module(name):
-    return class_of_model(strange()).module if name == "while" else SHIPPED[name](**plain(name)).module
+    if name == "while":
+        return class_of_model(strange()).module
+    return SHIPPED[name](**plain(name)).module
 
 
 @cache

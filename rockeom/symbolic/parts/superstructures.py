@@ -48,7 +48,8 @@ class Superstructure:
 
     coordinates : its own, beside those of the base. bodies(place, angle) : when the base has turned
     clockwise through the angle; the first carries the load of a pushover. elements : the springs
-    and dampers in it, by name. members : what a sketch shows between the bodies.
+    and dampers in it, by name; elastic_energy, dissipation : those of others, the latter Rayleigh's
+    function. members : what a sketch shows between the bodies.
     """
 
     name: str
@@ -56,8 +57,10 @@ class Superstructure:
     parameters: tuple[Parameter, ...]
     coordinates: tuple[Coordinate, ...]
     bodies: Callable[[Place, sp.Expr], list[Body]]
-    elements: tuple[Spring, ...] = ()
+    elastic_energy: sp.Expr = sp.S.Zero
+    dissipation: sp.Expr = sp.S.Zero
     members: tuple[Member, ...] = ()
+    elements: tuple[Spring, ...] = ()
 
     def about_the_middle(self, place: Place, angle: sp.Expr) -> tuple[Body, ...]:
         """The bodies on a base that turns about no foot: R and alpha would tell nothing of them."""
@@ -130,8 +133,8 @@ def elastic_column() -> Superstructure:
         (*rigid().parameters, STIFFNESS, DAMPING),
         (u,),
         lambda place, angle: _two_masses(place, angle, u.position),
-        (Spring("column", u.position, STIFFNESS.symbol, DAMPING.symbol),),
-        (_on_the_base("cantilever"),),
+        members=(_on_the_base("cantilever"),),
+        elements=(Spring("column", u.position, STIFFNESS.symbol, DAMPING.symbol),),
     )
 
 
@@ -184,11 +187,11 @@ def shear_frame(storeys: int) -> Superstructure:
         ),
         tuple(moved),
         bodies,
-        tuple(
+        members=tuple(member for i in floors for member in columns(i)),
+        elements=tuple(
             Spring(f"storey_{i}", drift, k.symbol, c.symbol)
             for i, drift, k, c in zip(floors, drifts, stiffnesses, dampings, strict=True)
         ),
-        tuple(member for i in floors for member in columns(i)),
     )  # fmt: skip
 
 

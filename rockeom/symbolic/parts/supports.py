@@ -62,6 +62,8 @@ def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingM
         bodies=lambda pivot: of.bodies(lambda point: turned(point, pivot, theta), theta),
         half_width=HALF_WIDTH.symbol,
         gravity=GRAVITY.symbol,
+        elastic_energy=of.elastic_energy,
+        dissipation=of.dissipation,
         reference=reference,
         members=of.members,
         elements=of.elements,
@@ -112,6 +114,8 @@ def winkler(of: Superstructure, springs: int) -> Model:
             for name, x in zip(names, places, strict=True)
         )
         + of.elements,
+        elastic_energy=of.elastic_energy,
+        dissipation=of.dissipation,
         load_point=bodies[0].position,
         members=of.members,
     )  # fmt: skip
@@ -135,6 +139,8 @@ def sliding(of: Superstructure) -> Model:
             law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol),
         ),
         elements=of.elements,
+        elastic_energy=of.elastic_energy,
+        dissipation=of.dissipation,
         load_point=bodies[0].position,
         members=of.members,
     )
@@ -224,6 +230,8 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
             coordinates,
             bodies,
             GRAVITY.symbol,
+            of.elastic_energy,
+            of.dissipation,
             feet={foot: Foot(sole[foot], of_feet[foot], sprung=True) for foot in _FEET},
             load_point=bodies[0].position,
             elements=(
