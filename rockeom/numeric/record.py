@@ -13,7 +13,7 @@ from rockeom.numeric.extremes import Evaluate, Extremes, Running
 ALL, SAMPLES = KEPT = ("all", "samples")
 """What `simulate` may be told to keep."""
 
-_DOUBLED = 16_384  # steps up to which a record doubles when it is full; then it grows by an eighth
+_DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
 _TOGETHER = 4096  # steps that are evaluated at a time: of all their powers one copy is made
 
 

@@ -462,7 +462,7 @@ class Response:
         """
         if "left_reaction" not in self.structure.module.REACTIONS:
             return None
-        steps = self._steps_for("what the ground had to give")
+        steps = self._steps_for("what the feet had to bear (friction_demand, lost_contact)")
 
         def forces(t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
             found = self._feet(t, y, contact)

@@ -585,10 +585,10 @@ def test_what_needs_the_steps_says_so_where_they_were_not_kept(both):
         "at": lambda: some.at([1.0]),
         "steps": lambda: some.steps,
         "base_moment": lambda: some.base_moment,
-        "what the ground had to give": lambda: some.friction_demand,
+        "friction_demand": lambda: some.friction_demand,
     }
     for what, ask in asked.items():
-        with pytest.raises(ValueError, match=f'^{what} needs every step .* keep="all"'):
+        with pytest.raises(ValueError, match=f'{what}.* needs every step .* keep="all"'):
             ask()
     assert "Only samples were kept" in some.summary()
     assert (some.keeps, both[0].keeps) == ("samples", "all")
@@ -613,7 +613,7 @@ def test_keep_is_checked():
         rk.simulate(BLOCK, PULSE, keep="everything")
 
 
-@pytest.mark.parametrize(("keep", "most"), [("all", 1.6), ("samples", 0.2)])
+@pytest.mark.parametrize(("keep", "most"), [("all", 1.3), ("samples", 0.2)])
 def test_memory_grows_with_the_record_by_what_is_kept(keep, most):
     """In units of the steps' own arrays: none is there twice, and of samples there are as many."""
 
