@@ -1,4 +1,4 @@
-"""What the build writes into the pages: the equations of the thesis, its tables, the help texts.
+"""What the build writes into the pages: equations of the thesis, its tables, help texts, lists.
 
 A line ``<!-- equations 2 -->`` in a page is replaced by the entries of chapter 2, and so on; see
 `fill`. Whatever is said of an equation was decided while the page was made, by its checks.
@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 import docstrings
+import notebooks
 import sympy as sp
 
 from rockeom import thesis
@@ -30,6 +31,8 @@ LONGEST_REST = 300  # characters of LaTeX; a longer remainder tells a reader not
 
 def fill(app, docname: str, source: list[str]) -> None:
     """Replace the places in the text of a page (Sphinx's event ``source-read``)."""
+    import gallery  # which is written with what is here
+
     writers: dict[str, Callable[..., str]] = {
         "overview": overview,
         "structures": docstrings.structures,
@@ -39,6 +42,8 @@ def fill(app, docname: str, source: list[str]) -> None:
         "figures": figures,
         "statements": statements,
         "help": help_text,
+        "gallery": gallery.gallery,
+        "notebooks": notebooks.cards,
     }
 
     def text(found: re.Match) -> str:

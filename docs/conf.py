@@ -7,7 +7,6 @@ no network.
 
 import hashlib
 import re
-import shutil
 import sys
 from pathlib import Path
 
@@ -17,6 +16,8 @@ sys.path[:0] = [str(ROOT), str(HERE)]
 
 import catalogue  # noqa: E402
 import docstrings  # noqa: E402
+import gallery  # noqa: E402
+import notebooks  # noqa: E402
 from docutils import nodes  # noqa: E402
 
 import rockeom  # noqa: E402
@@ -82,20 +83,6 @@ mathjax3_config = {"chtml": {"displayAlign": "left", "displayIndent": "1.5em"}}
 copybutton_exclude = ".linenos, .gp, .go"
 
 
-def copy_derivations() -> None:
-    """The notebooks into the folder of sources; only where they changed, for a quick rebuild."""
-    target = HERE / "derivations"
-    target.mkdir(exist_ok=True)
-    wanted = {p.name: p for p in (ROOT / "derivations").glob("*.py") if p.name[0] != "_"}
-    for old in target.iterdir():
-        if old.name not in wanted:
-            old.unlink()
-    for name, path in wanted.items():
-        copy = target / name
-        if not copy.exists() or copy.read_bytes() != path.read_bytes():
-            shutil.copy(path, copy)
-
-
 def leave_out_links_to_code(app, docname, source) -> None:
     """Files of the repository that are no pages are named, not linked."""
 
@@ -116,12 +103,21 @@ def let_tags_stand(app, doctree) -> None:
             node["no-wrap"] = True
 
 
+def write_thumbnail(app, doctree, docname) -> None:
+    """The figure that stands for a notebook, made small for the list of all."""
+    folder, _, name = docname.rpartition("/")
+    if folder == "derivations" and (picture := notebooks.figure_of(name, doctree)):
+        target = Path(app.outdir, notebooks.THUMBNAILS, f"{name}.png")
+        gallery.thumbnail(Path(app.srcdir, picture), target)
+
+
 def setup(app) -> None:
-    copy_derivations()
+    notebooks.copy()
     app.add_config_value("code", CODE, "env")  # where the code changed, every page is read again
     app.connect("source-read", catalogue.fill)
     app.connect("source-read", leave_out_links_to_code)
     app.connect("doctree-read", let_tags_stand)
+    app.connect("doctree-resolved", write_thumbnail)
     app.connect("autodoc-process-signature", docstrings.shorten)
     app.connect("autodoc-process-docstring", docstrings.process)
     app.connect("missing-reference", docstrings.resolve)

