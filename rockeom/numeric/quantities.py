@@ -217,8 +217,13 @@ def impulses(run: Response) -> np.ndarray:
 
 # -- works --------------------------------------------------------------------------------------
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
-"""Of the quadrature within a step, a polynomial of degree 7, whose square is one of 14."""
+
+@cache
+def _nodes_and_weights() -> tuple[np.ndarray, np.ndarray]:
+    """Of the quadrature within a step, a polynomial of degree 7, whose square is one of 14."""
+    return np.polynomial.legendre.leggauss(8)  # a module that not all who simulate need
+
+
 _CHUNK = 2048  # steps at once, so that memory is bounded
 
 
@@ -292,12 +297,13 @@ class Works:
     def _within(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
         """(n, m) works from the start of steps to places x in [0, 1] of them."""
         start, length = self.steps.span[index].T
-        places = 0.5 * np.multiply.outer(x, 1.0 + _NODES)
+        nodes, whole = _nodes_and_weights()
+        places = 0.5 * np.multiply.outer(x, 1.0 + nodes)
         t = start[:, None] + places * length[:, None]
-        every = np.repeat(index, len(_NODES))
+        every = np.repeat(index, len(nodes))
         y = self.steps.states(every, places.ravel())
         powers = self._powers(t.ravel(), y, self.steps.contact[every])
-        weights = 0.5 * np.multiply.outer(x * length, _WEIGHTS)
+        weights = 0.5 * np.multiply.outer(x * length, whole)
         return np.einsum("ij,kij->ik", weights, powers.reshape(len(self.names), *weights.shape))
 
     def _powers(self, t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
