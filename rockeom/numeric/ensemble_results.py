@@ -133,12 +133,12 @@ class Asked:
                 duration=case.duration, vertical=case.vertical, phase=case.phase,
                 options=self.options,
             )  # fmt: skip
-            known = self.times <= response.t[-1]
-            history = response.at(self.times[known], names=self.quantities)
-            for i, name in enumerate(self.quantities):
-                found = response.extremes(name)
-                self.extremes[row, :, i] = found.minimum, found.maximum
-                self.histories[row, i, known] = history[name]
+            of_each = response.extremes_of(self.quantities).values()
+            self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
+            if self.times.size:
+                known = self.times <= response.t[-1]
+                history = response.at(self.times[known], names=self.quantities)
+                self.histories[row, :, known] = np.stack([*history.values()], axis=1)
 
 
 @dataclass(frozen=True)

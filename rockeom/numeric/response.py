@@ -413,13 +413,24 @@ class Response:
 
         They do not depend on `output_step`. Raises KeyError for an unknown name.
         """
-        family = self._family(name)
-        if name not in self._extremes:
-            alone = (name,) if family else self.main_names  # found together in no more time
-            steps = self._steps_for(f"what {name} was at most")
-            found = extremes(steps, self._columns(alone))
-            self._extremes.update(zip(alone, found, strict=True))
-        return self._extremes[name]
+        return self.extremes_of([name])[name]
+
+    def extremes_of(self, names: Sequence[str]) -> dict[str, Extremes]:
+        """`extremes` of several quantities, of which those that belong together are found at once.
+
+        Raises KeyError for an unknown name.
+        """
+        missing: dict[str, list[str]] = {}
+        for name in names:
+            family = self._family(name)
+            if name not in self._extremes:
+                missing.setdefault(family, []).append(name)
+        for family, some in missing.items():
+            together = some if family else self.main_names  # all of them in no more time
+            steps = self._steps_for(f"what {', '.join(some)} was at most")
+            found = extremes(steps, self._columns(together))
+            self._extremes.update(zip(together, found, strict=True))
+        return {name: self._extremes[name] for name in names}
 
     @cached_property
     def _extremes(self) -> dict[str, Extremes]:
