@@ -662,8 +662,8 @@ class GroundMotion:
 
         The record counts as zero before and after, for as long as the filter rings; what it leaves
         there is cut off.
-        Raises MotionError for a motion without samples, and corners that are not between zero and
-        half of the rate of sampling, or in wrong order.
+        Raises MotionError for a motion without samples, and for corners in wrong order, above half
+        of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
         return _processing().filtered(self, low, high, order)
 
@@ -676,8 +676,8 @@ class GroundMotion:
             out what is too fast, by scipy.signal.resample_poly; the old and the new step must then
             be in a ratio of whole numbers up to 1000.
 
-        An analytic motion becomes a record: linear between the new times.
-        Raises MotionError.
+        An analytic motion becomes a record, linear between the new times. The last one is the last
+        whole step within the motion. Raises MotionError.
         """
         return _processing().resampled(self, dt, method)
 
