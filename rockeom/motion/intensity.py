@@ -65,9 +65,7 @@ class Measures:
     @property
     def units(self) -> dict[str, str]:
         """The unit of each measure by its name."""
-        units = {"pga": "m/s2", "pgd": "m"} | dict.fromkeys(
-            ("pgv", "arias_intensity", "cav"), "m/s"
-        )
+        units = {"pga": "m/s2", "pgv": "m/s", "pgd": "m", "arias_intensity": "m/s", "cav": "m/s"}
         return {one.name: units.get(one.name, "s") for one in fields(self)}
 
     def __str__(self) -> str:

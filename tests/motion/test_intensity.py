@@ -65,7 +65,7 @@ def test_velocity_and_displacement_scale_with_the_motion(motion):
 
 
 def test_pulse_is_that_of_the_printed_formulas():
-    """Mavroeidis and Papageorgiou (2003), equations 2 to 4, about the centre t_0."""
+    """Mavroeidis and Papageorgiou (2003), about the centre of the pulse."""
     a, f, g, nu = 0.7, 0.8, 2.3, 0.9
     motion = GroundMotion.mavroeidis_papageorgiou(a, 1 / f, g, nu, duration=6.0)
     x = np.linspace(-0.5, 0.5, 101)[1:-1] * g / f
