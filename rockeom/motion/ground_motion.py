@@ -248,7 +248,7 @@ class GroundMotion:
         periods; if not given, ten periods of quiet follow.
 
         Source: Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93
-        (2003) 1099-1131, equations 2 and 3.
+        (2003) 1099-1131.
         """
         a, t_p = _finite("velocity", velocity), _positive("period", period)
         g, nu = _finite("gamma", gamma), _finite("phase", phase)
@@ -549,8 +549,8 @@ class GroundMotion:
     def measures(self) -> Measures:
         """All intensity measures by name, from PGA to the predominant period, with units.
 
-        >>> print(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav)
-        0.6366197723675814
+        >>> round(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav, 6)
+        0.63662
         """
         return _intensity().measures(self)
 
@@ -662,8 +662,8 @@ class GroundMotion:
 
         The record counts as zero before and after, for as long as the filter rings; what it leaves
         there is cut off.
-        Raises MotionError for a motion without samples, and corners that are not between zero and
-        half of the rate of sampling, or in wrong order.
+        Raises MotionError for a motion without samples, and for corners in wrong order, above half
+        of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
         return _processing().filtered(self, low, high, order)
 
@@ -676,8 +676,8 @@ class GroundMotion:
             out what is too fast, by scipy.signal.resample_poly; the old and the new step must then
             be in a ratio of whole numbers up to 1000.
 
-        An analytic motion becomes a record: linear between the new times.
-        Raises MotionError.
+        An analytic motion becomes a record, linear between the new times. The last one is the last
+        whole step within the motion. Raises MotionError.
         """
         return _processing().resampled(self, dt, method)
 

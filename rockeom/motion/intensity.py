@@ -65,9 +65,7 @@ class Measures:
     @property
     def units(self) -> dict[str, str]:
         """The unit of each measure by its name."""
-        units = {"pga": "m/s2", "pgd": "m"} | dict.fromkeys(
-            ("pgv", "arias_intensity", "cav"), "m/s"
-        )
+        units = {"pga": "m/s2", "pgv": "m/s", "pgd": "m", "arias_intensity": "m/s", "cav": "m/s"}
         return {one.name: units.get(one.name, "s") for one in fields(self)}
 
     def __str__(self) -> str:
@@ -79,10 +77,9 @@ class Measures:
 def measures(motion: GroundMotion) -> Measures:
     """All intensity measures of a motion; nan for what a motion without shaking does not have."""
     parts = _Parts(motion)
-    shakes = motion.peak > 0.0
 
     def duration(upper: float) -> float:
-        if not shakes:
+        if motion.peak == 0.0:
             return math.nan
         start, end = parts.significant_interval(0.05, upper)
         return end - start
@@ -96,8 +93,8 @@ def measures(motion: GroundMotion) -> Measures:
         significant_duration_5_75=duration(0.75),
         significant_duration_5_95=duration(0.95),
         bracketed_duration=parts.bracketed_duration(BRACKET),
-        mean_period=mean_period(motion) if shakes else math.nan,
-        predominant_period=predominant_period(motion) if shakes else math.nan,
+        mean_period=mean_period(motion),
+        predominant_period=predominant_period(motion),
     )
 
 
@@ -161,7 +158,7 @@ def mean_period(motion: GroundMotion) -> float:
         record of less than 20 s is followed by zeros. A motion without samples is taken 400 times a
         second.
     Source: Rathje, Abrahamson and Bray, Journal of Geotechnical and Geoenvironmental Engineering
-    124 (1998) 150-159. Raises MotionError for a motion without shaking in that band.
+    124 (1998) 150-159. nan for a motion that does not shake in that band.
     """
     dt = motion.dt or _ANALYTIC_STEP
     samples = motion.sampled(dt)[1] if motion.samples is None else motion.samples
@@ -169,19 +166,17 @@ def mean_period(motion: GroundMotion) -> float:
     frequency = np.fft.rfftfreq(n, dt)
     band = (frequency >= _MEAN_BAND[0]) & (frequency <= _MEAN_BAND[1])
     power = np.abs(np.fft.rfft(samples, n)[band]) ** 2
-    if not power.sum() > 0.0:
-        raise MotionError(
-            f"{motion.name or 'the motion'} does not shake between 0.25 and 20 Hz: it has no mean "
-            "period"
-        )
-    return float((power / frequency[band]).sum() / power.sum())
+    whole = float(power.sum())
+    return float((power / frequency[band]).sum()) / whole if whole > 0.0 else math.nan
 
 
 def predominant_period(motion: GroundMotion) -> float:
     """Period [s] at which the pseudo-acceleration of an oscillator with 5 % damping is largest.
 
-    Among 100 periods from 0.02 to 10 s, each 6 % above the one before.
+    Among 100 periods from 0.02 to 10 s, each 6 % above the one before; nan for no shaking.
     """
+    if motion.peak == 0.0:
+        return math.nan
     spectrum = motion.response_spectrum(PREDOMINANT, 0.05)
     return float(PREDOMINANT[np.argmax(spectrum.pseudo_acceleration)])
 

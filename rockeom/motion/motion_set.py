@@ -86,6 +86,8 @@ class MotionSet(Sequence[GroundMotion]):
         if not folder.is_dir():
             raise MotionError(f"{os.fspath(path)} is no folder: give one that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
+        if not isinstance(pattern, str):
+            raise MotionError(f'pattern is {told(pattern)}: give a text, such as "*.at2"')
         wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
         if not wanted:
             endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"

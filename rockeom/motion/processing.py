@@ -22,6 +22,7 @@ _INTEGRALS = {"acceleration": 0, "velocity": 1, "displacement": 2}
 
 _MOST_DEGREE = 10
 _LARGEST_RATIO = 1000
+_SLOWEST = 0.01  # of a period within the record
 _RINGS = 1.5
 """Zeros before and after a filtered record: so many orders over the lower corner, as Boore (2005)
 has it."""
@@ -61,14 +62,14 @@ def filtered(
     n = whole("order", order, 1)
     if low is None and high is None:
         raise MotionError("a filter has no corner: give low, high or both [Hz]")
-    nyquist = 0.5 / dt
+    nyquist, slowest = 0.5 / dt, _SLOWEST / motion.duration
     given = {"low": low, "high": high}
     corners = {name: finite(name, value) for name, value in given.items() if value is not None}
     for name, corner in corners.items():
-        if not 0.0 < corner < nyquist:
+        if not slowest < corner < nyquist:
             raise MotionError(
-                f"{name} is {corner:g} Hz: give a corner above 0 and below {nyquist:g} Hz, half of "
-                "the rate of sampling"
+                f"{name} is {corner:g} Hz: give a corner below {nyquist:g} Hz, half of the rate of "
+                f"sampling, and above {slowest:g} Hz, of which the record has nothing to tell"
             )
     if len(corners) == 2 and corners["low"] >= corners["high"]:
         raise MotionError(
@@ -92,7 +93,7 @@ def resampled(motion: GroundMotion, dt: float, method: str) -> GroundMotion:
     if new > motion.duration:
         raise MotionError(f"dt is {new:g} s: give less than the motion's {motion.duration:g} s")
     if method == "linear":
-        return _record(motion, motion.sampled(new)[1], new, f"taken every {new:g} s")
+        return _record(motion, motion.sampled(new)[1], new, f"taken every {new:g} s", padded=False)
     if method != "band limited":
         raise MotionError(f'method is {told(method)}: give "linear" or "band limited"')
     samples, old = _samples(motion, "a band-limited interpolation")
@@ -106,7 +107,8 @@ def resampled(motion: GroundMotion, dt: float, method: str) -> GroundMotion:
 
     values = resample_poly(samples, ratio.numerator, ratio.denominator)
     kept = math.floor((len(samples) - 1) * old / new * (1.0 + 1e-12)) + 1
-    return _record(motion, values[:kept], new, f"band limited to a step of {new:g} s")
+    done = f"band limited to a step of {new:g} s"
+    return _record(motion, values[:kept], new, done, padded=False)
 
 
 def trimmed(motion: GroundMotion, start: float, end: float) -> GroundMotion:

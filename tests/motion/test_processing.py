@@ -71,6 +71,7 @@ def test_linear_resampling_to_a_part_of_the_step_keeps_the_motion():
     t = np.linspace(0, T[-1], 997)
     assert fine.acceleration(t) == pytest.approx(SINE.acceleration(t), abs=1e-12)
     assert fine.dt == 0.0025
+    assert SINE.resampled(0.3).duration == pytest.approx(19.8)  # the last whole step
     pulse = GroundMotion.half_sine(1.0, 0.5, duration=1.0)
     assert pulse.resampled(0.01).samples == pytest.approx(pulse.sampled(0.01)[1])
 
@@ -143,7 +144,9 @@ def test_near_fault_pulse_keeps_its_beginning():
         (lambda m: m.baseline_corrected(12), r"degree is 12: give at most 10"),
         (lambda m: m.baseline_corrected(1, "force"), r"baseline of 'force' is unknown.*velocity"),
         (lambda m: m.filtered(), r"no corner: give low, high or both"),
-        (lambda m: m.filtered(low=60.0), r"low is 60 Hz: give a corner above 0 and below 50 Hz"),
+        (lambda m: m.filtered(low=60.0), r"low is 60 Hz: give a corner below 50 Hz, half"),
+        (lambda m: m.filtered(low=1e-9), r"low is 1e-09 Hz: .* above 0\.0005 Hz"),
+        (lambda m: m.filtered(high=-1.0), r"high is -1 Hz: .* above 0\.0005 Hz"),
         (lambda m: m.filtered(5.0, 1.0), r"low is 5 Hz and high 1 Hz: .* smaller one as low"),
         (lambda m: m.filtered(1.0, order=0), r"order is 0: give a whole number of at least 1"),
         (lambda m: m.resampled(-1.0), r"dt is -1: give a positive"),
