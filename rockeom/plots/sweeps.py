@@ -390,7 +390,8 @@ def _name_fallen(
 
 
 def _short(name: str, letters: int = 24) -> str:
-    return name if len(name) <= letters else name[: letters - 1] + "…"
+    """Its beginning and its end: components of a record differ there."""
+    return name if len(name) <= letters else f"{name[: letters - 11]}…{name[-10:]}"
 
 
 # --- names and places
