@@ -348,7 +348,7 @@ def _by_record(
     keys = [record] if record is not None else others
     columns = [sweep[_known(function, sweep, key)] for key in keys]
     each = [a.values.ravel() for a in xr.broadcast(im, found, *columns)]
-    of = np.array([", ".join(map(_said, key)) for key in zip(*each[2:], strict=True)])
+    of = np.array([", ".join(map(str, key)) for key in zip(*each[2:], strict=True)])
     curves, names = [], list(dict.fromkeys(of.tolist()))
     for name in names:
         mine = np.flatnonzero(of == name)
@@ -390,7 +390,8 @@ def _name_fallen(
 
 
 def _short(name: str, letters: int = 24) -> str:
-    return name if len(name) <= letters else name[: letters - 1] + "…"
+    """Its beginning and its end: components of a record differ there."""
+    return name if len(name) <= letters else f"{name[: letters - 11]}…{name[-10:]}"
 
 
 # --- names and places
@@ -425,7 +426,15 @@ def _sortable(sweep: xr.Dataset, *names: str) -> list[str]:
 
 def _places(values: xr.DataArray) -> np.ndarray:
     """Where values stand on an axis: numbers where they are, words one after the other."""
-    return values.values if values.dtype.kind in "iuf" else np.arange(values.size)
+    if values.dtype.kind in "iuf":
+        return values.values
+    words = _words(values)
+    return np.array([words.index(word) for word in values.values.tolist()])
+
+
+def _words(values: xr.DataArray) -> list[Any]:
+    """The different ones, in the order in which they come."""
+    return list(dict.fromkeys(values.values.tolist()))
 
 
 def _name_axes(ax: Axes, sweep: xr.Dataset, x: str, y: str) -> None:
@@ -433,8 +442,10 @@ def _name_axes(ax: Axes, sweep: xr.Dataset, x: str, y: str) -> None:
     ax.set_ylabel(_label(sweep, y))
     for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
         if sweep[name].dtype.kind not in "iuf":
-            words = [_said(value) for value in sweep[name].values]
-            axis.set_ticks(range(len(words)), words)
+            words = [_said(value) for value in _words(sweep[name])]
+            turned = axis is ax.xaxis and max(map(len, words)) > 6
+            look: dict[str, Any] = {"rotation": 30, "ha": "right"} if turned else {}
+            axis.set_ticks(range(len(words)), words, **look)
 
 
 def _label(sweep: xr.Dataset, name: str) -> str:
@@ -468,7 +479,7 @@ def _said(value: Any) -> str:
     """A coordinate's value in a figure."""
     if isinstance(value, (int, float, np.number)):
         return f"{value:.4g}"
-    return style.plain(str(value))
+    return style.plain(_short(str(value)))
 
 
 def _entitle(ax: Axes, sweep: xr.Dataset, n: int) -> None:

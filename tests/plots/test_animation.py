@@ -106,7 +106,7 @@ def test_corners_of_the_block_are_turned_about_its_foot():
 
 def test_nothing_leaves_the_picture_and_scales_are_equal():
     animation = of_a_declared_structure().animate()
-    for i in range(len(animation)):
+    for i in range(0, len(animation), 3):
         ax = frame(animation, i)
         (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
         shown = marks(ax)
@@ -187,9 +187,9 @@ def test_point_that_lands_is_marked_by_its_name():
 @pytest.mark.parametrize(
     ("asked", "frames", "lasts"),
     [
-        ({"end": 0.5, "frames_per_second": 20.0}, 11, 0.55),
+        ({"end": 0.2, "frames_per_second": 20.0}, 5, 0.25),
         ({"end": 0.2, "frames_per_second": 30.0}, 7, 7 / 30),
-        ({"end": 0.1, "frames_per_second": 20.0, "speed": 0.25}, 9, 0.45),
+        ({"end": 0.05, "frames_per_second": 20.0, "speed": 0.25}, 5, 0.25),
     ],
 )
 def test_gif_has_as_many_frames_as_said_and_runs_as_long(tmp_path, asked, frames, lasts):

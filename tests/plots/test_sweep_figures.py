@@ -97,6 +97,10 @@ def test_records_stand_on_an_axis_by_their_names():
                    record=["Kobe $5", "Tabas"], amplitude=[1.0, 2.0])  # fmt: skip
     (ax,) = drawn(overturning_map(words, x="record", y="amplitude")).axes
     assert [tick.get_text() for tick in ax.get_xticklabels()] == [r"Kobe \$5", "Tabas"]
+    table = words.stack(case=("amplitude", "record")).reset_index("case")
+    (ax,) = drawn(overturning_map(table, x="record", y="amplitude")).axes
+    assert [tick.get_text() for tick in ax.get_xticklabels()] == [r"Kobe \$5", "Tabas"]
+    np.testing.assert_allclose(ax.collections[0].get_offsets()[:, 0], [0, 1, 0, 1])
 
 
 def test_map_of_more_names_asks_which_value():
@@ -222,6 +226,17 @@ def test_each_record_is_a_line_that_leaves_the_numbers_where_it_overturns():
     assert {"overturned", "a", "b"} == set(said)
     assert said["b"].xy == (edge, 2.0)
     assert ax.get_xlabel() == "largest |theta| [rad]"
+
+
+def test_records_that_look_alike_are_told_apart():
+    """By long names with the same beginning, by large numbers, and with any letters."""
+    for names in (["a" * 30 + end for end in "xyz"], [10001, 10002, 10003], ["$1", "$2", "$3"]):
+        ax = incremental_dynamic_analysis(SWEEP.assign_coords(record=names), intensity="pga").axes[
+            0
+        ]
+        assert sum(line.get_linewidth() == 0.6 for line in ax.lines) == 3
+        drawn(ax.figure)
+    assert {r"\$1", r"\$2"} <= {text.get_text() for text in ax.texts}
 
 
 def test_fractiles_count_who_overturned_as_more_than_any_demand():
