@@ -36,11 +36,9 @@ from rockeom.numeric.contact_states import has_points
 from rockeom.numeric.printer import Text
 from rockeom.numeric.program import source
 
-TYPES: Mapping[str, Type] = {
-    **dict.fromkeys(("contact", "guard", "law", "number"), INT),
-    **dict.fromkeys(("y", "p", "parameters", "out", "dy", "g", "matrix", "forces"), Array(FLOAT)),
-}
-"""Of the arguments of what is called from outside; all others are numbers."""
+WHOLE = ("contact", "guard", "law", "number")
+ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")
+"""Arguments of what is called from outside that are whole numbers, and that are arrays."""
 FILLED = ("out", "dy", "g", "matrix", "forces")
 
 MEANINGS = {
@@ -233,9 +231,7 @@ def _described(module: ModuleType) -> Described:
         contacts = (files("rockeom.numeric") / "contacts.py").read_text(encoding="utf-8")
         texts += [Text("contacts.py", contacts), Text("impact", _OF_POINTS)]
     texts.append(Text("sine and cosine", _SINE_COSINE))
-    entries = {
-        name: [TYPES.get(a, FLOAT) for a in _arguments(module, name)] for name in _entries(module)
-    }
+    entries = _entries(texts, ("impact",))
     functions = Functions(texts, entries)
     for name in entries:
         function = functions.known[name]
@@ -243,35 +239,35 @@ def _described(module: ModuleType) -> Described:
     return Described(module, in_plain_letters(module.NAME), functions, tuple(entries))
 
 
-def _entries(module: ModuleType) -> list[str]:
-    """The functions that a user calls, in the order of the module; `prepare` first."""
-    text = source(module)
-    inner = {line for mark in ("@inlined", "@everywhere") for line in _behind(text, mark)}
-    found = [
-        line.removeprefix("def ").partition("(")[0]
-        for line in text.splitlines()
-        if line.startswith("def ") and line not in inner
-    ]
-    found = ["prepare", "rates", "guards", *(n for n in found if n not in ("prepare", "rates"))]
-    of_states = [n for n in found if n not in _LEFT_OUT and not n.startswith("impulse_")]
-    return [*of_states, *(["impact"] if has_points(module) else [])]
+def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type]]:
+    """The functions that a user calls, `prepare` first, with the types of their arguments.
+
+    names : those that are wanted of what stands in other texts than that of the structure.
+    """
+    trees = {
+        f.name: f
+        for i, text in enumerate(texts)
+        for f in ast.parse(text.source).body
+        if isinstance(f, ast.FunctionDef) and (i == 0 or f.name in names)
+    }
+    inner = {name for name, f in trees.items() if f.decorator_list}
+    inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}
+    wanted = dict.fromkeys(("prepare", "rates", "guards"))
+    wanted |= dict.fromkeys(name for name in trees if name not in inner)
+    return {name: [_type(trees[name], a.arg) for a in trees[name].args.args] for name in wanted}
 
 
-def _behind(text: str, mark: str) -> set[str]:
-    """The lines of functions with a mark."""
-    lines = text.splitlines()
-    found = set()
-    for i, line in enumerate(lines):
-        if line == mark:
-            found.add(next(later for later in lines[i:] if later.startswith("def ")))
-    return found
-
-
-def _arguments(module: ModuleType, name: str) -> Sequence[str]:
-    if name == "impact":
-        return ("contact", "guard", "y", "p", "ax", "ay", "out")
-    function: Callable[..., Any] = getattr(module, name)
-    return function.__code__.co_varnames[: function.__code__.co_argcount]
+def _type(function: ast.FunctionDef, argument: str) -> Type:
+    """Of an argument of what is called from outside."""
+    if argument in WHOLE:
+        return INT
+    is_array = argument in ARRAYS or any(
+        isinstance(node, ast.Subscript)
+        and isinstance(node.value, ast.Name)
+        and node.value.id == argument
+        for node in ast.walk(function)
+    )
+    return Array(FLOAT) if is_array else FLOAT
 
 
 def _places(function: Function, argument: str) -> list[int]:
@@ -361,8 +357,15 @@ def _c(described: Described) -> str:
         tables += c.table(
             f"{prefix.upper()}{names.of(name)}", described.module.CONTACTS.index(contact)
         )
+    sizes = {
+        "N_STATES": described.module.N_STATES,
+        "N_PARAMETERS": len(described.module.PARAMETERS),
+        "N_PREPARED": described.prepared(),
+    }
+    for name, size in sizes.items():
+        tables += c.table(f"{prefix.upper()}{name}", size)
     for name in used:
-        if name not in numbers.values():
+        if name not in numbers.values() and name not in sizes:
             tables += c.table(
                 f"{prefix.upper()}{names.of(name)}", described.functions.constants[name]
             )

@@ -33,7 +33,7 @@ def strange():
     mass = parameter("m", "end", "kg", "mass'; quit /* and\n#error more")
     width = parameter("b", "sin", "m", "half of the width")
     height = parameter("h", "höhe_" + "h" * 70, "m", "height of the centroid")
-    inertia = parameter("I", "result", "kg m2", "moment of inertia")
+    inertia = parameter("I", "pair_1_", "kg m2", "moment of inertia")
     gravity = parameter("g", "NAN", "m/s2", "gravity")
     theta = rotation.position
 
