@@ -187,14 +187,13 @@ class Described:
         rows = []
         for name in given:
             if name in FILLED:
+                size = self.size(function, name)
                 columns: Any = getattr(m, function.name.upper(), None)
-                found = f"({self.size(function, name)}) what is found"
-                if _are_words(columns) and function.name != "positions":
-                    found = f"({self.size(function, name)}) {', '.join(columns)}"
-                rows.append((name, found))
+                named = _are_words(columns) and len(columns) == size
+                rows.append((name, f"({size}) {', '.join(columns) if named else 'what is found'}"))
             else:
-                size = f"({sizes[name]}) " if name in sizes else ""
-                rows.append((name, size + MEANINGS.get(name, "")))
+                many = f"({sizes[name]}) " if name in sizes else ""
+                rows.append((name, many + MEANINGS.get(name, "")))
         return rows
 
 
