@@ -53,6 +53,7 @@ MEANINGS = {
     "parameters": "in the order above",
     "ax": "acceleration of the ground to the right [m/s2]",
     "ay": "acceleration of the ground upwards [m/s2]",
+    "result": "the p of all other functions",
     "load": "horizontal force at the load point [N]",
 }
 _LEFT_OUT = ("shapes", "sizes", "held_guards", "opening_acceleration")
@@ -101,6 +102,11 @@ class Described:
         """Where the structure is described, as it is declared; may be empty."""
         lines = (self.module.__doc__ or "").splitlines()
         return next((line for line in lines if line.startswith("Source: ")), "")
+
+    @property
+    def passage(self) -> str:
+        """The function that gives the state after the end of a contact state."""
+        return "impact" if "impact" in self.entries else "jump"
 
     @property
     def contact_names(self) -> dict[str, str]:
@@ -173,17 +179,17 @@ class Described:
         return [printable(line) for line in lines]
 
     def _use(self) -> list[str]:
-        passage = "`impact`" if "impact" in self.entries else "`jump`"
         return [
             "`prepare` is called once for a set of parameters; it gives the p of all others.",
             "Within a contact state integrate `rates` while all its `guards` are positive. Where",
-            f"the first of them falls to zero, {passage} gives the state after it.",
+            f"the first of them falls to zero, `{self.passage}` gives the state after it.",
         ]
 
     def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
         """Name and meaning of each, those that are filled told by what stands in them."""
         m = self.module
-        sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS), "p": self.prepared()}
+        sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS)}
+        sizes |= dict.fromkeys(("p", "result"), self.prepared())
         rows = []
         for name in given:
             if name in FILLED:
@@ -338,14 +344,6 @@ def _c(described: Described) -> str:
         if entry:
             given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
             told = _explained(described, function, given)
-            told = [
-                line.replace(
-                    "result", f"result  ({described.prepared()}) the p of all other functions", 1
-                )
-                if line.startswith("  result")
-                else line
-                for line in told
-            ]
         else:
             told = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", *_comment(told), *writer.write("" if entry else "static ")]
@@ -420,14 +418,9 @@ def _matlab(described: Described) -> str:
         "",
         f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
         "",
-        "Arrays that a function fills are what it gives, behind a value of its own: as in",
-        "[follows, y] = m.jump(...). Contact states, guards and laws are numbered from 0.",
-    ]
-    head = [
-        line.replace("m.jump", "m.impact")
-        if "impact" in described.entries and "jump" not in described.entries
-        else line
-        for line in head
+        "Arrays that a function fills are what it gives, behind a value of its own, as in",
+        f"[follows, y] = m.{described.passage}(...).",
+        "Contact states, guards and laws are numbered from 0.",
     ]
     lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
     for field, words in (
