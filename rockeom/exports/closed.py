@@ -9,9 +9,9 @@ needed of its values, and which names would mean something else there.
 from __future__ import annotations
 
 import ast
-import copy
 import math
 import operator
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
@@ -125,9 +125,10 @@ class Functions:
     """
 
     def __init__(self, texts: Sequence[Text], entries: Mapping[str, Sequence[Type]]) -> None:
-        program = Program(texts)
-        self.constants: dict[str, Any] = program.names
-        self.definitions = program.definitions
+        self.constants: dict[str, Any] = Program(texts).names
+        # trees of their own: they are changed, and others print the same texts
+        bodies = [ast.parse(text.source, text.name).body for text in texts]
+        self.trees = {f.name: f for body in bodies for f in body if isinstance(f, ast.FunctionDef)}
         self.entries = tuple(entries)
         self.known: dict[str, Function] = {}
         self.news = True
@@ -150,10 +151,9 @@ class Functions:
     def asked(self, name: str, types: Sequence[Type]) -> Function:
         """A function that is called with these types of arguments."""
         if name not in self.known:
-            if name not in self.definitions:
+            if name not in self.trees:
                 raise Unwritten(f"no function {name} is known")
-            tree = copy.deepcopy(self.definitions[name].tree)  # others print the same ones
-            self.known[name] = Function(name, _Pruned(self.constants).visit(tree))
+            self.known[name] = Function(name, _Pruned(self.constants).visit(self.trees[name]))
             self.news = True
         function = self.known[name]
         for argument, type_ in zip(function.arguments, types, strict=True):
@@ -449,8 +449,10 @@ def pairs(targets: ast.expr, value: ast.expr) -> list[tuple[ast.expr, ast.expr]]
     return list(zip(targets.elts, value.elts, strict=True))
 
 
-def one_by_one(several: Iterable[tuple[ast.expr, ast.expr]]) -> bool:
+def one_by_one(several: Sequence[tuple[ast.expr, ast.expr]]) -> bool:
     """Whether no value reads what was assigned before it."""
+    if len(several) == 1:
+        return True
     changed: set[str] = set()
     for target, value in several:
         if changed & {n.id for n in names_of(value)}:
@@ -549,6 +551,10 @@ class _Reader:
             self.function.refuse(target, f"{type(target).__name__} is not assigned to")
 
 
+_KEPT = re.compile(r"(kept|pair|so|i)_\d+_")
+"""Names of what is kept for a moment, see `Writer.new`."""
+
+
 class Names:
     """Names as another language takes them, each its own.
 
@@ -564,7 +570,7 @@ class Names:
         if name not in self.given:
             found = in_plain_letters(name)[: self.longest]
             number = 1
-            while found in self.reserved or found in self.taken:
+            while found in self.reserved or found in self.taken or _KEPT.fullmatch(found):
                 number += 1
                 found = f"{in_plain_letters(name)[: self.longest]}_{number}"
             self.given[name] = found

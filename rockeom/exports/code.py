@@ -36,11 +36,9 @@ from rockeom.numeric.contact_states import has_points
 from rockeom.numeric.printer import Text
 from rockeom.numeric.program import source
 
-TYPES: Mapping[str, Type] = {
-    **dict.fromkeys(("contact", "guard", "law", "number"), INT),
-    **dict.fromkeys(("y", "p", "parameters", "out", "dy", "g", "matrix", "forces"), Array(FLOAT)),
-}
-"""Of the arguments of what is called from outside; all others are numbers."""
+WHOLE = ("contact", "guard", "law", "number")
+ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")
+"""Arguments of what is called from outside that are whole numbers, and that are arrays."""
 FILLED = ("out", "dy", "g", "matrix", "forces")
 
 MEANINGS = {
@@ -55,6 +53,7 @@ MEANINGS = {
     "parameters": "in the order above",
     "ax": "acceleration of the ground to the right [m/s2]",
     "ay": "acceleration of the ground upwards [m/s2]",
+    "result": "the p of all other functions",
     "load": "horizontal force at the load point [N]",
 }
 _LEFT_OUT = ("shapes", "sizes", "held_guards", "opening_acceleration")
@@ -103,6 +102,11 @@ class Described:
         """Where the structure is described, as it is declared; may be empty."""
         lines = (self.module.__doc__ or "").splitlines()
         return next((line for line in lines if line.startswith("Source: ")), "")
+
+    @property
+    def passage(self) -> str:
+        """The function that gives the state after the end of a contact state."""
+        return "impact" if "impact" in self.entries else "jump"
 
     @property
     def contact_names(self) -> dict[str, str]:
@@ -175,28 +179,27 @@ class Described:
         return [printable(line) for line in lines]
 
     def _use(self) -> list[str]:
-        passage = "`impact`" if "impact" in self.entries else "`jump`"
         return [
             "`prepare` is called once for a set of parameters; it gives the p of all others.",
             "Within a contact state integrate `rates` while all its `guards` are positive. Where",
-            f"the first of them falls to zero, {passage} gives the state after it.",
+            f"the first of them falls to zero, `{self.passage}` gives the state after it.",
         ]
 
     def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
         """Name and meaning of each, those that are filled told by what stands in them."""
         m = self.module
-        sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS), "p": self.prepared()}
+        sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS)}
+        sizes |= dict.fromkeys(("p", "result"), self.prepared())
         rows = []
         for name in given:
             if name in FILLED:
+                size = self.size(function, name)
                 columns: Any = getattr(m, function.name.upper(), None)
-                found = f"({self.size(function, name)}) what is found"
-                if _are_words(columns) and function.name != "positions":
-                    found = f"({self.size(function, name)}) {', '.join(columns)}"
-                rows.append((name, found))
+                named = _are_words(columns) and len(columns) == size
+                rows.append((name, f"({size}) {', '.join(columns) if named else 'what is found'}"))
             else:
-                size = f"({sizes[name]}) " if name in sizes else ""
-                rows.append((name, size + MEANINGS.get(name, "")))
+                many = f"({sizes[name]}) " if name in sizes else ""
+                rows.append((name, many + MEANINGS.get(name, "")))
         return rows
 
 
@@ -233,9 +236,7 @@ def _described(module: ModuleType) -> Described:
         contacts = (files("rockeom.numeric") / "contacts.py").read_text(encoding="utf-8")
         texts += [Text("contacts.py", contacts), Text("impact", _OF_POINTS)]
     texts.append(Text("sine and cosine", _SINE_COSINE))
-    entries = {
-        name: [TYPES.get(a, FLOAT) for a in _arguments(module, name)] for name in _entries(module)
-    }
+    entries = _entries(texts, ("impact",))
     functions = Functions(texts, entries)
     for name in entries:
         function = functions.known[name]
@@ -243,35 +244,35 @@ def _described(module: ModuleType) -> Described:
     return Described(module, in_plain_letters(module.NAME), functions, tuple(entries))
 
 
-def _entries(module: ModuleType) -> list[str]:
-    """The functions that a user calls, in the order of the module; `prepare` first."""
-    text = source(module)
-    inner = {line for mark in ("@inlined", "@everywhere") for line in _behind(text, mark)}
-    found = [
-        line.removeprefix("def ").partition("(")[0]
-        for line in text.splitlines()
-        if line.startswith("def ") and line not in inner
-    ]
-    found = ["prepare", "rates", "guards", *(n for n in found if n not in ("prepare", "rates"))]
-    of_states = [n for n in found if n not in _LEFT_OUT and not n.startswith("impulse_")]
-    return [*of_states, *(["impact"] if has_points(module) else [])]
+def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type]]:
+    """The functions that a user calls, `prepare` first, with the types of their arguments.
+
+    names : those that are wanted of what stands in other texts than that of the structure.
+    """
+    trees = {
+        f.name: f
+        for i, text in enumerate(texts)
+        for f in ast.parse(text.source).body
+        if isinstance(f, ast.FunctionDef) and (i == 0 or f.name in names)
+    }
+    inner = {name for name, f in trees.items() if f.decorator_list}
+    inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}
+    wanted = dict.fromkeys(("prepare", "rates", "guards"))
+    wanted |= dict.fromkeys(name for name in trees if name not in inner)
+    return {name: [_type(trees[name], a.arg) for a in trees[name].args.args] for name in wanted}
 
 
-def _behind(text: str, mark: str) -> set[str]:
-    """The lines of functions with a mark."""
-    lines = text.splitlines()
-    found = set()
-    for i, line in enumerate(lines):
-        if line == mark:
-            found.add(next(later for later in lines[i:] if later.startswith("def ")))
-    return found
-
-
-def _arguments(module: ModuleType, name: str) -> Sequence[str]:
-    if name == "impact":
-        return ("contact", "guard", "y", "p", "ax", "ay", "out")
-    function: Callable[..., Any] = getattr(module, name)
-    return function.__code__.co_varnames[: function.__code__.co_argcount]
+def _type(function: ast.FunctionDef, argument: str) -> Type:
+    """Of an argument of what is called from outside."""
+    if argument in WHOLE:
+        return INT
+    is_array = argument in ARRAYS or any(
+        isinstance(node, ast.Subscript)
+        and isinstance(node.value, ast.Name)
+        and node.value.id == argument
+        for node in ast.walk(function)
+    )
+    return Array(FLOAT) if is_array else FLOAT
 
 
 def _places(function: Function, argument: str) -> list[int]:
@@ -343,14 +344,6 @@ def _c(described: Described) -> str:
         if entry:
             given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
             told = _explained(described, function, given)
-            told = [
-                line.replace(
-                    "result", f"result  ({described.prepared()}) the p of all other functions", 1
-                )
-                if line.startswith("  result")
-                else line
-                for line in told
-            ]
         else:
             told = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", *_comment(told), *writer.write("" if entry else "static ")]
@@ -361,8 +354,15 @@ def _c(described: Described) -> str:
         tables += c.table(
             f"{prefix.upper()}{names.of(name)}", described.module.CONTACTS.index(contact)
         )
+    sizes = {
+        "N_STATES": described.module.N_STATES,
+        "N_PARAMETERS": len(described.module.PARAMETERS),
+        "N_PREPARED": described.prepared(),
+    }
+    for name, size in sizes.items():
+        tables += c.table(f"{prefix.upper()}{name}", size)
     for name in used:
-        if name not in numbers.values():
+        if name not in numbers.values() and name not in sizes:
             tables += c.table(
                 f"{prefix.upper()}{names.of(name)}", described.functions.constants[name]
             )
@@ -418,14 +418,9 @@ def _matlab(described: Described) -> str:
         "",
         f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
         "",
-        "Arrays that a function fills are what it gives, behind a value of its own: as in",
-        "[follows, y] = m.jump(...). Contact states, guards and laws are numbered from 0.",
-    ]
-    head = [
-        line.replace("m.jump", "m.impact")
-        if "impact" in described.entries and "jump" not in described.entries
-        else line
-        for line in head
+        "Arrays that a function fills are what it gives, behind a value of its own, as in",
+        f"[follows, y] = m.{described.passage}(...).",
+        "Contact states, guards and laws are numbered from 0.",
     ]
     lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
     for field, words in (

@@ -33,7 +33,7 @@ def strange():
     mass = parameter("m", "end", "kg", "mass'; quit /* and\n#error more")
     width = parameter("b", "sin", "m", "half of the width")
     height = parameter("h", "höhe_" + "h" * 70, "m", "height of the centroid")
-    inertia = parameter("I", "result", "kg m2", "moment of inertia")
+    inertia = parameter("I", "pair_1_", "kg m2", "moment of inertia")
     gravity = parameter("g", "NAN", "m/s2", "gravity")
     theta = rotation.position
 
@@ -116,7 +116,7 @@ def size(m, function, argument):
 
 @cache
 def calls(name):
-    """One random state in each of some contact states, and all that may be asked of it."""
+    """Two random states in each of some contact states, and all that may be asked of them."""
     m = module(name)
     rng = np.random.default_rng(zlib.crc32(name.encode()))
     p = m.prepare(parameters(name))
@@ -124,7 +124,7 @@ def calls(name):
     contacts = range(len(m.CONTACTS))
     if len(contacts) > 8:
         contacts = sorted(rng.choice(contacts, 8, replace=False).tolist())
-    for contact in contacts:
+    for contact in [*contacts, *contacts]:
         y = rng.uniform(-0.6, 0.6, m.N_STATES)
         if m.SIDES[contact] != 0.0:
             y[m.ROTATION] = m.SIDES[contact] * abs(y[m.ROTATION])
