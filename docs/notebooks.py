@@ -43,6 +43,7 @@ def sources() -> dict[str, Path]:
 def told(name: str) -> Told:
     notebook = jupytext.read(sources()[name])
     first, about = notebook.cells[0].source.split("\n\n")[:2]
+    about = re.sub(r"\[([^\]]+)\]\([^)]+\)", r"\1", about)  # links, which lead from that page
     return Told(first.removeprefix("# "), " ".join(about.split()), **notebook.metadata["rockeom"])
 
 

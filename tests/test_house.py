@@ -1,10 +1,12 @@
 """The house itself: what an import costs, who loads SymPy, what is public, what a wheel carries."""
 
 import ast
-import importlib.util
+import importlib.metadata
 import os
+import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -236,23 +238,104 @@ def test_unknown_name_is_an_attribute_error_that_names_it():
 # --- where the generated modules are found
 
 
-@pytest.mark.skipif(
-    importlib.util.find_spec("hatchling") is None, reason="hatchling is not installed"
-)
-def test_wheel_carries_the_generated_modules(tmp_path):
-    run_python("-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path))
-    (wheel,) = tmp_path.glob("*.whl")
+# --- what is released
+
+
+@pytest.fixture(scope="module")
+def released(tmp_path_factory) -> Path:
+    """A folder with what the sdist of this checkout builds, installed without a network."""
+    for needed in ("hatchling", "pip"):
+        pytest.importorskip(needed)
+    folder = tmp_path_factory.mktemp("released")
+    run_python("-m", "hatchling", "build", "-t", "sdist", "-d", str(folder))
+    (sdist,) = folder.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        archive.extractall(folder, filter="data")
+    (source,) = (path for path in folder.iterdir() if path.is_dir())
+    run_python("-m", "hatchling", "build", "-t", "wheel", "-d", str(folder), cwd=source)
+    (wheel,) = folder.glob("*.whl")
+    offline = "--no-deps", "--no-index", "--no-compile", "--disable-pip-version-check"
+    run_python(
+        "-m", "pip", "install", *offline, "--target", str(folder / "site"), str(wheel), cwd=folder
+    )
+    return folder
+
+
+def run_released(folder: Path, *arguments: str) -> str:
+    """Of an interpreter that starts elsewhere and finds what was installed, not this checkout."""
+    (elsewhere := folder / "elsewhere").mkdir(exist_ok=True)
+    environment = {**os.environ, "PYTHONPATH": str(folder / "site")}
+    done = subprocess.run(
+        [sys.executable, *arguments], cwd=elsewhere, env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout.strip()
+
+
+def test_wheel_carries_the_generated_modules_and_nothing_else(released):
+    (wheel,) = released.glob("*.whl")
     with zipfile.ZipFile(wheel) as archive:
         carried = set(archive.namelist())
-        archive.extractall(tmp_path / "site")
     generated = {f"rockeom/generated/{path.name}" for path in (ROOT / "generated").glob("*.py")}
     assert "rockeom/generated/rigid_block.py" in generated
     assert generated | {"rockeom/py.typed", "rockeom/generated/__init__.py"} <= carried
-    assert not [name for name in carried if "__pycache__" in name or name.startswith("tests")]
+    sources = {str(path.relative_to(ROOT)) for path in (ROOT / "rockeom").rglob("*.py")}
+    assert sources <= carried
+    tops = {name.partition("/")[0] for name in carried}
+    assert tops == {"rockeom", f"rockeom-{rockeom.__version__}.dist-info"}
+    assert not [name for name in carried if "__pycache__" in name]
 
-    code = "import rockeom.generated.rigid_block as module; print(module.__file__)"
-    found = Path(run_python("-c", code, cwd=tmp_path / "site"))
-    assert found == tmp_path / "site" / "rockeom" / "generated" / "rigid_block.py"
+
+def test_sdist_carries_what_the_repository_does_and_nothing_that_was_built(released):
+    if not (ROOT / ".git").exists() or not shutil.which("git"):
+        pytest.skip("not a clone")
+    listed = "git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"
+    kept = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    (sdist,) = released.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        carried = {name.partition("/")[2] for name in archive.getnames()}
+    assert carried - {"PKG-INFO"} <= set(kept.split("\0"))
+    assert {
+        "README.md",
+        "LICENSE",
+        "CHANGELOG.md",
+        "CITATION.cff",
+        "tests/test_house.py",
+    } <= carried
+
+
+def test_what_is_released_simulates_where_it_is_installed(released):
+    code = """
+import rockeom as rk
+block = rk.RigidBlock(half_width=0.095, half_height=0.45)
+run = rk.simulate(block, rk.GroundMotion.none(10.0), initial={"theta": 0.1})
+print(rk.__file__, block.module.__file__, run.outcome, sep="\\n")
+"""
+    package, module, outcome = run_released(released, "-c", code).splitlines()
+    site = released / "site" / "rockeom"
+    assert Path(package) == site / "__init__.py"
+    assert Path(module) == site / "generated" / "rigid_block.py"
+    assert outcome == "came to rest"
+
+
+def test_what_is_released_brings_its_command(released):
+    command = str(released / "site" / "bin" / "rockeom")
+    assert run_released(released, command, "--version") == f"rockeom {rockeom.__version__}"
+    listed = run_released(released, command, "models")
+    assert all(f"\n{name} " in listed for name in SHIPPED)
+
+
+def test_what_is_released_says_what_it_is(released):
+    (installed,) = importlib.metadata.distributions(name="rockeom", path=[str(released / "site")])
+    told = installed.metadata
+    assert told["Version"] == rockeom.__version__
+    assert told["License-Expression"] == "BSD-3-Clause"
+    assert [file for file in installed.files or [] if file.name == "LICENSE"]
+    assert told["Description"].startswith("# rockeom")
+    least = told["Requires-Python"].removeprefix(">=")
+    classifiers = told.get_all("Classifier")
+    assert f"Programming Language :: Python :: {least}" in classifiers
+    assert "Typing :: Typed" in classifiers
 
 
 def test_generated_folder_stays_a_plain_folder():

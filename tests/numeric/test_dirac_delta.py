@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import quad, solve_ivp
+from scipy.integrate import quad, solve_ivp, trapezoid
 from scipy.special import erf
 
 import rockeom as rk
@@ -239,7 +239,7 @@ def test_figure_of_both_formulations_shows_them_alike_and_the_convergence():
 def test_figure_of_the_delta_has_unit_areas():
     figures = pytest.importorskip("rockeom.thesis.figures")
     for line in figures.FIGURES["2-15"]().axes[0].lines[1:]:  # the widest leaves the picture
-        assert np.trapezoid(line.get_ydata(), line.get_xdata()) == pytest.approx(1.0, abs=1e-4)
+        assert trapezoid(line.get_ydata(), line.get_xdata()) == pytest.approx(1.0, abs=1e-4)
 
 
 def test_figure_of_the_widths_nears_the_piecewise_block():
