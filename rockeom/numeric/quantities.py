@@ -149,7 +149,8 @@ def _at_rest(structure: Structure) -> np.ndarray:
     m = structure.module
     y = np.zeros(m.N_STATES)
     out = np.empty(3 * len(m.POSITIONS))
-    m.positions(structure.contact(y), y, structure.vector, out)
+    contact = 0 if has_points(m) else structure.contact(y)  # on which places of points depend not
+    m.positions(contact, y, structure.vector, out)
     return out.reshape(-1, 3)
 
 
@@ -217,13 +218,6 @@ def impulses(run: Response) -> np.ndarray:
 
 # -- works --------------------------------------------------------------------------------------
 
-
-@cache
-def _nodes_and_weights() -> tuple[np.ndarray, np.ndarray]:
-    """Of the quadrature within a step, a polynomial of degree 7, whose square is one of 14."""
-    return np.polynomial.legendre.leggauss(8)  # a module that not all who simulate need
-
-
 _CHUNK = 2048  # steps at once, so that memory is bounded
 
 
@@ -244,6 +238,12 @@ class EnergyBalance(NamedTuple):
     gained: float
     error: float
     friction: float = 0.0
+
+
+@cache
+def _quadrature() -> tuple[np.ndarray, np.ndarray]:
+    """(nodes, weights) within a step, a polynomial of degree 7, whose square is one of 14."""
+    return np.polynomial.legendre.leggauss(8)  # NumPy imports that where it is asked for
 
 
 class Works:
@@ -297,14 +297,14 @@ class Works:
     def _within(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
         """(n, m) works from the start of steps to places x in [0, 1] of them."""
         start, length = self.steps.span[index].T
-        nodes, whole = _nodes_and_weights()
+        nodes, weights = _quadrature()
         places = 0.5 * np.multiply.outer(x, 1.0 + nodes)
         t = start[:, None] + places * length[:, None]
         every = np.repeat(index, len(nodes))
         y = self.steps.states(every, places.ravel())
         powers = self._powers(t.ravel(), y, self.steps.contact[every])
-        weights = 0.5 * np.multiply.outer(x * length, whole)
-        return np.einsum("ij,kij->ik", weights, powers.reshape(len(self.names), *weights.shape))
+        parts = 0.5 * np.multiply.outer(x * length, weights)
+        return np.einsum("ij,kij->ik", parts, powers.reshape(len(self.names), *parts.shape))
 
     def _powers(self, t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
         """(m, n), in the order of the names."""

@@ -1,6 +1,8 @@
 """Quantities that are found when they are asked for: against what is known by other ways."""
 
 import functools
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ from scipy import linalg, signal
 import rockeom as rk
 from rockeom.numeric.jets import _FUNCTIONS, Jet
 from rockeom.numeric.positions import places
-from rockeom.numeric.quantities import families
+from rockeom.numeric.quantities import _word, families, main_units
 from rockeom.numeric.structures import SHIPPED
 from tests.shipped import plain
 
@@ -330,6 +332,21 @@ def test_no_quantity_of_a_structure_hides_another(name):
     told = [n for units in families(module).values() for n in units]
     assert len(told) == len(set(told))
     assert all(n.isidentifier() for n in told)
+
+
+def test_the_guide_names_all_that_a_frame_can_be_asked_for():
+    page = (Path(__file__).resolve().parents[2] / "docs/how-to/quantities.md").read_text("utf-8")
+    named = re.findall(r"`([\w]+)`", "".join(line for line in page.split("\n") if line[:1] == "|"))
+    told = {
+        name.replace("PLACE", place).replace("ELEMENT", element)
+        for name in named
+        for place in (*map(_word, FRAME.module.POSITIONS), "")
+        for element in (*FRAME.module.ELEMENT_NAMES, "")
+    }
+    asked = [*main_units(FRAME.module)]
+    asked += [name for units in families(FRAME.module).values() for name in units]
+    states = {*FRAME.states, "displacement"}
+    assert sorted({*asked} - told - states) == []
 
 
 # --- modes

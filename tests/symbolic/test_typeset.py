@@ -65,10 +65,10 @@ def values_of(phase, seed=0) -> dict[sp.Symbol, float]:
         used |= {c.position, c.velocity, c.acceleration}
     for body in phase.bodies:
         used |= {x for e in (body.mass, body.inertia, *body.position) for x in e.free_symbols}
-    used |= phase.elastic_energy.free_symbols | phase.dissipation.free_symbols
+    used |= phase.stored_energy.free_symbols | phase.dissipation_function.free_symbols
     used |= phase.gravity.free_symbols | sp.Tuple(*phase.forces).free_symbols
     residual = phase.equations.residual(phase.coordinates)
-    for law in residual.atoms(AppliedUndef) | phase.elastic_energy.atoms(AppliedUndef):
+    for law in residual.atoms(AppliedUndef) | phase.stored_energy.atoms(AppliedUndef):
         used |= {law, law.diff(*law.args), law.diff(*law.args, 2)}
         used |= law.free_symbols
     used |= sp.Tuple(*(phase.load_point or ())).free_symbols
@@ -182,7 +182,7 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
             (notation.write(equations.kinetic_energy), exact.kinetic_energy),
             (notation.write(equations.gravitational_energy), exact.gravitational_energy),
             (notation.plain(equations.elastic_energy), exact.elastic_energy),
-            (notation.plain(phase.dissipation), plain.dissipation),
+            (notation.plain(phase.dissipation_function), plain.dissipation_function),
         ]
         shown, expected = total_reaction(phase), total_reaction(plain)
         pairs += [(notation.write(a), b) for a, b in zip(shown, expected, strict=True)]

@@ -129,8 +129,7 @@ def rigid_column(model: RockingModel) -> RockingModel:
             phase,
             coordinates=tuple(c for c in phase.coordinates if c.position != U),
             bodies=tuple(replace(b, position=tuple(map(hold, b.position))) for b in phase.bodies),
-            elastic_energy=hold(phase.elastic_energy),
-            dissipation=hold(phase.dissipation),
+            elements=(),
             load_point=tuple(map(hold, phase.load_point)),
         )
 

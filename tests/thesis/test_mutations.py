@@ -42,6 +42,16 @@ def phases(model: RockingModel, change: Callable[[Mechanism], Mechanism]) -> Roc
     return replace(model, mechanisms=tuple(change(phase) for phase in model.mechanisms))
 
 
+def twice(constant: str) -> Callable[[Mechanism], Mechanism]:
+    """With twice the stiffness or damping of each element."""
+
+    def change(phase: Mechanism) -> Mechanism:
+        found = (replace(e, **{constant: 2 * getattr(e, constant)}) for e in phase.elements)
+        return replace(phase, elements=tuple(found))
+
+    return change
+
+
 def placed(body: Body, put: dict) -> Body:
     x, y = (sp.sympify(e).subs(put, simultaneous=True) for e in body.position)
     return replace(body, position=(x, y))
@@ -85,12 +95,12 @@ MUTATIONS = {
     ),
     "elastic energy k u**2": Mutation(
         FLEXIBLE,
-        lambda m: phases(m, lambda p: replace(p, elastic_energy=2 * p.elastic_energy)),
+        lambda m: phases(m, twice("stiffness")),
         ("5-35", "D-13", "D-20", "D-24", "D-26"),
     ),
     "dissipation c u'**2": Mutation(
         FLEXIBLE,
-        lambda m: phases(m, lambda p: replace(p, dissipation=2 * p.dissipation)),
+        lambda m: phases(m, twice("damping")),
         ("5-35", "D-15", "D-20"),
     ),
     "deformation along the ground instead of across the column": Mutation(
@@ -122,7 +132,7 @@ MUTATIONS = {
     ),
     "springs twice as stiff": Mutation(
         SPRINGS,
-        lambda m: phases(m, lambda p: replace(p, elastic_energy=2 * p.elastic_energy)),
+        lambda m: phases(m, twice("stiffness")),
         ("5-16", "5-24"),
     ),
     "springs with gravity upwards": Mutation(

@@ -379,7 +379,7 @@ DERIVED: dict[str, Derived] = {
     "D-12": _of(MODEL_C, kinetic, 1),
     "D-13": _of(MODEL_C, potential),
     "D-14": _of(MODEL_C, lagrangian),
-    "D-15": Derived(MODEL_C, lambda m, s: m.mechanism(CONTACT[s]).dissipation),
+    "D-15": Derived(MODEL_C, lambda m, s: m.mechanism(CONTACT[s]).dissipation_function),
     "D-16": Derived(MODEL_C, lambda m, s: list(excitation(m, s))),
     "D-17": Derived(MODEL_C, lambda m, s: excitation(m, s)[0]),
     "D-18": Derived(MODEL_C, lambda m, s: excitation(m, s)[1]),
