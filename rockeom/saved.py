@@ -329,6 +329,10 @@ def load(
         return file.response()
     except (KeyError, TypeError, AttributeError, IndexError) as error:
         raise file.error(f"it is not as files of responses are: {error!r}") from error
+    except ValueError as error:
+        if str(path) not in str(error):  # of a constructor
+            error.add_note(f"in the file {path}")
+        raise
 
 
 class _File:

@@ -380,8 +380,9 @@ def test_parameters_are_checked_as_by_the_constructor(file, change):
         return definition
 
     change(negative)
-    with pytest.raises(ValueError, match="half_width is -1"):
+    with pytest.raises(ValueError, match="half_width is -1") as error:
         rk.load(file)
+    assert file.name in error.value.__notes__[0]
 
 
 def test_other_equations_of_a_shipped_structure_are_told(file, change):
