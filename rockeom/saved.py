@@ -329,14 +329,17 @@ def load(
         return file.response()
     except (KeyError, TypeError, AttributeError, IndexError) as error:
         raise file.error(f"it is not as files of responses are: {error!r}") from error
+    except ValueError as error:
+        if str(path) not in str(error):  # of a constructor
+            error.add_note(f"in the file {path}")
+        raise
 
 
 class _File:
     """A file that is read, and the declaration that was given with it."""
 
     def __init__(self, path: Path, given: Any) -> None:
-        self.path = path
-        self.given = given.rocking if isinstance(given, FixedBase) else given
+        self.path, self.given = path, given
         self.asked = False  # whether it has a declared structure
         attrs, self.arrays = _read(path)
         self.definition_text = str(self.arrays.pop("definition", ""))
@@ -373,6 +376,8 @@ class _File:
     def declared(self, name: str, source_hash: str, values: dict[str, float]) -> Structure:
         """A structure of the declaration that was given; raises ValueError where it is another."""
         self.asked, given = True, self.given
+        if isinstance(given, FixedBase):  # of the declared one
+            given = given.rocking
         if given is None:
             raise self.error(
                 f"its structure {name!r} was declared by its user, and files hold no code: give "
