@@ -282,9 +282,15 @@ def test_impulses_at_impacts_of_a_block_by_hand():
         before, after = impact.before["theta_dot"], impact.after["theta_dot"]
         assert across == pytest.approx(20.0 * 0.5 * (after - before), rel=1e-12)
         assert up == pytest.approx(20.0 * 0.1 * (abs(after) + abs(before)), rel=1e-12)
+    first = run.impacts[0]
+    sides = [run.at(first.time, side, ("impact_loss", "theta_dot")) for side in ("left", "right")]
+    inertia = BLOCK.rocking_inertia
+    kept = [one["impact_loss"] + inertia * one["theta_dot"] ** 2 / 2 for one in sides]
+    assert sides[0]["impact_loss"] == 0.0
+    assert kept[0] == pytest.approx(kept[1], rel=1e-9)
     lost = run["impact_loss"][-1]
     kinetic = [i.before["theta_dot"] ** 2 - i.after["theta_dot"] ** 2 for i in run.impacts]
-    assert lost == pytest.approx(sum(kinetic) * BLOCK.rocking_inertia / 2, rel=1e-9)
+    assert lost == pytest.approx(sum(kinetic) * inertia / 2, rel=1e-9)
 
 
 # --- names
