@@ -111,6 +111,7 @@ def test_a_run_tells_of_places_what_states_tell():
 SMALL = st.floats(-0.2, 0.2)
 
 
+@settings(max_examples=25)
 @given(st.lists(st.tuples(SMALL, SMALL, SMALL, SMALL), min_size=2, max_size=5))
 def test_arrays_of_states_tell_what_each_state_does(rows):
     theta, u, rate, ground = np.array(rows).T
@@ -145,6 +146,7 @@ def test_rates_of_a_function_are_its_slopes(name):
     np.testing.assert_allclose(found.second, (at[2] - 2 * at[1] + at[0]) / h**2, atol=1e-5)
 
 
+@settings(max_examples=40)
 @given(st.floats(0.2, 3.0), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
 def test_jets_calculate_as_numbers_do(x, v, a):
     def of(t):
