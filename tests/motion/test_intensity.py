@@ -165,6 +165,17 @@ def test_measures_of_any_motion_are_those_of_a_dense_sampling(motion):
     assert parts.bracketed_duration(0.3) == pytest.approx(np.ptp(above), abs=3 * t[1])
 
 
+def test_no_two_crossings_of_zero_are_passed_over():
+    """A pulse may turn just beyond zero: what its velocity goes to and fro is never more than CAV."""
+    rng = np.random.default_rng(0)
+    for _ in range(60):
+        period, gamma = rng.uniform(0.1, 2.0), 1.0 + rng.exponential()
+        motion = GroundMotion.mavroeidis_papageorgiou(1.0, period, gamma, rng.uniform(-4, 4))
+        v = motion.velocity(np.linspace(0.0, gamma * period, 5001))
+        lost = intensity.cumulative_absolute_velocity(motion) - np.abs(np.diff(v)).sum()
+        assert -1e-12 < lost < 1e-4
+
+
 def test_peak_velocity_between_samples_is_found():
     """Linear from 1 to -3 m/s2 in one step: the velocity is largest a quarter into it."""
     motion = GroundMotion.from_array([1.0, -3.0], 1.0)
