@@ -166,7 +166,7 @@ def test_measures_of_any_motion_are_those_of_a_dense_sampling(motion):
 
 
 def test_no_two_crossings_of_zero_are_passed_over():
-    """A pulse may turn just beyond zero: what its velocity goes to and fro is never more than CAV."""
+    """A pulse may turn just beyond zero: CAV is no less than what its velocity goes to and fro."""
     rng = np.random.default_rng(0)
     for _ in range(60):
         period, gamma = rng.uniform(0.1, 2.0), 1.0 + rng.exponential()
