@@ -195,14 +195,12 @@ def turns(row: np.ndarray) -> np.ndarray:
     length, (kind, _, c1, _, c3) = row[END] - row[START], row[KIND:].tolist()
     rate = c1 + (c3 if kind == MAVROEIDIS_PAPAGEORGIOU else 0.0)
     grid = np.linspace(0.0, length, math.ceil(rate * length / STEP) + 1)
-    found = [grid]
-    for what in (within, jerk):
+    for what in (jerk, within):  # between two turns the acceleration vanishes once at most
         of = partial(of_row, what, row)
         value = of(grid)
         at = np.flatnonzero(value[:-1] * value[1:] < 0.0)
-        if len(at):
-            found.append(bisected(of, grid[at], grid[at + 1]))
-    return np.unique(np.concatenate(found))
+        grid = np.unique(np.append(grid, bisected(of, grid[at], grid[at + 1])))
+    return grid
 
 
 def peak(segments: np.ndarray) -> float:

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from rockeom.motion import GroundMotion, Measures, MotionError, intensity
 
-RECORD = GroundMotion.from_array(np.random.default_rng(5).normal(size=60), 0.02, name="noise")
+RECORD = GroundMotion.from_array(np.random.default_rng(5).normal(size=20), 0.05, name="noise")
 OF_EACH_KIND = {
     "linear": GroundMotion.constant(-1.5, 1.0, 3.0),
     "record": RECORD,
@@ -35,7 +35,7 @@ def integral(function, motion, end):
 
 @each_kind
 def test_velocity_and_displacement_are_the_integrals_of_the_acceleration(motion):
-    for t in (0.33 * motion.duration, 0.71 * motion.duration, motion.duration):
+    for t in (0.37 * motion.duration, motion.duration):
         v = integral(motion.acceleration, motion, t)
         d = integral(motion.velocity, motion, t)
         assert motion.velocity(t) == pytest.approx(v, rel=1e-11, abs=1e-13)
@@ -147,7 +147,7 @@ def test_periods_of_a_long_sine_are_its_own():
 
 @each_kind
 def test_measures_of_any_motion_are_those_of_a_dense_sampling(motion):
-    t = np.linspace(0, motion.duration, 200_001)
+    t = np.linspace(0, motion.duration, 50_001)
     a, v, d = motion.acceleration(t), motion.velocity(t), motion.displacement(t)
     parts = intensity._Parts(motion)
     for exact, sampled in (
@@ -155,14 +155,25 @@ def test_measures_of_any_motion_are_those_of_a_dense_sampling(motion):
         (parts.peak_displacement, np.abs(d).max()),
     ):
         assert sampled * (1 - 1e-12) <= exact <= sampled * (1 + 1e-6)
-    assert parts.cumulative_absolute_velocity == pytest.approx(np.trapezoid(np.abs(a), t), rel=1e-4)
+    assert parts.cumulative_absolute_velocity == pytest.approx(np.trapezoid(np.abs(a), t), rel=2e-4)
     squares = np.cumsum(a**2)
-    assert parts.squares[-1] == pytest.approx(np.trapezoid(a**2, t), rel=1e-4)
+    assert parts.squares[-1] == pytest.approx(np.trapezoid(a**2, t), rel=2e-4)
     for lower, upper in ((0.05, 0.95), (0.2, 0.5)):
         at = t[np.searchsorted(squares, np.array([lower, upper]) * squares[-1])]
         assert parts.significant_interval(lower, upper) == pytest.approx(at, abs=3 * t[1])
     above = t[np.abs(a) >= 0.3]
     assert parts.bracketed_duration(0.3) == pytest.approx(np.ptp(above), abs=3 * t[1])
+
+
+def test_no_two_crossings_of_zero_are_passed_over():
+    """A pulse may turn just beyond zero: CAV is no less than what its velocity goes to and fro."""
+    rng = np.random.default_rng(0)
+    for _ in range(60):
+        period, gamma = rng.uniform(0.1, 2.0), 1.0 + rng.exponential()
+        motion = GroundMotion.mavroeidis_papageorgiou(1.0, period, gamma, rng.uniform(-4, 4))
+        v = motion.velocity(np.linspace(0.0, gamma * period, 3001))
+        lost = intensity.cumulative_absolute_velocity(motion) - np.abs(np.diff(v)).sum()
+        assert -1e-12 < lost < 1e-4
 
 
 def test_peak_velocity_between_samples_is_found():
