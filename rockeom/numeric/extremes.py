@@ -198,20 +198,22 @@ def extremes(steps: Steps, evaluate: Evaluate, end: float = np.inf) -> list[Extr
 
 def _candidates(f: np.ndarray, x: np.ndarray, best: np.ndarray) -> tuple[np.ndarray, ...]:
     """Steps, brackets, signs and columns of the local maxima that may exceed the best place."""
-    with np.errstate(invalid="ignore"):
-        bend = np.abs(f[:, :, 2:] - 2.0 * f[:, :, 1:-1] + f[:, :, :-2]).max(axis=2)
+    least = best + 1e-14 * np.where(np.isfinite(best), np.abs(best), 0.0)
     # between equal places a parabola rises by an eighth of the second difference: eight times that
-    bound = f + bend[:, :, None]
+    with np.errstate(invalid="ignore"):
+        bend = np.abs(f[1, :, 2:] - 2.0 * f[1, :, 1:-1] + f[1, :, :-2]).max(axis=1)
+        reach = f.max(axis=2) + bend > least[:, None]
+    (some,) = np.nonzero(reach.any(axis=(0, 2)))  # few of the steps of a long motion
+    f, x, bound = f[:, some], x[some], f[:, some] + bend[some, None]
     crest = np.ones(f.shape, dtype=bool)
     crest[:, :, 1:] &= f[:, :, 1:] >= f[:, :, :-1]
     crest[:, :, :-1] &= f[:, :, :-1] >= f[:, :, 1:]
-    rounding = 1e-14 * np.where(np.isfinite(best), np.abs(best), 0.0)
-    side, step, place, column = np.nonzero(crest & (bound > (best + rounding)[:, None, None]))
+    side, step, place, column = np.nonzero(crest & (bound > least[:, None, None]))
     low = x[step, np.maximum(place - 1, 0)]
     high = x[step, np.minimum(place + 1, PARTS)]
     order = np.argsort(step, kind="stable")
     return tuple(
-        a[order] for a in (step, low, high, side, column, bound[side, step, place, column])
+        a[order] for a in (some[step], low, high, side, column, bound[side, step, place, column])
     )
 
 
