@@ -10,7 +10,7 @@
 #     language: python
 #     name: python3
 #   rockeom:
-#     figure: 3
+#     figure: 1
 #     level: research
 #     minutes: 60
 # ---
