@@ -604,7 +604,7 @@ def test_extremes_that_are_found_on_the_way_are_those_of_the_whole_motion(both):
 
 
 def test_extremes_do_not_depend_on_how_many_steps_are_held(both, monkeypatch):
-    """Where many may have one, as near the zeros of a vibration's energy, some are settled first."""
+    """Where many may have one, as near a vibration's zeros of energy, some are settled first."""
     whole, _ = both
     names, evaluate = whole.told_of_steps()
     for most, size in (("MOST_PIECES", 1), ("MOST_HELD", 5), ("CHUNK", 100)):
