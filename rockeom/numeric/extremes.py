@@ -21,6 +21,7 @@ Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 PARTS = 8  # of a step
 CHUNK = 1024  # steps looked at together, so that memory is bounded
+MOST_HELD = 16 * CHUNK  # of which extremes are found before the rest of the steps is looked at
 MOST_PIECES = 64  # of them that are held, before it is asked which still may have an extreme
 GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
 NARROWINGS = 36  # 0.25 * GOLDEN**36 of a step is 8e-9: of the value its square is lost
@@ -145,6 +146,8 @@ class Running:
         self._hold(search, _candidates(f, x, self.best))
         if len(self.pieces) > MOST_PIECES:
             self._join()
+            if sum(len(held.steps) for held, _ in self.pieces) > MOST_HELD:
+                self._settle()
 
     def _hold(self, search: Search, found: tuple[np.ndarray, ...]) -> None:
         """Hold the steps of candidates, if they still are."""
@@ -166,12 +169,10 @@ class Running:
         self.pieces = []
         self._hold(searches[0].joined(*searches[1:]), joined)
 
-    def found(self) -> list[Extremes]:
-        """The extremes of each quantity."""
+    def _settle(self) -> None:
+        """Find the extremes in the steps that are held, which then need not be held any more."""
         best, when = self.best, self.when
         assert best is not None
-        if self.pieces:
-            self._join()
         for search, (index, low, high, side, column, _) in self.pieces:
             brackets = (index, low, high, column, _SIGNS[side])
             some = [slice(i, i + PARTS * CHUNK) for i in range(0, len(index), PARTS * CHUNK)]
@@ -180,6 +181,15 @@ class Running:
             for i in np.flatnonzero(value > best[side, column]):
                 if value[i] > best[side[i], column[i]]:
                     best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]
+        self.pieces = []
+
+    def found(self) -> list[Extremes]:
+        """The extremes of each quantity."""
+        if self.pieces:
+            self._join()
+        self._settle()
+        best, when = self.best, self.when
+        assert best is not None
         return [
             Extremes(float(-best[0, i]), float(best[1, i]), float(when[0, i]), float(when[1, i]))
             for i in range(best.shape[1])

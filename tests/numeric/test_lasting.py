@@ -19,6 +19,7 @@ import xarray as xr
 
 import rockeom as rk
 from rockeom import saved
+from rockeom.numeric import extremes
 from rockeom.numeric.record import Steps
 from rockeom.numeric.response import KINDS, Response
 from rockeom.numeric.structures import SHIPPED
@@ -600,6 +601,16 @@ def test_extremes_that_are_found_on_the_way_are_those_of_the_whole_motion(both):
     whole, some = both
     for name in whole.names:
         assert bits(some.extremes(name)) == bits(whole.extremes(name))
+
+
+def test_extremes_do_not_depend_on_how_many_steps_are_held(both, monkeypatch):
+    """Where many may have one, as near a vibration's zeros of energy, some are settled first."""
+    whole, _ = both
+    names, evaluate = whole.told_of_steps()
+    for most, size in (("MOST_PIECES", 1), ("MOST_HELD", 5), ("CHUNK", 100)):
+        monkeypatch.setattr(extremes, most, size)
+    found = extremes.extremes(whole.steps, evaluate)
+    assert bits(found) == bits([whole.extremes(name) for name in names])
 
 
 def test_what_needs_the_steps_says_so_where_they_were_not_kept(both):
