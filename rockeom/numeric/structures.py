@@ -1471,7 +1471,7 @@ class SubstituteGravityWall(_ControlledWall):
 
 @_structure_class
 class SimplifiedSubstituteGravityWall(SubstituteGravityWall):
-    """The same, but the moments are about the edges of the base (thesis 4-32).
+    """A `SubstituteGravityWall` whose moments are about the edges of the base (thesis 4-32).
 
     Only the tendon's extension knows of the rotation centre that moves (4-16). The wall lifts off
     when the ground acceleration exceeds (m g + P) B/(m H_c).

@@ -325,3 +325,33 @@ def test_notebooks_are_headed_and_listed_by_what_their_headers_say():
         assert f"(derivations/{name}.py)**\n\n*{line}*" in listed
         kept = jupytext.reads(notebooks.for_jupyter(source), fmt="ipynb")
         assert [c.source for c in kept.cells] == [c.source for c in jupytext.read(source).cells]
+
+
+# --- the script from records to a fragility curve
+
+
+def test_fragility_script_is_short_and_asks_for_what_its_frame_tells(tmp_path, monkeypatch):
+    """Under two weak pulses in place of its 440 motions, which take minutes."""
+    text = (DOCS / "how-to" / "fragility.md").read_text("utf-8")
+    script = text.split("```python\n")[1].split("```")[0]
+    assert len(script.splitlines()) < 30
+    names = {"__name__": "frame"}
+    exec(compile(script, "frame.py", "exec"), names)
+    pulses = [rockeom.GroundMotion.single_sine(1.0, period) for period in (0.4, 0.8)]
+    sweep = rockeom.simulate_many(
+        names["scaled"],
+        {"motion": pulses, "pga": [2.0, 4.0]},
+        quantities=[*names["asked"], "left_uplift"],
+    )
+    assert sweep.sizes["quantity"] == 7
+    assert (sweep.peak_quantity > 0.0).all()
+    assert (sweep.impacts.sum() > 0) and (sweep.peak.sel(state="theta") > 0.0).any()
+    monkeypatch.chdir(tmp_path)
+    sweep.to_netcdf("frame.nc")
+    found = names["xr"].open_dataset("frame.nc")
+    assert found.peak_quantity.equals(sweep.peak_quantity)
+    drawn = rockeom.plots.incremental_dynamic_analysis(
+        found, intensity="pga", demand="storey_1_deformation"
+    )
+    assert "storey 1 deformation" in drawn.axes[0].get_xlabel()
+    found.close()
