@@ -345,7 +345,7 @@ def test_fragility_script_is_short_and_asks_for_what_its_frame_tells(tmp_path, m
     )
     assert sweep.sizes["quantity"] == 7
     assert (sweep.peak_quantity > 0.0).all()
-    assert (sweep.impacts.sum() > 0) and (sweep.peak.sel(state="theta") > 0.0).any()
+    assert (sweep.impacts > 0).any()
     monkeypatch.chdir(tmp_path)
     sweep.to_netcdf("frame.nc")
     found = names["xr"].open_dataset("frame.nc")

@@ -116,7 +116,7 @@ def tampered(record: Record, **changes) -> Record:
         changes.get(k, v) for k, v in zip(("times", "kinds", "states"), run.passages, strict=True)
     )
     rest = {k: v for k, v in changes.items() if k in ("end", "outcome")}
-    return Record(record.motion, replace(run, steps=steps, passages=passages, **rest))
+    return Record(record.motion, replace(run, record=steps, passages=passages, **rest))
 
 
 def bounced(record: Record) -> bool:
