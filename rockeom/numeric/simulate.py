@@ -55,9 +55,9 @@ def simulate(
     phase : contact state at the start, where the state leaves it open.
     keep : "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes
         a step, of N states. "samples", for records of hours: the states every `output_step` of the
-        options and on both sides of every event, and the extremes of all quantities, which are
-        found while the motion runs. What needs the steps then says so: `at`, the forces that
-        friction and contact had to bear, `base_moment`.
+        options and on both sides of every event, and the extremes of `main_names`, which are found
+        while the motion runs. What needs the steps then says so: `at`, works and other extremes,
+        the forces that friction and contact had to bear, `base_moment`.
 
     Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
     for an argument of another kind than is asked for.

@@ -29,7 +29,7 @@ def test_examples_run_and_draw(examples):
     names, folder = examples
     pictures = {"column.png", "compared.png", "portrait.png", "sketch.png", "frame.png"}
     pictures |= {"lopsided.png", "statue.png"}
-    assert {path.name for path in folder.iterdir()} == pictures
+    assert {path.name for path in folder.iterdir()} == {*pictures, "block.nc"}
     assert isinstance(names["run"], rk.Response)
 
 
