@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,16 +28,6 @@ from rockeom.numeric.friction import (
 from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import places, positions_of, rotations_of
 from rockeom.numeric.program import Program, program
-from rockeom.numeric.quantities import (
-    EnergyBalance,
-    Works,
-    accelerations,
-    evaluated,
-    families,
-    impulses,
-    units_of,
-    velocities,
-)
 from rockeom.numeric.record import ALL, SAMPLES, Passages, Samples, Steps
 from rockeom.numeric.units import main_units
 
@@ -47,6 +38,7 @@ if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
     from rockeom.numeric.impact import ImpactLaw
     from rockeom.numeric.options import SolverOptions
+    from rockeom.numeric.quantities import EnergyBalance, Works
     from rockeom.numeric.structures import Structure
 
 
@@ -99,6 +91,13 @@ class Impact:
     before: dict[str, float]
     after: dict[str, float]
     contact: str = ""
+
+
+def _quantities() -> ModuleType:
+    """Only who asks for more than programs tell waits for it to be imported."""
+    from rockeom.numeric import quantities
+
+    return quantities
 
 
 KINDS = (*KIND_OF, "rest", *HAPPENED.values())
@@ -224,7 +223,7 @@ class Response:
     @cached_property
     def units(self) -> dict[str, str]:
         """Unit of each of `names`, such as "m/s2"; "-" throughout without dimensions."""
-        return units_of(self.structure.module)
+        return _quantities().units_of(self.structure.module)
 
     def positions(self) -> dict[str, np.ndarray]:
         """Places (n, 2) of bodies, feet and the load point at each sample, by name [m].
@@ -235,21 +234,23 @@ class Response:
 
     def velocities(self) -> dict[str, np.ndarray]:
         """Velocities (n, 2) of the same, by name [m/s], in axes that move with the ground."""
-        return velocities(self.structure, self.contact, self.y)
+        return _quantities().velocities(self.structure, self.contact, self.y)
 
     def accelerations(self) -> dict[str, np.ndarray]:
         """Absolute accelerations (n, 2) of the same, with the ground's, by name [m/s2]."""
         t = self.t
         vertical = 0.0 if self.vertical is None else self.vertical.acceleration(t)
         horizontal = self.motion.acceleration(t)
-        return accelerations(self.structure, self.contact, self.y, horizontal, vertical)
+        return _quantities().accelerations(
+            self.structure, self.contact, self.y, horizontal, vertical
+        )
 
     def impulses(self) -> np.ndarray:
         """(k, 2) horizontal and vertical impulse of the ground at each of `impacts` [N s].
 
         On all feet together: what the momentum of all bodies gains.
         """
-        return impulses(self)
+        return _quantities().impulses(self)
 
     def energy_balance(self) -> EnergyBalance:
         """Works and losses by quadrature of the motion, beside the energy of its states [J].
@@ -263,7 +264,7 @@ class Response:
     @cached_property
     def works(self) -> Works:
         """Works and losses since the start, which `run["ground_work"]` and the like tell."""
-        return Works(self)
+        return _quantities().Works(self)
 
     def rotations(self) -> dict[str, np.ndarray]:
         """Angles (n,) through which the bodies have turned, by name, clockwise [rad]."""
@@ -313,7 +314,7 @@ class Response:
         """
         if name in self.main_names:
             return ""
-        for family, units in families(self.structure.module).items():
+        for family, units in _quantities().families(self.structure.module).items():
             if name in units:
                 return family
         raise KeyError(f"no quantity {name!r}; there are {', '.join(self.names)}")
@@ -324,7 +325,7 @@ class Response:
         """All of a family in states y (n, N), at times t (n,) that do not fall."""
         if not family:
             return dict(zip(self.states, y.T, strict=True)) | self._evaluated(t, y, contact)
-        return evaluated(self, family, (t, y, contact))
+        return _quantities().evaluated(self, family, (t, y, contact))
 
     def _evaluated(self, t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> dict[str, Any]:
         """What follows from the states y (n, N), at times t (n,) that do not fall."""
