@@ -42,7 +42,7 @@ TILT = 0.05  # rad
 FOLLOWED = 0.5  # s; the feet lift and land seven times in all
 TIMES = np.linspace(0.01, FOLLOWED, 50)
 TIGHT = rk.SolverOptions("DOP853", rtol=1e-12, atol=1e-14)
-START, END = "<!-- crosscheck -->", "<!-- end of crosscheck -->"
+START, END = "<!-- table of crosscheck -->", "<!-- end of crosscheck -->"
 
 
 def first_impact_exactly() -> float:

@@ -29,11 +29,11 @@ PICTURES = Path(__file__).parent / "_build" / "figures"
 LONGEST_REST = 300  # characters of LaTeX; a longer remainder tells a reader nothing
 
 
-def fill(app, docname: str, source: list[str]) -> None:
-    """Replace the places in the text of a page (Sphinx's event ``source-read``)."""
+def writers() -> dict[str, Callable[..., str]]:
+    """What is written in the places of pages, by the word that a place names."""
     import gallery  # which is written with what is here
 
-    writers: dict[str, Callable[..., str]] = {
+    return {
         "overview": overview,
         "structures": docstrings.structures,
         "equations": equations,
@@ -46,9 +46,14 @@ def fill(app, docname: str, source: list[str]) -> None:
         "notebooks": notebooks.cards,
     }
 
+
+def fill(app, docname: str, source: list[str]) -> None:
+    """Replace the places in the text of a page (Sphinx's event ``source-read``)."""
+    known = writers()
+
     def text(found: re.Match) -> str:
         word, argument = found.groups()
-        return writers[word](*([argument] if argument else []))
+        return known[word](*([argument] if argument else []))
 
     source[0] = PLACE.sub(text, source[0])
 
