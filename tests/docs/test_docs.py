@@ -327,8 +327,9 @@ def test_notebooks_are_headed_and_listed_by_what_their_headers_say():
         assert [c.source for c in kept.cells] == [c.source for c in jupytext.read(source).cells]
 
 
-def test_every_place_in_a_page_has_a_writer(catalogue):
+def test_every_place_in_a_page_has_a_writer(catalogue, monkeypatch):
     found = {word for page in PAGES for word, _ in catalogue.PLACE.findall(page.read_text("utf-8"))}
+    monkeypatch.syspath_prepend(str(DOCS))
     assert {"gallery", "help", "notebooks"} <= found <= {*catalogue.writers()}
 
 
