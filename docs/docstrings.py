@@ -11,7 +11,7 @@ import re
 NAME = r"\w+(?: \w+)?(?: \([^)]*\))?(?: \[[^\]]*\])?"  # x, x (n,) [m], stiffness k [N/m]
 ITEM = re.compile(rf"({NAME}(?:, {NAME})*) : (.*)")
 CODE = re.compile(r"(``.*?``|`[^`]*`)", re.DOTALL)
-FOREIGN = {"numpy", "np", "sympy", "sp", "xarray", "xr", "matplotlib", "mpl", "collections"}
+FOREIGN = {"pd", "numpy", "np", "sympy", "sp", "xarray", "xr", "matplotlib", "mpl", "collections"}
 FOREIGN |= {"types", "typing", "enum", "pathlib", "os", "ArrayLike"}
 FOREIGN |= {"Axes", "Figure", "SubFigure", "ModuleType"}  # as annotations name them
 

@@ -400,10 +400,10 @@ class Response:
     def final_phase(self) -> str:
         """Name of the contact state at the end; with `final` and `impact` a motion can go on.
 
-        rk.simulate(
-            run.structure, aftershock, impact=run.impact, initial=run.final,
-            phase=run.final_phase, options=run.options,
-        )
+            rk.simulate(
+                run.structure, aftershock, impact=run.impact, initial=run.final,
+                phase=run.final_phase, options=run.options,
+            )
         """
         _, kinds, _ = self.passages
         contact = kinds[-1, 2] if len(kinds) else self.contact[0]
