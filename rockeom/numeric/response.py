@@ -398,7 +398,9 @@ class Response:
 
     @property
     def final_phase(self) -> str:
-        """Name of the contact state at the end; with `final` and `impact` a motion can go on.
+        """Name of the contact state at the end.
+
+        With it and `final`, `impact` and `options` a motion goes on:
 
             rk.simulate(
                 run.structure, aftershock, impact=run.impact, initial=run.final,
