@@ -400,12 +400,9 @@ class Response:
     def final_phase(self) -> str:
         """Name of the contact state at the end.
 
-        With it and `final`, `impact` and `options` a motion goes on:
+        With it and `final` a motion goes on; `impact` and `options` are what it was simulated with.
 
-            rk.simulate(
-                run.structure, aftershock, impact=run.impact, initial=run.final,
-                phase=run.final_phase, options=run.options,
-            )
+            rk.simulate(run.structure, aftershock, initial=run.final, phase=run.final_phase)
         """
         _, kinds, _ = self.passages
         contact = kinds[-1, 2] if len(kinds) else self.contact[0]
