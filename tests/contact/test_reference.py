@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, example, given, settings, strategies as st
 
 from . import closed_forms as exact
 from .cases import leaning, leaning_motion
@@ -96,6 +96,7 @@ def test_a_corner_lands_as_by_hand(alpha, e, more):
 
 
 @settings(max_examples=60)
+@example(b=1.0, h=1.0, mu=2.0, inertia=0.25, along=-1.0, up=0.0, rate=0.5, theta=0.0)
 @given(
     b=sizes, h=sizes, mu=st.floats(0.0, 3.0), inertia=st.floats(0.1, 3.0),
     along=st.floats(-2, 2), up=st.floats(-2, 2), rate=st.floats(-2, 2),
@@ -106,9 +107,11 @@ def test_no_landing_without_restitution_gains_energy(b, h, mu, inertia, along, u
     q, v = block.state(theta=theta, x_dot=along, y_dot=up, theta_dot=rate)
     gap, rates, _ = block.assembly.gaps(q, v)
     assume(rates[np.abs(gap) < 1e-9].min() < -1e-6)
-    found = one(block.assembly.impulses(q, v))
-    before, after = (0.5 * w @ block.assembly.mass @ w for w in (v, found.motion))
-    assert after <= before * (1 + 1e-12)
+    candidates = block.assembly.impulses(q, v)  # several, where much friction leaves it open
+    assert candidates
+    for found in candidates:
+        before, after = (0.5 * w @ block.assembly.mass @ w for w in (v, found.motion))
+        assert after <= before * (1 + 1e-12)
 
 
 def test_a_landing_with_restitution_may_gain_energy_under_this_law():
