@@ -113,10 +113,7 @@ class CWriter(Writer):
     def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
         given = [self.text(a) for a in arguments]
         if name in ("max", "min"):
-            found = given[-1]
-            for one in reversed(given[:-1]):
-                found = f"f{name}({one}, {found})"
-            return found, ITEM
+            return self.of_two(f"f{name}", given), ITEM
         if name == "int":
             return f"(int) ({given[0]})", POWER
         name = {"abs": "fabs"}.get(name, name)

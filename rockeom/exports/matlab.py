@@ -88,10 +88,7 @@ class MatlabWriter(Writer):
     def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
         given = [self.text(a) for a in arguments]
         if name in ("max", "min"):
-            found = given[-1]
-            for one in reversed(given[:-1]):
-                found = f"{name}({one}, {found})"
-            return found, ITEM
+            return self.of_two(name, given), ITEM
         name = {"int": "fix"}.get(name, name)
         return f"{name}({', '.join(given)})", ITEM
 

@@ -74,6 +74,14 @@ class Writer:
     def call(self, node: ast.Call) -> tuple[str, int]:
         raise NotImplementedError
 
+    @staticmethod
+    def of_two(function: str, given: Sequence[str]) -> str:
+        """A function of two numbers, of as many as are given."""
+        found = given[-1]
+        for one in reversed(given[:-1]):
+            found = f"{function}({one}, {found})"
+        return found
+
     def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
         raise NotImplementedError
 

@@ -29,7 +29,7 @@ from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import places, positions_of, rotations_of
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.record import ALL, SAMPLES, Passages, Samples, Steps
-from rockeom.numeric.units import main_units
+from rockeom.numeric.units import is_dimensionless, main_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -709,11 +709,7 @@ class Response:
         threshold = self.structure.uplift_acceleration if self.never_lifted else None
         if threshold is None or math.isinf(threshold):
             return []
-        unit = (
-            "g"
-            if self.structure.module.STATE_UNITS[self.structure.module.ROTATION] == "-"
-            else "m/s2"
-        )
+        unit = "g" if is_dimensionless(self.structure.module) else "m/s2"
         return [
             f"It never lifted off. A ground acceleration that grows slowly lifts it at "
             f"{threshold:.4g} {unit}; here the largest was {self.motion.peak:.4g} {unit}."

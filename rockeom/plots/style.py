@@ -16,6 +16,7 @@ from matplotlib.rcsetup import cycler
 
 from rockeom.contract import IMPACT, LANDING
 from rockeom.motion import STANDARD_GRAVITY
+from rockeom.numeric import units
 from rockeom.numeric.contact_states import landing_speeds
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ def parent_figure(ax: Axes) -> Figure:
 
 def is_dimensionless(run: Response) -> bool:
     """Whether the structure's states, time and accelerations are pure numbers."""
-    return run.program.STATE_UNITS[run.program.ROTATION] == "-"
+    return units.is_dimensionless(run.structure.module)
 
 
 def ground_scale(run: Response) -> float:
