@@ -33,7 +33,7 @@ Operations before and after common subexpressions were shared:
     shapes                    10     6
     masses                     0     0
     powers                   553   192
-    elements                 885   255
+    elements                 465   134
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "d640ada62c423c73"
+SOURCE_HASH = "f1322402b6ac08af"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -1309,7 +1309,8 @@ def elements(contact, y, p, out):
 
     Into out, one element behind the other.
     """
-    if contact in (LEFT,):
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         height = p[3]
@@ -1323,32 +1324,7 @@ def elements(contact, y, p, out):
         eccentricity = p[12]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity + x2
-        x4 = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
-        )
-        x5 = initial_force + tendon_stiffness*x4
-        out[0] = x4
-        out[1] = x5
-        out[2] = (1/2)*x5**2/tendon_stiffness
-        out[3] = 0
-    elif contact in (RIGHT,):
-        theta = y[0]
-        permanent_extension = y[1]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
         x3 = eccentricity - x2
         x4 = (
             -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
@@ -1359,7 +1335,8 @@ def elements(contact, y, p, out):
         out[1] = x5
         out[2] = (1/2)*x5**2/tendon_stiffness
         out[3] = 0
-    elif contact in (LEFT_SLACK,):
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
         height = p[3]
@@ -1371,28 +1348,7 @@ def elements(contact, y, p, out):
         eccentricity = p[12]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity + x2
-        out[0] = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
-        )
-        out[1] = 0
-        out[2] = 0
-        out[3] = 0
-    elif contact in (RIGHT_SLACK,):
-        theta = y[0]
-        permanent_extension = y[1]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
         x3 = eccentricity - x2
         out[0] = (
             -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
@@ -1401,7 +1357,8 @@ def elements(contact, y, p, out):
         out[1] = 0
         out[2] = 0
         out[3] = 0
-    elif contact in (LEFT_YIELD,):
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         height = p[3]
@@ -1418,65 +1375,28 @@ def elements(contact, y, p, out):
         x1 = math.cos(theta)
         x2 = anchor_height*x1
         x3 = math.sin(theta)
-        x4 = -edge_distance + half_width
-        x5 = height**2/transition**2
-        x6 = x3**2*x5
-        x7 = math.exp(-x6)
-        x8 = x4*(1 - x7)
-        x9 = eccentricity + x8
-        x10 = x3*x9
-        x11 = anchor_depth - x10 + x2
-        x12 = anchor_height*x3
-        x13 = x1*x9
-        x14 = -eccentricity + x12 + x13 - x8
-        x15 = 4*x4*x7
-        x16 = x1*x15
-        x17 = x3*x5
+        x4 = x3**2
+        x5 = height**2
+        x6 = transition**(-2)
+        x7 = x5*x6
+        x8 = math.exp(-x4*x7)
+        x9 = -edge_distance + half_width
+        x10 = s*x9
+        x11 = x10*(1 - x8)
+        x12 = eccentricity - x11
+        x13 = x12*x3
+        x14 = anchor_depth - x13 + x2
+        x15 = anchor_height*x3
+        x16 = x1*x12
+        x17 = -eccentricity + x11 + x15 + x16
+        x18 = 4*x10*x8
+        x19 = x3*x7
         out[0] = x0*(-initial_force + yield_force)
         out[1] = yield_force
         out[2] = (1/2)*x0*yield_force**2
         out[3] = (
-            theta_dot*yield_force*((1/2)*x11*(-2*x12 - 2*x13 - x16*x6) +
-            (1/2)*x14*(x1**2*x15*x17 - 2*x10 - x16*x17 + 2*x2))/math.sqrt(x11**2 + x14**2)
-        )
-    elif contact in (RIGHT_YIELD,):
-        theta = y[0]
-        theta_dot = y[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        yield_force = p[11]
-        eccentricity = p[12]
-        x0 = 1/tendon_stiffness
-        x1 = math.cos(theta)
-        x2 = anchor_height*x1
-        x3 = math.sin(theta)
-        x4 = -edge_distance + half_width
-        x5 = x3**2
-        x6 = height**2
-        x7 = transition**(-2)
-        x8 = x6*x7
-        x9 = math.exp(-x5*x8)
-        x10 = x4*(1 - x9)
-        x11 = eccentricity - x10
-        x12 = x11*x3
-        x13 = anchor_depth - x12 + x2
-        x14 = anchor_height*x3
-        x15 = x1*x11
-        x16 = -eccentricity + x10 + x14 + x15
-        x17 = 4*x4*x9
-        x18 = x3*x8
-        out[0] = x0*(-initial_force + yield_force)
-        out[1] = yield_force
-        out[2] = (1/2)*x0*yield_force**2
-        out[3] = (
-            theta_dot*yield_force*((1/2)*x13*(4*x1*x4*x5*x6*x7*x9 - 2*x14 - 2*x15) +
-            (1/2)*x16*(-x1**2*x17*x18 + x1*x17*x18 - 2*x12 + 2*x2))/math.sqrt(x13**2 + x16**2)
+            theta_dot*yield_force*((1/2)*x14*(4*s*x1*x4*x5*x6*x8*x9 - 2*x15 - 2*x16) +
+            (1/2)*x17*(-x1**2*x18*x19 + x1*x18*x19 - 2*x13 + 2*x2))/math.sqrt(x14**2 + x17**2)
         )
 
 

@@ -43,7 +43,7 @@ Operations before and after common subexpressions were shared:
     shapes                     7     4
     masses                     0     0
     powers                   616   147
-    elements                1761   642
+    elements                 298   110
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -55,7 +55,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "bb3e09cb9ddc5499"
+SOURCE_HASH = "48f6cedc8a72fc96"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -1733,7 +1733,8 @@ def elements(contact, y, p, out):
 
     Into out, one element behind the other.
     """
-    if contact in (LEFT, LEFT_INWARD, LEFT_NEAR,):
+    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
+        s = SIDES[contact]
         u = y[0]
         permanent_extension = y[1]
         height = p[2]
@@ -1747,7 +1748,7 @@ def elements(contact, y, p, out):
         x1 = math.sqrt(1 - x0/height**2)
         x2 = 1/x1
         x3 = (
-            -permanent_extension + u*x2*(-eccentricity - x2*(half_width*(1 - x1) + (1 -
+            -permanent_extension + u*x2*(-eccentricity + s*x2*(half_width*(1 - x1) + (1 -
             math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
         )
         x4 = initial_force + tendon_stiffness*x3
@@ -1755,29 +1756,8 @@ def elements(contact, y, p, out):
         out[1] = x4
         out[2] = (1/2)*x4**2/tendon_stiffness
         out[3] = 0
-    elif contact in (RIGHT, RIGHT_INWARD, RIGHT_NEAR,):
-        u = y[0]
-        permanent_extension = y[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        x3 = (
-            -permanent_extension + u*x2*(-eccentricity + x2*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
-        )
-        x4 = initial_force + tendon_stiffness*x3
-        out[0] = x3
-        out[1] = x4
-        out[2] = (1/2)*x4**2/tendon_stiffness
-        out[3] = 0
-    elif contact in (LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK,):
+    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
+        s = SIDES[contact]
         u = y[0]
         permanent_extension = y[1]
         height = p[2]
@@ -1789,31 +1769,14 @@ def elements(contact, y, p, out):
         x1 = math.sqrt(1 - x0/height**2)
         x2 = 1/x1
         out[0] = (
-            -permanent_extension + u*x2*(-eccentricity - x2*(half_width*(1 - x1) + (1 -
+            -permanent_extension + u*x2*(-eccentricity + s*x2*(half_width*(1 - x1) + (1 -
             math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
         )
         out[1] = 0
         out[2] = 0
         out[3] = 0
-    elif contact in (RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK,):
-        u = y[0]
-        permanent_extension = y[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[0] = (
-            -permanent_extension + u*x2*(-eccentricity + x2*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
-        )
-        out[1] = 0
-        out[2] = 0
-        out[3] = 0
-    elif contact in (LEFT_YIELD, LEFT_INWARD_YIELD, LEFT_NEAR_YIELD,):
+    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
+        s = SIDES[contact]
         u = y[0]
         u_dot = y[3]
         height = p[2]
@@ -1834,7 +1797,7 @@ def elements(contact, y, p, out):
         x7 = transition**(-2)
         x8 = math.exp(-x2*x7)
         x9 = half_width*(1 - x4) + x6*(1 - x8)
-        x10 = -eccentricity - x5*x9
+        x10 = -eccentricity + s*x5*x9
         x11 = x5/height
         x12 = x3**(-3/2)
         x13 = u*x1
@@ -1842,39 +1805,7 @@ def elements(contact, y, p, out):
         out[1] = yield_force
         out[2] = (1/2)*x0*yield_force**2
         out[3] = (
-            u_dot*yield_force*(u*x11*(-x12*x13*x9 - x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
-            x10*x11 + x10*x12*x2/height**3)
-        )
-    elif contact in (RIGHT_YIELD, RIGHT_INWARD_YIELD, RIGHT_NEAR_YIELD,):
-        u = y[0]
-        u_dot = y[3]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = 1/tendon_stiffness
-        x1 = height**(-2)
-        x2 = u**2
-        x3 = -x1*x2 + 1
-        x4 = math.sqrt(x3)
-        x5 = 1/x4
-        x6 = -edge_distance + half_width
-        x7 = transition**(-2)
-        x8 = math.exp(-x2*x7)
-        x9 = half_width*(1 - x4) + x6*(1 - x8)
-        x10 = -eccentricity + x5*x9
-        x11 = x5/height
-        x12 = x3**(-3/2)
-        x13 = u*x1
-        out[0] = x0*(-initial_force + yield_force)
-        out[1] = yield_force
-        out[2] = (1/2)*x0*yield_force**2
-        out[3] = (
-            u_dot*yield_force*(u*x11*(x12*x13*x9 + x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
+            u_dot*yield_force*(u*x11*(s*x12*x13*x9 + s*x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
             x10*x11 + x10*x12*x2/height**3)
         )
 

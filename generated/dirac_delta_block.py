@@ -21,6 +21,7 @@ Operations before and after common subexpressions were shared:
     shapes                     0     0
     masses                     0     0
     powers                    40    38
+    elements                   0     0
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0

@@ -35,7 +35,7 @@ Operations before and after common subexpressions were shared:
     shapes                    10     6
     masses                     0     0
     powers                   617   238
-    elements                 933   303
+    elements                 489   158
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -47,7 +47,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "2256fc887bf4d44b"
+SOURCE_HASH = "4bc6c8d69717bacc"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -1532,7 +1532,8 @@ def elements(contact, y, p, out):
 
     Into out, one element behind the other.
     """
-    if contact in (LEFT,):
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         permanent_extension = y[2]
@@ -1550,40 +1551,7 @@ def elements(contact, y, p, out):
         damping = p[14]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity + x2
-        x4 = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
-        )
-        x5 = initial_force + tendon_stiffness*x4
-        out[0] = x4
-        out[1] = x5
-        out[2] = (1/2)*x5**2/tendon_stiffness
-        out[3] = 0
-        out[4] = u
-        out[5] = damping*u_dot + stiffness*u
-        out[6] = (1/2)*stiffness*u**2
-        out[7] = damping*u_dot**2
-    elif contact in (RIGHT,):
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        u_dot = y[4]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        stiffness = p[13]
-        damping = p[14]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
         x3 = eccentricity - x2
         x4 = (
             -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
@@ -1598,7 +1566,8 @@ def elements(contact, y, p, out):
         out[5] = damping*u_dot + stiffness*u
         out[6] = (1/2)*stiffness*u**2
         out[7] = damping*u_dot**2
-    elif contact in (LEFT_SLACK,):
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
         theta = y[0]
         u = y[1]
         permanent_extension = y[2]
@@ -1614,36 +1583,7 @@ def elements(contact, y, p, out):
         damping = p[14]
         x0 = math.cos(theta)
         x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity + x2
-        out[0] = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 - x2)**2)
-        )
-        out[1] = 0
-        out[2] = 0
-        out[3] = 0
-        out[4] = u
-        out[5] = damping*u_dot + stiffness*u
-        out[6] = (1/2)*stiffness*u**2
-        out[7] = damping*u_dot**2
-    elif contact in (RIGHT_SLACK,):
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        u_dot = y[4]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        stiffness = p[13]
-        damping = p[14]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = (1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
+        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
         x3 = eccentricity - x2
         out[0] = (
             -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
@@ -1656,7 +1596,8 @@ def elements(contact, y, p, out):
         out[5] = damping*u_dot + stiffness*u
         out[6] = (1/2)*stiffness*u**2
         out[7] = damping*u_dot**2
-    elif contact in (LEFT_YIELD,):
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[3]
@@ -1677,73 +1618,28 @@ def elements(contact, y, p, out):
         x1 = math.cos(theta)
         x2 = anchor_height*x1
         x3 = math.sin(theta)
-        x4 = -edge_distance + half_width
-        x5 = height**2/transition**2
-        x6 = x3**2*x5
-        x7 = math.exp(-x6)
-        x8 = x4*(1 - x7)
-        x9 = eccentricity + x8
-        x10 = x3*x9
-        x11 = anchor_depth - x10 + x2
-        x12 = anchor_height*x3
-        x13 = x1*x9
-        x14 = -eccentricity + x12 + x13 - x8
-        x15 = 4*x4*x7
-        x16 = x1*x15
-        x17 = x3*x5
+        x4 = x3**2
+        x5 = height**2
+        x6 = transition**(-2)
+        x7 = x5*x6
+        x8 = math.exp(-x4*x7)
+        x9 = -edge_distance + half_width
+        x10 = s*x9
+        x11 = x10*(1 - x8)
+        x12 = eccentricity - x11
+        x13 = x12*x3
+        x14 = anchor_depth - x13 + x2
+        x15 = anchor_height*x3
+        x16 = x1*x12
+        x17 = -eccentricity + x11 + x15 + x16
+        x18 = 4*x10*x8
+        x19 = x3*x7
         out[0] = x0*(-initial_force + yield_force)
         out[1] = yield_force
         out[2] = (1/2)*x0*yield_force**2
         out[3] = (
-            theta_dot*yield_force*((1/2)*x11*(-2*x12 - 2*x13 - x16*x6) +
-            (1/2)*x14*(x1**2*x15*x17 - 2*x10 - x16*x17 + 2*x2))/math.sqrt(x11**2 + x14**2)
-        )
-        out[4] = u
-        out[5] = damping*u_dot + stiffness*u
-        out[6] = (1/2)*stiffness*u**2
-        out[7] = damping*u_dot**2
-    elif contact in (RIGHT_YIELD,):
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        yield_force = p[11]
-        eccentricity = p[12]
-        stiffness = p[13]
-        damping = p[14]
-        x0 = 1/tendon_stiffness
-        x1 = math.cos(theta)
-        x2 = anchor_height*x1
-        x3 = math.sin(theta)
-        x4 = -edge_distance + half_width
-        x5 = x3**2
-        x6 = height**2
-        x7 = transition**(-2)
-        x8 = x6*x7
-        x9 = math.exp(-x5*x8)
-        x10 = x4*(1 - x9)
-        x11 = eccentricity - x10
-        x12 = x11*x3
-        x13 = anchor_depth - x12 + x2
-        x14 = anchor_height*x3
-        x15 = x1*x11
-        x16 = -eccentricity + x10 + x14 + x15
-        x17 = 4*x4*x9
-        x18 = x3*x8
-        out[0] = x0*(-initial_force + yield_force)
-        out[1] = yield_force
-        out[2] = (1/2)*x0*yield_force**2
-        out[3] = (
-            theta_dot*yield_force*((1/2)*x13*(4*x1*x4*x5*x6*x7*x9 - 2*x14 - 2*x15) +
-            (1/2)*x16*(-x1**2*x17*x18 + x1*x17*x18 - 2*x12 + 2*x2))/math.sqrt(x13**2 + x16**2)
+            theta_dot*yield_force*((1/2)*x14*(4*s*x1*x4*x5*x6*x8*x9 - 2*x15 - 2*x16) +
+            (1/2)*x17*(-x1**2*x18*x19 + x1*x18*x19 - 2*x13 + 2*x2))/math.sqrt(x14**2 + x17**2)
         )
         out[4] = u
         out[5] = damping*u_dot + stiffness*u

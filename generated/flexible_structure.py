@@ -29,7 +29,7 @@ Operations before and after common subexpressions were shared:
     shapes                     4     2
     masses                     0     0
     powers                    70    53
-    elements                  24    24
+    elements                  16    16
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1

@@ -27,6 +27,7 @@ Operations before and after common subexpressions were shared:
     shapes                     4     2
     masses                     0     0
     powers                    44    30
+    elements                   0     0
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1

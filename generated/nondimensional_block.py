@@ -21,6 +21,7 @@ Operations before and after common subexpressions were shared:
     shapes                    20     6
     masses                     4     4
     powers                    34    24
+    elements                   0     0
     overturning                2     2
     velocity_ratio             5     5
     sizes                      5     5

@@ -24,6 +24,7 @@ Operations before and after common subexpressions were shared:
     shapes                     4     2
     masses                     0     0
     powers                    22    18
+    elements                   0     0
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1

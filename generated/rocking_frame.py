@@ -25,6 +25,7 @@ Operations before and after common subexpressions were shared:
     shapes                    48    13
     masses                    14    12
     powers                    52    35
+    elements                   0     0
     overturning                1     1
     velocity_ratio            26    21
     sizes                      1     1

@@ -31,6 +31,7 @@ Operations before and after common subexpressions were shared:
     shapes                     7     3
     masses                    25    25
     powers                   108    89
+    elements                   0     0
     overturning                1     1
     velocity_ratio             6     6
     sizes                      6     6

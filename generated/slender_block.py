@@ -24,6 +24,7 @@ Operations before and after common subexpressions were shared:
     shapes                    20     6
     masses                     0     0
     powers                    12    11
+    elements                   0     0
     overturning                1     1
     velocity_ratio            14    10
     sizes                      3     3

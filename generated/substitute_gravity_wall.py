@@ -31,6 +31,7 @@ Operations before and after common subexpressions were shared:
     shapes                     7     3
     masses                    48    48
     powers                   254   132
+    elements                   0     0
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1

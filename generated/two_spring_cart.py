@@ -27,6 +27,7 @@ Operations before and after common subexpressions were shared:
     shapes                     7     4
     masses                     2     2
     powers                    10    10
+    elements                   0     0
     overturning                1     1
     velocity_ratio            28    18
     sizes                      0     0

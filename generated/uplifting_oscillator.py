@@ -25,7 +25,7 @@ Operations before and after common subexpressions were shared:
     shapes                     2     1
     masses                     0     0
     powers                    18    17
-    elements                  24    24
+    elements                  16    16
     overturning                1     1
     velocity_ratio             8     8
     sizes                      1     1

@@ -30,7 +30,7 @@ Operations before and after common subexpressions were shared:
     shapes                    22    13
     masses                     0     0
     powers                    87    66
-    elements                 120    71
+    elements                  77    45
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -42,7 +42,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "017c2a3df09c7e8b"
+SOURCE_HASH = "fe100f50d2179aee"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"
@@ -696,7 +696,8 @@ def elements(contact, y, p, out):
 
     Into out, one element behind the other.
     """
-    if contact in (LEFT,):
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -707,42 +708,20 @@ def elements(contact, y, p, out):
         link_height = p[7]
         link_stiffness = p[8]
         link_damping = p[9]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = half_width*x0 - half_width + link_height*x1 - u
-        x3 = theta_dot*(-half_width*x1 + link_height*x0) - u_dot
+        x0 = math.sin(theta)
+        x1 = math.cos(theta)
+        x2 = half_width*s
+        x3 = half_width*s + link_height*x0 - u - x1*x2
+        x4 = theta_dot*(link_height*x1 + x0*x2) - u_dot
         out[0] = u
         out[1] = frame_damping*u_dot + frame_stiffness*u
         out[2] = (1/2)*frame_stiffness*u**2
         out[3] = frame_damping*u_dot**2
-        out[4] = x2
-        out[5] = link_damping*x3 + link_stiffness*x2
-        out[6] = (1/2)*link_stiffness*x2**2
-        out[7] = link_damping*x3**2
-    elif contact in (RIGHT,):
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[2]
-        u_dot = y[3]
-        half_width = p[1]
-        frame_stiffness = p[5]
-        frame_damping = p[6]
-        link_height = p[7]
-        link_stiffness = p[8]
-        link_damping = p[9]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = -half_width*x0 + half_width + link_height*x1 - u
-        x3 = theta_dot*(half_width*x1 + link_height*x0) - u_dot
-        out[0] = u
-        out[1] = frame_damping*u_dot + frame_stiffness*u
-        out[2] = (1/2)*frame_stiffness*u**2
-        out[3] = frame_damping*u_dot**2
-        out[4] = x2
-        out[5] = link_damping*x3 + link_stiffness*x2
-        out[6] = (1/2)*link_stiffness*x2**2
-        out[7] = link_damping*x3**2
-    elif contact in (BOTH,):
+        out[4] = x3
+        out[5] = link_damping*x4 + link_stiffness*x3
+        out[6] = (1/2)*link_stiffness*x3**2
+        out[7] = link_damping*x4**2
+    elif contact == BOTH:
         u = y[1]
         u_dot = y[3]
         frame_stiffness = p[5]

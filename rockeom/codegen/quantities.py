@@ -119,22 +119,28 @@ def _read_switches(text: Text) -> list[str]:
 
 def _elements(text: Text) -> Columns:
     model = text.model
+    signature = "elements(contact, y, p, out)"
+    doc = """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other."""
     if isinstance(model, Model):
         told = _with_states(model.elements)
-        names = tuple(e.name for e in model.elements)
         targets = _into_out(x for e, chi in told for x in _told(e, chi, model.coordinates))
         lines = [*_read_switches(text), *text.evaluate("elements", targets, "    ")]
-    else:
-        first = model.mechanisms[0]
-        names = tuple(e.called(next(iter(first.contacts.values()))) for e in first.elements)
-        lines = _by_contact(text, names) if names else []
-    text.function(
-        "elements(contact, y, p, out)",
-        """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+        text.function(signature, doc, lines or ["    pass"])
+        return tuple(e.name for e in model.elements)
+    first = model.mechanisms[0]
+    names = tuple(e.called(next(iter(first.contacts.values()))) for e in first.elements)
+    if any(e.mirrored for phase in model.mechanisms for e in phase.elements):
+        text.function(signature, doc, _by_contact(text, names))
+        return names
 
-    Into out, one element behind the other.""",
-        lines or ["    pass"],
-    )
+    def branch(phase: Mechanism, indent: str) -> list[str]:
+        of = {e.name: _told(e, sp.S.One, phase.coordinates) for e in phase.elements}
+        values = (text.model.written_out(x) for name in names for x in of[name])
+        return text.evaluate("elements", _into_out(values), indent)
+
+    text.by_phase(signature, doc, branch)
     return names
 
 
