@@ -30,9 +30,10 @@ def tangents_of(motion, values, options=TIGHT):
 
 
 def between_events(response):
-    """Times (k + 1,) between the start, the events and the end."""
+    """Times between the start, the events and the end, where these are not close together."""
     times = np.array([0.0, *(e.time for e in response.events), response.duration])
-    return 0.5 * (times[1:] + times[:-1])
+    far = np.diff(times) > 0.02 * response.duration
+    return 0.5 * (times[1:] + times[:-1])[far]
 
 
 def along(tangents, direction, times):
@@ -309,7 +310,7 @@ def test_record_whose_time_is_stretched():
         record = rk.GroundMotion.from_array(samples, dt=0.1).scaled(factor, time)
         return rk.Case(block, record, impact=rk.VelocityRatio(0.9), duration=duration)
 
-    found = assert_as_differences(motion, {"factor": 1.1, "time": 0.9, "duration": 1.5})
+    found = assert_as_differences(motion, {"factor": 1.1, "time": 0.9, "duration": 1.35})
     assert len(found.response.impacts) >= 2
 
 
@@ -382,7 +383,7 @@ def lands_at(factor, near):
         w = mp.mpf(0.02) - mp.mpf(0.2)
         return w * mp.cosh(4 * t) + slope / 4 * mp.sinh(4 * t) + mp.mpf(0.2) - slope * t
 
-    return mp.findroot(angle, (near, near * (1 - mp.mpf(10) ** -9)))
+    return mp.findroot(angle, (near, near * (1 - mp.mpf(10) ** -9)), tol=mp.mpf(10) ** -76)
 
 
 @pytest.fixture(scope="module")
