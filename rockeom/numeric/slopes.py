@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from rockeom.marks import inlined
 
 if TYPE_CHECKING:  # joined before this text, or of the printer
-    from rockeom.numeric.joined import sine, sine_cosine, value
+    from rockeom.numeric.joined import but_for_rounding, sine, sine_cosine, value
 
 
 def sqrt_slope(x):
@@ -99,3 +99,9 @@ def sine_cosine_of_duals(x):
 def sine_of_duals(x):
     found = sine(value(x))
     return found + sine(value(x) + 0.5 * math.pi) * (x - value(x))
+
+
+@inlined
+def but_for_rounding_of_duals(sum_, size):
+    """Where nothing is left of a sum, its derivatives may be anything."""
+    return but_for_rounding(value(sum_), value(size)) + (sum_ - value(sum_))
