@@ -95,7 +95,7 @@ def extrapolated(row: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
         before = row
         row = [(factor * b - a) / (factor - 1) for a, b in itertools.pairwise(row)]
         factor *= 4.0
-    return row[0], np.abs(row[0] - before[-1])
+    return row[0], np.abs(row[0] - before[0])
 
 
 def derivative(function: Callable[[float], float], at: float, part: float = 2e-3) -> float:
