@@ -12,7 +12,8 @@ import numpy as np
 import rockeom as rk
 
 TIGHT = rk.SolverOptions(rtol=1e-14, atol=1e-17)
-LEVELS = 4
+FIRST_PART, LEVELS, MOST_LEVELS, GOOD_ENOUGH = 4e-3, 4, 8, 1e-9
+"""Of differences, see `differenced`."""
 
 Motion = Callable[..., rk.Case]
 
@@ -33,10 +34,15 @@ class Observed(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """Derivatives as of `Observed`, and what each of them may be wrong by."""
+    """Derivatives as of `Observed`, and what each of them may be wrong by, in parts of its size."""
 
     derivative: Observed
-    error: Observed
+    error: float
+
+
+def size_of(derivative: np.ndarray) -> float:
+    """To what an error of it is compared; numbers here are of the size of one, or less."""
+    return max(1.0, np.abs(derivative).max(initial=0.0))
 
 
 def run(case: rk.Case, options: rk.SolverOptions = TIGHT) -> rk.Response:
@@ -53,56 +59,76 @@ def observed(response: rk.Response, times: np.ndarray) -> Observed:
     def column(side: str) -> np.ndarray:
         return np.array([[getattr(e, side)[n] for n in states] for e in events])
 
-    found = response.at(times)
+    found, before = response.at(times), column("before")
+    before[rests(response)] = 0.0
     return Observed(
-        np.array([e.time for e in events]), column("before"), column("after"), response.end,
+        np.array([e.time for e in events]), before, column("after"), response.end,
         np.stack([found[n] for n in states], axis=-1),
     )  # fmt: skip
 
 
 def differenced(
-    motion: Motion, values: Mapping[str, float], direction: Mapping[str, float],
-    times: Any = (), step: float = 2e-3, options: rk.SolverOptions = TIGHT,
-) -> Reference:  # fmt: skip
+    motion: Motion, values: Mapping[str, float], direction: Mapping[str, float], times: Any = ()
+) -> Reference:
     """Derivative of a motion along a direction of its numbers, by Richardson's extrapolation.
 
-    Central differences over `step` of the direction, half of it and so on: their error has even
-    powers of the step alone. What the last extrapolation changed bounds the error that is left.
+    Central differences over smaller and smaller parts of the direction: their error has even powers
+    of the part alone. The last LEVELS are extrapolated; what the finest of them changed bounds the
+    error that is left, of rounding as well. It goes on until that is below GOOD_ENOUGH.
 
-    Raises OtherEventsError where neighbours pass through other events.
+    Raises OtherEventsError where all neighbours that are far enough for it pass through other
+    events.
     """
-    kinds = sequence(run(motion(**values), options))
+    kinds = sequence(run(motion(**values)))
 
-    def moved(s: float) -> Observed:
-        at = {name: value + s * direction.get(name, 0.0) for name, value in values.items()}
-        response = run(motion(**at), options)
+    def moved(part: float) -> Observed:
+        at = {name: value + part * direction.get(name, 0.0) for name, value in values.items()}
+        response = run(motion(**at))
         if sequence(response) != kinds:
             raise OtherEventsError(f"{sequence(response)} in place of {kinds}")
         return observed(response, np.asarray(times, dtype=float))
 
-    steps = [step / 2**i for i in range(LEVELS)]
-    pairs = [(moved(h), moved(-h)) for h in steps]
-    columns = zip(*([(a - b) / (2 * h) for a, b in zip(*pair, strict=True)]
-                    for pair, h in zip(pairs, steps, strict=True)), strict=True)  # fmt: skip
-    found = [extrapolated(list(column)) for column in columns]
-    return Reference(Observed(*(f for f, _ in found)), Observed(*(e for _, e in found)))
+    best: Reference | None = None
+    rows: list[Observed] = []
+    for part in FIRST_PART / 2.0 ** np.arange(MOST_LEVELS):
+        try:
+            pair = zip(moved(part), moved(-part), strict=True)
+        except OtherEventsError as other:
+            rows, said = [], other
+            continue
+        rows.append(Observed(*((a - b) / (2 * part) for a, b in pair)))
+        if len(rows) >= LEVELS:
+            found = extrapolated(rows[-LEVELS:])
+            best = found if best is None or found.error < best.error else best
+            if best.error < GOOD_ENOUGH:
+                break
+    if best is None:
+        raise said
+    return best
 
 
-def extrapolated(row: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """(limit, error) of values at halved steps, whose error has even powers of the step."""
+def extrapolated(rows: list[Observed]) -> Reference:
+    """The limit of values at halved steps, whose error has even powers of the step."""
     factor = 4.0
-    while len(row) > 1:
-        before = row
-        row = [(factor * b - a) / (factor - 1) for a, b in itertools.pairwise(row)]
+    while len(rows) > 1:
+        before = rows[0]
+        rows = [
+            Observed(*((factor * fine - coarse) / (factor - 1)
+                       for coarse, fine in zip(*two, strict=True)))
+            for two in itertools.pairwise(rows)
+        ]  # fmt: skip
         factor *= 4.0
-    return row[0], np.abs(row[0] - before[0])
+    pairs = zip(rows[0], before, strict=True)
+    errors = [np.abs(last - less).max(initial=0.0) / size_of(last) for last, less in pairs]
+    return Reference(rows[0], float(max(errors)))
 
 
-def derivative(function: Callable[[float], float], at: float, part: float = 2e-3) -> float:
-    """Of a function of a number, over a part of it."""
-    steps = [part * at / 2**i for i in range(LEVELS)]
-    found = [np.array((function(at + h) - function(at - h)) / (2 * h)) for h in steps]
-    return float(extrapolated(found)[0])
+def rests(response: rk.Response) -> list[bool]:
+    """Which of the events are limits of infinitely many impacts.
+
+    What the states would be there, had the impacts not come to their end, is nothing to compare.
+    """
+    return [e.kind == "rest" for e in response.events]
 
 
 def sequence(response: rk.Response) -> list[Any]:

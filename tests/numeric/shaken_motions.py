@@ -67,11 +67,10 @@ def wall(theta, r, slope, amplitude, period, duration, **sizes):
 
 
 class Shaken(NamedTuple):
-    """A motion, its typical numbers but for the duration, and the step for its differences."""
+    """A motion and its typical numbers, but for the duration."""
 
     motion: Motion
     values: dict[str, float]
-    step: float = 2e-3
 
     def until(self, impacts: int, longest: float = 20.0, **changes: float) -> dict[str, float]:
         """The numbers, changed, with a duration that ends between an impact and what follows it.
@@ -109,9 +108,8 @@ MOTIONS = {
     "wall": Shaken(
         wall,
         {f.name: getattr(_THESIS_WALL, f.name) for f in dataclasses.fields(_THESIS_WALL)}
-        | {"eccentricity": 0.01, "anchor_depth": 0.1, "gravity": GRAVITY}
-        | {"theta": 0.005, "r": 0.865, "slope": 0.0441, "amplitude": 0.5, "period": 0.9},
-        step=1.5e-3,
+        | {"eccentricity": 0.01, "anchor_depth": 0.1, "gravity": GRAVITY, "transition": 0.02}
+        | {"theta": 0.01, "r": 0.865, "slope": 0.0441, "amplitude": 0.5, "period": 0.9},
     ),
 }
 

