@@ -213,8 +213,8 @@ def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
 Real.register(Dual)
 
 
-def duals(**values: float) -> dict[str, Dual]:
-    """Numbers by name, each a direction of its own, in which it has the derivative 1.
+def duals(**values: float) -> dict[str, Any]:
+    """Duals by name, each a direction of its own, in which it has the derivative 1.
 
     Raises TypeError for what is no number.
 
