@@ -37,7 +37,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
-from rockeom.duals import Dual
+from rockeom.dual import Dual, nominal, value_of
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -283,29 +283,24 @@ class StroboscopicMap:
             object.__setattr__(self, "options", SolverOptions(rtol=1e-12, atol=1e-14))
 
     def _check_period(self) -> None:
-        (period,) = positive("StroboscopicMap", period=_plain(self.period))
-        duration = _plain(self.motion.duration)
-        if duration < 2 * period * (1 - 1e-12):
+        (period,) = positive("StroboscopicMap", period=value_of(self.period))
+        motion = nominal(self.motion)
+        if motion.duration < 2 * period * (1 - 1e-12):
             raise ValueError(
-                f"StroboscopicMap: the motion lasts {duration} s: give two periods of "
+                f"StroboscopicMap: the motion lasts {motion.duration} s: give two periods of "
                 f"{period} s, or more"
             )
-        if self.motion.segments.dtype == object:  # of duals: that of its numbers was looked at
-            return
         early = period * np.linspace(0.03, 0.97, 12)
-        later = self.motion.acceleration(early + period)
-        if self._differ(self.motion.acceleration(early), later):
+        now, half, later = (motion.acceleration(early + period * k) for k in (0, 0.5, 1))
+        if np.abs(later - now).max() > 1e-6 * motion.peak:
             raise ValueError(
                 f"StroboscopicMap: period is {period} s: the motion does not repeat itself after it"
             )
-        if self.mirrored and self._differ(self.motion.acceleration(early + period / 2), -later):
+        if self.mirrored and np.abs(half + now).max() > 1e-6 * motion.peak:
             raise ValueError(
                 "StroboscopicMap: mirrored, but the motion is not its own negative half a period "
                 "later: leave `mirrored` out"
             )
-
-    def _differ(self, one: np.ndarray, other: np.ndarray) -> bool:
-        return bool(np.abs(one - other).max() > 1e-6 * self.motion.peak)
 
     @property
     def cycle(self) -> float:
@@ -471,8 +466,3 @@ class StroboscopicMap:
 def _check_ended(run: Response, x: np.ndarray) -> None:
     if run.outcome.label not in ("completed", "came to rest"):
         raise ArithmeticError(f"StroboscopicMap: no cycle from {x}: {run.outcome.sentence}")
-
-
-def _plain(x: Any) -> float:
-    """The number of a dual."""
-    return x.value if isinstance(x, Dual) else x
