@@ -146,7 +146,7 @@ class OrbitBranch:
         start, leaves = _leaving(self.family, at)
         follower = _Follower(self.family, between, start, at.value, self.tolerance)
         way = np.append(leaves.ravel() / follower.scale[:-1], 0.0)
-        orbit = follower.family(at.value).closed(follower.shot(follower.z))
+        orbit = follower.plain.closed(follower.shot(follower.z))
         first = _Point(follower.z, way / np.linalg.norm(way), None, orbit)
         return _followed(follower, first, between, step, tuple(until))
 
@@ -203,7 +203,7 @@ class _Follower:
         tolerance: float,
     ) -> None:  # fmt: skip
         self.family, self.shape, self.tolerance = family, states.shape, tolerance
-        self.passages, self.bounds = -1, between
+        self.passages, self.bounds, self.plain = -1, between, family(value)
         size = self._shot(states, value).scale
         of_states = np.tile(size, len(states)) * math.sqrt(states.size)
         self.scale = np.append(of_states, abs(between[1] - between[0]))
@@ -247,8 +247,7 @@ class _Follower:
             shot = self.shot(z)
             if shot.residual <= _CLOSED:
                 forward = self.way(shot, way)
-                orbit = self.family(self.value(z)).closed(shot)
-                return _Point(z, forward, shot, orbit)
+                return _Point(z, forward, shot, self.plain.closed(shot))
             right = np.append(shot.gaps.ravel() / self.rows, way @ (z - anchor))
             z = z - Shooting.solve(np.vstack([self.jacobian(shot), way]), right)
         raise ArithmeticError(f"the residual is still {shot.residual:.1e}")
@@ -425,7 +424,7 @@ def period_doublings(
     stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
-    branch = orbit_branch(stroboscope, between, guess, cycles, until=FLIPS)
+    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
     found: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
         found.append(flips[0])
@@ -435,8 +434,7 @@ def period_doublings(
         if len(found) > 1:  # the next is likely to be half as far as this end
             ahead = here + (here - found[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        step = 0.02 / 2 ** (len(found) - 1)
-        branch = branch.switched(found[-1], (here, last), step, until=FLIPS)
+        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS)
     return Cascade(tuple(found))
 
 
