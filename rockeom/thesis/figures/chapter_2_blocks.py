@@ -261,15 +261,12 @@ STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
 UNSTABLE: dict[str, Any] = {"color": style.LINES[1], "lw": 0.7, "ls": "--"}
 
 
-def draw_branch(ax: Axes, branch: OrbitBranch, name: str) -> None:
-    """A state at impacts along a branch: full where the motion lasts, dashed where it does not."""
-    speeds = branch.at_impacts(name)
+def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
+    """States (k, m) of the motions of a branch, full where these last, dashed where they do not."""
     stable = np.abs(branch.multipliers).max(axis=1) < 1 - 1e-6  # not where one is on the circle
-    turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
-    speeds = np.where(turned[:, None], -speeds, speeds)
     until = stable | np.append(False, stable[:-1]) | np.append(stable[1:], False)
-    ax.plot(branch.values, np.where(stable[:, None], np.nan, speeds), **UNSTABLE)
-    ax.plot(branch.values, np.where(until[:, None], speeds, np.nan), **STABLE)
+    ax.plot(branch.values, np.where(stable[:, None], np.nan, states), **UNSTABLE)
+    ax.plot(branch.values, np.where(until[:, None], states, np.nan), **STABLE)
 
 
 @thesis_figure(Source.IN_KIND)
@@ -338,7 +335,9 @@ def figure_2_12() -> Drawn:
         ax.plot(np.full_like(speeds, beta), mirror * speeds, ".", ms=1.6, mew=0, color=style.INK)
         counts.append(distinct(speeds))
     for branch in branches(doublings=3):
-        draw_branch(ax, branch, "x_dot")
+        speeds = branch.at_impacts("x_dot")
+        turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
+        draw_branch(ax, branch, np.where(turned[:, None], -speeds, speeds))
     for one in cascade().bifurcations[1:]:
         ax.axvline(one.value, color=style.INK, lw=0.5, ls=":")
     ax.set_xlabel(r"amplitude $\beta$ [-]")
