@@ -14,6 +14,16 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.analysis.branches import (
+        FEIGENBAUM,
+        Bifurcation,
+        Cascade,
+        OrbitBranch,
+        bifurcation_value,
+        continued_orbits,
+        orbit_branch,
+        period_doublings,
+    )
     from rockeom.analysis.controlled_wall import (
         DissipationLimit,
         EdgeUplifts,
@@ -159,12 +169,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         support_forces_of_record,
     )
     from rockeom.analysis.noise import Noise, noise_level
-    from rockeom.analysis.orbits import (
-        PeriodicOrbit,
-        StroboscopicMap,
-        bifurcation_value,
-        continued_orbits,
-    )
+    from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
     from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
     from rockeom.analysis.points_of_interest import (
         PointsOfInterest,
@@ -214,9 +219,12 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
 
 __all__ = [
     "DESIGN_FACTORS",
+    "FEIGENBAUM",
     "GRANT_FACTORS",
     "PULSE_MODELS",
+    "Bifurcation",
     "BilinearRule",
+    "Cascade",
     "CycleDamping",
     "Damping",
     "Demands",
@@ -237,6 +245,7 @@ __all__ = [
     "Fragility",
     "FreeVibration",
     "GrantFactors",
+    "GrazingError",
     "HysteresisLoop",
     "HysteresisRule",
     "HysteresisStep",
@@ -248,6 +257,7 @@ __all__ = [
     "MeasuredRecord",
     "MovingWindow",
     "Noise",
+    "OrbitBranch",
     "OscillatorHistory",
     "OscillatorResponse",
     "PassageDamping",
@@ -262,6 +272,7 @@ __all__ = [
     "RestitutionEnvelope",
     "RotationCentre",
     "RotationalSpring",
+    "Shooting",
     "Slips",
     "StroboscopicMap",
     "SupportForces",
@@ -333,6 +344,7 @@ __all__ = [
     "modified_spectrum",
     "moving_window",
     "noise_level",
+    "orbit_branch",
     "oscillator_history",
     "outcome_labels",
     "overturning_constant",
@@ -340,6 +352,7 @@ __all__ = [
     "overturning_spectral_velocity",
     "peak_sequence",
     "peaks_of",
+    "period_doublings",
     "points_by_prominence",
     "points_by_score",
     "priestley_damping",
@@ -390,7 +403,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps",
+    "fragility", "sweeps", "branches",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}
