@@ -143,6 +143,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         demands,
         energy_balance,
     )
+    from rockeom.analysis.lyapunov import LyapunovSpectrum, lyapunov_spectrum
     from rockeom.analysis.measured import (
         displacement_from_rotation,
         rotation_about_moving_centre,
@@ -184,6 +185,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         spring_energy,
         velocity_ratio_from_energy_ratio,
     )
+    from rockeom.analysis.sections import basin_stability, basins, poincare_sections
     from rockeom.analysis.slips import (
         Slips,
         rotation_centre_between_gauges,
@@ -243,6 +245,7 @@ __all__ = [
     "ImpactForces",
     "Impacts",
     "Isolation",
+    "LyapunovSpectrum",
     "Mean",
     "MeanSpectrum",
     "MeasuredRecord",
@@ -275,6 +278,8 @@ __all__ = [
     "Wall",
     "acceleration_at_impact",
     "back_calculated_force",
+    "basin_stability",
+    "basins",
     "beside_fixed_base",
     "bifurcation_value",
     "bilinear_damping",
@@ -330,6 +335,7 @@ __all__ = [
     "kink_gain",
     "linear_start",
     "low_pass_on_peaks",
+    "lyapunov_spectrum",
     "modified_spectrum",
     "moving_window",
     "noise_level",
@@ -340,6 +346,7 @@ __all__ = [
     "overturning_spectral_velocity",
     "peak_sequence",
     "peaks_of",
+    "poincare_sections",
     "points_by_prominence",
     "points_by_score",
     "priestley_damping",
@@ -390,7 +397,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps",
+    "fragility", "sweeps", "sections", "lyapunov",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}
