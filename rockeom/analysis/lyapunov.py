@@ -32,7 +32,7 @@ from rockeom.analysis.arguments import require
 from rockeom.analysis.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
 from rockeom.arguments import whole_number
-from rockeom.duals import Dual
+from rockeom.dual import Dual
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble_work import Progress
 from rockeom.numeric.tangents import tangents
