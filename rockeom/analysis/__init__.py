@@ -14,6 +14,16 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.analysis.branches import (
+        FEIGENBAUM,
+        Bifurcation,
+        Cascade,
+        OrbitBranch,
+        bifurcation_value,
+        continued_orbits,
+        orbit_branch,
+        period_doublings,
+    )
     from rockeom.analysis.controlled_wall import (
         DissipationLimit,
         EdgeUplifts,
@@ -160,12 +170,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         support_forces_of_record,
     )
     from rockeom.analysis.noise import Noise, noise_level
-    from rockeom.analysis.orbits import (
-        PeriodicOrbit,
-        StroboscopicMap,
-        bifurcation_value,
-        continued_orbits,
-    )
+    from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
     from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
     from rockeom.analysis.points_of_interest import (
         PointsOfInterest,
@@ -216,9 +221,12 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
 
 __all__ = [
     "DESIGN_FACTORS",
+    "FEIGENBAUM",
     "GRANT_FACTORS",
     "PULSE_MODELS",
+    "Bifurcation",
     "BilinearRule",
+    "Cascade",
     "CycleDamping",
     "Damping",
     "Demands",
@@ -239,6 +247,7 @@ __all__ = [
     "Fragility",
     "FreeVibration",
     "GrantFactors",
+    "GrazingError",
     "HysteresisLoop",
     "HysteresisRule",
     "HysteresisStep",
@@ -251,6 +260,7 @@ __all__ = [
     "MeasuredRecord",
     "MovingWindow",
     "Noise",
+    "OrbitBranch",
     "OscillatorHistory",
     "OscillatorResponse",
     "PassageDamping",
@@ -265,6 +275,7 @@ __all__ = [
     "RestitutionEnvelope",
     "RotationCentre",
     "RotationalSpring",
+    "Shooting",
     "Slips",
     "StroboscopicMap",
     "SupportForces",
@@ -339,6 +350,7 @@ __all__ = [
     "modified_spectrum",
     "moving_window",
     "noise_level",
+    "orbit_branch",
     "oscillator_history",
     "outcome_labels",
     "overturning_constant",
@@ -346,6 +358,7 @@ __all__ = [
     "overturning_spectral_velocity",
     "peak_sequence",
     "peaks_of",
+    "period_doublings",
     "poincare_sections",
     "points_by_prominence",
     "points_by_score",
@@ -397,7 +410,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps", "sections", "lyapunov",
+    "fragility", "sweeps", "branches", "sections", "lyapunov",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}

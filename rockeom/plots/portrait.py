@@ -46,8 +46,11 @@ def plot_phase_portrait(
             ax.plot(*side, "--", color=style.INK, lw=0.9)
         ax.plot([], [], "--", color=style.INK, lw=0.9, label="separatrix")
         ax.legend(loc="upper right")
-    for one, colour in zip(runs, cycle([style.OTHERS[0], *style.LINES])):
+    for one, colour in zip(runs, cycle([*style.OTHERS[:1], *style.LINES[:2], *style.OTHERS[1:]])):
         _draw(ax, one, colour)
+    if len(runs) == 1:
+        start = first.y[0, [first.program.ROTATION, first.program.ROTATION_RATE]]
+        ax.annotate("start", start, xytext=(4, 4), textcoords="offset points", fontsize=8)
     p = first.program
     name = first.states[p.ROTATION]
     unit = "-" if style.is_dimensionless(first) else p.STATE_UNITS[p.ROTATION]
@@ -68,7 +71,6 @@ def _draw(ax: Axes, run: Response, colour: str) -> None:
         ends = np.array([before, after])
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)
     ax.plot(y[0], dy[0], "o", color=colour, ms=4)
-    ax.annotate("start", (y[0], dy[0]), xytext=(4, 4), textcoords="offset points", fontsize=8)
 
 
 _POINTS = 1000
