@@ -23,7 +23,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -187,7 +187,7 @@ class _Motion(NamedTuple):
 
 def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.ndarray]:
     """The motion a period later, and how much each direction grew."""
-    start = {
+    start: dict[str, Any] = {
         name: Dual(float(value), along)
         for name, value, along in zip(one.states, motion.state, motion.directions, strict=True)
     }

@@ -25,7 +25,7 @@ import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -36,9 +36,8 @@ from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.arguments import told, whole_number
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble import simulate_many
-from rockeom.numeric.ensemble_cases import ROW, Cases
+from rockeom.numeric.ensemble_cases import ROW, WORTHWHILE, Cases
 from rockeom.numeric.ensemble_work import Progress
-from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.quantities import units_of
 from rockeom.numeric.units import in_udunits, time_unit
 
@@ -76,7 +75,7 @@ def poincare_sections(
         zero: names and their values are a grid, over which the dataset is, too; a table (a list of
         dicts, a DataFrame) has a start in each row, and the dataset is over "start".
     settling : cycles that are not kept. cycles : that are kept.
-    impacts : how many impacts of each cycle are kept, at most.
+    impacts : how many impacts a cycle are kept, in the mean.
     threads, progress : as of `simulate_many`.
     store : a folder that keeps what is done, of the package zarr, as of `simulate_many`: the same
         call goes on where the last one was stopped, and gives the same to the last bit.
@@ -84,8 +83,9 @@ def poincare_sections(
     Returns a dataset over the names and the starts: strobe over "look" and "state", all states at
     the start of each cycle that is kept and at the end of the last; impact_count over "cycle";
     outcome, a label, of the last cycle that was followed. With `impacts`, also impact_time since
-    the start of its cycle [s], and impact_state over "side", which is before or after. What is not
-    there is nan: a motion that has fallen has no more states. An interrupt ends the work early,
+    the start of its cycle [s], and impact_state over "side", which is before or after, both over
+    "impact", in the order of time; for these the cycles are followed a second time. What is not
+    there is nan: a motion that has fallen has no states. An interrupt ends the work early,
     `attrs["interrupted"]` is 1.
 
     As many cycles as the motion of the ground lasts are settled in one go, one after the other
@@ -95,30 +95,46 @@ def poincare_sections(
     Raises ValueError for names that are no states, and what `simulate_many` raises.
     """
     plan = _Plan.of(stroboscope, over, starts)
-    motions = plan.motions()
-    strides = plan.strides(whole_number("settling", settling, 0))
-    kept = _Kept.empty(motions.y, whole_number("cycles", cycles, 1), impacts)
-    done = -sum(strides)  # before the first cycle that is kept
+    settling, cycles = whole_number("settling", settling, 0), whole_number("cycles", cycles, 1)
+    impacts = whole_number("impacts", impacts, 0)
     shown = sys.stderr.isatty() if progress is None else progress
-    with Progress(len(motions.y) * (settling + cycles), shown, "cycles") as line:
-        for stride in [*strides, *[1] * cycles]:
-            if done >= 0:
-                kept.strobe[:, done] = motions.y
-            found = motions.go(
-                stride,
-                impacts if done >= 0 else 0,
-                threads,
-                None if store is None else Path(store) / f"cycle_{done + settling:06d}.zarr",
-            )
-            if motions.interrupted:
-                break
-            if done >= 0:
-                kept.note(done, motions.standing, found)
-            done += stride
-            line.add(stride * len(motions.y))
-        else:
-            kept.strobe[:, done] = motions.y
-    return plan.dataset(motions, kept)
+    total = len(plan.maps) * len(plan.y) * (settling + cycles * (2 if impacts else 1))
+    with Progress(total, shown, "cycles") as line:
+        how = _How(threads, None if store is None else Path(store), line)
+        motions = plan.motions(how)
+        for k, stride in enumerate(plan.strides(settling)):
+            motions.go(stride, f"settling_{k}")
+        again = motions.copy()
+        strobe, count = [motions.y.copy()], []
+        for k in range(cycles):
+            count.append(motions.go(1, f"cycle_{k}")["impacts"])
+            strobe.append(motions.y.copy())
+        found = {"strobe": np.stack(strobe, axis=1), "count": np.stack(count, axis=1)}
+        if impacts:
+            parts = [
+                again.go(stride, f"impacts_{k}", impacts * stride)
+                for k, stride in enumerate(plan.strides(cycles))
+            ]
+            for name in ("impact_time", "impact_state"):
+                found[name] = np.concatenate([part[name] for part in parts], axis=1)
+            found["impact_time"] %= again.periods[:, None]
+    return plan.dataset(motions, found)
+
+
+def dims_of_starts(sections: xr.Dataset) -> tuple[str, ...]:
+    """Names of the dimensions of `poincare_sections` over which the motions start differently."""
+    names = str(sections.attrs.get("starts", "")).split()
+    return tuple(name for name in names if name in sections["outcome"].dims)
+
+
+def refuse_others(function: str, sections: xr.Dataset, *names: str) -> None:
+    """Raises ValueError where the sections vary anything but the names."""
+    others = [str(name) for name in sections["outcome"].dims if name not in names]
+    if others:
+        raise ValueError(
+            f"{function}: the sections vary {', '.join(others)} as well: choose one value, as in "
+            f"sections.isel({others[0]}=0)"
+        )
 
 
 # --- which motions end on the same orbit
@@ -154,13 +170,7 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
     """
     (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
     strobe = sections["strobe"].values
-    of_starts = sections["outcome"].shape
-    varied = [name for name in sections["outcome"].dims if not _is_of_starts(sections, str(name))]
-    if varied:
-        raise ValueError(
-            f"basins: the sections vary {', '.join(map(str, varied))} as well: choose one map, as "
-            f"in sections.isel({varied[0]}=0)"
-        )
+    refuse_others("basins", sections, *dims_of_starts(sections))
     looks = strobe.reshape(-1, *strobe.shape[-2:])
     labels = sections["outcome"].values.ravel()
     fate = np.where(labels == FALLS, FALLEN, UNKNOWN)
@@ -177,7 +187,7 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
         "flag_meanings": " ".join(["no_answer", "overturned", "not_periodic", *words]),
     }
     return sections.assign(
-        fate=(sections["outcome"].dims, fate.reshape(of_starts), attrs),
+        fate=(sections["outcome"].dims, fate.reshape(sections["outcome"].shape), attrs),
         orbit_cycles=("orbit", [cycles for _, cycles in orbits], {"long_name": "cycles of it"}),
         orbit_state=(("orbit", "state"), state.reshape(-1, strobe.shape[-1])),
     ).assign_coords(orbit=np.arange(1, len(orbits) + 1))
@@ -220,10 +230,6 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
         {"fate": words},
         {"starts": len(known), "level": level},
     )
-
-
-def _is_of_starts(sections: xr.Dataset, name: str) -> bool:
-    return name == "start" or name in sections["state"].values
 
 
 def _orbits(looks: np.ndarray, tolerance: float) -> tuple[np.ndarray, list[tuple[int, int]]]:
@@ -287,10 +293,10 @@ class _Plan:
             )
         return cls(maps, values, from_where, y)
 
-    def motions(self) -> _Motions:
+    def motions(self, how: _How) -> _Motions:
         n, k = len(self.maps), len(self.y)
         return _Motions(
-            self.maps[0].options,
+            how,
             np.repeat(self.maps, k),
             np.tile(self.y, (n, 1)),
             np.full(n * k, "", dtype=object),
@@ -303,7 +309,7 @@ class _Plan:
         whole, rest = divmod(settling, longest)
         return [longest] * whole + [rest] * (rest > 0)
 
-    def dataset(self, motions: _Motions, kept: _Kept) -> xr.Dataset:
+    def dataset(self, motions: _Motions, kept: Mapping[str, np.ndarray]) -> xr.Dataset:
         module = self.maps[0].structure.module
         seconds = in_udunits(time_unit(module))
         units = [in_udunits(units_of(module)[name]) for name in module.STATES]
@@ -316,15 +322,14 @@ class _Plan:
 
         found = {
             "outcome": shaped(motions.outcome.astype(str), "outcome"),
-            "strobe": shaped(kept.strobe, "state at the start of a cycle", "look", "state"),
-            "impact_count": shaped(kept.count, "impacts of the cycle", "cycle", units="1"),
+            "strobe": shaped(kept["strobe"], "state at the start of a cycle", "look", "state"),
+            "impact_count": shaped(kept["count"], "impacts of the cycle", "cycle", units="1"),
         }
-        if kept.time.size:
-            each = "cycle", "impact"
-            found["impact_time"] = shaped(kept.time, "time in the cycle", *each, units=seconds)
-            found["impact_state"] = shaped(
-                kept.states, "state at the impact", *each, "side", "state"
-            )
+        if "impact_state" in kept:
+            times, states = kept["impact_time"], kept["impact_state"]
+            each = "impact", "side", "state"
+            found["impact_time"] = shaped(times, "time in the cycle", "impact", units=seconds)
+            found["impact_state"] = shaped(states, "state at the impact", *each)
         coordinates = {
             **({} if names is None else names.coordinates()),
             **of_starts.coordinates(),
@@ -335,9 +340,10 @@ class _Plan:
         for name, unit in zip(module.STATES, units, strict=True):
             if name in coordinates:
                 coordinates[name][2].update(units=unit, long_name=f"initial {name}")
-        attrs = {"model": module.NAME, "interrupted": int(motions.interrupted)}
-        made = xr.Dataset(found, coordinates, attrs)
-        return made.rename({ROW: "start"}) if ROW in made.dims else made
+        made = xr.Dataset(found, coordinates).rename({ROW: "start"} if ROW in dims else {})
+        starts = " ".join("start" if name == ROW else name for name in of_starts.dims)
+        interrupted = int(motions.interrupted)
+        return made.assign_attrs(model=module.NAME, starts=starts, interrupted=interrupted)
 
 
 def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
@@ -372,86 +378,79 @@ def _states(starts: Cases, known: tuple[str, ...]) -> np.ndarray:
     return y
 
 
+class _How(NamedTuple):
+    """Who does the work, and where it is kept."""
+
+    threads: int | None
+    store: Path | None
+    line: Progress
+
+
 @dataclass
 class _Motions:
     """Where n motions are: their states y (n, N), contact states and outcomes."""
 
-    options: SolverOptions | None
+    how: _How
     maps: np.ndarray
     y: np.ndarray
     phase: np.ndarray
     outcome: np.ndarray
     interrupted: bool = False
 
-    def __post_init__(self) -> None:
-        self.standing = np.arange(len(self.y))
+    def copy(self) -> _Motions:
+        here = self.y.copy(), self.phase.copy(), self.outcome.copy()
+        return _Motions(self.how, self.maps, *here, self.interrupted)
 
-    def go(
-        self, cycles: int, impacts: int, threads: int | None, store: Path | None
-    ) -> xr.Dataset | None:
-        """Some cycles on with all that stand, whose sweep is returned; None where none do.
+    @property
+    def periods(self) -> np.ndarray:
+        """(n,) of the ground of each [s]."""
+        return np.array([one.period for one in self.maps])
 
-        Those that fall have no states from then on.
+    def go(self, cycles: int, name: str, impacts: int = 0) -> dict[str, np.ndarray]:
+        """Some cycles on with all that stand; those that fall have no states from then on.
+
+        name : of what is stored. Returns the number of impacts of each, and times and states of so
+        many; nan of those that do not stand behind them.
         """
-        if not len(self.standing):
-            return None
+        n, width = self.y.shape
+        found = {
+            "impacts": np.full(n, np.nan),
+            "impact_time": np.full((n, impacts), np.nan),
+            "impact_state": np.full((n, impacts, 2, width), np.nan),
+        }
+        there = np.flatnonzero(np.isfinite(self.y).all(axis=1))
+        if len(there) and not self.interrupted:
+            sweep = self._swept(there, cycles, name, impacts)
+            stands = sweep["outcome"].isin(STANDS).values
+            self.interrupted = bool(sweep.attrs["interrupted"])
+            self.outcome[there] = sweep["outcome"].values
+            self.phase[there] = sweep["final_phase"].values
+            self.y[there] = np.where(stands[:, None], sweep["final"].values, np.nan)
+            for key in found if impacts else ("impacts",):
+                found[key][there[stands]] = sweep[key].values[stands]
+        if self.interrupted:
+            self.y[:] = np.nan
+        self.how.line.add(n * cycles)
+        return found
 
+    def _swept(self, there: np.ndarray, cycles: int, name: str, impacts: int) -> xr.Dataset:
         def case(stroboscope: StroboscopicMap, phase: str, **state: float) -> Case:
-            one = stroboscope
-            duration = cycles * one.period
-            return Case(one.structure, one.motion, one.impact, state, duration, phase=phase or None)
+            one, end = stroboscope, cycles * stroboscope.period
+            return Case(one.structure, one.motion, one.impact, state, end, phase=phase or None)
 
-        cores = threads or os.cpu_count() or 1
-        found = simulate_many(
+        threads, store = self.how.threads or os.cpu_count() or 1, self.how.store
+        states = self.maps[0].structure.states
+        rows = {"stroboscope": self.maps[there], "phase": self.phase[there]}
+        rows |= {name: self.y[there, i] for i, name in enumerate(states)}
+        return simulate_many(
             case,
-            self._table(),
-            arrays=True,
+            xr.Dataset({key: ("row", values) for key, values in rows.items()}),
+            arrays=len(there) >= WORTHWHILE * len({id(one) for one in self.maps}),
             impact_times=impacts,
             impact_states=impacts > 0,
-            options=self.options,
+            options=self.maps[0].options,
             threads=threads,
-            chunk=None if store is None else -(-len(self.standing) // (4 * cores)),
+            chunk=None if store is None else -(-len(there) // (4 * threads)),
             progress=False,
-            store=store,
+            store=None if store is None else store / f"{name}.zarr",
         )
-        self.interrupted = bool(found.attrs["interrupted"])
-        self.outcome[self.standing] = found["outcome"].values
-        self.phase[self.standing] = found["final_phase"].values
-        stands = found["outcome"].isin(STANDS).values
-        self.y[self.standing] = np.where(stands[:, None], found["final"].values, np.nan)
-        self.standing = self.standing[stands]
-        return found.isel(case=stands)
-
-    def _table(self) -> xr.Dataset:
-        """What is simulated next, a row a motion."""
-        there = self.standing
-        states = self.maps[0].structure.states
-        return xr.Dataset(
-            {"stroboscope": ("row", self.maps[there]), "phase": ("row", self.phase[there])}
-            | {name: ("row", self.y[there, i]) for i, name in enumerate(states)}
-        )
-
-
-@dataclass(frozen=True)
-class _Kept:
-    """Of n motions: strobe (n, c + 1, N), count (n, c), time (n, c, i), states (n, c, i, 2, N)."""
-
-    strobe: np.ndarray
-    count: np.ndarray
-    time: np.ndarray
-    states: np.ndarray
-
-    @classmethod
-    def empty(cls, y: np.ndarray, cycles: int, impacts: int) -> _Kept:
-        n, width = y.shape
-        sizes = (cycles + 1, width), (cycles,), (cycles, impacts), (cycles, impacts, 2, width)
-        return cls(*(np.full((n, *size), np.nan) for size in sizes))
-
-    def note(self, cycle: int, rows: np.ndarray, found: xr.Dataset | None) -> None:
-        """What a cycle brought to the motions that stand behind it."""
-        if found is None:
-            return
-        self.count[rows, cycle] = found["impacts"].values
-        if self.time.size:
-            self.time[rows, cycle] = found["impact_time"].values
-            self.states[rows, cycle] = found["impact_state"].values

@@ -24,7 +24,7 @@ def plot_phase_portrait(
 ) -> Figure:
     """Rate of rotation against rotation; impacts are the dotted jumps.
 
-        plot_phase_portrait([rk.simulate(block, still, initial=at) for at in starts], separatrix=True)
+        plot_phase_portrait([released(theta) for theta in (0.05, 0.1)], separatrix=True)
 
     run : a response, or several of one structure, each in another colour.
     separatrix : also the dashed lines on which the structure would reach the balance on each foot
@@ -48,10 +48,10 @@ def plot_phase_portrait(
         ax.legend(loc="upper right")
     for one, colour in zip(runs, cycle([*style.OTHERS[:1], *style.LINES[:2], *style.OTHERS[1:]])):
         _draw(ax, one, colour)
-    if len(runs) == 1:
-        start = first.y[0, [first.program.ROTATION, first.program.ROTATION_RATE]]
-        ax.annotate("start", start, xytext=(4, 4), textcoords="offset points", fontsize=8)
     p = first.program
+    if len(runs) == 1:
+        start = first.y[0, p.ROTATION], first.y[0, p.ROTATION_RATE]
+        ax.annotate("start", start, xytext=(4, 4), textcoords="offset points", fontsize=8)
     name = first.states[p.ROTATION]
     unit = "-" if style.is_dimensionless(first) else p.STATE_UNITS[p.ROTATION]
     ax.set_xlabel(f"{style.symbol(name)} [{unit}]")
