@@ -153,6 +153,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         demands,
         energy_balance,
     )
+    from rockeom.analysis.lyapunov import LyapunovSpectrum, lyapunov_spectrum
     from rockeom.analysis.measured import (
         displacement_from_rotation,
         rotation_about_moving_centre,
@@ -189,6 +190,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         spring_energy,
         velocity_ratio_from_energy_ratio,
     )
+    from rockeom.analysis.sections import basin_stability, basins, poincare_sections
     from rockeom.analysis.slips import (
         Slips,
         rotation_centre_between_gauges,
@@ -252,6 +254,7 @@ __all__ = [
     "ImpactForces",
     "Impacts",
     "Isolation",
+    "LyapunovSpectrum",
     "Mean",
     "MeanSpectrum",
     "MeasuredRecord",
@@ -286,6 +289,8 @@ __all__ = [
     "Wall",
     "acceleration_at_impact",
     "back_calculated_force",
+    "basin_stability",
+    "basins",
     "beside_fixed_base",
     "bifurcation_value",
     "bilinear_damping",
@@ -341,6 +346,7 @@ __all__ = [
     "kink_gain",
     "linear_start",
     "low_pass_on_peaks",
+    "lyapunov_spectrum",
     "modified_spectrum",
     "moving_window",
     "noise_level",
@@ -353,6 +359,7 @@ __all__ = [
     "peak_sequence",
     "peaks_of",
     "period_doublings",
+    "poincare_sections",
     "points_by_prominence",
     "points_by_score",
     "priestley_damping",
@@ -403,7 +410,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps", "branches",
+    "fragility", "sweeps", "branches", "sections", "lyapunov",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}
