@@ -165,6 +165,13 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
         bifurcation_value,
         continued_orbits,
     )
+    from rockeom.analysis.overturning import (
+        dimensionless_pulses,
+        impacts_before_overturning,
+        minimum_overturning,
+        overturning_boundaries,
+        rocking_spectrum,
+    )
     from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
     from rockeom.analysis.points_of_interest import (
         PointsOfInterest,
@@ -292,6 +299,7 @@ __all__ = [
     "damping_modifier",
     "demands",
     "design_damping",
+    "dimensionless_pulses",
     "displacement_based_design",
     "displacement_from_rotation",
     "energies_of_states",
@@ -326,15 +334,18 @@ __all__ = [
     "held_states",
     "impact_forces_of_record",
     "impact_speed",
+    "impacts_before_overturning",
     "importance_scores",
     "kink_gain",
     "linear_start",
     "low_pass_on_peaks",
+    "minimum_overturning",
     "modified_spectrum",
     "moving_window",
     "noise_level",
     "oscillator_history",
     "outcome_labels",
+    "overturning_boundaries",
     "overturning_constant",
     "overturning_half_sine",
     "overturning_spectral_velocity",
@@ -353,6 +364,7 @@ __all__ = [
     "restitution_envelope",
     "rigid_moment",
     "rocking_period",
+    "rocking_spectrum",
     "rotation_about_moving_centre",
     "rotation_centre",
     "rotation_centre_between_gauges",
@@ -390,7 +402,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps",
+    "fragility", "sweeps", "overturning",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}
