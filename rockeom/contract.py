@@ -12,7 +12,7 @@ import numpy as np
     NO_SOLUTION, SEVERAL_SOLUTIONS,
 ) = range(9)  # fmt: skip
 GRAZES, OTHER_WAY = 1, 2
-"""Where derivatives cannot be carried on: how far an event is, is not known; what followed it is not
+"""Why derivatives are not carried on: the time of an event is not known, or what followed it is not
 found again."""
 
 FULL = 9  # it has not: the records must be emptied before the loop goes on, or a turn is over

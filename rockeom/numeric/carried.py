@@ -47,6 +47,7 @@ if TYPE_CHECKING:  # joined before this text, or of the printer
         rates,
         ratio_at,
         row_at,
+        row_of,
         shaking,
         stand,
         take_step,
@@ -93,8 +94,8 @@ def carry(
     start = floats[:N_STATES]
     nx, gx = row_at(horizontal, 0, 0.0)
     ny, gy = row_at(vertical, 0, 0.0)
-    _, dual_gx = row_at(dual_horizontal, 0, 0.0)
-    _, dual_gy = row_at(dual_vertical, 0, 0.0)
+    dual_gx = with_derivatives(dual_horizontal, nx, gx)
+    dual_gy = with_derivatives(dual_vertical, ny, gy)
     tau_x = tau_y = 0.0 * (dual_ratio[0] - value(dual_ratio[0]))
     e = q = impacts = 0
     i = 0
@@ -109,7 +110,7 @@ def carry(
         if not (lands or (last and not due)):
             if t_event >= gx[1]:
                 nx, row = row_at(horizontal, nx, t_event)
-                _, dual_row = row_at(dual_horizontal, nx, t_event)
+                dual_row = with_derivatives(dual_horizontal, nx, row)
                 tau_x = dual_gx[1] - value(dual_gx[1])
                 if corners:
                     contact = event_kinds[e, 1] if due else step_contact[i]
@@ -117,7 +118,7 @@ def carry(
                 gx, dual_gx = row, dual_row
             if t_event >= gy[1]:
                 ny, row = row_at(vertical, ny, t_event)
-                _, dual_row = row_at(dual_vertical, ny, t_event)
+                dual_row = with_derivatives(dual_vertical, ny, row)
                 tau_y = dual_gy[1] - value(dual_gy[1])
                 if corners:
                     contact = event_kinds[e, 1] if due else step_contact[i]
@@ -150,9 +151,7 @@ def carry(
             for j in range(N_STATES):
                 y_new[j] = y[j]
             if part > 0.0:
-                take_step(
-                    contact, t, part, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new
-                )
+                take_step(contact, t, part, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new)
             for j in range(N_STATES):
                 found[q, j] = y_new[j]
             q += 1
@@ -167,6 +166,13 @@ def carry(
         q += 1
     told[0] = e
     return 0
+
+
+def with_derivatives(table, n, row):
+    """Row n of a motion's table with its derivatives; as it is where the table is empty."""
+    if n < table.shape[0]:
+        return row_of(table, n)
+    return row
 
 
 def pass_through(
@@ -257,7 +263,9 @@ def moves_by(
     after = falls_by(contact, guard, t + ahead, later, rate_there, gx, gy, p, state, g)
     for j in range(N_STATES):
         later[j] = atol[j] + rtol * abs(before[j])
-    grain = abs(guard_along(contact, guard, before, later, shaking(gx, t), shaking(gy, t), p, state, g))
+    grain = abs(
+        guard_along(contact, guard, before, later, shaking(gx, t), shaking(gy, t), p, state, g)
+    )
     bends = abs(after - falls) / ahead if ahead > 0.0 else 0.0
     if not falls < 0.0 or falls * falls <= DIGITS * grain * bends:
         # its time is not known; where nothing changes there, none is asked for
@@ -282,7 +290,11 @@ def guard_along(contact, guard, y, dy, ax, ay, p, state, g):
 
 def goes_on(e, t, gx, gy, p, event_kinds, event_states, floats):
     """Whether neither the state nor its rates change at an event."""
-    rate_there, y, rate_behind = floats[N_STATES : 2 * N_STATES], floats[:N_STATES], floats[2 * N_STATES :]
+    rate_there, y, rate_behind = (
+        floats[N_STATES : 2 * N_STATES],
+        floats[:N_STATES],
+        floats[2 * N_STATES :],
+    )
     for j in range(N_STATES):
         y[j] = event_states[e, 1, j]
     rates(event_kinds[e, 2], y, p, shaking(gx, t), shaking(gy, t), rate_behind)
@@ -331,7 +343,11 @@ def comes_to_rest(
 
 def turn_corner(contact, t, gx, gy, new_x, new_y, tau, p, y, floats):
     """The state where one law of the ground ends and another begins, at a time that moves."""
-    here, before, behind = floats[:N_STATES], floats[N_STATES : 2 * N_STATES], floats[2 * N_STATES :]
+    here, before, behind = (
+        floats[:N_STATES],
+        floats[N_STATES : 2 * N_STATES],
+        floats[2 * N_STATES :],
+    )
     for j in range(N_STATES):
         here[j] = value(y[j])
     rates(contact, here, p, shaking(gx, t), shaking(gy, t), before)

@@ -235,7 +235,10 @@ class Lines:
     def load(self, name: str, type_: Type) -> Value:
         if isinstance(type_, str) and type_ != DUAL:
             return Value(type_, (self.new(f"load {type_}, ptr %{name}.0"),))
-        loads = [f"load {part}, ptr %{name}.{i}{_aligned(part)}" for i, part in list(enumerate(parts_of(type_)))]
+        loads = [
+            f"load {part}, ptr %{name}.{i}{_aligned(part)}"
+            for i, part in list(enumerate(parts_of(type_)))
+        ]
         return Value(type_, tuple(map(self.new, loads)))
 
     def store(self, name: str, value: Value) -> None:
@@ -307,7 +310,8 @@ class Lines:
             if name in self.arguments:
                 operands += [f"{part} %in.{name}.{i}" for i, part in parts]
                 head += [
-                    f"  store {part} %in.{name}.{i}, ptr %{name}.{i}{_aligned(part)}" for i, part in parts
+                    f"  store {part} %in.{name}.{i}, ptr %{name}.{i}{_aligned(part)}"
+                    for i, part in parts
                 ]
         first = f"define internal {returned(returns)} @{symbol}({', '.join(operands)}) {how}{{"
         end = ["  ret void" if returns == NOTHING else "  unreachable"] if self.open else []

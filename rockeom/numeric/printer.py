@@ -668,7 +668,9 @@ class _Function:
             self.refuse(node, "only functions with a name of their own are called")
         name = function.id
         if name in _BUILT_IN and name not in self.program.definitions:
-            if len(node.args) != _TAKES.get(name, 1) and (name not in ("max", "min") or not node.args):
+            if len(node.args) != _TAKES.get(name, 1) and (
+                name not in ("max", "min") or not node.args
+            ):
                 self.refuse(node, f"{name} of {len(node.args)} is not among the functions")
             return _BUILT_IN[name](self.ir, *map(self._value, node.args))
         given = [self._given(a) for a in node.args]
@@ -900,7 +902,7 @@ def has_duals(type_: Type) -> bool:
     """Whether a value of a type has derivatives somewhere."""
     if isinstance(type_, Tuple):
         return any(map(has_duals, type_.items))
-    return DUAL == (type_.element if isinstance(type_, Array) else type_)
+    return (type_.element if isinstance(type_, Array) else type_) == DUAL
 
 
 def _is_slice(node: ast.Subscript) -> bool:

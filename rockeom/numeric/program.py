@@ -172,10 +172,8 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
     described = {"entries": printed.entries, "sizes": sizes}
     took = time.monotonic() - started
     if took > 1.0 and sys.stderr is not None:  # None: a program without a console
-        sys.stderr.write(
-            f"rockeom: compiled {generated.NAME} with {method}{_SAID.get(part, '')} in {took:.1f} s, once on "
-            "this machine\n"
-        )
+        what = f"{generated.NAME} with {method}{_SAID.get(part, '')}"
+        sys.stderr.write(f"rockeom: compiled {what} in {took:.1f} s, once on this machine\n")
         sys.stderr.flush()
     return json.dumps(described).encode() + b"\n" + code
 
