@@ -14,6 +14,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.analysis.boundaries import OverturningPoint, followed_boundary, overturning_point
     from rockeom.analysis.controlled_wall import (
         DissipationLimit,
         EdgeUplifts,
@@ -257,6 +258,7 @@ __all__ = [
     "Noise",
     "OscillatorHistory",
     "OscillatorResponse",
+    "OverturningPoint",
     "PassageDamping",
     "PeakChange",
     "Peaks",
@@ -327,6 +329,7 @@ __all__ = [
     "fitted_peaks",
     "fitted_rotational_spring",
     "flag_damping",
+    "followed_boundary",
     "fragility_of",
     "grant_damping",
     "gravitational_energy",
@@ -348,6 +351,7 @@ __all__ = [
     "overturning_boundaries",
     "overturning_constant",
     "overturning_half_sine",
+    "overturning_point",
     "overturning_spectral_velocity",
     "peak_sequence",
     "peaks_of",
@@ -402,7 +406,7 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps", "overturning",
+    "fragility", "sweeps", "overturning", "boundaries",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}

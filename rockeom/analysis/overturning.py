@@ -405,7 +405,7 @@ def rocking_spectrum(
 
     over = {
         "motion": [motions] if isinstance(motions, GroundMotion) else motions,
-        "period": _labelled(lengths, "period $2\\pi/p$", "s"),
+        "period": _labelled(lengths, "period 2π/p", "s"),
         "alpha": _labelled(np.ravel(angles), "slenderness", "rad"),
     }
     return simulate_many(case, over, **{"arrays": True} | how)
