@@ -22,6 +22,7 @@ __version__ = "0.1.0"
 
 _NAMES_OF = {
     "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
+    "rockeom.dual": ("Dual", "duals"),
     "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet"),
     "rockeom.named": ("structure",),
     "rockeom.numeric.case": ("Case",),
@@ -42,6 +43,7 @@ _NAMES_OF = {
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
     "rockeom.numeric.simulate": ("simulate",),
     "rockeom.numeric.structures": ("Structure",),
+    "rockeom.numeric.tangents": ("Tangents", "tangents"),
     "rockeom.saved": ("load",),
     "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
 }
@@ -65,6 +67,7 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
+    from rockeom.dual import Dual as Dual, duals as duals
     from rockeom.motion import (
         GroundMotion as GroundMotion,
         MotionError as MotionError,
@@ -93,6 +96,7 @@ if TYPE_CHECKING:
     )
     from rockeom.numeric.simulate import simulate as simulate
     from rockeom.numeric.structures import *  # noqa: F403
+    from rockeom.numeric.tangents import Tangents as Tangents, tangents as tangents
     from rockeom.saved import load as load
     from rockeom.symbolic import (
         Body as Body,

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.many import Many
+from rockeom.mathematics import Compound
 
 _LONGEST = 60  # letters of a value in an error
 
@@ -59,8 +59,8 @@ def number(what: str, value: Any, remedy: str = "give a number") -> float:
     """
     if type(value) is float:
         return value
-    if type(value) is Many:
-        return value.floats()  # type: ignore[return-value]  # it calculates as a number does
+    if isinstance(value, Compound):
+        return value.floats()  # it calculates as a number does
     if not is_number(value):
         raise TypeError(f"{what} is {told(value)}: {remedy}")
     try:
@@ -89,7 +89,7 @@ def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
             if not is_number(element):
                 place = f"[{', '.join(map(str, index))}]" if index else ""
                 raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
-        if any(type(element) is Many for element in found.flat):
+        if any(isinstance(element, Compound) for element in found.flat):
             return found
     return found.astype(float)
 

@@ -11,14 +11,14 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
-from functools import cache
 from itertools import repeat
 from numbers import Real
-from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
+
+from rockeom.mathematics import Compound
 
 
 class Differs(BaseException):  # nothing is wrong, and `except Exception` must not keep it
@@ -32,7 +32,7 @@ class Differs(BaseException):  # nothing is wrong, and `except Exception` must n
         self.parts = parts
 
 
-class Many(NDArrayOperatorsMixin):
+class Many(NDArrayOperatorsMixin, Compound):
     """A number of each case, or a truth.
 
     values (n,) : of float, of bool, or of objects: whole numbers, which Python makes of any size.
@@ -55,6 +55,10 @@ class Many(NDArrayOperatorsMixin):
     def floats(self) -> Many:
         """The same in floats; raises OverflowError for a whole number that none can hold."""
         return self if self.values.dtype == float else Many(self.values.astype(float))
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        return one_by_one(getattr(math, name))(*given)
 
     def one(self) -> Any:
         """The number that all cases have; raises Differs where they have several."""
@@ -80,7 +84,7 @@ class Many(NDArrayOperatorsMixin):
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
         if any(isinstance(x, np.ndarray) for x in given):  # of objects, many among them
-            return ufunc(*(_boxed(x) if type(x) is Many else x for x in given), **how)
+            return ufunc(*(boxed(x) if type(x) is Many else x for x in given), **how)
         out = how.pop("out", ())  # x += y: a number is not changed in its place, x is another then
         if how or not all(type(x) is Many for x in out):
             return NotImplemented
@@ -89,7 +93,7 @@ class Many(NDArrayOperatorsMixin):
         if kinds == {"b"} and ufunc not in _OF_TRUTHS:  # Python's and NumPy's differ
             raise _apart(given)
         if "O" in kinds or ufunc in _DIVISIONS:
-            return one_by_one(_OPERATORS.get(ufunc, ufunc))(*given)
+            return one_by_one(OPERATORS.get(ufunc, ufunc))(*given)
         if ufunc is np.power:
             ufunc = np.float_power  # C's, as Python's: NumPy's square of an array is a product
         try:
@@ -161,7 +165,7 @@ def _apart(given: tuple[Any, ...]) -> Differs:
     return Differs([np.array([i]) for i in range(n)])
 
 
-_OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
+OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
     np.add: operator.add, np.subtract: operator.sub, np.multiply: operator.mul,
     np.true_divide: operator.truediv, np.floor_divide: operator.floordiv,
     np.remainder: operator.mod, np.power: operator.pow, np.negative: operator.neg,
@@ -181,43 +185,11 @@ _OF_TRUTHS = {
 }  # fmt: skip
 
 
-def _boxed(x: Any) -> np.ndarray:
+def boxed(x: Any) -> np.ndarray:
     """An object as NumPy has it, which has no say any more in what NumPy does."""
     box = np.empty((), dtype=object)
     box[()] = x
     return box
-
-
-class _Mathematics:
-    """The functions of `math`, of many numbers as well."""
-
-    def __getattr__(self, name: str) -> Any:
-        found = getattr(math, name)
-        if callable(found):
-            found = one_by_one(found)
-        setattr(self, name, found)
-        return found
-
-
-mathematics = _Mathematics()
-
-
-def isfinite(x: Any) -> Any:
-    """`math.isfinite`, of many numbers as well."""
-    return abs(x) < math.inf if type(x) is Many else math.isfinite(x)
-
-
-@cache
-def of_many(module: ModuleType) -> Any:
-    """The functions of a generated module, which take many for a number; arrays hold objects."""
-    names = vars(module) | {
-        "math": mathematics,
-        "np": SimpleNamespace(empty=lambda n: np.empty(n, dtype=object)),
-    }
-    for name, function in vars(module).items():
-        if isinstance(function, FunctionType):
-            names[name] = FunctionType(function.__code__, names)
-    return SimpleNamespace(**names)
 
 
 def values(x: Any) -> Any:

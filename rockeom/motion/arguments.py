@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rockeom.arguments import number, whole_number
-from rockeom.many import isfinite
+from rockeom.mathematics import isfinite
 from rockeom.motion.errors import MotionError
 
 

@@ -9,7 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.arguments import number, told
-from rockeom.many import isfinite, values
+from rockeom.dual import directions, tangent_of, value_of
+from rockeom.many import values
+from rockeom.mathematics import isfinite
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import LINEAR, within
 from rockeom.numeric.impact import ImpactLaw
@@ -117,6 +119,40 @@ class Problems(NamedTuple):
             spread(q.fallen), *tables(q.horizontal), *tables(q.vertical), spread(q.end),
             spread(q.quiet_from),
         )  # fmt: skip
+
+
+class ProblemTangents(NamedTuple):
+    """Derivatives of a problem's numbers along m directions; what they are of, `Problem` says.
+
+    y0 (N, m); p (len(problem.p()), m), those of the table behind those of the parameters; ratio,
+    fallen, end, quiet_from (m,); horizontal, vertical (rows, 7, m).
+    """
+
+    y0: np.ndarray
+    p: np.ndarray
+    ratio: np.ndarray
+    fallen: np.ndarray
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    end: np.ndarray
+    quiet_from: np.ndarray
+
+
+def parted(problem: Problem) -> tuple[Problem, ProblemTangents]:
+    """A problem of duals as one of floats, and its derivatives; m is 0 where no number is a dual.
+
+    The floats are those, to the last bit, of the case without derivatives.
+    """
+    q = problem
+    p, table = q.p(), np.array(q.table)
+    m = directions(q.y0, p, q.ratio, q.fallen, q.horizontal, q.vertical, q.end, q.quiet_from)
+    values = {name: value_of(x) for name, x in q._asdict().items()}
+    values["table"] = value_of(table).tolist()
+    tangents = {
+        name: tangent_of(p if name == "p" else getattr(q, name), m)
+        for name in ProblemTangents._fields
+    }
+    return Problem(**values), ProblemTangents(**tangents)
 
 
 def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:

@@ -26,7 +26,8 @@ from rockeom.contract import (
     STICKING,
     SWITCH,
 )
-from rockeom.many import Differs, Many, of_many, values
+from rockeom.many import Differs, Many, values
+from rockeom.mathematics import of_compounds
 
 HAPPENED = {
     LANDING: "landing", LIFTING: "lifting", SLIPPING: "slip begins", STICKING: "slip ends",
@@ -88,7 +89,7 @@ def _fill(module: ModuleType, states: np.ndarray, p: np.ndarray, told: np.ndarra
         return
     out = np.zeros(told.shape[1], dtype=object)
     try:
-        of_many(module).points(np.array([Many(c) for c in states.T], dtype=object), p, out)
+        of_compounds(module).points(np.array([Many(c) for c in states.T], dtype=object), p, out)
     except Differs as ways:  # states that do not go the same way through it
         for part in ways.parts:
             rows = told[part]

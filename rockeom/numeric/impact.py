@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.arguments import is_number, number, numbers, told
 from rockeom.contract import AT_SPEED, BY_FOOT, BY_NUMBER, IMPULSIVE, RATIO
-from rockeom.many import isfinite, mathematics
+from rockeom.mathematics import isfinite, mathematics
 
 
 class ImpactLaw(Protocol):

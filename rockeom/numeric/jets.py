@@ -11,16 +11,15 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
-from functools import cache
-from types import FunctionType, ModuleType, SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from rockeom.many import Many
+from rockeom.mathematics import FUNCTIONS, Compound, mathematics
 
 
-class Jet:
+class Jet(Compound):
     """value, first and second derivative, (n,) each."""
 
     __slots__ = ("first", "second", "value")
@@ -28,6 +27,11 @@ class Jet:
 
     def __init__(self, value: Any, first: Any, second: Any) -> None:
         self.value, self.first, self.second = value, first, second
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        of, (jet,) = FUNCTIONS[name], given
+        return jet.through(*(derivative(jet.value) for derivative in of))
 
     def __add__(self, other: Any) -> Jet:
         v, d, dd = _parts(other)
@@ -56,7 +60,7 @@ class Jet:
 
     def __pow__(self, n: Any) -> Jet:
         if isinstance(n, Jet):
-            return _FUNCTIONS["exp"](n * _FUNCTIONS["log"](self))
+            return mathematics.exp(n * mathematics.log(self))
         x = self.value
         return self.through(
             x**n,
@@ -65,7 +69,7 @@ class Jet:
         )
 
     def __rpow__(self, base: float) -> Jet:
-        return _FUNCTIONS["exp"](self * math.log(base))
+        return mathematics.exp(self * math.log(base))
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -112,69 +116,3 @@ def _parts(x: Any) -> tuple[Any, Any, Any]:
 
 def _compared(how: Callable[[Any, Any], Any], one: Any, other: Any) -> Many:
     return Many(np.atleast_1d(how(_parts(one)[0], _parts(other)[0])))
-
-
-class _Derivatives(NamedTuple):
-    """A function of one number with its first two derivatives, of arrays."""
-
-    f: Callable[[Any], Any]
-    slope: Callable[[Any], Any]
-    curvature: Callable[[Any], Any]
-
-    def __call__(self, x: Any) -> Any:
-        if not isinstance(x, Jet):
-            return self.f(x)
-        return x.through(self.f(x.value), self.slope(x.value), self.curvature(x.value))
-
-
-def _none(x: Any) -> Any:
-    return 0.0 * x
-
-
-_FUNCTIONS: dict[str, _Derivatives] = {
-    "sin": _Derivatives(np.sin, np.cos, lambda x: -np.sin(x)),
-    "cos": _Derivatives(np.cos, lambda x: -np.sin(x), lambda x: -np.cos(x)),
-    "tan": _Derivatives(
-        np.tan, lambda x: np.cos(x) ** -2.0, lambda x: 2.0 * np.tan(x) * np.cos(x) ** -2.0
-    ),
-    "asin": _Derivatives(
-        np.arcsin, lambda x: (1.0 - x**2) ** -0.5, lambda x: x * (1.0 - x**2) ** -1.5
-    ),
-    "acos": _Derivatives(
-        np.arccos, lambda x: -((1.0 - x**2) ** -0.5), lambda x: -x * (1.0 - x**2) ** -1.5
-    ),
-    "atan": _Derivatives(
-        np.arctan, lambda x: 1.0 / (1.0 + x**2), lambda x: -2.0 * x / (1.0 + x**2) ** 2
-    ),
-    "sinh": _Derivatives(np.sinh, np.cosh, np.sinh),
-    "cosh": _Derivatives(np.cosh, np.sinh, np.cosh),
-    "tanh": _Derivatives(
-        np.tanh,
-        lambda x: 1.0 - np.tanh(x) ** 2,
-        lambda x: -2.0 * np.tanh(x) * (1.0 - np.tanh(x) ** 2),
-    ),
-    "exp": _Derivatives(np.exp, np.exp, np.exp),
-    "log": _Derivatives(np.log, lambda x: 1.0 / x, lambda x: -1.0 / x**2),
-    "sqrt": _Derivatives(np.sqrt, lambda x: 0.5 * x**-0.5, lambda x: -0.25 * x**-1.5),
-    "fabs": _Derivatives(np.abs, np.sign, _none),
-}
-
-
-class _Mathematics:
-    """The functions of `math`, of jets as well; another one is that of numbers alone."""
-
-    def __getattr__(self, name: str) -> Any:
-        return _FUNCTIONS.get(name) or getattr(math, name)
-
-
-@cache
-def of_jets(module: ModuleType) -> Any:
-    """The functions of a generated module, which take jets for numbers; arrays hold objects."""
-    names = vars(module) | {
-        "math": _Mathematics(),
-        "np": SimpleNamespace(empty=lambda n: np.empty(n, dtype=object)),
-    }
-    for name, function in vars(module).items():
-        if isinstance(function, FunctionType):
-            names[name] = FunctionType(function.__code__, names)
-    return SimpleNamespace(**names)

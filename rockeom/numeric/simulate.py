@@ -11,12 +11,14 @@ import numpy as np
 
 from rockeom.arguments import told
 from rockeom.contract import AT_THE_START, CONTACT, EVENTS_KEPT, FULL, REFINED, STEPS_KEPT
+from rockeom.dual import directions
 from rockeom.numeric.case import STILL, Case, Problem
 from rockeom.numeric.choice import chosen
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.record import (
+    ALL,
     KEPT,
     SAMPLES,
     AllSteps,
@@ -65,16 +67,26 @@ def simulate(
     if keep not in KEPT:
         raise ValueError(f"keep is {told(keep)}: choose {' or '.join(map(repr, KEPT))}")
     case = Case(structure, motion, impact, initial, duration, vertical, phase)
-    options = SolverOptions.of(options)
     problem = case.problem()
+    if directions(*problem):
+        raise TypeError(
+            "the case holds duals, and `simulate` tells no derivatives: give it to `rk.tangents`, "
+            "or simulate it with the `.value` of each"
+        )
+    return simulated(case, problem, SolverOptions.of(options), keep)
+
+
+def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = ALL) -> Response:
+    """The response of a case, given in numbers as well."""
+    structure, motion = case.structure, case.motion
     choice = chosen(structure, problem, options)
     compiled = program(structure.module, choice.method)
     said: dict[str, Any] = {"method": choice.method, "chosen": choice.because}
 
     def response(record: Steps | Samples, of: Ran) -> Response:
         return Response(
-            structure, motion, vertical, impact, options, of.outcome, problem.end, said, record,
-            of.y, of.events,
+            structure, motion, case.vertical, case.impact, options, of.outcome, problem.end, said,
+            record, of.y, of.events,
         )  # fmt: skip
 
     gathering: AllSteps | SomeSamples = AllSteps()

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rockeom.many import Differs, Many, of_many, values
-from rockeom.numeric.jets import Jet, of_jets
+from rockeom.many import Differs, Many, values
+from rockeom.mathematics import of_compounds
+from rockeom.numeric.jets import Jet
 
 if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
@@ -44,7 +45,7 @@ def filled(
         states = np.array([Many(column) for column in y[rows].T], dtype=object)
         out = np.empty(size, dtype=object)
         many = (x if np.ndim(x) == 0 else Many(x[rows]) for x in given)
-        getattr(of_many(m), function)(number, states, p, *many, out)
+        getattr(of_compounds(m), function)(number, states, p, *many, out)
         for row, value in zip(found, out, strict=True):
             row[rows] = values(value)
 
@@ -70,9 +71,10 @@ def jets(
 
     def fill(number: int, rows: np.ndarray) -> None:
         moving = (y[rows].T[:n], rates[:n, rows], rates[n:, rows])
-        states = np.array([*map(Jet, *moving), *y[rows].T[n:]][: m.N_STATES], dtype=object)
+        others = (Jet(x, 0.0, 0.0) for x in y[rows].T[n:])
+        states = np.array([*map(Jet, *moving), *others][: m.N_STATES], dtype=object)
         out = np.empty(size, dtype=object)
-        getattr(of_jets(m), function)(number, states, p, out)
+        getattr(of_compounds(m), function)(number, states, p, out)
         for i, x in enumerate(out):
             parts = (x.value, x.first, x.second) if isinstance(x, Jet) else (x, 0.0, 0.0)
             for order, part in enumerate(parts):

@@ -25,7 +25,7 @@ import numpy as np
 from rockeom import hooks
 from rockeom.arguments import near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
-from rockeom.many import isfinite, mathematics, of_many
+from rockeom.mathematics import isfinite, mathematics, of_compounds
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.contact_states import (
     by_forces,
@@ -97,8 +97,9 @@ class Structure:
         return self.module_for(parameters).prepare(parameters)
 
     def module_for(self, *arrays: np.ndarray) -> Any:
-        """The generated module, for many structures or states at once where arrays hold such."""
-        return of_many(self.module) if any(x.dtype == object for x in arrays) else self.module
+        """The generated module, for compounds where arrays hold such."""
+        compounds = any(x.dtype == object for x in arrays)
+        return of_compounds(self.module) if compounds else self.module
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -235,7 +236,7 @@ class Structure:
             fits.sort(key=lambda c: abs(m.SIDES[c]))  # the same order on both sides
         leaning = y.copy()
         if rotation == 0.0:  # on the border of both sides: where it is about to go decides
-            leaning[m.ROTATION] = math.copysign(1e-200, direction) if direction else 0.0
+            leaning[m.ROTATION] = mathematics.copysign(1e-200, direction) if direction else 0.0
         margins = {c: self._margin(c, leaning) for c in fits}
         for least in (0.0, -1.0):  # as it is, or where a rounding error hides that it is
             for number, margin in margins.items():

@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.many import Differs, Many, mathematics
+from rockeom.many import Differs, Many
+from rockeom.mathematics import mathematics
 from rockeom.numeric.case import Case, Problems
 from rockeom.numeric.ensemble_cases import Cases, Source
 from rockeom.numeric.structures import SHIPPED

@@ -10,7 +10,8 @@ from hypothesis import given, settings, strategies as st
 from scipy import linalg, signal
 
 import rockeom as rk
-from rockeom.numeric.jets import _FUNCTIONS, Jet
+from rockeom.mathematics import FUNCTIONS
+from rockeom.numeric.jets import Jet
 from rockeom.numeric.positions import places
 from rockeom.numeric.quantities import _word, families, main_units
 from rockeom.numeric.structures import SHIPPED
@@ -135,9 +136,9 @@ def test_arrays_of_states_tell_what_each_state_does(rows):
             assert {name: value[i] for name, value in told.items()} == expected
 
 
-@pytest.mark.parametrize("name", sorted(_FUNCTIONS))
+@pytest.mark.parametrize("name", sorted(FUNCTIONS))
 def test_rates_of_a_function_are_its_slopes(name):
-    of = _FUNCTIONS[name]
+    of = FUNCTIONS[name]
     x, v, a, h = np.array([0.3, 0.7]), 0.4, -0.9, 1e-3
     found = of(Jet(x, v, a))
     at = [of(x + v * t + 0.5 * a * t**2) for t in (-h, 0.0, h)]

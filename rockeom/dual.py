@@ -1,0 +1,267 @@
+"""Numbers with their derivatives: what is written for numbers tells derivatives, too.
+
+A `Dual` calculates as a number does, to the same bits, and its derivatives along any directions by
+the rules of products and of the chain. A structure, a law of impact, a ground motion and an initial
+state take duals for numbers.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from copy import copy
+from numbers import Real
+from types import ModuleType
+from typing import Any, NoReturn
+
+import numpy as np
+
+from rockeom.arguments import number, numbers, told
+from rockeom.many import OPERATORS, boxed
+from rockeom.mathematics import FUNCTIONS, Compound
+
+Slope = Callable[..., Any]
+"""Of a function f of numbers: its derivative by one of them, given all of them and f itself."""
+
+
+def _through(
+    function: Callable[..., Any], slopes: tuple[Slope, ...], given: tuple[Any, ...]
+) -> Any:
+    """A function of numbers and duals, by its derivatives with respect to each."""
+    plain = [x.value if isinstance(x, Dual) else x for x in given]
+    found = function(*plain)
+    tangent: Any = 0.0
+    for x, slope in zip(given, slopes, strict=True):
+        if isinstance(x, Dual):
+            if np.shape(tangent) not in ((), x.tangent.shape):
+                raise ValueError(
+                    f"duals of {len(tangent)} and of {len(x.tangent)} directions meet in one "
+                    "calculation: make all of them by one call of `rk.duals`"
+                )
+            tangent = tangent + slope(*plain, found) * x.tangent
+    return _dual(np.float64(found), tangent)
+
+
+def _power_of_base(x: Any, n: Any, _: Any) -> Any:
+    return n * x ** (n - 1) if n else 0.0
+
+
+_OF_TWO: dict[str, tuple[Slope, ...]] = {
+    "add": (lambda x, y, f: 1.0, lambda x, y, f: 1.0),
+    "sub": (lambda x, y, f: 1.0, lambda x, y, f: -1.0),
+    "mul": (lambda x, y, f: y, lambda x, y, f: x),
+    "truediv": (lambda x, y, f: 1.0 / y, lambda x, y, f: -f / y),
+    "pow": (_power_of_base, lambda x, n, f: f * math.log(x)),
+    "hypot": (lambda x, y, f: x / f, lambda x, y, f: y / f),
+    "atan2": (lambda y, x, f: x / (x * x + y * y), lambda y, x, f: -y / (x * x + y * y)),
+    "copysign": (lambda x, y, f: math.copysign(1.0, x) * math.copysign(1.0, y), lambda *_: 0.0),
+}
+"""Of functions of two numbers, by their names in `operator` or `math`."""
+
+_IN_MATH = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
+"""What NumPy calls otherwise."""
+
+
+def _slopes(name: str) -> tuple[Slope, ...]:
+    if name in _OF_TWO:
+        return _OF_TWO[name]
+    if name not in FUNCTIONS:
+        raise TypeError(f"the derivative of {name} is not known: take the `.value` of its argument")
+    of = FUNCTIONS[name].slope
+    return (lambda x, f: of(x),)
+
+
+def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
+    """An operator of two numbers, and the same with the dual on its right."""
+    plain, slopes = getattr(operator, name), _OF_TWO[name]
+
+    def forward(self: Dual, other: Any) -> Any:
+        return _through(plain, slopes, (self, other)) if _is_plain(other) else NotImplemented
+
+    def backward(self: Dual, other: Any) -> Any:
+        return _through(plain, slopes, (other, self)) if _is_plain(other) else NotImplemented
+
+    return forward, backward
+
+
+def _compared(name: str) -> Callable[[Any, Any], Any]:
+    plain = getattr(operator, name)
+
+    def compare(self: Dual, other: Any) -> Any:
+        if not _is_plain(other):
+            return NotImplemented
+        return bool(plain(self.value, other.value if isinstance(other, Dual) else other))
+
+    return compare
+
+
+def _is_plain(x: Any) -> bool:
+    return isinstance(x, int | float | np.number | Dual)
+
+
+class Dual(Compound):
+    """A number with its derivatives along m directions.
+
+    value : the number, a float. tangent : (m,) its derivatives. All duals of a calculation have the
+    same directions: those of `duals`, for instance, are the parameters that it was given.
+
+    It is compared by its value. Where a float is asked for it raises TypeError, so that no
+    derivative is lost in silence: take `.value`. It is no key of a dict: two that are equal may
+    have other derivatives.
+
+    Raises TypeError for what is no number, ValueError for a tangent that is not (m,).
+
+    >>> x = rk.Dual(3.0, [1.0, 0.0])
+    >>> x * x + 1.0
+    Dual(10.0, [6.0, 0.0])
+    """
+
+    __slots__ = ("tangent", "value")
+
+    def __init__(self, value: float, tangent: Any) -> None:
+        if isinstance(value, Compound):
+            raise TypeError(f"value is {told(value)}: give a plain number")
+        along = numbers("tangent", tangent)
+        if along.ndim != 1:
+            raise ValueError(
+                f"tangent has the shape {along.shape}: give a derivative for each direction, (m,)"
+            )
+        self.value, self.tangent = np.float64(number("value", value)), along
+
+    def __repr__(self) -> str:
+        return f"Dual({self.value!s}, {self.tangent.tolist()})"
+
+    def __format__(self, how: str) -> str:
+        return format(self.value, how)
+
+    def __bool__(self) -> bool:
+        return bool(self.value != 0.0)
+
+    def __float__(self) -> NoReturn:
+        raise TypeError(
+            f"{self!r} is asked for as a float, which has no derivatives: take its `.value` where "
+            "none are wanted; `rk.tangents` carries them through a motion"
+        )
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        return _through(getattr(math, name), _slopes(name), given)
+
+    __add__, __radd__ = _binary("add")
+    __sub__, __rsub__ = _binary("sub")
+    __mul__, __rmul__ = _binary("mul")
+    __truediv__, __rtruediv__ = _binary("truediv")
+    __pow__, __rpow__ = _binary("pow")
+    __lt__, __le__ = _compared("lt"), _compared("le")
+    __gt__, __ge__ = _compared("gt"), _compared("ge")
+    __eq__, __ne__ = _compared("eq"), _compared("ne")
+    __hash__ = None  # type: ignore[assignment]
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+        """What NumPy does with numbers one by one, operators among it."""
+        if method != "__call__" or ufunc.signature is not None:
+            return NotImplemented
+        if any(isinstance(x, np.ndarray) for x in given):
+            return ufunc(*(boxed(x) if isinstance(x, Dual) else x for x in given), **how)
+        if how:
+            return NotImplemented
+        if ufunc in (np.sign, np.isfinite):
+            return ufunc(self.value)
+        if ufunc in OPERATORS:
+            plain = (x if isinstance(x, Dual) else float(x) for x in given)
+            return OPERATORS[ufunc](*plain)
+        return _through(ufunc, _slopes(_IN_MATH.get(ufunc.__name__, ufunc.__name__)), given)
+
+    def __neg__(self) -> Dual:
+        return _dual(-self.value, -self.tangent)
+
+    def __pos__(self) -> Dual:
+        return self
+
+    def __abs__(self) -> Dual:
+        return -self if self.value < 0.0 else self
+
+
+def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
+    """What needs no check."""
+    found = object.__new__(Dual)
+    found.value, found.tangent = value, tangent
+    return found
+
+
+Real.register(Dual)
+
+
+def duals(**values: float) -> dict[str, Dual]:
+    """Numbers by name, each a direction of its own, in which it has the derivative 1.
+
+    Raises TypeError for what is no number.
+
+        block = rk.RigidBlock(**rk.duals(half_width=0.1, half_height=0.4))
+    """
+    return {
+        name: Dual(value, along)
+        for (name, value), along in zip(values.items(), np.eye(len(values)), strict=True)
+    }
+
+
+def value_of(x: Any) -> Any:
+    """A number without its derivatives; of an array of numbers an array of float."""
+    if isinstance(x, np.ndarray):
+        if not directions(x):
+            return x
+        found = np.array([value_of(element) for element in x.flat], dtype=float).reshape(x.shape)
+        found.flags.writeable = x.flags.writeable
+        return found
+    return float(x.value) if isinstance(x, Dual) else x
+
+
+def nominal(x: Any) -> Any:
+    """The same without derivatives: an object with floats wherever it holds duals.
+
+    What holds none is given back itself. Of tuples, lists, dicts and objects all parts are gone
+    through; functions, classes and modules are left.
+    """
+    if isinstance(x, Dual | np.ndarray):
+        return value_of(x)
+    if isinstance(x, dict):
+        return _unless_same(x, dict(zip(x, map(nominal, x.values()), strict=True)))
+    if type(x) in (tuple, list):
+        return _unless_same(x, type(x)(map(nominal, x)))
+    if not hasattr(x, "__dict__") or callable(x) or isinstance(x, ModuleType):
+        return x
+    found = copy(x)
+    changed = {name: new for name, old in vars(found).items() if (new := nominal(old)) is not old}
+    for name, value in changed.items():
+        object.__setattr__(found, name, value)
+    return found if changed else x
+
+
+def _unless_same(old: Any, new: Any) -> Any:
+    """The new one, where a part of it is another object than in the old one."""
+    parts = [x.values() if isinstance(x, dict) else x for x in (old, new)]
+    return old if all(map(operator.is_, *parts)) else new
+
+
+def tangent_of(x: Any, m: int) -> np.ndarray:
+    """(..., m) derivatives of a number or an array (...), zero of those that have none."""
+    found = np.zeros((*np.shape(x), m))
+    if isinstance(x, Dual):
+        found[:] = x.tangent
+    elif isinstance(x, np.ndarray) and x.dtype == object:
+        for place in zip(*np.nonzero(_are_duals(x)), strict=True):
+            found[place] = x[place].tangent
+    return found
+
+
+def directions(*given: Any) -> int:
+    """Along how many directions numbers and arrays have derivatives; 0 if none has."""
+    for x in given:
+        for element in x.flat if isinstance(x, np.ndarray) and x.dtype == object else (x,):
+            if isinstance(element, Dual):
+                return len(element.tangent)
+    return 0
+
+
+_are_duals = np.frompyfunc(lambda x: isinstance(x, Dual), 1, 1)
