@@ -29,7 +29,7 @@ from scipy.special import ndtr, ndtri
 
 from rockeom.analysis.arguments import require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
-from rockeom.duals import Dual
+from rockeom.dual import Dual
 
 if TYPE_CHECKING:
     from rockeom.numeric.case import Case
@@ -37,19 +37,23 @@ if TYPE_CHECKING:
     from rockeom.numeric.options import SolverOptions
     from rockeom.numeric.response import Response
 
+_LEAST = 1e-300
+"""Instead of 0, where the medians lie on the boundary."""
 REACH = 6.0
 """Standard deviations from the medians up to which a boundary is looked for: 1e-9 lies beyond."""
 RAYS = 32
 """Places on a ray at which it is asked whether the structure falls: a narrower window is missed."""
 ACCURACY = 1e-12
 """To which the distance to a boundary is found [standard deviations]."""
-SETTLED = 1e-5
+SETTLED = 1e-4
 """Angle between the design point and the normal of the boundary at which it is taken for 0 [rad].
 
 Its square is what the index may still lose of itself.
 """
 APART = 0.01
 """Part of the overturning rotation by which two motions differ that part at a boundary."""
+NEWTON = 1e-5
+"""Step of Newton's rule from where the next one would be its square [standard deviations]."""
 ROUNDS = 60
 """Of any search here; what needs more does not settle."""
 MOST_DOUBLINGS = 6
@@ -322,54 +326,49 @@ class _Surface(Protocol):
 
 
 def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
-    """Turns a ray towards the normal of the surface where it meets it, while that is nearer."""
-    distance = surface.distance(ray)
-    if math.isinf(distance):
+    """Where the surface is nearest, of rays that begin with one that meets it.
+
+    Minimised is the logarithm of the distance. The first step along its gradient leads to the
+    normal: the step of Hasofer, Lind, Rackwitz and Fiessler. BFGS learns the curvature from there.
+    """
+    from scipy.optimize import minimize  # takes long to import
+
+    met: list[tuple[float, np.ndarray, np.ndarray]] = []
+
+    def logarithm(ray: np.ndarray) -> tuple[float, np.ndarray]:
+        along = _unit(ray)
+        distance = surface.distance(along)
+        if math.isinf(distance):
+            return distance, np.zeros(len(ray))
+        normal = surface.normal(along)
+        met.append((distance, along, normal))
+        slope = (along - normal / (normal @ along)) / np.linalg.norm(ray)
+        return math.log(max(distance, _LEAST)), slope
+
+    how = {"gtol": 0.1 * SETTLED, "norm": 2, "maxiter": ROUNDS}
+    with np.errstate(invalid="ignore"):  # where a ray meets nothing
+        minimize(logarithm, ray, jac=True, method="BFGS", options=how)
+    if not met:
         raise ValueError(
-            "no failure was found within reach of the medians along the likeliest ray: the index "
-            "is larger, or it fails elsewhere; give a larger reach, or use `monte_carlo`"
+            f"no failure was found within reach of the medians along {_told_ray(surface, ray)}: "
+            "the index is larger, or it fails elsewhere; give a larger reach, or use `monte_carlo`"
         )
-    for _ in range(ROUNDS):
-        normal = surface.normal(ray)
-        angle = _angle(ray, normal)
-        if angle <= SETTLED:
-            break
-        turned = _turned(surface, ray, normal, distance)
-        if turned is None:
-            break
-        ray, distance = turned
-    alpha = normal if angle <= SETTLED else ray
-    u = distance * ray
+    distance, along, normal = min(met, key=lambda of: of[0])
+    angle = 2.0 * math.asin(min(0.5 * float(np.linalg.norm(along - normal)), 1.0))
     names = surface.space.names
     return FirstOrder(
         index=surface.side * distance,
-        design_point=surface.space.values(u),
-        deviates=u,
-        importance=dict(zip(names, (alpha**2).tolist(), strict=True)),
+        design_point=surface.space.values(distance * along),
+        deviates=distance * along,
+        importance=dict(zip(names, (along**2).tolist(), strict=True)),
         angle=angle,
         settled=angle <= SETTLED,
         runs=surface.runs,
     )
 
 
-def _angle(a: np.ndarray, b: np.ndarray) -> float:
-    """Between unit vectors, small ones too [rad]."""
-    return 2.0 * math.asin(min(0.5 * float(np.linalg.norm(a - b)), 1.0))
-
-
-def _turned(
-    surface: _Surface, ray: np.ndarray, normal: np.ndarray, distance: float
-) -> tuple[np.ndarray, float] | None:
-    """A ray nearer to the normal with a smaller distance, and that; None where there is none."""
-    part = 1.0
-    gain = distance * (1.0 - float(normal @ ray))  # if the surface were a plane
-    while part > 1e-4:
-        new = _unit((1.0 - part) * ray + part * normal)
-        there = surface.distance(new)
-        if there < distance - 0.1 * part * gain:
-            return new, there
-        part *= 0.5
-    return None
+def _told_ray(surface: _Surface, ray: np.ndarray) -> str:
+    return _told(dict(zip(surface.space.names, ray.tolist(), strict=True)))
 
 
 # -- a smooth limit state
@@ -383,7 +382,7 @@ class _Smooth:
         self.runs = 0
         self.first = self._at(np.zeros(len(space.names)))
         self.side = 1 if self.first[0] >= 0 else -1
-        self.near = 0.0
+        self.met = np.zeros(len(space.names))
         self.slope = self.first[1]
 
     def slopes(self) -> bool:
@@ -417,14 +416,14 @@ class _Smooth:
 
     def distance(self, ray: np.ndarray) -> float:
         """By Newton's rule, kept between what is on this side of the boundary and what is not."""
-        low, high, s = 0.0, math.inf, self.near
+        low, high, s = 0.0, math.inf, self._expected(ray)
         for _ in range(ROUNDS):
             value, slope = self.first if s == 0.0 else self._at(s * ray)
             value, along = self.side * value, self.side * float(slope @ ray)
             step = -value / along if along < 0 and math.isfinite(value) else math.nan
-            if abs(step) <= 1e-10 * (1.0 + s):
-                self.near, self.slope = s + step, slope
-                return self.near
+            if abs(step) <= NEWTON * (1.0 + s):
+                self.met, self.slope = (s + step) * ray, slope
+                return s + step
             low, high = (s, high) if value > 0 else (low, s)
             if low == self.reach:
                 return math.inf
@@ -435,6 +434,12 @@ class _Smooth:
                 )
             s = _within(low, high, s + step, self.reach)
         raise ValueError(f"the limit state has no clear zero between {low:g} and {high:g} deviates")
+
+    def _expected(self, ray: np.ndarray) -> float:
+        """Where a ray meets the plane that the boundary was like where the last one met it."""
+        along = float(self.slope @ ray)
+        found = float(self.slope @ self.met) / along if along else 0.0
+        return found if 0.0 < found < self.reach else float(np.linalg.norm(self.met))
 
 
 def _within(low: float, high: float, wanted: float, reach: float) -> float:
