@@ -11,6 +11,10 @@ import numpy as np
     COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE,
     NO_SOLUTION, SEVERAL_SOLUTIONS,
 ) = range(9)  # fmt: skip
+GRAZES, OTHER_WAY = 1, 2
+"""Why derivatives are not carried on: the time of an event is not known, or what followed it is not
+found again."""
+
 FULL = 9  # it has not: the records must be emptied before the loop goes on, or a turn is over
 
 # Kinds of guards, by the passage that they end a contact state with; and the end of infinitely

@@ -49,5 +49,9 @@ Floats: TypeAlias = NDArray[np.float64]
 Floats2: TypeAlias = NDArray[np.float64]
 Floats3: TypeAlias = NDArray[np.float64]
 """Arrays of one, two and three dimensions."""
+Duals: TypeAlias = NDArray[np.float64]
+Duals2: TypeAlias = NDArray[np.float64]
+Duals3: TypeAlias = NDArray[np.float64]
+"""The same of numbers with derivatives, which stand behind each in one dimension more."""
 Ints: TypeAlias = NDArray[np.int64]
 Ints2: TypeAlias = NDArray[np.int64]

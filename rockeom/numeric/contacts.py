@@ -150,7 +150,7 @@ def eliminate(a, order, width):
             a[n * width + j] *= pivot
         for i in range(order):
             factor = a[i * width + n]
-            if i != n and factor != 0.0:
+            if i != n:
                 for j in range(n, width):
                     a[i * width + j] -= factor * a[n * width + j]
     # back to the order of the unknowns
@@ -283,6 +283,12 @@ def acceleration_of(told, row, dy):
     return total + told[point * POINT + 3 + row - 2 * point]
 
 
+@inlined
+def but_for_rounding(sum_, size):
+    """A sum, zero where nothing but rounding errors is left of its terms."""
+    return sum_ if abs(sum_) > 1e-14 * size else 0.0
+
+
 @rolled
 def put_on(rows, wanted, first, known, y):
     """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
@@ -307,7 +313,7 @@ def put_on(rows, wanted, first, known, y):
             change = known[SPREAD + i * ROWS + held[r]] * a[r * width + order]
             value += change
             size += abs(change)
-        y[first + i] = value if abs(value) > 1e-14 * size else 0.0  # but for rounding
+        y[first + i] = but_for_rounding(value, size)
 
 
 # -- candidates ----------------------------------------------------------------------------------
@@ -365,7 +371,7 @@ def held_alone(candidate, point, wanted, known, impulse):
     across, between_, along_ = known[at], known[at + 1], known[at + ROWS + 1]
     if state != STICK:
         tie = -known[LAWS + normal + 1] * SIGN_OF[state]
-        presses = across + tie * between_ if tie != 0.0 else across
+        presses = across + tie * between_
         impulse[normal] = wanted[normal] / presses if presses != 0.0 else 0.0
         impulse[normal + 1] = tie * impulse[normal]
         return True
@@ -406,8 +412,7 @@ def held_by(candidate, wanted, known, fractions, impulse):
         row = COUPLING + unknown[m] * ROWS
         for s in range(order):
             value = known[row + unknown[s]]
-            if ties[s] != 0.0:
-                value += ties[s] * known[row + unknown[s] + 1]
+            value += ties[s] * known[row + unknown[s] + 1]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)

@@ -12,7 +12,17 @@ import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
-from rockeom.numeric.machine_types import BOOL, FLOAT, INT, LIBRARY, NOTHING, Array, Entry
+from rockeom.numeric.machine_types import (
+    BOOL,
+    DUAL,
+    FLOAT,
+    INT,
+    LIBRARY,
+    NOTHING,
+    WIDTH,
+    Array,
+    Entry,
+)
 
 LINKED = sys.platform != "win32"
 """Whether a program and its constants lie side by side, as LLVM's own linker puts them.
@@ -173,18 +183,20 @@ class Bound:
             row = self._floats if type_ == FLOAT else self._integers
             row[place] = value
         elif value is not self.arrays.get(name):
-            wanted = _ELEMENTS[type_.element]
+            wanted, behind = _ELEMENTS[type_.element]
+            dimensions = type_.dimensions + len(behind)
             if (
                 value.dtype != wanted
-                or value.ndim != type_.dimensions
+                or value.ndim != dimensions
+                or value.shape[type_.dimensions :] != behind
                 or not value.flags.c_contiguous
             ):
                 raise TypeError(
                     f"{self.function.name}: {name} is {value.dtype}, {value.ndim} dimensions: an "
-                    f"array of {wanted}, {type_.dimensions} dimensions, in C order is wanted"
+                    f"array of {wanted}, {dimensions} dimensions, in C order is wanted"
                 )
             self._integers[place] = _address(value)
-            for i, length in enumerate(value.shape, place + 1):
+            for i, length in enumerate(value.shape[: type_.dimensions], place + 1):
                 self._integers[i] = length
             self.arrays[name] = value
 
@@ -202,7 +214,12 @@ def _address(array: np.ndarray) -> int:
         return array.__array_interface__["data"][0]
 
 
-_ELEMENTS = {FLOAT: np.dtype(np.float64), INT: np.dtype(np.int64)}
+_ELEMENTS: dict[str, tuple[np.dtype, tuple[int, ...]]] = {
+    FLOAT: (np.dtype(np.float64), ()),
+    INT: (np.dtype(np.int64), ()),
+    DUAL: (np.dtype(np.float64), (1 + WIDTH,)),
+}
+"""Of each element of an array: NumPy's type, and the dimension that stands behind the others."""
 
 
 def _nothing(_: Any) -> None:

@@ -9,9 +9,23 @@ import math
 import struct
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import accumulate
 from typing import NamedTuple
 
-from rockeom.numeric.machine_types import BOOL, FLOAT, INT, NOTHING, Array, Tuple, Type
+from rockeom.numeric.machine_types import (
+    BOOL,
+    DUAL,
+    FLOAT,
+    IN_MEMORY,
+    INT,
+    NOTHING,
+    VECTOR,
+    WIDTH,
+    Array,
+    Tuple,
+    Type,
+    words,
+)
 
 # -- types and values ----------------------------------------------------------------------------
 
@@ -38,7 +52,13 @@ def parts_of(type_: Type) -> tuple[str, ...]:
         return ("ptr", *[INT] * type_.dimensions)
     if isinstance(type_, Tuple):
         return tuple(part for item in type_.items for part in parts_of(item))
-    return (type_,)
+    return (FLOAT, VECTOR) if type_ == DUAL else (type_,)
+
+
+def places_of(parts: Sequence[str]) -> tuple[list[int], int]:
+    """Where parts begin that lie one behind the other, in 64 bits each, and where they end."""
+    ends = list(accumulate(map(words, parts), initial=0))
+    return ends[:-1], ends[-1]
 
 
 def joined(a: Type, b: Type) -> Type | None:
@@ -48,7 +68,10 @@ def joined(a: Type, b: Type) -> Type | None:
     if isinstance(a, Tuple) and isinstance(b, Tuple) and len(a.items) == len(b.items):
         items = [joined(x, y) for x, y in zip(a.items, b.items, strict=True)]
         return None if None in items else Tuple(tuple(items))  # type: ignore[arg-type]
-    return FLOAT if {a, b} == {FLOAT, INT} else None
+    found = {a, b}
+    if DUAL in found and found <= {DUAL, FLOAT, INT}:
+        return DUAL
+    return FLOAT if found == {FLOAT, INT} else None
 
 
 def told(type_: Type) -> str:
@@ -57,7 +80,12 @@ def told(type_: Type) -> str:
         return f"array of {told(type_.element)} with {type_.dimensions} dimensions"
     if isinstance(type_, Tuple):
         return f"({', '.join(map(told, type_.items))})" if type_.items else "nothing"
-    return {FLOAT: "float", INT: "int", BOOL: "bool"}[type_]
+    return {FLOAT: "float", INT: "int", BOOL: "bool", DUAL: "number with derivatives"}[type_]
+
+
+def _aligned(part: str) -> str:
+    """How a vector stands in memory: among numbers of 64 bits."""
+    return ", align 8" if part == VECTOR else ""
 
 
 def returned(type_: Type) -> str:
@@ -196,7 +224,8 @@ class Lines:
         """A place that lasts as long as the call."""
         self.count += 1
         name = f"%s{self.count}"
-        self.head.append(f"  {name} = alloca {element}, i64 {size}, align {8 if size == 1 else 64}")
+        kind = IN_MEMORY.get(element, element)
+        self.head.append(f"  {name} = alloca {kind}, i64 {size}, align {8 if size == 1 else 64}")
         return name
 
     def whole(self, name: str) -> str:
@@ -204,24 +233,28 @@ class Lines:
         return f"%{'in' if name in self.arguments else 'all'}.{name}"
 
     def load(self, name: str, type_: Type) -> Value:
-        if isinstance(type_, str):
+        if isinstance(type_, str) and type_ != DUAL:
             return Value(type_, (self.new(f"load {type_}, ptr %{name}.0"),))
-        loads = [f"load {part}, ptr %{name}.{i}" for i, part in enumerate(parts_of(type_))]
+        loads = [
+            f"load {part}, ptr %{name}.{i}{_aligned(part)}"
+            for i, part in list(enumerate(parts_of(type_)))
+        ]
         return Value(type_, tuple(map(self.new, loads)))
 
     def store(self, name: str, value: Value) -> None:
         for i, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
-            self.line(f"store {part} {operand}, ptr %{name}.{i}")
+            self.line(f"store {part} {operand}, ptr %{name}.{i}{_aligned(part)}")
 
     def given(self, value: Value) -> list[str]:
         """The operands of an argument of a call; a tuple is passed by its place."""
         parts = list(zip(parts_of(value.type), value.parts, strict=True))
         if not isinstance(value.type, Tuple):
             return [f"{part} {operand}" for part, operand in parts]
-        whole = self.on_stack(INT, max(len(parts), 1))
-        for i, (part, operand) in enumerate(parts):
-            place = self.new(f"getelementptr i64, ptr {whole}, i64 {i}")
-            self.line(f"store {part} {operand}, ptr {place}")
+        places, size = places_of([part for part, _ in parts])
+        whole = self.on_stack(INT, max(size, 1))
+        for at, (part, operand) in zip(places, parts, strict=True):
+            place = self.new(f"getelementptr i64, ptr {whole}, i64 {at}")
+            self.line(f"store {part} {operand}, ptr {place}{_aligned(part)}")
         return [f"ptr {whole}"]
 
     def call(self, symbol: str, returns: Type, operands: Sequence[str], how: str = "") -> Value:
@@ -263,18 +296,23 @@ class Lines:
             parts = list(enumerate(parts_of(type_)))
             if isinstance(type_, Tuple):
                 whole = self.whole(name)
+                places, size = places_of(parts_of(type_))
                 if name in self.arguments:
                     operands.append(f"ptr noalias readonly {whole}")
                 else:
-                    head.append(f"  {whole} = alloca i64, i64 {len(parts)}")
+                    head.append(f"  {whole} = alloca i64, i64 {size}")
                 head += [
-                    f"  %{name}.{i} = getelementptr i64, ptr {whole}, i64 {i}" for i, _ in parts
+                    f"  %{name}.{i} = getelementptr i64, ptr {whole}, i64 {at}"
+                    for i, at in enumerate(places)
                 ]
                 continue
-            head += [f"  %{name}.{i} = alloca {part}" for i, part in parts]
+            head += [f"  %{name}.{i} = alloca {part}{_aligned(part)}" for i, part in parts]
             if name in self.arguments:
                 operands += [f"{part} %in.{name}.{i}" for i, part in parts]
-                head += [f"  store {part} %in.{name}.{i}, ptr %{name}.{i}" for i, part in parts]
+                head += [
+                    f"  store {part} %in.{name}.{i}, ptr %{name}.{i}{_aligned(part)}"
+                    for i, part in parts
+                ]
         first = f"define internal {returned(returns)} @{symbol}({', '.join(operands)}) {how}{{"
         end = ["  ret void" if returns == NOTHING else "  unreachable"] if self.open else []
         return "\n".join([first, "entry:", *head, *self.head, *self.lines, *end, "}"])
@@ -285,6 +323,8 @@ class Lines:
         """The same value as one of a wider type."""
         if value.type == type_:
             return value
+        if type_ == DUAL:
+            return Value(DUAL, (self.widened(value, FLOAT).operand, "zeroinitializer"))
         if value.type == INT and type_ == FLOAT:
             if not value.operand.startswith("%"):
                 return Value(FLOAT, (literal(float(int(value.operand))),))
@@ -298,6 +338,8 @@ class Lines:
         if left.type == right.type == BOOL and operation in OF_BOOLS:
             return self.number(BOOL, f"{OF_BOOLS[operation]} i1 {left.operand}, {right.operand}")
         _numbers("arithmetic", left, right)
+        if DUAL in (left.type, right.type):
+            return self.of_duals(operation, left, right)
         if operation == "Div" or FLOAT in (left.type, right.type):
             if operation not in OF_FLOATS:
                 raise Unfit(f"{operation} of floats is not among the operations")
@@ -310,6 +352,12 @@ class Lines:
     def negative(self, value: Value) -> Value:
         if value.type == INT:
             return self.number(INT, f"sub nsw i64 0, {value.operand}")
+        if value.type == DUAL:
+            number, rates = value.parts
+            return self.dual(
+                self.new(f"fneg {self.fast}double {number}"),
+                self.new(f"fneg {self.fast}{VECTOR} {rates}"),
+            )
         return self.number(FLOAT, f"fneg {self.fast}double {value.operand}")
 
     def power(self, square: Value, n: int) -> Value:
@@ -333,7 +381,7 @@ class Lines:
         _numbers("comparison", left, right)
         if left.type == right.type == INT:
             return self.new(f"icmp {of_ints} i64 {left.operand}, {right.operand}")
-        a, b = self.widened(left, FLOAT).operand, self.widened(right, FLOAT).operand
+        a, b = self.value(left).operand, self.value(right).operand
         return self.new(f"fcmp {of_floats} double {a}, {b}")
 
     def is_finite(self, x: str) -> Value:
@@ -343,6 +391,8 @@ class Lines:
     def absolute(self, value: Value) -> Value:
         if value.type == FLOAT:
             return self.external("llvm.fabs.f64", value.operand)
+        if value.type == DUAL:
+            return self.largest(value, self.negative(value))
         if value.type != INT:
             raise Unfit(f"no abs of {told(value.type)}")
         below = self.new(f"icmp slt i64 {value.operand}, 0")
@@ -353,13 +403,15 @@ class Lines:
         """As in Python: the first of those that no other exceeds."""
         for value in others:
             type_ = joined(best.type, value.type)
-            if type_ not in (FLOAT, INT):
+            if type_ not in (FLOAT, INT, DUAL):
                 raise Unfit(f"no largest or least of {told(best.type)}, {told(value.type)}")
             best, value = self.widened(best, type_), self.widened(value, type_)
             test = self.compared(better, value, best)
-            fast = self.fast if type_ == FLOAT else ""
-            line = f"select {fast}i1 {test}, {type_} {value.operand}, {type_} {best.operand}"
-            best = self.number(type_, line)
+            fast = "" if type_ == INT else self.fast
+            both = zip(parts_of(type_), value.parts, best.parts, strict=True)
+            select = f"select {fast}i1 {test}"
+            chosen = [self.new(f"{select}, {part} {a}, {part} {b}") for part, a, b in both]
+            best = Value(type_, tuple(chosen))
         return best
 
     def least(self, *values: Value) -> Value:
@@ -373,14 +425,77 @@ class Lines:
     def as_float(self, value: Value) -> Value:
         if value.type == BOOL:
             return self.number(FLOAT, f"uitofp i1 {value.operand} to double")
-        return self.widened(value, FLOAT)
+        return value if value.type == DUAL else self.widened(value, FLOAT)
 
     def as_int(self, value: Value) -> Value:
-        if value.type == FLOAT:
+        if value.type in (FLOAT, DUAL):
             return self.number(INT, f"fptosi double {value.operand} to i64")
         if value.type == BOOL:
             return self.number(INT, f"zext i1 {value.operand} to i64")
         return self.widened(value, INT)
+
+    # -- numbers with derivatives: the rules of sums, products and quotients, and of the chain
+
+    def dual(self, number: str, rates: str) -> Value:
+        return Value(DUAL, (number, rates))
+
+    def value(self, value: Value) -> Value:
+        """The number without its derivatives."""
+        if value.type == DUAL:
+            return Value(FLOAT, (value.operand,))
+        return self.widened(value, FLOAT)
+
+    def moving(self, number: Value, rate: Value) -> Value:
+        """A number whose derivatives are all one rate."""
+        rates = self.everywhere(self.value(rate).operand)
+        return self.dual(self.value(number).operand, rates)
+
+    def rate(self, value: Value) -> Value:
+        """The first of the derivatives."""
+        rates = self.widened(value, DUAL).parts[1]
+        return self.number(FLOAT, f"extractelement {VECTOR} {rates}, i64 0")
+
+    def everywhere(self, x: str) -> str:
+        """A number in all places of a vector."""
+        one = self.new(f"insertelement {VECTOR} poison, double {x}, i64 0")
+        none = f"<{WIDTH} x i32> zeroinitializer"
+        return self.new(f"shufflevector {VECTOR} {one}, {VECTOR} poison, {none}")
+
+    def vectors(self, operation: str, a: str, b: str) -> str:
+        return self.new(f"{operation} {self.fast}{VECTOR} {a}, {b}")
+
+    def times(self, rates: str, factor: str) -> str:
+        return self.vectors("fmul", rates, self.everywhere(factor))
+
+    def through(self, number: Value, value: Value, slope: Value) -> Value:
+        """A function of a number with derivatives, by its value and its slope there."""
+        return self.dual(value.operand, self.times(number.parts[1], slope.operand))
+
+    def of_duals(self, operation: str, left: Value, right: Value) -> Value:
+        """Arithmetic where one or both have derivatives; the other has none."""
+        if operation not in OF_FLOATS:
+            raise Unfit(f"{operation} of {told(DUAL)} is not among the operations")
+        a, b = self.value(left), self.value(right)
+        da, db = (x.parts[1] if x.type == DUAL else "" for x in (left, right))
+        found = self.arithmetic(operation, a, b)
+        if operation in ("Add", "Sub"):
+            how = OF_FLOATS[operation]
+            if not db:
+                return self.dual(found.operand, da)
+            if not da:
+                other = db if how == "fadd" else self.new(f"fneg {self.fast}{VECTOR} {db}")
+                return self.dual(found.operand, other)
+            return self.dual(found.operand, self.vectors(how, da, db))
+        if operation == "Mult":
+            terms = [self.times(x, y.operand) for x, y in ((da, b), (db, a)) if x]
+            rates = terms[0] if len(terms) == 1 else self.vectors("fadd", *terms)
+            return self.dual(found.operand, rates)
+        inverse = self.arithmetic("Div", Value(FLOAT, (literal(1.0),)), b)
+        if db:
+            lost = self.times(db, found.operand)
+            zero = f"fneg {self.fast}{VECTOR} {lost}"
+            da = self.vectors("fsub", da, lost) if da else self.new(zero)
+        return self.dual(found.operand, self.times(da, inverse.operand))
 
     # -- arrays
 
@@ -394,9 +509,8 @@ class Lines:
 
     def address(self, array: Value, at: str) -> str:
         assert isinstance(array.type, Array)
-        return self.new(
-            f"getelementptr inbounds {array.type.element}, ptr {array.operand}, i64 {at}"
-        )
+        kind = IN_MEMORY.get(array.type.element, array.type.element)
+        return self.new(f"getelementptr inbounds {kind}, ptr {array.operand}, i64 {at}")
 
     def place(self, array: Value, indices: Iterator[str], count: int) -> Value:
         """What stands at some indices of an array, as an array of the dimensions that are left."""
@@ -423,13 +537,28 @@ class Lines:
     def read(self, place: Value) -> Value:
         """The number in a place: an array without dimensions."""
         assert isinstance(place.type, Array)
-        return self.number(place.type.element, f"load {place.type.element}, ptr {place.operand}")
+        element, at = place.type.element, place.operand
+        if element == DUAL:
+            number = self.new(f"load double, ptr {at}")
+            rates = self.new(f"load {VECTOR}, ptr {self.rates_at(at)}{_aligned(VECTOR)}")
+            return self.dual(number, rates)
+        return self.number(element, f"load {element}, ptr {at}")
+
+    def rates_at(self, place: str) -> str:
+        """Where the derivatives stand of a number in memory: behind it."""
+        return self.new(f"getelementptr inbounds i64, ptr {place}, i64 1")
 
     def write(self, value: Value, place: Value) -> None:
         """Put a number into a place."""
         assert isinstance(place.type, Array)
-        element = place.type.element
-        self.line(f"store {element} {self.widened(value, element).operand}, ptr {place.operand}")
+        element, at = place.type.element, place.operand
+        value = self.widened(value, element)
+        if element == DUAL:
+            number, rates = value.parts
+            self.line(f"store double {number}, ptr {at}")
+            self.line(f"store {VECTOR} {rates}, ptr {self.rates_at(at)}{_aligned(VECTOR)}")
+            return
+        self.line(f"store {element} {value.operand}, ptr {at}")
 
     def fill(self, part: Value, value: Value) -> None:
         """Give all numbers of a part of an array one value."""
@@ -446,6 +575,8 @@ class Lines:
 
     def zeros(self, element: str, shape: tuple[int, ...]) -> Value:
         array, size = self.new_array(element, shape), 8 * math.prod(shape)
+        if element == DUAL:
+            size *= 1 + WIDTH
         if size:
             self.declared["llvm.memset.p0.i64"] = "void @llvm.memset.p0.i64(ptr, i8, i64, i1)"
             self.line(
@@ -455,7 +586,8 @@ class Lines:
 
     def listed(self, numbers: Sequence[Value]) -> Value:
         """An array of numbers that are given one by one."""
-        element = FLOAT if any(v.type == FLOAT for v in numbers) else INT
+        kinds = {v.type for v in numbers}
+        element = DUAL if DUAL in kinds else FLOAT if FLOAT in kinds else INT
         array = self.new_array(element, (len(numbers),))
         for i, number in enumerate(numbers):
             value = self.widened(number, element)
@@ -465,5 +597,5 @@ class Lines:
 
 def _numbers(what: str, *values: Value) -> None:
     for value in values:
-        if value.type not in (FLOAT, INT):
+        if value.type not in (FLOAT, INT, DUAL):
             raise Unfit(f"no {what} with {told(value.type)}")

@@ -7,6 +7,19 @@ from typing import NamedTuple
 FLOAT, INT, BOOL = "double", "i64", "i1"
 """Scalar types are called as in LLVM."""
 
+DUAL = "dual"
+"""A number with its derivatives in WIDTH directions: what is printed for it carries them along."""
+
+WIDTH = 8
+VECTOR = f"<{WIDTH} x double>"
+IN_MEMORY = {DUAL: f"[{1 + WIDTH} x double]"}
+"""What stands in a place of an array, where it is not what the type is called."""
+
+
+def words(part: str) -> int:
+    """How many 64 bits a part of a value takes."""
+    return WIDTH if part == VECTOR else 1
+
 
 class Array(NamedTuple):
     """Of an element type and a number of dimensions."""

@@ -15,6 +15,11 @@ refused by file and line.
               the function's call, of constant size
     variable  one type: that of all values that it is given, float where some are int. Each is
               assigned before it is read, whatever way the function takes
+    dual      a float with its derivatives in some directions: what is printed for it carries them
+              along by the rules of calculus, so that a text printed for duals is its own
+              derivative. Comparisons are of the numbers; arrays that the function makes are of
+              duals. Where a function f has a rule of its own, it is a function `f_of_duals`; that
+              of `math.f` is a function `f_slope`
 
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
@@ -51,6 +56,7 @@ from rockeom.numeric.machine_lines import (
 )
 from rockeom.numeric.machine_types import (
     BOOL,
+    DUAL,
     FLOAT,
     INT,
     MATH,
@@ -67,6 +73,7 @@ ANNOTATIONS: dict[str, Type] = {
     "int": INT, "float": FLOAT, "bool": BOOL,
     "Floats": Array(FLOAT, 1), "Floats2": Array(FLOAT, 2), "Floats3": Array(FLOAT, 3),
     "Ints": Array(INT, 1), "Ints2": Array(INT, 2),
+    "Duals": Array(DUAL, 1), "Duals2": Array(DUAL, 2), "Duals3": Array(DUAL, 3),
 }  # fmt: skip
 
 
@@ -210,6 +217,8 @@ class Program:
         self, name: str, types: tuple[Type, ...], node: ast.AST | None, caller: Definition
     ) -> tuple[str, Type]:
         """Symbol and type of what is returned, of a function for these types of arguments."""
+        if f"{name}_of_duals" in self.definitions and any(map(has_duals, types)):
+            name = f"{name}_of_duals"
         key = name, types
         if key not in self.printed:
             if name not in self.definitions:
@@ -323,6 +332,7 @@ class _Function:
         self.locals = _stored(tree) | set(self.arguments)
         self.fused = program.contract and (definition.text.fused or "fused" in definition.marks)
         self.types: dict[str, Type] = dict(zip(self.arguments, types, strict=True))
+        self.element = DUAL if any(map(has_duals, types)) else FLOAT  # of arrays that are made
         self.returns: Type = NOTHING
         self.returned = False
         self.unknown: set[ast.expr] = set()  # what was asked for in vain before
@@ -446,10 +456,7 @@ class _Function:
         return value
 
     def _number(self, node: ast.expr) -> Value:
-        return self._of_type(node, (FLOAT, INT), "a number is wanted")
-
-    def _float(self, node: ast.expr) -> str:
-        return self.ir.widened(self._number(node), FLOAT).operand
+        return self._of_type(node, (FLOAT, INT, DUAL), "a number is wanted")
 
     def _int(self, node: ast.expr) -> str:
         return self._of_type(node, (INT,), "a whole number is wanted").operand
@@ -488,7 +495,10 @@ class _Function:
             n = self._whole(node.right)
             if n is not None and 0 < n < 10:
                 return self.ir.power(self._number(node.left), n)
-            return self.ir.external("llvm.pow.f64", self._float(node.left), self._float(node.right))
+            base, exponent = self._number(node.left), self._number(node.right)
+            if exponent.type == DUAL:
+                self.refuse(node, "an exponent has no derivatives here")
+            return self._through("power", "llvm.pow.f64", node, base, exponent)
         left, right = self._value(node.left), self._value(node.right)
         found = self.ir.arithmetic(type(node.op).__name__, left, right)
         divides = isinstance(node.op, ast.FloorDiv | ast.Mod)
@@ -644,7 +654,7 @@ class _Function:
         if not isinstance(shape, tuple) or not all(isinstance(n, int) for n in shape):
             self.refuse(node, "the shape of an array is constant")
         make = self.ir.zeros if how == "zeros" else self.ir.new_array
-        return make(INT if len(node.args) > 1 else FLOAT, shape)
+        return make(INT if len(node.args) > 1 else self.element, shape)
 
     # -- calls --------------------------------------------------------------------------------
 
@@ -658,7 +668,9 @@ class _Function:
             self.refuse(node, "only functions with a name of their own are called")
         name = function.id
         if name in _BUILT_IN and name not in self.program.definitions:
-            if len(node.args) != 1 and (name not in ("max", "min") or not node.args):
+            if len(node.args) != _TAKES.get(name, 1) and (
+                name not in ("max", "min") or not node.args
+            ):
                 self.refuse(node, f"{name} of {len(node.args)} is not among the functions")
             return _BUILT_IN[name](self.ir, *map(self._value, node.args))
         given = [self._given(a) for a in node.args]
@@ -695,10 +707,22 @@ class _Function:
         if len(node.args) == 1 and library == "np":
             return self.ir.as_int(self._value(node.args[0]))
         if len(node.args) == 1 and name == "isfinite":
-            return self.ir.is_finite(self._float(node.args[0]))
+            return self.ir.is_finite(self.ir.value(self._number(node.args[0])).operand)
         if len(node.args) == 1 and name in MATH:
-            return self.ir.external(MATH[name], self._float(node.args[0]))
+            return self._through(name, MATH[name], node, self._number(node.args[0]))
         self.refuse(node, f"{library}.{name} of {len(node.args)} is not among the functions")
+
+    def _through(self, name: str, symbol: str, node: ast.AST, number: Value, *more: Value) -> Value:
+        """A function of another library; of a number with derivatives, by the text of its slope."""
+        given = [self.ir.value(x) for x in (number, *more)]
+        found = self.ir.external(symbol, *(x.operand for x in given))
+        if number.type != DUAL:
+            return found
+        slope, returns = self.program.function(
+            f"{name}_slope", (FLOAT,) * len(given), node, self.definition
+        )
+        operands = [operand for x in given for operand in self.ir.given(x)]
+        return self.ir.through(number, found, self.ir.call(slope, returns, operands))
 
     # -- statements ---------------------------------------------------------------------------
 
@@ -874,6 +898,13 @@ class _Function:
 _NO_REMAINDER = "// and % are for numbers that clearly cannot be negative"
 
 
+def has_duals(type_: Type) -> bool:
+    """Whether a value of a type has derivatives somewhere."""
+    if isinstance(type_, Tuple):
+        return any(map(has_duals, type_.items))
+    return (type_.element if isinstance(type_, Array) else type_) == DUAL
+
+
 def _is_slice(node: ast.Subscript) -> bool:
     return isinstance(node.slice, ast.Slice)
 
@@ -911,7 +942,10 @@ def _as_tuple(*items: Any) -> tuple[Any, ...]:
 _BUILT_IN: dict[str, Callable[..., Value]] = {
     "abs": Lines.absolute, "max": Lines.largest, "min": Lines.least, "len": Lines.length,
     "float": Lines.as_float, "int": Lines.as_int,
+    "value": Lines.value, "moving": Lines.moving, "rate": Lines.rate,
 }  # fmt: skip
+_TAKES = {"moving": 2}
+"""How many arguments they take, if not one."""
 _KNOWN: dict[type, Callable[..., Any]] = {
     ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_,
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Pow: operator.pow,

@@ -33,16 +33,16 @@ if TYPE_CHECKING:
     from rockeom.numeric.printer import Text
 
 _OF_POINTS = ("landings.py", "bounces.py")
-_LANES = ("lanes.py", "lanes_text.py")
-_SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE")
+_SLOPES, _CARRIED = "slopes.py", "carried.py"
+_SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE", "FLOATS_SIZE", "DUALS_SIZE")
 
 
 class Program:
     """The functions of a structure with a method in machine code, and the tables of its module.
 
     integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
-    in loop.py and lanes.py; SCRATCH, Z_SIZE and W_SIZE, the sizes of the arrays that they want; all
-    else is that of the generated module.
+    in loop.py and lanes.py; carry, as in carried.py, in one that carries derivatives; the sizes of
+    the arrays that they want as scratch; all else is that of the generated module.
 
     codes : of the loop, and of lanes, which call it.
     """
@@ -50,6 +50,8 @@ class Program:
     SCRATCH: int
     Z_SIZE: int
     W_SIZE: int
+    FLOATS_SIZE: int
+    DUALS_SIZE: int
 
     integrate: Function
     integrate_many: Function
@@ -57,6 +59,7 @@ class Program:
     falls: Function
     at_rest: Function
     evaluate: Function
+    carry: Function
 
     def __init__(self, name: str, module: ModuleType, *codes: bytes) -> None:
         entries: dict[str, Entry] = {}
@@ -96,9 +99,18 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
         return _program(generated, method, lanes)
 
 
-@cache
+def carrying(generated: ModuleType, method: str) -> Program:
+    """The program that carries derivatives along the motions of a generated module."""
+    with _LOCK:
+        return _of_parts(generated, method, (TANGENTS,))
+
+
 def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
-    parts = (LOOP, VECTORS, GLUE) if lanes else (LOOP,)
+    return _of_parts(generated, method, (LOOP, VECTORS, GLUE) if lanes else (LOOP,))
+
+
+@cache
+def _of_parts(generated: ModuleType, method: str, parts: tuple[str, ...]) -> Program:
     keys = [_key(generated, method, part) for part in parts]
     codes = [
         kept(*key, lambda part=part: _made(generated, method, part))  # type: ignore[misc]
@@ -107,10 +119,18 @@ def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
     return Program("_".join(keys[-1]), generated, *codes)
 
 
-LOOP, VECTORS, GLUE = "loop", "vectors", "lanes"
+LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
 """The parts of a program, each compiled and kept by itself: a sweep in lanes finds the loop there
-that a single motion has been run by. Vectors are the work on all lanes at once, and the last is
-what it is called by."""
+that a single motion has been run by. Vectors are the work on all lanes at once, and the third is
+what it is called by. Derivatives are the texts of the loop once more, printed for duals."""
+_OTHERS = {
+    VECTORS: ("lanes.py", "lanes_text.py"),
+    GLUE: ("lanes.py", "lanes_text.py"),
+    TANGENTS: (_SLOPES, _CARRIED),
+}
+"""Texts from which a part is made besides those of the loop."""
+
+_SAID = {VECTORS: " in lanes", GLUE: " in lanes", TANGENTS: " for derivatives"}
 
 
 def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
@@ -132,7 +152,7 @@ def _sources(generated: ModuleType, method: str, part: str) -> tuple[str, ...]:
         _own("coefficients.py"), _own("implicit.py"), _own("printer.py"), _own("machine.py"),
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
-        *(_own(name) for name in _LANES if part != LOOP),
+        *(_own(name) for name in _OTHERS.get(part, ())),
     )  # fmt: skip
 
 
@@ -152,11 +172,8 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
     described = {"entries": printed.entries, "sizes": sizes}
     took = time.monotonic() - started
     if took > 1.0 and sys.stderr is not None:  # None: a program without a console
-        of_lanes = "" if part == LOOP else " in lanes"
-        sys.stderr.write(
-            f"rockeom: compiled {generated.NAME} with {method}{of_lanes} in {took:.1f} s, once on "
-            "this machine\n"
-        )
+        what = f"{generated.NAME} with {method}{_SAID.get(part, '')}"
+        sys.stderr.write(f"rockeom: compiled {what} in {took:.1f} s, once on this machine\n")
         sys.stderr.flush()
     return json.dumps(described).encode() + b"\n" + code
 
@@ -177,8 +194,10 @@ def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
     """What a part of a program is printed from; entries of the other parts are called."""
     from rockeom.numeric.printer import Text
 
-    own = {LOOP: "loop.py", VECTORS: VECTORS, GLUE: "lanes.py"}[part]
-    found = texts(generated, method, part != LOOP)
+    own = {LOOP: "loop.py", VECTORS: VECTORS, GLUE: "lanes.py", TANGENTS: _CARRIED}[part]
+    found = texts(generated, method, part in (VECTORS, GLUE))
+    if part == TANGENTS:
+        found += [Text(name, _own(name), fused=True) for name in (_SLOPES, _CARRIED)]
     found = [replace(text, elsewhere=text.name != own) for text in found]
     if part == VECTORS:
         from rockeom.numeric.lanes_text import SINES

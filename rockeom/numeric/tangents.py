@@ -1,19 +1,36 @@
 """Derivatives of a motion with respect to anything that a case is made of.
 
-For now by central differences of the case in numbers.
+    import rockeom as rk
+
+    numbers = rk.duals(half_width=0.1, theta=0.15)
+    block = rk.RigidBlock(half_width=numbers["half_width"], half_height=0.4)
+    start = {"theta": numbers["theta"]}
+    found = rk.tangents(rk.Case(block, rk.GroundMotion.none(3.0), initial=start))
+    found.event_times[0]  # of the first impact, by the half-width and by the first rotation
+    found.at([1.0, 2.0])  # (2, 2, 2): of the states then
+
+They are exact: nothing is moved by a little to see what it does. The steps of the motion are taken
+once more by the same texts, printed for numbers with derivatives; what happens where a guard falls,
+`rockeom/numeric/carried.py` says.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from rockeom.dual import nominal
+from rockeom.arguments import numbers
+from rockeom.contract import GRAZES, OTHER_WAY
+from rockeom.dual import nominal, tangent_of, value_of
 from rockeom.numeric.case import Case, Problem, ProblemTangents, parted
+from rockeom.numeric.machine_types import WIDTH
 from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.program import carrying
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.simulate import simulated
 
@@ -22,115 +39,203 @@ from rockeom.numeric.simulate import simulated
 class Tangents:
     """A motion with its derivatives along m directions, those of the duals of its case.
 
-    response : the motion. event_times (k, m) : of the time of each passage of `response.events`.
-    before, after (k, N, m) : of the states on both sides of each passage, at the passage, which
-    moves. end (N, m) : of the state at the end of the motion; end_time (m,) : of the time of that
-    end, zero where it is given by a number.
-    grazing : "", or a sentence that names the event that grazes; what is behind it is nan.
+    response : the motion, with the bits that `simulate` gives. start (N, m) : of the state at the
+    start. event_times (k, m) : of the time of each passage of `response.events`. before, after
+    (k, N, m) : of the states on both sides of each passage, at the passage, which moves. end (N, m)
+    : of the state at the end of the motion, as far as a dual `duration` moves that, too; end_time
+    (m,) : of the time of that end: zero, but where a structure falls or `duration` is a dual.
+
+    grazing : "", or a sentence on the event that cannot be passed: one whose guard falls so slowly
+    that its time is not known, so that a little more or less of anything and it is another, or
+    none. What is behind it is nan.
     """
 
     response: Response
+    start: np.ndarray
     event_times: np.ndarray
     before: np.ndarray
     after: np.ndarray
     end: np.ndarray
     end_time: np.ndarray
     grazing: str
-    _at: Callable[[np.ndarray], np.ndarray]
+    _motion: _Motion
 
-    def at(self, times: Any) -> np.ndarray:
-        """(n, N, m) derivatives of the states at fixed times (n,) [s]."""
-        return self._at(np.atleast_1d(np.asarray(times, dtype=float)))
+    def at(self, times: ArrayLike) -> np.ndarray:
+        """(n, N, m) derivatives of the states at fixed times (n,) [s], behind an event at one.
+
+        Raises ValueError for times outside of the motion.
+        """
+        given = np.atleast_1d(numbers("Tangents.at: times", times))
+        end = self._motion.last_time
+        if given.size and not (given.min() >= 0.0 and given.max() <= end):
+            raise ValueError(f"Tangents.at: times are from 0 to {end:.6g} s, where the motion ends")
+        order = np.argsort(given, kind="stable")
+        found = np.empty((len(given), *self.end.shape))
+        found[order] = self._motion.carried(given[order]).found
+        return found
 
 
 def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     """The motion of a case that holds duals, with its derivatives along their directions.
 
-    Raises what `simulate` raises.
+    options : as for `simulate`. The derivatives are those of the steps that were taken, and as
+    accurate as the motion.
+
+    Raises what `simulate` raises, and ValueError for motions by Radau's method, whose steps cannot
+    be taken again: they are found by equations.
 
     >>> start = rk.duals(theta=0.1, theta_dot=0.0)
     >>> flow = rk.tangents(rk.Case(block, motion, initial=start, duration=2.0))
     >>> flow.end.shape
     (2, 2)
     """
-    options = SolverOptions.of(options)
     problem, along = parted(case.problem())
-    plain = nominal(case)
-    response = simulated(plain, problem, options)
-    m = along.y0.shape[-1]
-    moved = [_Moved(plain, problem, along, j, options) for j in range(m)]
-    k, n = len(response.passages[0]), len(problem.y0)
+    return of_problem(case, problem, along, SolverOptions.of(options))
 
-    def columns(of: Callable[[_Moved], np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
-        return np.stack([of(x) for x in moved], axis=-1) if m else np.empty((*shape, 0))
 
-    same = all(len(run.passages[0]) == k for x in moved for run in x.runs)
-    if not same:
-        return Tangents(
-            response, np.full((k, m), np.nan), np.full((k, n, m), np.nan),
-            np.full((k, n, m), np.nan), np.full((n, m), np.nan), np.full(m, np.nan),
-            "an event is there on one side only", lambda t: np.full((len(t), n, m), np.nan),
-        )  # fmt: skip
+def of_problem(
+    case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions
+) -> Tangents:
+    """The same of a case in numbers: for whoever runs it again from another state."""
+    response = simulated(nominal(case), problem, options)
+    motion = _Motion(response, problem, along)
+    found = motion.carried(np.empty(0))
+    end, end_time = _end(case, motion, found.end)
     return Tangents(
-        response,
-        columns(lambda x: x.of(lambda r: r.passages[0]), (k,)),
-        columns(lambda x: x.of(lambda r: r.passages[2][:, 0]), (k, n)),
-        columns(lambda x: x.of(lambda r: r.passages[2][:, 1]), (k, n)),
-        columns(lambda x: x.of(lambda r: r.end), (n,)),
-        columns(lambda x: x.of(_end_time), ()),
-        "",
-        lambda t: columns(lambda x: x.of(lambda r: _states(r, t)), (len(t), n)),
-    )
+        response, along.y0, found.event_times, found.event_states[:, 0], found.event_states[:, 1],
+        end, end_time, motion.said_of(found), motion,
+    )  # fmt: skip
 
 
-def _end_time(run: Response) -> np.ndarray:
-    overturned = run.outcome is Outcome.OVERTURNED
-    return np.array(run.t[-1] if overturned else run.duration)
+class _Carried(NamedTuple):
+    """What `carry` has found along m directions: derivatives alone.
+
+    stopped : 0, or why it did not come to the end, at the event `at`.
+    """
+
+    end: np.ndarray
+    found: np.ndarray
+    event_states: np.ndarray
+    event_times: np.ndarray
+    stopped: int
+    at: int
 
 
-def _states(run: Response, times: np.ndarray) -> np.ndarray:
-    found = run.at(times)
-    return np.column_stack([found[name] for name in run.states])
+@dataclass(frozen=True)
+class _Motion:
+    """A motion and what it is derived by."""
 
+    response: Response
+    problem: Problem
+    along: ProblemTangents
 
-class _Moved:
-    """A motion with its numbers a little to both sides in one direction."""
+    @property
+    def directions(self) -> int:
+        return self.along.y0.shape[1]
 
-    def __init__(
-        self, case: Case, q: Problem, along: ProblemTangents, j: int, options: SolverOptions
-    ) -> None:
-        sizes = [
-            np.max(np.abs(t[..., j]) / np.maximum(np.abs(np.asarray(x)), 1e-3), initial=0.0)
-            for x, t in zip(
-                (q.y0, q.p(), q.ratio, q.fallen, q.horizontal, q.vertical, q.end), along,
-                strict=False,
-            )
-            if t.size
-        ]  # fmt: skip
-        self.step = 1e-5 / max(max(s for s in sizes if np.isfinite(s)), 1e-300)
-        fine = replace(options, rtol=min(options.rtol, 1e-12), atol=min(options.atol, 1e-14))
-        self.runs = [
-            simulated(case, _moved(q, along, j, sign * self.step), fine) for sign in (1.0, -1.0)
+    @cached_property
+    def last_time(self) -> float:
+        """When the motion ends [s]."""
+        return float(self.response.steps.span[-1].sum())
+
+    def carried(self, times: np.ndarray) -> _Carried:
+        """times (n,) ascend."""
+        parts = list(self._parts(times))
+        if not parts:
+            k, n = len(self.response.passages[0]), len(self.problem.y0)
+            ends, found = np.empty((n, 0)), np.empty((len(times), n, 0))
+            return _Carried(ends, found, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
+        whole = [
+            np.concatenate(some, axis=-1) for some in zip(*(p[:4] for p in parts), strict=True)
         ]
+        return _Carried(whole[0], whole[1], whole[2], whole[3], parts[0].stopped, parts[0].at)
 
-    def of(self, what: Callable[[Response], np.ndarray]) -> np.ndarray:
-        one, other = map(what, self.runs)
-        return (one - other) / (2.0 * self.step)
+    def _parts(self, times: np.ndarray) -> Iterator[_Carried]:
+        """As many directions at a time as the program carries."""
+        r, q, along = self.response, self.problem, self.along
+        method = r.statistics["method"]
+        if method == "Radau":
+            raise ValueError(
+                "tangents: the steps of Radau's method are found by equations and cannot be taken "
+                'again with derivatives: name an explicit one, rk.SolverOptions(method="DOP853")'
+            )
+        steps, (t, kinds, states) = r.steps, r.passages
+        program = carrying(r.structure.module, method)
+        n, k, size = len(q.y0), len(t), 1 + WIDTH
+        p, atol = q.p(), np.full(n, r.options.atol)
+        corners = any(x[:, :2].any() for x in (along.horizontal, along.vertical))
+        floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
+        for first in range(0, self.directions, WIDTH):
+            some = slice(first, first + WIDTH)
+            width = min(WIDTH, self.directions - first)
+            y, told = _dual(q.y0, along.y0[:, some]), np.zeros(1, np.int64)
+            found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
+            event_y = np.full((k, 2, n, size), np.nan)
+            stopped = program.carry(
+                steps.span, steps.contact, steps.powers, t, kinds, states, q.horizontal, q.vertical,
+                _dual_rows(q.horizontal, along.horizontal[..., some]),
+                _dual_rows(q.vertical, along.vertical[..., some]), corners, p,
+                _dual(p, along.p[:, some]), q.law, _dual(q.ratio, along.ratio[some])[None],
+                r.options.rtol, atol, r.options.rest_tolerance, times, y, found, event_y, event_t,
+                floats, duals, told,
+            )  # fmt: skip
+            if stopped:
+                y[:] = np.nan
+            told_of = slice(1, 1 + width)
+            yield _Carried(
+                y[..., told_of], found[..., told_of], event_y[..., told_of],
+                event_t[..., told_of], stopped, int(told[0]),
+            )  # fmt: skip
+
+    def said_of(self, found: _Carried) -> str:
+        """Why derivatives end before the motion does, or nothing."""
+        if not found.stopped:
+            return ""
+        event = self.response.events[found.at]
+        return f"{event} at {event.time:.6g} s {_WHY[found.stopped]}"
 
 
-def _moved(q: Problem, along: ProblemTangents, j: int, h: float) -> Problem:
-    def to(x: Any, t: np.ndarray) -> Any:
-        return x + h * np.nan_to_num(t[..., j])
+_WHY = {
+    GRAZES: "grazes: its guard falls so slowly that the time of it is not known",
+    OTHER_WAY: "is one of several passages that fit as well: which, is not known",
+}
 
-    n = len(q.vector)
-    return q._replace(
-        y0=to(q.y0, along.y0),
-        vector=to(q.vector, along.p[:n]),
-        table=to(np.array(q.table), along.p[n:]).tolist(),
-        ratio=float(to(q.ratio, along.ratio)),
-        fallen=float(to(q.fallen, along.fallen)),
-        horizontal=to(q.horizontal, along.horizontal),
-        vertical=to(q.vertical, along.vertical),
-        end=float(to(q.end, along.end)),
-        quiet_from=float(to(q.quiet_from, along.quiet_from)),
-    )
+
+def _dual(x: Any, along: np.ndarray) -> np.ndarray:
+    """Numbers with their derivatives behind them, as the program takes them."""
+    found = np.zeros((*np.shape(x), 1 + WIDTH))
+    found[..., 0] = x
+    found[..., 1 : 1 + along.shape[-1]] = along
+    return found
+
+
+def _dual_rows(table: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """The same of a table of the ground's motion; none where the ground does not change."""
+    return _dual(table, along) if along.any() else np.empty((0, 7, 1 + WIDTH))
+
+
+def _end(case: Case, motion: _Motion, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Derivatives of the state at the end, and of the time of the end, see `Tangents`."""
+    r, m = motion.response, motion.directions
+    if r.outcome is not Outcome.OVERTURNED or motion.last_time >= motion.problem.end:
+        moves = motion.along.end
+        return (end + _rates(motion)[:, None] * moves if moves.any() else end), moves
+    # it ends where a rotation reaches its bound
+    y, falls = r.end, case.structure.falls
+    name = min(falls, key=lambda s: abs(abs(y[r.states.index(s)]) / value_of(falls[s]) - 1.0))
+    i = r.states.index(name)
+    speed = _rates(motion)[i]
+    return end, (np.sign(y[i]) * tangent_of(falls[name], m) - end[i]) / speed
+
+
+def _rates(motion: _Motion) -> np.ndarray:
+    """The rates of the state at the end of a motion, on the side of the motion."""
+    r, q = motion.response, motion.problem
+    t, y = np.array([motion.last_time]), r.end
+    ground = [
+        g.acceleration(motion.last_time) if g is not None else 0.0 for g in (r.motion, r.vertical)
+    ]
+    rates = np.empty(len(y))
+    contact = int(r.steps.at(t, "left")[1][0])
+    r.structure.module.rates(contact, y, q.p(), *map(float, ground), rates)
+    return rates
