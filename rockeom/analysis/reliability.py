@@ -160,12 +160,12 @@ def first_order_reliability(
     space = _Space.of("first_order_reliability", random)
     require(reach > 0, "first_order_reliability", "reach", reach, "it must be positive")
     surface = _Smooth(space, limit_state, reach)
-    if not surface.slopes():
+    if not surface.changes:
         raise ValueError(
             "first_order_reliability: no parameter changes the limit state at the medians, so that "
             "they do not tell where it fails: choose one that does, or use `monte_carlo`"
         )
-    return _nearest(surface, surface.descent())
+    return _nearest(surface, surface.towards_failure())
 
 
 def reliability_of(
@@ -185,8 +185,8 @@ def reliability_of(
     case : a function of the parameters, by name, that returns a `Case`; it calculates with numbers
         and with `rk.Dual`.
     random, reach : as of `first_order_reliability`. options : of the simulations.
-    demand, limit : of the state whose largest size is to stay below the limit [its unit]; who
-        overturns exceeds it. If neither is given, overturning is meant.
+    demand, limit : of the state, or displacement or uplift, whose largest size is to stay below the
+        limit [its unit]; who overturns exceeds it. If neither is given, overturning is meant.
 
     A largest size has a derivative, where one crest remains the highest; of overturning there is
     no margin that would have one, since the peak goes to the unstable equilibrium with a vertical
@@ -207,8 +207,9 @@ def reliability_of(
         overturning = _Overturning(fates())
         return _nearest(overturning, overturning.fates.towards_failure())
     surface = _Smooth(space, _Margin(case, demand, limit, options), reach)
-    # a structure that does not move at the medians has no slope there
-    return _nearest(surface, surface.descent() if surface.slopes() else fates().towards_failure())
+    # a structure that does not move at the medians has no derivatives there
+    start = surface if surface.changes else fates()
+    return _nearest(surface, start.towards_failure())
 
 
 def monte_carlo(
@@ -348,11 +349,6 @@ def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
     how = {"gtol": 0.1 * SETTLED, "norm": 2, "maxiter": ROUNDS}
     with np.errstate(invalid="ignore"):  # where a ray meets nothing
         minimize(logarithm, ray, jac=True, method="BFGS", options=how)
-    if not met:
-        raise ValueError(
-            f"no failure was found within reach of the medians along {_told_ray(surface, ray)}: "
-            "the index is larger, or it fails elsewhere; give a larger reach, or use `monte_carlo`"
-        )
     distance, along, normal = min(met, key=lambda of: of[0])
     angle = 2.0 * math.asin(min(0.5 * float(np.linalg.norm(along - normal)), 1.0))
     names = surface.space.names
@@ -367,8 +363,17 @@ def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
     )
 
 
-def _told_ray(surface: _Surface, ray: np.ndarray) -> str:
-    return _told(dict(zip(surface.space.names, ray.tolist(), strict=True)))
+def _axes(k: int) -> np.ndarray:
+    """(2 k, k) rays along which one parameter alone changes."""
+    return np.concatenate([np.eye(k), -np.eye(k)])
+
+
+def _none_found(reach: float) -> ValueError:
+    return ValueError(
+        f"no failure was found within {reach:g} standard deviations of the medians where one "
+        "parameter changes alone: the index is larger, or several must change together; give a "
+        "larger reach, or use `monte_carlo`"
+    )
 
 
 # -- a smooth limit state
@@ -385,13 +390,21 @@ class _Smooth:
         self.met = np.zeros(len(space.names))
         self.slope = self.first[1]
 
-    def slopes(self) -> bool:
-        """Whether the limit state changes at the medians."""
+    @property
+    def changes(self) -> bool:
+        """Whether the limit state changes about the medians."""
         return bool(np.any(self.first[1]))
 
-    def descent(self) -> np.ndarray:
-        """The ray on which it changes fastest there, towards zero."""
-        return -self.side * _unit(self.first[1])
+    def towards_failure(self) -> np.ndarray:
+        """The steepest descent from the medians, or the nearest axis where that misses failure."""
+        steepest = -self.side * _unit(self.first[1])
+        if math.isfinite(self.distance(steepest)):
+            return steepest
+        axes = _axes(len(self.space.names))
+        distances = [self.distance(ray) for ray in axes]
+        if math.isinf(min(distances)):
+            raise _none_found(self.reach)
+        return axes[int(np.argmin(distances))]
 
     def _at(self, u: np.ndarray) -> tuple[float, np.ndarray]:
         """The limit state and its gradient (k,) at deviates u (k,)."""
@@ -462,33 +475,15 @@ class _Margin:
 
     def __call__(self, **parameters: Dual) -> Any:
         from rockeom.numeric.tangents import tangents
+        from rockeom.numeric.varied import Varied
 
         found = tangents(self.case(**parameters), self.options)
-        run = found.response
-        if _fell(run):
+        if _fell(found.response):
             return -math.inf
-        if self.demand not in run.states:
-            raise ValueError(
-                f"reliability_of: demand is {self.demand!r}: choose a state of the structure, of "
-                f"{', '.join(run.states)}; `monte_carlo` takes any quantity"
-            )
-        peak = _peak(found, self.demand)
+        peak = Varied.of(found, self.demand).peak
+        if found.grazing and not np.all(np.isfinite(peak.tangent)):
+            raise ValueError(f"the peak of {self.demand} has no derivatives: {found.grazing}")
         return 1.0 - abs(peak) / self.limit
-
-
-def _peak(found: Any, name: str) -> Dual:
-    """The largest value of a state with its derivative, which is that at the fixed time of it.
-
-    A rate may be largest where it jumps: there it is that of the passage, which moves.
-    """
-    run = found.response
-    row, best = run.states.index(name), run.extremes(name)
-    times = run.passages[0]
-    for k in np.flatnonzero(np.abs(times - best.peak_time) <= 1e-9 * run.duration):
-        for states, tangent in zip(run.passages[2][k], (found.before, found.after), strict=False):
-            if abs(states[row] - best.peak) <= 1e-9 * abs(best.peak):
-                return Dual(best.peak, tangent[k, row])
-    return Dual(best.peak, found.at(np.array([best.peak_time]))[0, row])
 
 
 # -- overturning, of which a motion tells only whether it comes
@@ -571,13 +566,10 @@ class _Fates:
     def towards_failure(self) -> np.ndarray:
         """The ray to begin with: the normal of a plane through where the axes meet the surface."""
         k = len(self.space.names)
-        rays = np.concatenate([np.eye(k), -np.eye(k)])
+        rays = _axes(k)
         first = self.first_changes(rays)[:, 1]
         if np.all(np.isinf(first)):
-            raise ValueError(
-                f"no parameter by itself changes the fate within {self.reach:g} standard "
-                "deviations of the medians: give a larger reach, or use `monte_carlo`"
-            )
+            raise _none_found(self.reach)
         plane = _unit(rays.T @ (1.0 / first))
         nearer = self.first_changes(plane[None])[0, 1] <= first.min()
         return plane if nearer else rays[int(np.argmin(first))]
