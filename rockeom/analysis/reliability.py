@@ -284,7 +284,10 @@ class _Space:
 
     def table(self, u: np.ndarray) -> np.ndarray:
         """Of u (n, k), rows for `simulate_many`."""
-        return np.rec.fromarrays(self.columns(u), names=list(self.names))
+        found = np.empty(len(u), dtype=[(name, float) for name in self.names])
+        for name, column in zip(self.names, self.columns(u), strict=True):
+            found[name] = column
+        return found
 
     def values(self, u: np.ndarray) -> dict[str, float]:
         """Of u (k,), by name."""
@@ -317,7 +320,10 @@ class _Surface(Protocol):
 
     space: _Space
     side: int
-    runs: int
+
+    @property
+    def runs(self) -> int:
+        """How many motions, or evaluations of a limit state, there were."""
 
     def distance(self, ray: np.ndarray) -> float:
         """Along a unit vector (k,), to where failure begins or, from within, ends; inf if not."""
@@ -412,7 +418,7 @@ class _Smooth:
         values = self.space.duals(u)
         found = self.limit_state(**values)
         if isinstance(found, Dual):
-            value, slope = found.value, found.tangent
+            value, slope = float(found.value), found.tangent
         else:
             value, slope = float(found), np.zeros(len(u))
         if value == -math.inf:
