@@ -377,20 +377,25 @@ def _swings_moved(
     run, moved = carried.response, Varied.of(carried, quantity)
     found = swings(run, quantity, number)
     there, crossed = found.peak != 0.0, found.crossing_time < run.t[-1]
-    peak, _ = moved.at(found.peak_time)
     beside = BESIDE * np.abs(found.crossing_time - found.peak_time)
-    before, behind = (
-        moved.at(np.clip(found.peak_time + d, 0.0, run.t[-1])) for d in (-beside, beside)
+    times = np.stack(
+        [
+            found.peak_time,
+            np.maximum(found.peak_time - beside, 0.0),
+            np.minimum(found.peak_time + beside, run.t[-1]),
+            found.crossing_time,
+        ]
     )
+    by, rate = moved.at(times.ravel())
+    by, rate = by.reshape(*times.shape, -1), rate.reshape(times.shape)
     turns = there & (found.peak_time > 0.0)  # others are those of the start
-    peak_time = _quotient(behind[0] - before[0], behind[1] - before[1], turns)
-    crossing_time = _quotient(*moved.at(found.crossing_time), crossed)
-    times = run.passages[0]
+    peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
+    crossing_time = _quotient(by[3], rate[3], crossed)
     for row, time in enumerate(found.crossing_time):  # at an impact the rate jumps
-        (at,) = np.nonzero(np.abs(times - time) <= beside[row])
+        (at,) = np.nonzero(np.abs(run.passages[0] - time) <= beside[row])
         if len(at):
             crossing_time[row] = carried.event_times[at[0]]
-    return np.where(there[:, None], peak, 0.0), peak_time, crossing_time
+    return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
 
 
 def _quotient(by: np.ndarray, rate: np.ndarray, which: np.ndarray) -> np.ndarray:
