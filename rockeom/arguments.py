@@ -86,10 +86,10 @@ def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
         )
     if found.dtype.kind not in "iuf":
         for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
-            if not is_number(element):
+            if type(element) is not float and not is_number(element):
                 place = f"[{', '.join(map(str, index))}]" if index else ""
                 raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
-        if any(isinstance(element, Compound) for element in found.flat):
+        if any(issubclass(kind, Compound) for kind in {*map(type, found.flat)}):
             return found
     return found.astype(float)
 

@@ -27,31 +27,46 @@ Slope = Callable[..., Any]
 
 def _through(
     function: Callable[..., Any], slopes: tuple[Slope, ...], given: tuple[Any, ...]
-) -> Any:
+) -> Dual:
     """A function of numbers and duals, by its derivatives with respect to each."""
-    plain = [x.value if isinstance(x, Dual) else x for x in given]
+    plain = [x.value if type(x) is Dual else x for x in given]
     found = function(*plain)
-    tangent: Any = 0.0
-    for x, slope in zip(given, slopes, strict=True):
-        if isinstance(x, Dual):
-            if np.shape(tangent) not in ((), x.tangent.shape):
-                raise ValueError(
-                    f"duals of {len(tangent)} and of {len(x.tangent)} directions meet in one "
-                    "calculation: make all of them by one call of `rk.duals`"
-                )
-            tangent = tangent + slope(*plain, found) * x.tangent
-    return _dual(np.float64(found), tangent)
+    parts = [
+        _moved(slope(*plain, found), x.tangent)
+        for x, slope in zip(given, slopes, strict=True)
+        if type(x) is Dual
+    ]
+    if len(parts) == 1:
+        return _dual(np.float64(found), parts[0])
+    if len(parts[0]) != len(parts[1]):
+        raise ValueError(
+            f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one "
+            "calculation: make all of them by one call of `rk.duals`"
+        )
+    return _dual(np.float64(found), parts[0] + parts[1])
+
+
+def _moved(slope: Any, tangent: np.ndarray) -> np.ndarray:
+    """What does not move moves nothing, however steep it is there."""
+    if math.isfinite(slope):
+        return slope * tangent
+    return np.multiply(slope, tangent, where=tangent != 0.0, out=np.zeros(len(tangent)))
 
 
 def _power_of_base(x: Any, n: Any, _: Any) -> Any:
     return n * x ** (n - 1) if n else 0.0
 
 
+def _quotient(x: Any, y: Any) -> Any:
+    with np.errstate(all="ignore"):  # the number itself has warned
+        return np.divide(x, y)
+
+
 _OF_TWO: dict[str, tuple[Slope, ...]] = {
     "add": (lambda x, y, f: 1.0, lambda x, y, f: 1.0),
     "sub": (lambda x, y, f: 1.0, lambda x, y, f: -1.0),
     "mul": (lambda x, y, f: y, lambda x, y, f: x),
-    "truediv": (lambda x, y, f: 1.0 / y, lambda x, y, f: -f / y),
+    "truediv": (lambda x, y, f: _quotient(1.0, y), lambda x, y, f: _quotient(-f, y)),
     "pow": (_power_of_base, lambda x, n, f: f * math.log(x)),
     "hypot": (lambda x, y, f: x / f, lambda x, y, f: y / f),
     "atan2": (lambda y, x, f: x / (x * x + y * y), lambda y, x, f: -y / (x * x + y * y)),
@@ -69,7 +84,12 @@ def _slopes(name: str) -> tuple[Slope, ...]:
     if name not in FUNCTIONS:
         raise TypeError(f"the derivative of {name} is not known: take the `.value` of its argument")
     of = FUNCTIONS[name].slope
-    return (lambda x, f: of(x),)
+
+    def slope(x: Any, _: Any) -> Any:
+        with np.errstate(all="ignore"):  # it may be infinite where the function is not
+            return of(x)
+
+    return (slope,)
 
 
 def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
@@ -163,7 +183,7 @@ class Dual(Compound):
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
         if any(isinstance(x, np.ndarray) for x in given):
-            return ufunc(*(boxed(x) if isinstance(x, Dual) else x for x in given), **how)
+            return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)
         if how:
             return NotImplemented
         if ufunc in (np.sign, np.isfinite):
@@ -193,8 +213,8 @@ def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
 Real.register(Dual)
 
 
-def duals(**values: float) -> dict[str, Dual]:
-    """Numbers by name, each a direction of its own, in which it has the derivative 1.
+def duals(**values: float) -> dict[str, Any]:
+    """Duals by name, each a direction of its own, in which it has the derivative 1.
 
     Raises TypeError for what is no number.
 
@@ -209,7 +229,7 @@ def duals(**values: float) -> dict[str, Dual]:
 def value_of(x: Any) -> Any:
     """A number without its derivatives; of an array of numbers an array of float."""
     if isinstance(x, np.ndarray):
-        if not directions(x):
+        if x.dtype != object or not all(map(_is_plain, x.flat)):  # many cases are no number
             return x
         found = np.array([value_of(element) for element in x.flat], dtype=float).reshape(x.shape)
         found.flags.writeable = x.flags.writeable
@@ -244,6 +264,13 @@ def _unless_same(old: Any, new: Any) -> Any:
     return old if all(map(operator.is_, *parts)) else new
 
 
+def with_tangent(values: np.ndarray, tangent: np.ndarray) -> np.ndarray:
+    """An array of duals, of values (n,) and their tangents (n, m)."""
+    found = np.empty(len(values), dtype=object)
+    found[:] = [Dual(*both) for both in zip(values, tangent, strict=True)]
+    return found
+
+
 def tangent_of(x: Any, m: int) -> np.ndarray:
     """(..., m) derivatives of a number or an array (...), zero of those that have none."""
     found = np.zeros((*np.shape(x), m))
@@ -256,11 +283,13 @@ def tangent_of(x: Any, m: int) -> np.ndarray:
 
 
 def directions(*given: Any) -> int:
-    """Along how many directions numbers and arrays have derivatives; 0 if none has."""
+    """Along how many directions numbers, arrays and lists have derivatives; 0 if none has."""
     for x in given:
-        for element in x.flat if isinstance(x, np.ndarray) and x.dtype == object else (x,):
-            if isinstance(element, Dual):
-                return len(element.tangent)
+        if isinstance(x, Dual):
+            return len(x.tangent)
+        several = isinstance(x, list) or (isinstance(x, np.ndarray) and x.dtype == object)
+        if several and (found := directions(*np.ravel(x))):
+            return found
     return 0
 
 

@@ -138,6 +138,16 @@ class ProblemTangents(NamedTuple):
     quiet_from: np.ndarray
 
 
+def without_duals(problem: Problem) -> Problem:
+    """The problem; raises TypeError where its numbers have derivatives, which would be lost."""
+    if directions(*problem):
+        raise TypeError(
+            "the case holds duals, and a simulation tells no derivatives: give it to "
+            "`rk.tangents`, or simulate it with the `.value` of each"
+        )
+    return problem
+
+
 def parted(problem: Problem) -> tuple[Problem, ProblemTangents]:
     """A problem of duals as one of floats, and its derivatives; m is 0 where no number is a dual.
 
