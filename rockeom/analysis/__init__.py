@@ -188,6 +188,13 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
     )
     from rockeom.analysis.pulses import PULSE_MODELS, PulseFit, fit_pulse
     from rockeom.analysis.records import MeasuredRecord, Velocities
+    from rockeom.analysis.reliability import (
+        FirstOrder,
+        MonteCarlo,
+        first_order_reliability,
+        monte_carlo,
+        reliability_of,
+    )
     from rockeom.analysis.restitution import (
         energy_ratio_from_velocity_ratio,
         energy_ratio_of_block,
@@ -249,6 +256,7 @@ __all__ = [
     "EquivalentOscillator",
     "FemaComparison",
     "FemaEstimate",
+    "FirstOrder",
     "Fit",
     "FlagRule",
     "FoundationSprings",
@@ -266,6 +274,7 @@ __all__ = [
     "Mean",
     "MeanSpectrum",
     "MeasuredRecord",
+    "MonteCarlo",
     "MovingWindow",
     "Noise",
     "OrbitBranch",
@@ -336,6 +345,7 @@ __all__ = [
     "fema_356_against_integration",
     "fema_356_damping",
     "fema_356_rocking",
+    "first_order_reliability",
     "fit",
     "fit_fragility",
     "fit_free_vibration",
@@ -361,6 +371,7 @@ __all__ = [
     "lyapunov_spectrum",
     "minimum_overturning",
     "modified_spectrum",
+    "monte_carlo",
     "moving_window",
     "noise_level",
     "orbit_branch",
@@ -383,6 +394,7 @@ __all__ = [
     "recentring_ratio",
     "record_energies",
     "rectangular_mat",
+    "reliability_of",
     "resolved_floor",
     "response_spectrum",
     "restitution_envelope",
@@ -426,7 +438,8 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps", "branches", "sections", "lyapunov", "overturning", "boundaries",
+    "fragility", "reliability", "sweeps", "branches", "sections", "lyapunov", "overturning",
+    "boundaries",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}
