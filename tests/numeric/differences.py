@@ -57,7 +57,8 @@ def observed(response: rk.Response, times: np.ndarray) -> Observed:
     events, states = response.events, response.states
 
     def column(side: str) -> np.ndarray:
-        return np.array([[getattr(e, side)[n] for n in states] for e in events])
+        rows = [[getattr(e, side)[n] for n in states] for e in events]
+        return np.reshape(rows, (len(events), len(states)))
 
     found, before = response.at(times), column("before")
     before[rests(response)] = 0.0
