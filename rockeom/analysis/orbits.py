@@ -38,6 +38,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
+from rockeom.contract import SWITCH
 from rockeom.dual import Dual, directions, value_of
 
 if TYPE_CHECKING:
@@ -133,9 +134,9 @@ class Shooting:
         return across.T @ (gains * (left.T @ right))
 
     @property
-    def passages(self) -> int:
-        """How many changes of contact there are in all."""
-        return sum(len(run.passages[0]) for run in self.runs)
+    def jumps(self) -> int:
+        """How many changes of contact there are at which a velocity may jump."""
+        return sum(int((run.passages[1][:, 0] != SWITCH).sum()) for run in self.runs)
 
 
 @dataclass(frozen=True)
