@@ -347,6 +347,7 @@ class StroboscopicMap:
         more : directions of the duals that the map holds, which number n + more.
         """
         x = np.array([self._vector(one) for one in np.asarray(states)])
+        self._check_stands(x)
         n, columns = len(self.states), self._columns
         sign = self.mirror[columns]
         found = [self._tangents(one, n + more) for one in x]
@@ -402,6 +403,15 @@ class StroboscopicMap:
         if not isinstance(guess, Mapping) and np.shape(guess) == (cycles, len(self.states)):
             return np.asarray(guess, dtype=float)
         return self.points(guess, cycles - 1)
+
+    def _check_stands(self, x: np.ndarray) -> None:
+        falls = self.structure.falls
+        for name in set(self.states) & set(falls):
+            largest = np.abs(x[:, self.states.index(name)]).max()
+            if largest >= falls[name]:
+                raise ArithmeticError(
+                    f"StroboscopicMap: no cycle from {name} = {largest:.6g}: it lies on the ground"
+                )
 
     def _check_mirror(self, shot: Shooting) -> None:
         """Whether the second half of a period is the mirror image of the first from there."""

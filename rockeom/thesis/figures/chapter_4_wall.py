@@ -862,8 +862,8 @@ def figure_4_73() -> Figure:
 
     What the thesis describes is found at 4.553 Hz (right), sought so that the period doubles at
     6.03; the smear from 6.21 on then comes of itself. Black is a motion of four passages a cycle,
-    followed from 6.02 up and down. Orange dots are motions from rest: below 5.97 they settle to one of
-    two passages a cycle, which stays stable beside the other. A third, with passages of 0.8 m/s,
+    followed from 6.02 up and down. Orange dots are motions from rest: below 5.97 they settle to one
+    of two passages a cycle, which stays stable beside the other. A third, with passages of 0.8 m/s,
     is out of the picture. The oscillator is that of 4-37 with the constant r = 0.852.
     """
     figure = style.new_figure(7.6, 3.6)
