@@ -219,7 +219,7 @@ def pass_through(
             return OTHER_WAY, e, impacts, rested
         event_t[e] = t + tau
         for j in range(N_STATES):
-            event_y[e, 0, j] = behind[j] if rested else moved[j]
+            event_y[e, 0, j] = moved[j]
             before[j] = event_states[e, 1, j]
         put(behind, before)
         for j in range(N_STATES):
@@ -329,7 +329,10 @@ def comes_to_rest(
     contact, t, tau, impacts, y, p, law, dual_ratio, ax, ay, gx, gy, rtol, atol, tolerance, out,
     duals,
 ):  # fmt: skip
-    """(time, contact) of infinitely many impacts, as in the loop; the state then into out."""
+    """(time, contact) of infinitely many impacts, as in the loop; the state behind them into out.
+
+    y : that at the last one that is told of; changed into the one before they have ended.
+    """
     if N_POINTS > 0:
         rests, follows = time_of_bounces(contact, y, p, ax, ay, tolerance, duals[_TOLD:], out)
     else:
@@ -338,6 +341,8 @@ def comes_to_rest(
             contact, y, p, law, dual_ratio[0], impacts, ax, ay, tolerance, w, stands, kick
         )
         stand(follows, t + tau, rests, stands, p, gx, gy, rtol, atol, duals[_STAGES:_NEW], out)
+        for j in range(N_STATES):
+            y[j] += out[j] - stands[j]  # there, had the impacts not faded yet
     return rests, follows
 
 

@@ -81,8 +81,7 @@ def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     options : as for `simulate`. The derivatives are those of the steps that were taken, and as
     accurate as the motion.
 
-    Raises what `simulate` raises, and ValueError for motions by Radau's method, whose steps cannot
-    be taken again: they are found by equations.
+    Raises what `simulate` raises.
 
     >>> start = rk.duals(theta=0.1, theta_dot=0.0)
     >>> flow = rk.tangents(rk.Case(block, motion, initial=start, duration=2.0))
@@ -153,14 +152,8 @@ class _Motion:
     def _parts(self, times: np.ndarray) -> Iterator[_Carried]:
         """As many directions at a time as the program carries."""
         r, q, along = self.response, self.problem, self.along
-        method = r.statistics["method"]
-        if method == "Radau":
-            raise ValueError(
-                "tangents: the steps of Radau's method are found by equations and cannot be taken "
-                'again with derivatives: name an explicit one, rk.SolverOptions(method="DOP853")'
-            )
         steps, (t, kinds, states) = r.steps, r.passages
-        program = carrying(r.structure.module, method)
+        program = carrying(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
         corners = any(x[:, :2].any() for x in (along.horizontal, along.vertical))

@@ -274,6 +274,6 @@ print(*sorted(imported - hashed))
     # points of many states, where nothing is compiled
     assert done.stdout.split() == [
         "rockeom.generated", "rockeom.generated.rigid_block", "rockeom.hooks", "rockeom.many",
-        "rockeom.marks", "rockeom.numeric", "rockeom.numeric.contact_states",
-        "rockeom.numeric.store",
+        "rockeom.marks", "rockeom.mathematics", "rockeom.numeric",
+        "rockeom.numeric.contact_states", "rockeom.numeric.store",
     ]  # fmt: skip

@@ -10,6 +10,7 @@ import pytest
 
 import rockeom as rk
 from rockeom import contract
+from rockeom.numeric.printer import _BUILT_IN
 from rockeom.numeric.program import texts
 
 DECLARED = ast.parse((Path(rk.__file__).parent / "numeric" / "joined.pyi").read_text())
@@ -25,15 +26,17 @@ OF_POINTS = {
     "nothing_moves", "held_upright", "time_of_bounces", "fits_by_forces", "end_closed",
     "only_hop", "to_landing", "meet", "go_on_as", "all_known", "put_on", "rate_of",
     "acceleration_of", "N_COORDINATES", "POINT", "ROW", "ROWS", "MATRIX", "COUPLING", "GRAIN",
-    "FITS",
+    "FITS", "but_for_rounding",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
 """What only those have of which several coordinates may fall."""
-OF_LOOP = {"shaking"}
-"""What contacts ask of the loop behind them."""
+OF_LOOP = {"shaking", "sine", "row_at", "row_of", "ratio_at", "time_to_rest", "stand"}
+"""What contacts, and what carries derivatives, ask of the loop."""
+OF_PRINTER = {"value", "moving", "rate"}
+"""What numbers with derivatives are asked by."""
 
 
 @pytest.mark.parametrize("method", ["DOP853", "RK45", "Radau"])
@@ -46,7 +49,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
         if text.name not in ("loop.py", "lanes.py"):
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
-    elsewhere = OF_LOOP | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
+    elsewhere = OF_LOOP | OF_PRINTER | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
     elsewhere |= set() if joined["N_FALLS"] else OF_FALLS
     for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
@@ -55,9 +58,19 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
     assert TABLES - elsewhere - (set() if lanes else tables) <= joined.keys()
 
 
+def test_loop_and_printer_define_what_else_is_asked_for():
+    source = (Path(rk.__file__).parent / "numeric" / "loop.py").read_text()
+    loop = {n.name: n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef)}
+    for function in OF_LOOP:
+        assert [a.arg for a in loop[function].args.args] == FUNCTIONS[function]
+    for function in OF_PRINTER:
+        assert function in _BUILT_IN
+
+
 def test_every_name_that_is_declared_is_asked_for():
     asked = set()
-    for text in ("loop.py", "lanes.py", "contacts.py", "landings.py", "bounces.py"):
+    parts = "loop", "lanes", "contacts", "landings", "bounces", "slopes", "carried"
+    for text in (f"{part}.py" for part in parts):
         source = (Path(rk.__file__).parent / "numeric" / text).read_text()
         asked |= {n.id for n in ast.walk(ast.parse(source)) if isinstance(n, ast.Name)}
     assert FUNCTIONS.keys() | TABLES <= asked
