@@ -112,6 +112,20 @@ class OrbitBranch:
         """(k, n) complex, of each motion, the largest first."""
         return np.array([orbit.multipliers for orbit in self.orbits])
 
+    def at(self, value: float) -> PeriodicOrbit:
+        """The motion at a value of the parameter, by Newton's method from the nearest found.
+
+        Of a branch that folds that is one of several. Raises ValueError for a value that the branch
+        does not reach.
+        """
+        if not self.values.min() <= value <= self.values.max():
+            raise ValueError(
+                f"at: value is {value}: the branch goes from {self.values.min():.6g} to "
+                f"{self.values.max():.6g}"
+            )
+        near = self.orbits[np.abs(self.values - value).argmin()]
+        return self.family(value).orbit(near.looks, near.cycles)
+
     def at_impacts(self, name: str) -> np.ndarray:
         """(k, m) a state just before the impacts of each motion, nan where one has fewer than m."""
         found = [orbit.at_impacts(name) for orbit in self.orbits]
@@ -146,8 +160,11 @@ class OrbitBranch:
         start, leaves = _leaving(self.family, at)
         follower = _Follower(self.family, between, start, at.value, self.tolerance)
         way = np.append(leaves.ravel() / follower.scale[:-1], 0.0)
-        orbit = follower.family(at.value).closed(follower.shot(follower.z))
-        first = _Point(follower.z, way / np.linalg.norm(way), None, orbit)
+        shot = follower.shot(follower.z)
+        first = _Point(
+            follower.z, way / np.linalg.norm(way), follower.jacobian(shot),
+            follower.plain.closed(shot), crossing=True,
+        )  # fmt: skip
         return _followed(follower, first, between, step, tuple(until))
 
 
@@ -179,20 +196,22 @@ def orbit_branch(
     follower = _Follower(stroboscope, (first, last), start, first, tolerance)
     towards = np.append(np.zeros(start.size), np.sign(last - first))
     begun = follower.corrected(follower.z, towards)
-    point = begun._replace(way=follower.way(begun.shot, towards))
+    point = begun._replace(way=follower.way(begun.jacobian, towards))
     return _followed(follower, point, (first, last), step, tuple(until))
 
 
 class _Point(NamedTuple):
     """A motion of a branch: scaled unknowns z, the direction of the curve there, the motion.
 
-    shot is None of a bifurcation from which a branch leaves: what is tested there is zero.
+    jacobian (k n, k n + 1) : of the scaled gaps by z. crossing : whether it is a bifurcation at
+    which branches cross, so that a multiplier is 1.
     """
 
     z: np.ndarray
     way: np.ndarray
-    shot: Shooting | None
+    jacobian: np.ndarray
     orbit: PeriodicOrbit
+    crossing: bool = False
 
 
 class _Follower:
@@ -203,7 +222,7 @@ class _Follower:
         tolerance: float,
     ) -> None:  # fmt: skip
         self.family, self.shape, self.tolerance = family, states.shape, tolerance
-        self.passages, self.bounds = -1, between
+        self.passages, self.bounds, self.plain = -1, between, family(value)
         size = self._shot(states, value).scale
         of_states = np.tile(size, len(states)) * math.sqrt(states.size)
         self.scale = np.append(of_states, abs(between[1] - between[0]))
@@ -231,9 +250,10 @@ class _Follower:
         """(k n, k n + 1) derivatives of the scaled gaps by z."""
         return shot.jacobian() * self.scale / self.rows[:, None]
 
-    def way(self, shot: Shooting, before: np.ndarray) -> np.ndarray:
+    @staticmethod
+    def way(jacobian: np.ndarray, before: np.ndarray) -> np.ndarray:
         """Unit vector along the branch, forward as seen from the one before."""
-        bordered = np.vstack([self.jacobian(shot), before])
+        bordered = np.vstack([jacobian, before])
         found = Shooting.solve(bordered, np.append(np.zeros(len(before) - 1), 1.0))
         return found / np.linalg.norm(found)
 
@@ -245,12 +265,11 @@ class _Follower:
         z = anchor
         for _ in range(_CORRECTIONS):
             shot = self.shot(z)
+            jacobian = self.jacobian(shot)
             if shot.residual <= _CLOSED:
-                forward = self.way(shot, way)
-                orbit = self.family(self.value(z)).closed(shot)
-                return _Point(z, forward, shot, orbit)
+                return _Point(z, self.way(jacobian, way), jacobian, self.plain.closed(shot))
             right = np.append(shot.gaps.ravel() / self.rows, way @ (z - anchor))
-            z = z - Shooting.solve(np.vstack([self.jacobian(shot), way]), right)
+            z = z - Shooting.solve(np.vstack([jacobian, way]), right)
         raise ArithmeticError(f"the residual is still {shot.residual:.1e}")
 
     def tests(self, point: _Point) -> dict[str, float]:
@@ -259,9 +278,9 @@ class _Follower:
         flip = FLIPS[0] if self._half(point.orbit) else FLIPS[1]
         pairs = [a * b - 1 for i, a in enumerate(multipliers) for b in multipliers[:i]]
         found = {flip: np.prod(multipliers + 1).real, "torus": np.prod(pairs).real}
-        if point.shot is None:
+        if point.crossing:
             return found
-        bordered = np.vstack([self.jacobian(point.shot), point.way])
+        bordered = np.vstack([point.jacobian, point.way])
         return {"fold": point.way[-1], "branch point": np.linalg.det(bordered)} | found
 
     @staticmethod
@@ -294,18 +313,23 @@ class _Follower:
         across = np.append(np.zeros(len(here.z) - 1), 1.0)
         found = self.corrected(here.z + part * (there.z - here.z), across)
         z = np.append(found.z[:-1], bound / self.scale[-1])
-        return found._replace(z=z, way=self.way(found.shot, here.way))
+        return found._replace(z=z, way=self.way(found.jacobian, here.way))
 
-    def passed(self, here: _Point, there: _Point) -> list[Bifurcation]:
+    def passed(self, here: _Point, there: _Point) -> list[tuple[Bifurcation, _Point]]:
         """What happened between two points, in its order."""
         length = float(here.way @ (there.z - here.z))
         before, after = self.tests(here), self.tests(there)
         changed = [kind for kind, value in before.items() if value * after[kind] < 0]
-        found = [self._located(kind, here, length) for kind in changed]
-        return [one for _, one in sorted(found, key=lambda pair: pair[0]) if _is_one(one)]
+        found = [(kind, self._located(kind, here, length)) for kind in changed]
+        found.sort(key=lambda one: here.way @ one[1].z)
+        return [
+            (Bifurcation(kind, self.value(at.z), at.orbit), at)
+            for kind, at in found
+            if kind != "torus" or _turns(at.orbit)
+        ]
 
-    def _located(self, kind: str, start: _Point, length: float) -> tuple[float, Bifurcation]:
-        """Where a test changes its sign within a length from a point, and how far from it."""
+    def _located(self, kind: str, start: _Point, length: float) -> _Point:
+        """Where a test changes its sign within a length from a point."""
         from scipy.optimize import brentq  # takes long to import
 
         points: dict[float, _Point] = {}
@@ -314,9 +338,7 @@ class _Follower:
             points[along] = self.corrected(start.z + along * start.way, start.way)
             return self.tests(points[along])[kind]
 
-        along = float(brentq(test, 0.0, length, xtol=self.tolerance))
-        point = points[along]
-        return along, Bifurcation(kind, self.value(point.z), point.orbit)
+        return points[brentq(test, 0.0, length, xtol=self.tolerance)]
 
     def end(self, here: _Point, lost: ArithmeticError) -> tuple[list[Bifurcation], str]:
         """What the end of a branch is, behind which there is no step however short."""
@@ -331,11 +353,10 @@ class _Follower:
         return [Bifurcation("grazing", value, here.orbit)], f"a grazing was reached: {lost}"
 
 
-def _is_one(found: Bifurcation) -> bool:
-    """Whether multipliers leave the circle: of a torus, complex ones."""
-    multipliers = found.orbit.multipliers
-    at_one = multipliers[np.abs(np.abs(multipliers) - 1).argsort()[:2]]
-    return found.kind != "torus" or bool((at_one.imag != 0).all())
+def _turns(orbit: PeriodicOrbit) -> bool:
+    """Whether the multipliers nearest to the unit circle are complex."""
+    at_one = np.abs(np.abs(orbit.multipliers) - 1).argsort()[:2]
+    return bool((orbit.multipliers[at_one].imag != 0).all())
 
 
 def _followed(
@@ -358,8 +379,10 @@ def _followed(
             near = [p for p in points if np.linalg.norm(p.z - here.z) < step / 1000]
             points = [*points[: len(points) - len(near)], here]
             break
+        for bifurcation, point in follower.passed(here, there):
+            bifurcations.append(bifurcation)
+            points.append(point)
         points.append(there)
-        bifurcations += follower.passed(here, there)
         if any(b.kind in until for b in bifurcations):
             ended = f"a {bifurcations[-1].kind} was reached"
         elif len(points) == _MOST:
@@ -425,7 +448,7 @@ def period_doublings(
     stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
-    branch = orbit_branch(stroboscope, between, guess, cycles, until=FLIPS)
+    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
     found: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
         found.append(flips[0])
@@ -435,8 +458,7 @@ def period_doublings(
         if len(found) > 1:  # the next is likely to be half as far as this end
             ahead = here + (here - found[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        step = 0.02 / 2 ** (len(found) - 1)
-        branch = branch.switched(found[-1], (here, last), step, until=FLIPS)
+        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS)
     return Cascade(tuple(found))
 
 

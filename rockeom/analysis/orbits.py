@@ -28,6 +28,7 @@ and where its symmetry breaks a multiplier is -1.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -37,7 +38,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
-from rockeom.dual import Dual, nominal, value_of
+from rockeom.dual import Dual, directions, value_of
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -123,6 +124,10 @@ class Shooting:
         matrix (n, n), right (n,), scaled to be of the order of 1: x (n,) is the shortest of all
         where singular values are below 1e-8.
         """
+        with contextlib.suppress(np.linalg.LinAlgError):
+            inverse = np.linalg.inv(matrix)
+            if np.linalg.norm(inverse) < 1 / _SINGULAR:
+                return inverse @ right
         left, stretch, across = np.linalg.svd(matrix)
         gains = np.divide(1.0, stretch, out=np.zeros_like(stretch), where=stretch > _SINGULAR)
         return across.T @ (gains * (left.T @ right))
@@ -184,7 +189,7 @@ class PeriodicOrbit:
         period.
         """
         cycles = self._repeats
-        legs = [run for run, _ in self._legs(cycles)]
+        legs = [run for run, _ in self.legs(cycles)]
         periods = len(legs) if self.mirror is None else len(legs) // 2
         return sum(len(run.impacts) for run in legs) // 2, periods
 
@@ -193,7 +198,7 @@ class PeriodicOrbit:
         return np.array(
             [
                 sign[run.states.index(name)] * impact.before[name]
-                for run, sign in self._legs(self.cycles)
+                for run, sign in self.legs()
                 for impact in run.impacts
             ]
         )
@@ -201,7 +206,7 @@ class PeriodicOrbit:
     def trajectory(self) -> tuple[np.ndarray, np.ndarray]:
         """Times (n,) [s] and states (n, N) of the structure over the whole motion, for drawing."""
         times, states, start = [], [], 0.0
-        for run, sign in self._legs(self.cycles):
+        for run, sign in self.legs():
             times.append(start + run.t)
             states.append(sign * run.y)
             start += run.duration
@@ -222,11 +227,13 @@ class PeriodicOrbit:
                 return k
         return self.cycles
 
-    def _legs(self, cycles: int) -> Iterator[tuple[Response, np.ndarray]]:
-        """Motions one after the other, each with the signs of its states, of the whole motion.
+    def legs(self, cycles: int | None = None) -> Iterator[tuple[Response, np.ndarray]]:
+        """Runs one after the other, and what to multiply the states of each with, (N,).
 
-        What an odd number of mirrored half periods takes to its mirror image needs as many again.
+        cycles : how many there are, those of the orbit if not given. What an odd number of mirrored
+        half periods takes to its mirror image needs as many again to repeat itself.
         """
+        cycles = self.cycles if cycles is None else cycles
         mirror = np.ones(len(self.runs[0].states)) if self.mirror is None else self.mirror
         twice = self.mirror is not None and cycles % 2 == 1
         for i in range(2 * cycles if twice else cycles):
@@ -284,7 +291,9 @@ class StroboscopicMap:
 
     def _check_period(self) -> None:
         (period,) = positive("StroboscopicMap", period=value_of(self.period))
-        motion = nominal(self.motion)
+        motion = self.motion
+        if directions(motion.segments, self.period):  # the same in numbers was looked at
+            return
         if motion.duration < 2 * period * (1 - 1e-12):
             raise ValueError(
                 f"StroboscopicMap: the motion lasts {motion.duration} s: give two periods of "

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,6 +17,14 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom.analysis import energy_ratio_of_block
+from rockeom.analysis.branches import (
+    FLIPS,
+    Cascade,
+    OrbitBranch,
+    orbit_branch,
+    period_doublings,
+)
+from rockeom.analysis.orbits import PeriodicOrbit, StroboscopicMap
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
@@ -193,46 +202,114 @@ def distinct(values: np.ndarray, apart: float = 2e-3) -> int:
     return 1 + int((np.diff(np.sort(values)) > apart).sum()) if len(values) else 0
 
 
+AMPLITUDES = np.linspace(3.0, 3.26, 105)
+"""beta of Figure 2-12."""
+
+START = 2.0
+"""beta at which the motion of two mirrored halves is stable."""
+
+
+def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> StroboscopicMap:
+    """The block under beta cos(omega t), looked at every half period, each second time mirrored."""
+    ground = rk.GroundMotion.harmonic(
+        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=2 * PERIOD
+    )
+    return StroboscopicMap(SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True)
+
+
+@cache
+def symmetric_state() -> np.ndarray:
+    """(2,) of the symmetric motion at `START`, settled."""
+    return stroboscope(START).points({"x_dot": -0.3}, 60)[-1]
+
+
+@cache
+def cascade() -> Cascade:
+    """Break of symmetry and the first five doublings."""
+    return period_doublings(stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5)
+
+
+@cache
+def branches(doublings: int) -> tuple[OrbitBranch, ...]:
+    """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
+    found = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
+    for _ in range(doublings + 1):
+        leaves = next(one for one in found[-1].bifurcations if one.kind in FLIPS)
+        found.append(found[-1].switched(leaves))
+    return tuple(found)
+
+
+@cache
+def branches_by_energy() -> tuple[OrbitBranch, OrbitBranch]:
+    """Symmetric and asymmetric motions where 0.5 is the ratio of energies, to the end.
+
+    The first of them is reached from the ratio of speeds, which grows to sqrt(0.5).
+    """
+    ratio = math.sqrt(SPEED_RATIO)
+    grown = orbit_branch(
+        lambda e: stroboscope(START, e), (SPEED_RATIO, ratio), symmetric_state(), step=0.1
+    )
+    symmetric = orbit_branch(
+        lambda beta: stroboscope(beta, ratio), (START, AMPLITUDES[-1]), grown.orbits[-1].state,
+        step=0.05,
+    )  # fmt: skip
+    (broken,) = symmetric.bifurcations
+    return symmetric, symmetric.switched(broken, step=0.05)
+
+
+STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
+UNSTABLE: dict[str, Any] = {"color": style.LINES[1], "lw": 0.7, "ls": "--"}
+
+
+def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
+    """States (k, m) of the motions of a branch, full where these last, dashed where they do not."""
+    stable = np.abs(branch.multipliers).max(axis=1) < 1 - 1e-6  # not where one is on the circle
+    until = stable | np.append(False, stable[:-1]) | np.append(stable[1:], False)
+    ax.plot(branch.values, np.where(stable[:, None], np.nan, states), **UNSTABLE)
+    ax.plot(branch.values, np.where(until[:, None], states, np.nan), **STABLE)
+
+
 @thesis_figure(Source.IN_KIND)
 def figure_2_11() -> Drawn:
     """Steady orbits of a block under harmonic shaking: symmetric, asymmetric, of two cycles.
 
     The values of the thesis are not stated. Drawn is 2-13, put right, with alpha = atan(0.5),
-    omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2, 2.8 and 3.15; the
-    motion from x = 0.1 after it has settled.
+    omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2, 2.8 and 3.15: the
+    orbit that lasts (full), and those that it has left, which are unstable (dashed).
     """
     figure = style.new_figure(8.6, 3.2)
-    counts = []
-    for ax, beta, title in zip(
+    lasting = []
+    for i, (ax, beta, title) in enumerate(zip(
         figure.subplots(1, 3, sharey=True), (2.0, 2.8, 3.15),
         ("symmetric", "asymmetric", "two cycles"), strict=True,
-    ):  # fmt: skip
-        run = driven(beta)
-        kept = run.t > SETTLING * PERIOD
-        x, rate = run["x"][kept], run["x_dot"][kept]
-        ax.plot(x, rate, color=style.LINES[0], lw=0.9)
-        bare_portrait(ax, 1.1 * float(np.abs(x).max()))
+    )):  # fmt: skip
+        orbits = [branch.at(beta) for branch in branches(doublings=1)[: i + 1]]
+        for orbit in orbits:
+            _, states = orbit.trajectory()
+            ax.plot(*states.T, **(STABLE if orbit.stable else UNSTABLE))
+        bare_portrait(ax, 1.1 * float(max(orbit.size[0] for orbit in orbits)))
         ax.set_title(rf"{title}, $\beta$ = {beta:g}", fontsize=9)
-        speeds = upright_speeds(run)
-        counts.append((beta, distinct(speeds), distinct(np.abs(speeds))))
+        lasting.append((beta, orbits[-1]))
     for ax in figure.axes[1:]:
         ax.set_ylabel("")
     found = "; ".join(
-        f"beta = {b:g}: {n} velocities when upright, {m} speeds" for b, n, m in counts
+        f"beta = {beta:g}: {told(orbit)}, multipliers up to {abs(orbit.multipliers[0]):.3f}"
+        for beta, orbit in lasting
     )
     return Drawn(
         figure,
         (
             Statement(
                 "Figure 2-11", "there are symmetric and asymmetric steady orbits", found,
-                counts[0][1:] == (2, 1) and counts[1][1:] == (2, 2),
+                all(orbit.stable for _, orbit in lasting)
+                and [orbit.symmetric for _, orbit in lasting] == [True, False, False],
             ),
         ),
     )  # fmt: skip
 
 
-AMPLITUDES = np.linspace(3.0, 3.26, 105)
-"""beta of Figure 2-12."""
+def told(orbit: PeriodicOrbit) -> str:
+    return f"{'' if orbit.symmetric else 'a'}symmetric {orbit.order}"
 
 
 @thesis_figure(Source.COMPUTED)
@@ -243,8 +320,13 @@ def figure_2_12() -> Drawn:
     speeds, and 2-13 is put right. Each beta starts from x = 0.1 and settles in 120 cycles; the
     speeds of the next 24 are dots. Each start finds one of two mirrored motions, which are drawn
     as the one whose faster passage is to the right.
+
+    Lines are periodic motions, found by Newton's method and followed as beta changes: full where
+    they last, dashed where they are unstable, the symmetric one and those of 1, 2, 4 and 8 cycles.
+    Where one leaves another a multiplier is -1. These beta are found to 1e-8; where they pile up
+    follows from the last two and Feigenbaum's constant.
     """
-    figure = style.new_figure(6.6, 4.0)
+    figure = style.new_figure(6.6, 4.4)
     ax = figure.add_subplot()
     counts = []
     for beta in AMPLITUDES:
@@ -252,21 +334,50 @@ def figure_2_12() -> Drawn:
         mirror = 1.0 if abs(speeds.max()) >= abs(speeds.min()) else -1.0
         ax.plot(np.full_like(speeds, beta), mirror * speeds, ".", ms=1.6, mew=0, color=style.INK)
         counts.append(distinct(speeds))
+    for branch in branches(doublings=3):
+        speeds = branch.at_impacts("x_dot")
+        turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
+        draw_branch(ax, branch, np.where(turned[:, None], -speeds, speeds))
+    for one in cascade().bifurcations[1:]:
+        ax.axvline(one.value, color=style.INK, lw=0.5, ls=":")
     ax.set_xlabel(r"amplitude $\beta$ [-]")
     ax.set_ylabel(r"rate when upright $\dot x$ [-]")
     ax.set_xlim(3.0, 3.26)
+    ax.plot([], [], ".", color=style.INK, ms=4, label="settled")
+    ax.plot([], [], **STABLE, label="stable orbit")
+    ax.plot([], [], **UNSTABLE, label="unstable orbit")
+    ax.legend(loc="center left", fontsize=7.5)
     number = np.array(counts)
     doubled = {n: AMPLITUDES[number == n] for n in (2, 4, 8)}
     found = "; ".join(
         f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in doubled.items() if len(b)
     )
     smeared = AMPLITUDES[number > 16]
+    breaks, *values = cascade().values
+    limits = cascade().accumulations
+    by_energy = branches_by_energy()
+    flips = [one for one in by_energy[1].bifurcations if one.value > AMPLITUDES[0]]
     return Drawn(
         figure,
         (
             Statement(
                 "2.5.1", "two dots are a (1,1) orbit, 4 and 8 those of 2 and 4 cycles",
                 found, all(len(b) > 0 for b in doubled.values()),
+            ),
+            Statement(
+                "2.5.1", "the period doubles with increasing frequency until a distinct point",
+                f"the symmetry breaks at {breaks:.8f}; the period doubles at "
+                + ", ".join(f"{value:.8f}" for value in values)
+                + f"; the doublings pile up at {limits[-1]:.6f}, by the two before the last "
+                f"{limits[-2]:.6f}",
+                bool((np.diff(values) > 0).all() and cascade().ratios[-1] > 4.0),
+            ),
+            Statement(
+                "Figure 2-12", "r = 0.5",
+                "as a ratio of energies, as in 2-4, no period doubles from 3 to 3.26: the symmetry "
+                f"breaks at {by_energy[0].bifurcations[0].value:.8f}, and the motion behind lasts"
+                if not flips and by_energy[1].stable.all() else f"also of energies {flips}",
+                bool(flips),
             ),
             Statement(
                 "2.5.1", "smeared bands for beta > 3.34, where the figure has ended",

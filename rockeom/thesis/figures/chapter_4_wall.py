@@ -801,6 +801,34 @@ def settled_speeds(
     return np.array(speeds), {name: run.final[name] for name in ("u", "u_dot")}
 
 
+def stroboscope(frequency: float, amplitude: float) -> analysis.StroboscopicMap:
+    """The oscillator under Z sin(2 pi f t), by its displacement and velocity once a period."""
+    wall = rk.ControlledWallOscillator.from_wall(WALL, 0.852, effective_mass=WALL.mass / STIFFER)
+    period = 1 / frequency
+    motion = rk.GroundMotion.harmonic(amplitude, period=period, duration=2 * period)
+    return analysis.StroboscopicMap(wall, motion, period, states=("u", "u_dot"))
+
+
+def upright_velocities(branch: analysis.OrbitBranch) -> np.ndarray:
+    """(k, m) velocities when upright of each motion of a branch [m/s], in time order."""
+    rows = [
+        [e.before["u_dot"] for run in orbit.runs for e in run.events if abs(e.before["u"]) < 1e-9]
+        for orbit in branch.orbits
+    ]
+    return np.array(rows)
+
+
+def branches_of(frequency: float, start: list[float]) -> list[analysis.OrbitBranch]:
+    """Motions of one period from 6.02 m/s2 down and up, and those that double there, if any do."""
+
+    def at(amplitude: float) -> analysis.StroboscopicMap:
+        return stroboscope(frequency, amplitude)
+
+    down, up = (analysis.orbit_branch(at, (6.02, end), start) for end in (5.6, 6.5))
+    flips = [one for one in up.bifurcations if one.kind == "period doubling"]
+    return [down, up, *(up.switched(one) for one in flips[:1])]
+
+
 @thesis_figure(Source.COMPUTED)
 def figure_4_73() -> Figure:
     """Velocities when upright under Z sin(16 pi t): at 8 Hz nothing splits, at 4.553 Hz it does.
