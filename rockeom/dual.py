@@ -324,5 +324,3 @@ def directions(*given: Any) -> int:
         if several and (found := directions(*np.ravel(x))):
             return found
     return 0
-
-

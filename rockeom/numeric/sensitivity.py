@@ -13,19 +13,17 @@ from rockeom.arguments import is_number, near, told
 from rockeom.contract import REST
 from rockeom.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.mathematics import mathematics, of_compounds
-from rockeom.motion import GroundMotion
-from rockeom.motion.segments import END, START
-from rockeom.numeric.case import Case, ground_table
+from rockeom.motion.segments import KIND, scaled
+from rockeom.numeric.case import Case, ProblemTangents, ground_table, parted
 from rockeom.numeric.impact import EnergyRatio, ImpactLaw, VelocityRatio
+from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.structures import DeclaredStructure, Structure
-from rockeom.numeric.tangents import Tangents, tangents
+from rockeom.numeric.tangents import Tangents, of_problem
 from rockeom.numeric.units import main_units, time_unit
 
 if TYPE_CHECKING:
     import pandas as pd
-
-    from rockeom.numeric.options import SolverOptions
 
 
 @dataclass(frozen=True, repr=False)
@@ -124,12 +122,18 @@ def sensitivity(
     for name in given:
         if name not in knobs:
             raise ValueError(f"to: {_unknown(name, knobs)}")
+    if "restitution" in given and len({"restitution", "r", "e"} & {*given}) > 1:
+        raise ValueError("to: 'restitution' is the ratio of the law itself: name one of both")
     seeds = duals(**{f"x{i}": knobs[name].value for i, name in enumerate(given)})
     seeded = case
     for name, seed in zip(given, seeds.values(), strict=True):
         seeded = knobs[name].turn(seeded, seed)
-    found = tangents(seeded, options)
-    answers = [_answer(name, found, seeded) for name in wanted]
+    problem, along = parted(seeded.problem(), len(given))
+    for j, name in enumerate(given):
+        if name in _FACTORS:
+            _along_ground(case, along, j, name)
+    found = of_problem(seeded, problem, along, SolverOptions.of(options))
+    answers = [_answer(name, found, seeded.structure.vector, along) for name in wanted]
     return Sensitivity(
         wanted,
         given,
@@ -216,16 +220,8 @@ def _of_law(case: Case) -> dict[str, _Knob]:
     if isinstance(law, EnergyRatio) and law.r is not None:
         ratio = float(mathematics.sqrt(law.r))
     if ratio is not None:
-        found["restitution"] = _Knob(
-            ratio, "-", lambda of, e: replace(of, impact=_of_restitution(of.impact, e))
-        )
+        found["restitution"] = _Knob(ratio, "-", lambda of, e: replace(of, impact=VelocityRatio(e)))
     return found
-
-
-def _of_restitution(law: ImpactLaw | None, e: Any) -> ImpactLaw:
-    if directions(*vars(law).values()):
-        raise ValueError("to: 'restitution' is the ratio of the law itself: name one of both")
-    return VelocityRatio(e)
 
 
 def _of_start(case: Case) -> dict[str, _Knob]:
@@ -244,24 +240,25 @@ def _of_start(case: Case) -> dict[str, _Knob]:
 
 def _of_time(case: Case) -> dict[str, _Knob]:
     duration = case.motion.duration if case.duration is None else case.duration
+    unit = time_unit(case.structure.module)
     return {
-        "amplitude": _Knob(1.0, "-", lambda of, x: _scaled(of, acceleration=x)),
-        "time_scale": _Knob(1.0, "-", lambda of, x: _scaled(of, time=x)),
-        "duration": _Knob(
-            float(duration), time_unit(case.structure.module), lambda of, x: replace(of, duration=x)
-        ),
+        **{name: _Knob(1.0, "-", lambda of, _: of) for name in _FACTORS},
+        "duration": _Knob(float(duration), unit, lambda of, x: replace(of, duration=x)),
     }
 
 
-def _scaled(case: Case, **factors: Any) -> Case:
-    """A case with the ground's motions scaled; they keep their names, and the motion its length."""
-    duration = case.motion.duration if case.duration is None else case.duration
+_TINY = 1e-200
+_FACTORS = {"amplitude": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
+"""What is added to the factors of the ground's acceleration and time to derive by them: imaginary
+parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
 
-    def scaled(motion: GroundMotion) -> GroundMotion:
-        return replace(motion.scaled(**factors), name=motion.name)
 
-    vertical = None if case.vertical is None else scaled(case.vertical)
-    return replace(case, motion=scaled(case.motion), vertical=vertical, duration=duration)
+def _along_ground(case: Case, along: ProblemTangents, j: int, name: str) -> None:
+    """Fill in derivatives of the ground's motions by a factor, the j-th direction."""
+    acceleration, time = _FACTORS[name]
+    for motion, found in ((case.motion, along.horizontal), (case.vertical, along.vertical)):
+        table = ground_table(motion)
+        found[..., j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
 
 
 # -- a number within what something was made of
@@ -325,9 +322,9 @@ def _turned(part: str, path: _Path) -> Turn:
 # -- what is asked for
 
 
-def _answer(name: str, found: Tangents, seeded: Case) -> Dual:
-    """An answer with its derivatives."""
-    motion = _Moving(found, seeded)
+def _answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -> Dual:
+    """An answer with its derivatives; p : the parameters with theirs, duals."""
+    motion = _Moving(found, p, along)
     for pattern, answer in _ANSWERS.items():
         if match := re.fullmatch(pattern, name):
             return answer(motion, *match.groups())
@@ -342,11 +339,9 @@ def _answer(name: str, found: Tangents, seeded: Case) -> Dual:
 class _Moving:
     """A motion with its derivatives, asked for quantities at places of it."""
 
-    def __init__(self, found: Tangents, seeded: Case) -> None:
-        self.found, self.run = found, found.response
+    def __init__(self, found: Tangents, p: np.ndarray, along: ProblemTangents) -> None:
+        self.found, self.run, self.p, self.along = found, found.response, p, along
         self.module = self.run.structure.module
-        self.p = seeded.structure.vector
-        self.case = seeded
         self.m = found.end.shape[-1]
 
     def of(self, name: str, contact: int, y: np.ndarray, along: np.ndarray) -> Dual:
@@ -362,7 +357,7 @@ class _Moving:
         y, contact = self.run.steps.at(np.array([t]), "right")
         return self.of(name, int(contact[0]), y[0], self.found.at([t])[0])
 
-    def at_corner(self, name: str, corner: Any) -> Dual:
+    def at_corner(self, name: str, corner: Dual) -> Dual:
         """At a corner of the ground's motion, a time that moves."""
         t = float(np.nextafter(value_of(corner), 0.0))
         y, contact = self.run.steps.at(np.array([t]), "left")
@@ -380,7 +375,7 @@ class _Moving:
     @property
     def last(self) -> float:
         """When the motion ends [s]."""
-        return float(self.run.t[-1])
+        return float(self.run.steps.span[-1].sum())
 
     @property
     def falls(self) -> bool:
@@ -396,13 +391,14 @@ class _Moving:
         self.module.rates(int(contact[0]), y[0], run.structure.vector, *map(float, ground), rates)
         return rates
 
-    def corner(self, t: float, tolerance: float) -> Any:
-        """When there is a corner of the ground's motion that moves, within a tolerance; or None."""
-        for motion in (self.case.motion, self.case.vertical):
-            rows = ground_table(motion)
-            for corner in (*rows[:, START], *rows[-1:, END]):
-                if isinstance(corner, Dual) and abs(corner - t) <= tolerance:
-                    return corner
+    def corner(self, t: float, tolerance: float) -> Dual | None:
+        """When there is a corner of the ground's motion that moves, within a tolerance."""
+        for rows, along in zip(
+            self.run.tables, (self.along.horizontal, self.along.vertical), strict=True
+        ):
+            times, moves = rows[:, :KIND].ravel(), along[:, :KIND].reshape(-1, self.m)
+            for i in np.flatnonzero((np.abs(times - t) <= tolerance) & moves.any(axis=1)):
+                return Dual(float(times[i]), moves[i])
         return None
 
     def event(self, what: str, number: str) -> int:
@@ -421,21 +417,28 @@ def _dual(x: Any, m: int) -> Dual:
 
 
 def _quantity(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+    _check_known(module, name)
     if name in module.STATES:
         return y[module.STATES.index(name)]
-    for function in ("energies", "kinematics"):
-        names = getattr(module, function.upper())
-        if name in names or (function == "energies" and name == "total_energy"):
-            out = np.zeros(len(names), dtype=object)
-            getattr(of_compounds(module), function)(contact, y, p, out)
-            return sum(out) if name == "total_energy" else out[names.index(name)]
-    known = (*module.STATES, *module.ENERGIES, "total_energy", *module.KINEMATICS)
-    raise ValueError(f"of: derivatives are told of {', '.join(known)}: {name!r} is none of them")
+    function = "kinematics" if name in module.KINEMATICS else "energies"
+    names = getattr(module, function.upper())
+    out = np.zeros(len(names), dtype=object)
+    getattr(of_compounds(module), function)(contact, y, p, out)
+    return sum(out) if name == "total_energy" else out[names.index(name)]
+
+
+def _check_known(module: Any, name: str) -> None:
+    known = (*module.STATES, *module.KINEMATICS, *module.ENERGIES, "total_energy")
+    if name not in known:
+        raise ValueError(
+            f"of: derivatives are told of {', '.join(known)}: {name!r} is none of them"
+            f"{near(name, known)}"
+        )
 
 
 def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     """An extreme, which moves with its event, or the ground's corner, or stands still in time."""
-    _quantity_is_known(motion, name)
+    _check_known(motion.module, name)
     of = motion.run.extremes(name)
     sided = which == "greatest" or (which == "peak" and of.maximum >= -of.minimum)
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
@@ -451,10 +454,6 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     else:
         found = motion.at_time(name, t)
     return -found if which == "peak" and value < 0.0 else found
-
-
-def _quantity_is_known(motion: _Moving, name: str) -> None:
-    motion.of(name, int(motion.run.contact[0]), motion.run.y[0], motion.found.start)
 
 
 def _at_time(motion: _Moving, name: str, time: str) -> Dual:
