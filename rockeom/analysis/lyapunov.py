@@ -204,8 +204,8 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
         raise ArithmeticError(f"lyapunov_spectrum: cycle {k + 1}: {found.grazing}")
     rows = [run.states.index(name) for name in one.states]
     directions, grown = np.linalg.qr(found.end[rows])
+    stretched = np.abs(np.diag(grown))
     with np.errstate(divide="ignore"):
-        return (
-            _Motion(run.end[rows], run.final_phase, directions),
-            np.log(np.abs(np.diag(grown))),
-        )
+        growth = np.log(stretched)
+    directions = directions * (stretched > 0.0)  # what a motion has forgotten stays so
+    return _Motion(run.end[rows], run.final_phase, directions), growth

@@ -30,7 +30,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from rockeom.analysis.arguments import numbers, positive, require
+from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
 from rockeom.analysis.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.arguments import told, whole_number
@@ -63,7 +63,7 @@ def poincare_sections(
         analysis.poincare_sections(
             shaken,
             over={"beta": np.linspace(3.0, 3.26, 200)},
-            starts=[{"x": 0.1}, {"x": -0.1}, {"x_dot": 1.0}],
+            starts=[{"x": 0.1}, {"x": -0.1}],
             settling=150,
             cycles=32,
             impacts=4,
@@ -121,22 +121,6 @@ def poincare_sections(
     return plan.dataset(motions, found)
 
 
-def dims_of_starts(sections: xr.Dataset) -> tuple[str, ...]:
-    """Names of the dimensions of `poincare_sections` over which the motions start differently."""
-    names = str(sections.attrs.get("starts", "")).split()
-    return tuple(name for name in names if name in sections["outcome"].dims)
-
-
-def refuse_others(function: str, sections: xr.Dataset, *names: str) -> None:
-    """Raises ValueError where the sections vary anything but the names."""
-    others = [str(name) for name in sections["outcome"].dims if name not in names]
-    if others:
-        raise ValueError(
-            f"{function}: the sections vary {', '.join(others)} as well: choose one value, as in "
-            f"sections.isel({others[0]}=0)"
-        )
-
-
 # --- which motions end on the same orbit
 
 NOT_PERIODIC, FALLEN, UNKNOWN = 0, -1, -2
@@ -170,7 +154,7 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
     """
     (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
     strobe = sections["strobe"].values
-    refuse_others("basins", sections, *dims_of_starts(sections))
+    dims_of_starts("basins", sections)
     looks = strobe.reshape(-1, *strobe.shape[-2:])
     labels = sections["outcome"].values.ravel()
     fate = np.where(labels == FALLS, FALLEN, UNKNOWN)

@@ -13,15 +13,10 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from rockeom.analysis.sections import (
-    FALLEN,
-    NOT_PERIODIC,
-    UNKNOWN,
-    dims_of_starts,
-    refuse_others,
-)
+from rockeom.analysis.arguments import dims_of_starts
+from rockeom.analysis.sections import FALLEN, NOT_PERIODIC, UNKNOWN
 from rockeom.plots import style
-from rockeom.plots.sweeps import _edges, _known, _label, _unit
+from rockeom.plots.sweeps import _edges, _known, _label, _only, _unit
 
 if TYPE_CHECKING:
     from rockeom.analysis.branches import Bifurcation, OrbitBranch
@@ -53,11 +48,10 @@ def poincare_section(
     Up to six starts have a colour each. Raises ValueError for names that the sections do not have,
     and where they vary parameters, too.
     """
-    refuse_others("poincare_section", sections, *dims_of_starts(sections))
     across, up = (_looks("poincare_section", sections, name, at) for name in (x, y))
     if ax is None:
         ax = style.new_figure(5.2, 4.2).add_subplot()
-    for i, look in enumerate(_looks_of_starts(sections)):
+    for i, look in enumerate(_looks_of_starts(sections, len(up))):
         ax.plot(across[i].ravel(), up[i].ravel(), ".", mew=0, **look)
     _name_axes(ax, sections, x, y, at)
     return style.parent_figure(ax)
@@ -90,11 +84,10 @@ def bifurcation_diagram(
     where they vary other parameters, and for branches that cannot be drawn so.
     """
     function = "bifurcation_diagram"
-    refuse_others(function, sections, _known(function, sections, x), *dims_of_starts(sections))
-    values = _looks(function, sections, y, at, x)
+    values = _looks(function, sections, y, at, _known(function, sections, x))
     if ax is None:
         ax = style.new_figure(6.6, 4.0).add_subplot()
-    for i, look in enumerate(_looks_of_starts(sections)):
+    for i, look in enumerate(_looks_of_starts(sections, len(values))):
         places = np.repeat(sections[x].values, values.shape[2])
         ax.plot(places, values[i].ravel(), ".", mew=0, **look)
     marked: set[str] = set()
@@ -125,23 +118,19 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
         found = sections["strobe"].sel(state=name)
     else:
         found = sections["impact_state"].sel(state=name, side=at)
-    ordered = found.transpose(*dims_of_starts(sections), *names, ...)
-    middle = [sections.sizes[one] for one in names]
-    return ordered.values.reshape(_number_of_starts(sections), *middle, -1)
+    starts = dims_of_starts(function, sections, *names)
+    sizes = [sections.sizes[one] for one in names]
+    number = math.prod(sections.sizes[one] for one in starts)
+    return found.transpose(*starts, *names, ...).values.reshape(number, *sizes, -1)
 
 
-def _number_of_starts(sections: xr.Dataset) -> int:
-    return math.prod(sections.sizes[name] for name in dims_of_starts(sections))
-
-
-def _looks_of_starts(sections: xr.Dataset) -> Iterator[dict[str, Any]]:
+def _looks_of_starts(sections: xr.Dataset, number: int) -> Iterator[dict[str, Any]]:
     """How the dots of each start are drawn: few by name, many alike."""
-    starts = dims_of_starts(sections)
-    number = _number_of_starts(sections)
     if not 1 < number <= _NAMED:
         yield from [{"color": style.INK, "ms": 1.6}] * number
         return
     names = [name for name in sections["state"].values if name in sections.coords]
+    starts = list(dict.fromkeys(dim for name in names for dim in sections[name].dims))
     each = sections[names].reset_coords().stack(motion=starts, create_index=False)
     for i, colour in zip(range(number), style.LINES, strict=False):
         words = [f"{style.symbol(name)} = {each[name].values[i]:g}" for name in names]
@@ -237,9 +226,9 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
     ValueError for states that the starts do not vary, and where they vary others as well.
     """
     function = "basins_of_attraction"
-    fate = basins["fate"].squeeze(drop=True)
-    dims = {str(d) for name in (x, y) for d in basins[_known(function, basins, name)].dims}
-    refuse_others(function, basins, *dims)
+    if "fate" not in basins:
+        raise ValueError(f"{function}: the sections have no fates: give analysis.basins(sections)")
+    fate = _only(function, basins["fate"], basins, x, y)
     if ax is None:
         ax = style.new_figure(6.6, 4.0).add_subplot()
     present, places = np.unique(fate.values, return_inverse=True)
