@@ -129,7 +129,7 @@ def sensitivity(
     for name, seed in zip(given, seeds.values(), strict=True):
         seeded = knobs[name].turn(seeded, seed)
     found = tangents(seeded, options)
-    answers = [_answer(name, found, seeded) for name in wanted]
+    answers = [answer(name, found, seeded) for name in wanted]
     return Sensitivity(
         wanted,
         given,
@@ -325,7 +325,7 @@ def _turned(part: str, path: _Path) -> Turn:
 # -- what is asked for
 
 
-def _answer(name: str, found: Tangents, seeded: Case) -> Dual:
+def answer(name: str, found: Tangents, seeded: Case) -> Dual:
     """An answer with its derivatives."""
     motion = _Moving(found, seeded)
     for pattern, answer in _ANSWERS.items():
@@ -351,7 +351,9 @@ class _Moving:
 
     def of(self, name: str, contact: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""
-        return _dual(_quantity(self.module, name, contact, with_tangent(y, along), self.p), self.m)
+        return _dual(
+            quantity_of(self.module, name, contact, with_tangent(y, along), self.p), self.m
+        )
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
         _, kinds, states = self.run.passages
@@ -419,7 +421,7 @@ def _dual(x: Any, m: int) -> Dual:
     return Dual(float(value_of(x)), tangent_of(x, m))
 
 
-def _quantity(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
     if name in module.STATES:
         return y[module.STATES.index(name)]
     for function in ("energies", "kinematics"):
