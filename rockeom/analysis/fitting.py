@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from rockeom.numeric.case import Case
     from rockeom.numeric.options import SolverOptions
     from rockeom.numeric.response import Response
+    from rockeom.numeric.tangents import Tangents
 
 CONFIDENCE = 0.95
 STEP = 1e-4
@@ -369,12 +370,11 @@ def _swings_moved(
     it. Raises ValueError where there are none.
     """
     from rockeom.numeric.tangents import tangents
-    from rockeom.numeric.varied import Varied
 
     carried = tangents(case, options)
     if carried.grazing:
         raise ValueError(f"the swings have no derivatives: {carried.grazing}")
-    run, moved = carried.response, Varied.of(carried, quantity)
+    run = carried.response
     found = swings(run, quantity, number)
     there, crossed = found.peak != 0.0, found.crossing_time < run.t[-1]
     beside = BESIDE * np.abs(found.crossing_time - found.peak_time)
@@ -386,8 +386,8 @@ def _swings_moved(
             found.crossing_time,
         ]
     )
-    by, rate = moved.at(times.ravel())
-    by, rate = by.reshape(*times.shape, -1), rate.reshape(times.shape)
+    along = _along(carried, quantity, times.ravel()).reshape(*times.shape, -1)
+    by, rate = along[..., :-1], along[..., -1]
     turns = there & (found.peak_time > 0.0)  # others are those of the start
     peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
     crossing_time = _quotient(by[3], rate[3], crossed)
@@ -396,6 +396,30 @@ def _swings_moved(
         if len(at):
             crossing_time[row] = carried.event_times[at[0]]
     return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
+
+
+def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
+    """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
+    from rockeom.dual import tangent_of, with_tangent
+    from rockeom.numeric.sensitivity import quantity_of
+    from rockeom.numeric.states import filled
+
+    run, m = carried.response, len(carried.end_time)
+    module, p = run.structure.module, run.structure.vector
+    still = np.zeros((len(p), 1))  # by time
+    moving = with_tangent(p, np.append(carried.parameters, still, axis=1))
+    y, contact = run.steps.at(times, "right")
+    ground = [
+        np.zeros(len(times)) if motion is None else motion.acceleration(times)
+        for motion in (run.motion, run.vertical)
+    ]
+    rates = filled(run.structure, "rates", module.N_STATES, contact, y, *ground)
+    by = np.append(carried.at(times), rates.T[..., None], axis=2)
+    found = [
+        quantity_of(module, quantity, int(of), with_tangent(*row), moving)
+        for of, *row in zip(contact, y, by, strict=True)
+    ]
+    return tangent_of(np.array(found, dtype=object), m + 1)
 
 
 def _quotient(by: np.ndarray, rate: np.ndarray, which: np.ndarray) -> np.ndarray:

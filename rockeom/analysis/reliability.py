@@ -185,8 +185,8 @@ def reliability_of(
     case : a function of the parameters, by name, that returns a `Case`; it calculates with numbers
         and with `rk.Dual`.
     random, reach : as of `first_order_reliability`. options : of the simulations.
-    demand, limit : of the state, or displacement or uplift, whose largest size is to stay below the
-        limit [its unit]; who overturns exceeds it. If neither is given, overturning is meant.
+    demand, limit : of the state, energy, displacement or uplift whose largest size is to stay below
+        the limit [its unit]; who overturns exceeds it. If neither is given, overturning is meant.
 
     A largest size has a derivative, where one crest remains the highest; of overturning there is
     no margin that would have one, since the peak goes to the unstable equilibrium with a vertical
@@ -480,16 +480,17 @@ class _Margin:
     options: SolverOptions | None
 
     def __call__(self, **parameters: Dual) -> Any:
+        from rockeom.numeric.sensitivity import answer
         from rockeom.numeric.tangents import tangents
-        from rockeom.numeric.varied import Varied
 
-        found = tangents(self.case(**parameters), self.options)
+        case = self.case(**parameters)
+        found = tangents(case, self.options)
         if _fell(found.response):
             return -math.inf
-        peak = Varied.of(found, self.demand).peak
+        peak = answer(f"peak {self.demand}", found)
         if found.grazing and not np.all(np.isfinite(peak.tangent)):
             raise ValueError(f"the peak of {self.demand} has no derivatives: {found.grazing}")
-        return 1.0 - abs(peak) / self.limit
+        return 1.0 - peak / self.limit
 
 
 # -- overturning, of which a motion tells only whether it comes

@@ -15,7 +15,7 @@ from rockeom.dual import Dual, directions, duals, tangent_of, value_of, with_tan
 from rockeom.mathematics import mathematics, of_compounds
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numeric.case import Case, ProblemTangents, ground_table, parted
-from rockeom.numeric.impact import EnergyRatio, ImpactLaw, VelocityRatio
+from rockeom.numeric.impact import EnergyRatio, VelocityRatio
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.structures import DeclaredStructure, Structure
@@ -133,7 +133,7 @@ def sensitivity(
         if name in _FACTORS:
             _along_ground(case, along, j, name)
     found = of_problem(seeded, problem, along, SolverOptions.of(options))
-    answers = [_answer(name, found, seeded.structure.vector, along) for name in wanted]
+    answers = [answer(name, found) for name in wanted]
     return Sensitivity(
         wanted,
         given,
@@ -322,12 +322,12 @@ def _turned(part: str, path: _Path) -> Turn:
 # -- what is asked for
 
 
-def _answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -> Dual:
-    """An answer with its derivatives; p : the parameters with theirs, duals."""
-    motion = _Moving(found, p, along)
-    for pattern, answer in _ANSWERS.items():
+def answer(name: str, found: Tangents) -> Dual:
+    """An answer with its derivatives; its name as of `sensitivity`, which says what is raised."""
+    motion = _Moving(found)
+    for pattern, asked in _ANSWERS.items():
         if match := re.fullmatch(pattern, name):
-            return answer(motion, *match.groups())
+            return asked(motion, *match.groups())
     if name in ("number of impacts", "number of events", "outcome"):
         raise ValueError(
             f"of: the {name} has no derivative: it stays or it jumps. The time of an impact has, "
@@ -339,14 +339,17 @@ def _answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -
 class _Moving:
     """A motion with its derivatives, asked for quantities at places of it."""
 
-    def __init__(self, found: Tangents, p: np.ndarray, along: ProblemTangents) -> None:
-        self.found, self.run, self.p, self.along = found, found.response, p, along
+    def __init__(self, found: Tangents) -> None:
+        self.found, self.run, self.along = found, found.response, found.along
+        self.p = with_tangent(self.run.structure.vector, found.parameters)
         self.module = self.run.structure.module
         self.m = found.end.shape[-1]
 
     def of(self, name: str, contact: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""
-        return _dual(_quantity(self.module, name, contact, with_tangent(y, along), self.p), self.m)
+        return _dual(
+            quantity_of(self.module, name, contact, with_tangent(y, along), self.p), self.m
+        )
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
         _, kinds, states = self.run.passages
@@ -416,7 +419,7 @@ def _dual(x: Any, m: int) -> Dual:
     return Dual(float(value_of(x)), tangent_of(x, m))
 
 
-def _quantity(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
     _check_known(module, name)
     if name in module.STATES:
         return y[module.STATES.index(name)]

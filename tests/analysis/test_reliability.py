@@ -202,7 +202,7 @@ def test_what_has_no_reliability_is_refused_with_the_reason():
         analysis.reliability_of(thrown, SLENDER_AND_FAST, demand="theta")
     with pytest.raises(ValueError, match="it must be positive"):
         analysis.monte_carlo(thrown, SLENDER_AND_FAST, demand="theta", limit=0.0)
-    with pytest.raises(ValueError, match="choose of theta, theta_dot"):
+    with pytest.raises(ValueError, match="'base_shear' is none of them"):
         analysis.reliability_of(thrown, SLENDER_AND_FAST, demand="base_shear", limit=1.0)
     slow = SLENDER_AND_FAST | {"speed": stats.uniform(0.01, 0.01)}
     with pytest.raises(ValueError, match="no failure was found within 6 standard"):
