@@ -84,7 +84,7 @@ _OF_TWO: dict[str, tuple[Slope, ...]] = {
 }
 """Of functions of two numbers, by their names in `operator` or `math`."""
 
-_OF_ARRAYS = {
+_OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
     np.add: _OF_TWO["add"],
     np.subtract: _OF_TWO["sub"],
     np.multiply: _OF_TWO["mul"],
@@ -145,7 +145,7 @@ def _is_plain(x: Any) -> bool:
 
 
 @cache
-def _is_number(kind: type) -> bool:
+def _is_number(kind: Any) -> bool:
     return issubclass(kind, int | float | np.number | Dual)
 
 

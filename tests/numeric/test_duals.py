@@ -60,8 +60,7 @@ def assert_structure_carried(name, start):
         return Case(structure, motion, initial={n: numbers[n] for n in start}).problem()
 
     assert_carried(of, given | start, rtol=1e-5)
-    duals = rk.duals(**given)
-    assert nominal(SHIPPED[name](**fixed, **duals)) == SHIPPED[name](**fixed, **given)
+    assert nominal(SHIPPED[name](**fixed, **rk.duals(**given))) == SHIPPED[name](**fixed, **given)
 
 
 def signs(name):
