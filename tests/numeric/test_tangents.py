@@ -274,8 +274,8 @@ def test_uplift_of_a_block_under_a_ramp():
         shaking = ramp.scaled(acceleration=factor)
         return rk.Case(block, shaking, impact=rk.VelocityRatio(0.9), duration=duration)
 
-    values = {"half_width": 0.1, "half_height": 0.45, "gravity": 9.81, "factor": 0.8,
-              "duration": 1.2}  # fmt: skip
+    values = {"half_width": 0.1, "half_height": 0.45, "gravity": 9.81, "factor": 0.88,
+              "duration": 1.1}  # fmt: skip
     found = assert_as_differences(motion, values)
     uplift = found.response.events[0]
     time = 9.81 * 0.1 / 0.45 / (6.0 * 0.88)  # where 6 t factor = g b/h
