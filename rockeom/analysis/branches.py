@@ -229,7 +229,10 @@ class _Follower:
         self.z = np.append(states.ravel(), value) / self.scale
 
     def value(self, z: np.ndarray) -> float:
-        return float(z[-1] * self.scale[-1])
+        """Of the parameter; at a bound but for rounding, that bound."""
+        found = float(z[-1] * self.scale[-1])
+        near = min(self.bounds, key=lambda bound: abs(bound - found))
+        return near if abs(near - found) < 1e-14 * abs(near) else found
 
     def shot(self, z: np.ndarray) -> Shooting:
         """The shooting from z; ArithmeticError where it has not the events of the branch."""

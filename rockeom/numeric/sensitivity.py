@@ -405,7 +405,7 @@ class _Moving:
         """Rate of a quantity up to a time."""
         y, contact = self.run.steps.at(np.array([t]), "left")
         moving = with_tangent(y[0], self.rates(t)[:, None])
-        x = _quantity(self.module, name, int(contact[0]), moving, self.run.structure.vector)
+        x = quantity_of(self.module, name, int(contact[0]), moving, self.run.structure.vector)
         return float(_dual(x, 1).tangent[0])
 
     def corner(self, t: float, tolerance: float) -> Dual | None:

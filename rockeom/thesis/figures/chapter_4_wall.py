@@ -882,8 +882,8 @@ def figure_4_73() -> Figure:
             speeds, state = settled_speeds(4.553, z, state)
             dots(sought, z, speeds, style.INK, 2.0)
     settled = stroboscope(8.0, 6.02).points({"u": 0.004, "u_dot": 0.2}, 60)[-1]
-    for ax, frequency, start in ((stated, 8.0, settled), (sought, 4.553, DOUBLING)):
-        for branch in branches_of(frequency, start):
+    for ax, frequency, first in ((stated, 8.0, settled), (sought, 4.553, DOUBLING)):
+        for branch in branches_of(frequency, first):
             draw_branch(ax, branch, upright_velocities(branch))
     stated.set_title("8 Hz, as stated", fontsize=9)
     sought.set_title("4.553 Hz, sought", fontsize=9)
