@@ -135,7 +135,7 @@ def sensitivity(
         if name in _FACTORS:
             _along_ground(case, along, j, name)
     found = of_problem(seeded, problem, along, SolverOptions.of(options))
-    answers = [_answer(name, found, seeded.structure.vector, along) for name in wanted]
+    answers = [answer(name, found, seeded.structure.vector, along) for name in wanted]
     return Sensitivity(
         wanted,
         given,
@@ -193,7 +193,9 @@ def _knobs(case: Case) -> dict[str, _Knob]:
 
 
 def _of_structure(structure: Structure) -> dict[str, _Knob]:
-    numbers = list(_numbers(_made_of(structure)))
+    module = structure.module
+    signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
+    numbers = [x for x in _numbers(_made_of(structure)) if signs.get(x[0]) != "n"]  # whole ones
     units = _units_of(structure, [path for _, path, _ in numbers])
     return {
         name: _Knob(value, unit, _turned("structure", path))
@@ -208,8 +210,8 @@ def _units_of(structure: Structure, paths: list[_Path]) -> list[str]:
     for path, seed in zip(paths, seeds, strict=True):
         made[path[0]] = _put(made[path[0]], path[1:], seed)
     equations = type(structure)(**made).parameters()
-    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
-    known = {id(x): units[name] for name, x in equations.items()}
+    units = zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True)
+    known = {id(equations[name]): unit for name, unit in units}
     return [known.get(id(seed), "") for seed in seeds]
 
 
@@ -329,7 +331,7 @@ def _turned(part: str, path: _Path) -> Turn:
 # -- what is asked for
 
 
-def _answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -> Dual:
+def answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -> Dual:
     """An answer with its derivatives; p : the parameters with theirs, duals."""
     motion = _Moving(found, p, along)
     for pattern, answer in _ANSWERS.items():
@@ -353,7 +355,9 @@ class _Moving:
 
     def of(self, name: str, contact: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""
-        return _dual(_quantity(self.module, name, contact, with_tangent(y, along), self.p), self.m)
+        return _dual(
+            quantity_of(self.module, name, contact, with_tangent(y, along), self.p), self.m
+        )
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
         _, kinds, states = self.run.passages
@@ -402,7 +406,7 @@ class _Moving:
         """Rate of a quantity up to a time."""
         y, contact = self.run.steps.at(np.array([t]), "left")
         moving = with_tangent(y[0], self.rates(t)[:, None])
-        x = _quantity(self.module, name, int(contact[0]), moving, self.run.structure.vector)
+        x = quantity_of(self.module, name, int(contact[0]), moving, self.run.structure.vector)
         return float(_dual(x, 1).tangent[0])
 
     def corner(self, t: float, tolerance: float) -> Dual | None:
@@ -431,7 +435,12 @@ def _dual(x: Any, m: int) -> Dual:
     return Dual(float(value_of(x)), tangent_of(x, m))
 
 
-def _quantity(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+    """A quantity of a state y (N,) of duals, with the parameters p, by the equations; a number.
+
+    name : of a state, a displacement, an energy, or of what an element does. Raises ValueError for
+    any other.
+    """
     function, first, last = _told(module, name)
     if not function:
         return y[first]

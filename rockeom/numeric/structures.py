@@ -25,6 +25,7 @@ import numpy as np
 from rockeom import hooks
 from rockeom.arguments import near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
+from rockeom.dual import directions
 from rockeom.mathematics import for_arrays, isfinite, mathematics
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.contact_states import (
@@ -103,6 +104,11 @@ class Structure:
     @property
     def states(self) -> tuple[str, ...]:
         return self.module.STATES
+
+    @property
+    def jumps_between_events(self) -> bool:
+        """Whether a force may jump at a place where no contact state ends."""
+        return False
 
     @functools.cached_property
     def rocks_on_rigid_ground(self) -> bool:
@@ -1550,6 +1556,12 @@ class ControlledWallOscillator(_ControlledWall):
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
         return cls.from_wall(hooks.thesis_wall(initial_force), energy_ratio, held)
 
+    @property
+    def jumps_between_events(self) -> bool:
+        """Where the ratio follows the speed of the instant, in pieces that need not meet."""
+        law = self.energy_ratio
+        return not self.held and isinstance(law, EnergyRatioAtSpeed) and len(law.pieces) > 1
+
     def parameters(self) -> dict[str, float]:
         values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
         law = values.pop("energy_ratio")
@@ -1604,6 +1616,8 @@ class DeclaredStructure(Structure):
         signed = frozenset(name for name, sign in signs.items() if sign == "+-")
         check_values(self.model, values, frozenset(known), signed)
         for name in (name for name, sign in signs.items() if sign == "n"):
+            if directions(values[name]):
+                raise TypeError(f"{self.model}: {name} is a dual: whole numbers have no derivative")
             if not (values[name] >= 1 and values[name] % 1 == 0):
                 raise ValueError(
                     f"{self.model}: {name} is {values[name]:g}: give a whole number of at least 1"
