@@ -11,7 +11,6 @@ import math
 import operator
 from collections.abc import Callable
 from copy import copy
-from functools import cache
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -144,8 +143,7 @@ def _is_plain(x: Any) -> bool:
     return _is_number(type(x))
 
 
-@cache
-def _is_number(kind: Any) -> bool:
+def _is_number(kind: type) -> bool:
     return issubclass(kind, int | float | np.number | Dual)
 
 

@@ -193,7 +193,9 @@ def _knobs(case: Case) -> dict[str, _Knob]:
 
 
 def _of_structure(structure: Structure) -> dict[str, _Knob]:
-    numbers = list(_numbers(_made_of(structure)))
+    module = structure.module
+    signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
+    numbers = [x for x in _numbers(_made_of(structure)) if signs.get(x[0]) != "n"]  # whole ones
     units = _units_of(structure, [path for _, path, _ in numbers])
     return {
         name: _Knob(value, unit, _turned("structure", path))
@@ -208,8 +210,8 @@ def _units_of(structure: Structure, paths: list[_Path]) -> list[str]:
     for path, seed in zip(paths, seeds, strict=True):
         made[path[0]] = _put(made[path[0]], path[1:], seed)
     equations = type(structure)(**made).parameters()
-    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
-    known = {id(x): units[name] for name, x in equations.items()}
+    units = zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True)
+    known = {id(equations[name]): unit for name, unit in units}
     return [known.get(id(seed), "") for seed in seeds]
 
 
@@ -435,6 +437,11 @@ def _dual(x: Any, m: int) -> Dual:
 
 
 def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+    """A quantity of a state y (N,) of duals, with the parameters p, by the equations; a number.
+
+    name : of a state, a displacement, an energy, or of what an element does. Raises ValueError for
+    any other.
+    """
     function, first, last = _told(module, name)
     if not function:
         return y[first]

@@ -223,6 +223,11 @@ X = rk.Dual(0.1, [1.0, 0.0])
         (lambda: rk.Dual("a", [1.0]), TypeError, "value is 'a'"),
         (lambda: rk.Dual(X, [1.0]), TypeError, "give a plain number"),
         (lambda: rk.duals(mass="heavy"), TypeError, "value is 'heavy'"),
+        (
+            lambda: SHIPPED["rocking_frame"](**(plain("rocking_frame") | {"columns": X})),
+            TypeError,
+            "columns is a dual",
+        ),
         (lambda: rk.Winkler(stiffness=1.0, damping=0.0, springs=X), ValueError, "springs is 0.1"),
         (
             lambda: rk.simulate(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": X}),
