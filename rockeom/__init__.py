@@ -41,6 +41,7 @@ _NAMES_OF = {
     ),
     "rockeom.numeric.options": ("SolverOptions",),
     "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
+    "rockeom.numeric.sensitivity": ("Sensitivity", "sensitivity"),
     "rockeom.numeric.simulate": ("simulate",),
     "rockeom.numeric.structures": ("Structure",),
     "rockeom.numeric.tangents": ("Tangents", "tangents"),
@@ -93,6 +94,10 @@ if TYPE_CHECKING:
         Impact as Impact,
         Outcome as Outcome,
         Response as Response,
+    )
+    from rockeom.numeric.sensitivity import (
+        Sensitivity as Sensitivity,
+        sensitivity as sensitivity,
     )
     from rockeom.numeric.simulate import simulate as simulate
     from rockeom.numeric.structures import *  # noqa: F403

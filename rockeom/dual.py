@@ -11,6 +11,7 @@ import math
 import operator
 from collections.abc import Callable
 from copy import copy
+from functools import cache
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -27,37 +28,75 @@ Slope = Callable[..., Any]
 
 def _through(
     function: Callable[..., Any], slopes: tuple[Slope, ...], given: tuple[Any, ...]
-) -> Any:
+) -> Dual:
     """A function of numbers and duals, by its derivatives with respect to each."""
-    plain = [x.value if isinstance(x, Dual) else x for x in given]
+    plain = [x.value if type(x) is Dual else x for x in given]
     found = function(*plain)
-    tangent: Any = 0.0
-    for x, slope in zip(given, slopes, strict=True):
-        if isinstance(x, Dual):
-            if np.shape(tangent) not in ((), x.tangent.shape):
-                raise ValueError(
-                    f"duals of {len(tangent)} and of {len(x.tangent)} directions meet in one "
-                    "calculation: make all of them by one call of `rk.duals`"
-                )
-            tangent = tangent + slope(*plain, found) * x.tangent
-    return _dual(np.float64(found), tangent)
+    parts = [
+        _moved(slope(*plain, found), x.tangent)
+        for x, slope in zip(given, slopes, strict=True)
+        if type(x) is Dual
+    ]
+    if len(parts) == 1:
+        return _dual(np.float64(found), parts[0])
+    if len(parts[0]) != len(parts[1]):
+        raise ValueError(
+            f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one "
+            "calculation: make all of them by one call of `rk.duals`"
+        )
+    return _dual(np.float64(found), parts[0] + parts[1])
+
+
+def _through_array(ufunc: np.ufunc, given: tuple[Any, ...]) -> np.ndarray:
+    """The same of a dual and an array (n,) of floats, as of one after the other."""
+    plain = [x.value if type(x) is Dual else x for x in given]
+    found = ufunc(*plain)
+    ((x, slope),) = (of for of in zip(given, _OF_ARRAYS[ufunc], strict=True) if type(of[0]) is Dual)
+    slopes = np.broadcast_to(slope(*plain, found), found.shape)
+    return with_tangent(found, np.multiply.outer(slopes, x.tangent))
+
+
+def _moved(slope: Any, tangent: np.ndarray) -> np.ndarray:
+    """What does not move moves nothing, however steep it is there."""
+    if math.isfinite(slope):
+        return slope * tangent
+    return np.multiply(slope, tangent, where=tangent != 0.0, out=np.zeros(len(tangent)))
 
 
 def _power_of_base(x: Any, n: Any, _: Any) -> Any:
     return n * x ** (n - 1) if n else 0.0
 
 
+def _quotient(x: Any, y: Any) -> Any:
+    with np.errstate(all="ignore"):  # the number itself has warned
+        return np.divide(x, y)
+
+
 _OF_TWO: dict[str, tuple[Slope, ...]] = {
     "add": (lambda x, y, f: 1.0, lambda x, y, f: 1.0),
     "sub": (lambda x, y, f: 1.0, lambda x, y, f: -1.0),
     "mul": (lambda x, y, f: y, lambda x, y, f: x),
-    "truediv": (lambda x, y, f: 1.0 / y, lambda x, y, f: -f / y),
+    "truediv": (lambda x, y, f: _quotient(1.0, y), lambda x, y, f: _quotient(-f, y)),
     "pow": (_power_of_base, lambda x, n, f: f * math.log(x)),
     "hypot": (lambda x, y, f: x / f, lambda x, y, f: y / f),
     "atan2": (lambda y, x, f: x / (x * x + y * y), lambda y, x, f: -y / (x * x + y * y)),
     "copysign": (lambda x, y, f: math.copysign(1.0, x) * math.copysign(1.0, y), lambda *_: 0.0),
 }
 """Of functions of two numbers, by their names in `operator` or `math`."""
+
+_OF_ARRAYS = {
+    np.add: _OF_TWO["add"],
+    np.subtract: _OF_TWO["sub"],
+    np.multiply: _OF_TWO["mul"],
+    np.true_divide: _OF_TWO["truediv"],
+}
+"""What is done with an array of floats at once: with thousands of samples of a record."""
+
+
+def _are_floats(given: tuple[Any, ...]) -> bool:
+    """Whether an array (n,) of floats meets one dual."""
+    return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in given)
+
 
 _IN_MATH = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
 """What NumPy calls otherwise."""
@@ -69,7 +108,12 @@ def _slopes(name: str) -> tuple[Slope, ...]:
     if name not in FUNCTIONS:
         raise TypeError(f"the derivative of {name} is not known: take the `.value` of its argument")
     of = FUNCTIONS[name].slope
-    return (lambda x, f: of(x),)
+
+    def slope(x: Any, _: Any) -> Any:
+        with np.errstate(all="ignore"):  # it may be infinite where the function is not
+            return of(x)
+
+    return (slope,)
 
 
 def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
@@ -97,7 +141,12 @@ def _compared(name: str) -> Callable[[Any, Any], Any]:
 
 
 def _is_plain(x: Any) -> bool:
-    return isinstance(x, int | float | np.number | Dual)
+    return _is_number(type(x))
+
+
+@cache
+def _is_number(kind: type) -> bool:
+    return issubclass(kind, int | float | np.number | Dual)
 
 
 class Dual(Compound):
@@ -162,8 +211,10 @@ class Dual(Compound):
         """What NumPy does with numbers one by one, operators among it."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
+        if ufunc in _OF_ARRAYS and _are_floats(given):
+            return _through_array(ufunc, given)
         if any(isinstance(x, np.ndarray) for x in given):
-            return ufunc(*(boxed(x) if isinstance(x, Dual) else x for x in given), **how)
+            return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)
         if how:
             return NotImplemented
         if ufunc in (np.sign, np.isfinite):
@@ -193,8 +244,8 @@ def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
 Real.register(Dual)
 
 
-def duals(**values: float) -> dict[str, Dual]:
-    """Numbers by name, each a direction of its own, in which it has the derivative 1.
+def duals(**values: float) -> dict[str, Any]:
+    """Duals by name, each a direction of its own, in which it has the derivative 1.
 
     Raises TypeError for what is no number.
 
@@ -209,9 +260,10 @@ def duals(**values: float) -> dict[str, Dual]:
 def value_of(x: Any) -> Any:
     """A number without its derivatives; of an array of numbers an array of float."""
     if isinstance(x, np.ndarray):
-        if not directions(x):
-            return x
-        found = np.array([value_of(element) for element in x.flat], dtype=float).reshape(x.shape)
+        if x.dtype != object or not all(map(_is_number, {*map(type, x.flat)})):
+            return x  # of many cases
+        plain = [element.value if type(element) is Dual else element for element in x.flat]
+        found = np.array(plain, dtype=float).reshape(x.shape)
         found.flags.writeable = x.flags.writeable
         return found
     return float(x.value) if isinstance(x, Dual) else x
@@ -244,24 +296,33 @@ def _unless_same(old: Any, new: Any) -> Any:
     return old if all(map(operator.is_, *parts)) else new
 
 
+def with_tangent(values: np.ndarray, tangent: np.ndarray) -> np.ndarray:
+    """An array of duals, of values (n,) and their tangents (n, m)."""
+    found = np.empty(len(values), dtype=object)
+    found[:] = list(map(_dual, values, tangent))
+    return found
+
+
 def tangent_of(x: Any, m: int) -> np.ndarray:
     """(..., m) derivatives of a number or an array (...), zero of those that have none."""
     found = np.zeros((*np.shape(x), m))
     if isinstance(x, Dual):
         found[:] = x.tangent
     elif isinstance(x, np.ndarray) and x.dtype == object:
-        for place in zip(*np.nonzero(_are_duals(x)), strict=True):
-            found[place] = x[place].tangent
+        for row, element in zip(found.reshape(-1, m), x.flat, strict=True):
+            if type(element) is Dual:
+                row[:] = element.tangent
     return found
 
 
 def directions(*given: Any) -> int:
-    """Along how many directions numbers and arrays have derivatives; 0 if none has."""
+    """Along how many directions numbers, arrays and lists have derivatives; 0 if none has."""
     for x in given:
-        for element in x.flat if isinstance(x, np.ndarray) and x.dtype == object else (x,):
-            if isinstance(element, Dual):
-                return len(element.tangent)
+        if isinstance(x, Dual):
+            return len(x.tangent)
+        several = isinstance(x, list) or (isinstance(x, np.ndarray) and x.dtype == object)
+        if several and (found := directions(*np.ravel(x))):
+            return found
     return 0
 
 
-_are_duals = np.frompyfunc(lambda x: isinstance(x, Dual), 1, 1)

@@ -192,6 +192,11 @@ def boxed(x: Any) -> np.ndarray:
     return box
 
 
+def one_of(x: Any) -> Any:
+    """A number that is one for all cases; raises Differs where they have several."""
+    return x.one() if type(x) is Many else x
+
+
 def values(x: Any) -> Any:
     """(n,) numbers of n cases, or the one that all of them have."""
     return x.values if type(x) is Many else x

@@ -76,6 +76,11 @@ def of_compounds(module: ModuleType) -> Any:
     return SimpleNamespace(**names)
 
 
+def for_arrays(module: ModuleType, *arrays: np.ndarray) -> Any:
+    """The generated module, for compounds where arrays hold such."""
+    return of_compounds(module) if any(x.dtype == object for x in arrays) else module
+
+
 class Derivatives(NamedTuple):
     """A function of one number with its first two derivatives, of arrays."""
 

@@ -15,7 +15,9 @@ from numpy.typing import ArrayLike
 
 from rockeom import hooks
 from rockeom.arguments import number, numbers, told
-from rockeom.many import Many
+from rockeom.dual import nominal, value_of
+from rockeom.many import Many, one_of
+from rockeom.mathematics import mathematics
 from rockeom.motion.arguments import finite as _finite, positive as _positive
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
@@ -474,7 +476,7 @@ class GroundMotion:
     def peak(self) -> float:
         """Largest absolute acceleration [m/s2], exact to rounding."""
         if self.samples is not None:
-            return float(np.abs(self.samples).max())
+            return number("peak", np.abs(self.samples).max())
         return _peak(self.segments)
 
     @property
@@ -592,7 +594,7 @@ class GroundMotion:
         """
         a, s = _finite("acceleration", acceleration), _positive("time", time)
         if len(self.segments) > _SHORT:
-            a, s = float(a), float(s)  # one such table at a time, also of columns
+            a, s = one_of(a), one_of(s)  # one such table at a time, also of columns
         return GroundMotion(
             _scaled(self.segments, a, s),
             _scaled_name(self.name, a, s),
@@ -720,12 +722,13 @@ class GroundMotion:
                 f"{self!r} and {other!r} were not recorded at the same times: give two components "
                 "of one record; if one is longer, cut its samples and use GroundMotion.from_array"
             )
-        cosine, sine = math.cos(turn), math.sin(turn)
-        segments = self.segments.copy()
+        cosine, sine = mathematics.cos(turn), mathematics.sin(turn)
+        segments = self.segments.astype(np.result_type(self.segments, type(turn)))
         segments[:, C0:] = cosine * self.segments[:, C0:] + sine * other.segments[:, C0:]
         return GroundMotion(
             segments,
-            _named("{:.4g} degrees from ", math.degrees(turn)) + f"{self.name} to {other.name}",
+            _named("{:.4g} degrees from ", turn * (180.0 / math.pi))
+            + f"{self.name} to {other.name}",
             f"of {self.source} and of {other.source}",
             self.dt,
             cosine * self.samples + sine * other.samples,
@@ -745,12 +748,15 @@ class GroundMotion:
         return mine == theirs and np.array_equal(self.segments, other.segments)
 
     def __hash__(self) -> int:
-        return hash((self.name, self.source, self.segments.tobytes()))
+        table = self.segments
+        numbers = tuple(table.flat) if table.dtype == object else table.tobytes()
+        return hash((self.name, self.source, numbers))
 
     def __repr__(self) -> str:
         record = "" if self.samples is None else f", {len(self.samples)} samples at {self.dt:.6g} s"
         return (
-            f"GroundMotion({self.name!r}: {self.duration:.6g} s, peak {self.peak:.4g} m/s2{record})"
+            f"GroundMotion({self.name!r}: {self.duration:.6g} s, peak {nominal(self).peak:.4g} "
+            f"m/s2{record})"
         )
 
     def _repr_html_(self) -> str:
@@ -849,7 +855,7 @@ def _from_record(a: np.ndarray, dt: float, name: str, source: str) -> GroundMoti
     dt = _positive("dt", dt)
     if len(a) < 2:
         raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
-    largest = float(np.abs(a).max())
+    largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
         warnings.warn(
             f"{source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
@@ -857,7 +863,7 @@ def _from_record(a: np.ndarray, dt: float, name: str, source: str) -> GroundMoti
             stacklevel=3,
         )
     t = dt * np.arange(len(a))
-    segments = np.zeros((len(a) - 1, COLUMNS))
+    segments = np.zeros((len(a) - 1, COLUMNS), np.result_type(a, t))
     segments[:, START], segments[:, END] = t[:-1], t[1:]
     segments[:, C0], segments[:, C1] = a[:-1], np.diff(a) / np.diff(t)
     return GroundMotion(segments, name, source, dt, a)
@@ -913,7 +919,7 @@ def _one_dimension(acceleration: ArrayLike) -> np.ndarray:
     values = _array("acceleration", acceleration)
     if values.ndim != 1:
         raise MotionError(f"acceleration has shape {values.shape}: give one dimension, (n,)")
-    for index in np.flatnonzero(~np.isfinite(values))[:1]:
+    for index in np.flatnonzero(~np.isfinite(value_of(values)))[:1]:
         raise MotionError(
             f"acceleration[{index}] is {values[index]}: give finite numbers only, or cut the "
             "record where it ends"

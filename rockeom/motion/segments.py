@@ -237,7 +237,9 @@ def shaking_ends(segments: np.ndarray) -> float:
 def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
     linear = segments[:, KIND] == LINEAR
-    found = segments * np.array([time, time, 1.0, amplitude, 1.0, 1.0, 1.0])
+    found = segments.astype(np.result_type(segments, type(amplitude), type(time)))
+    for column, factor in ((START, time), (END, time), (C0, amplitude)):
+        found[:, column] = segments[:, column] * factor
     rate = segments[:, C1] / time
     found[:, C1] = np.where(linear, rate * amplitude, rate)
     kind = segments[:, KIND]

@@ -26,8 +26,9 @@ from rockeom.contract import (
     STICKING,
     SWITCH,
 )
+from rockeom.dual import directions, tangent_of, value_of, with_tangent
 from rockeom.many import Differs, Many, values
-from rockeom.mathematics import of_compounds
+from rockeom.mathematics import for_arrays, of_compounds
 
 HAPPENED = {
     LANDING: "landing", LIFTING: "lifting", SLIPPING: "slip begins", STICKING: "slip ends",
@@ -76,7 +77,8 @@ class Points:
 
 def _told(module: ModuleType, y: np.ndarray, p: np.ndarray) -> np.ndarray:
     """What the module tells of its points in states (..., N), in one row of each."""
-    told = np.zeros((*y.shape[:-1], len(module.POINTS) * (5 + len(module.STATES))))
+    columns = len(module.POINTS) * (5 + len(module.STATES))
+    told = np.zeros((*y.shape[:-1], columns), np.result_type(y, p))
     if told.size:
         _fill(module, y.reshape(-1, y.shape[-1]), p, told.reshape(-1, told.shape[-1]))
     return told
@@ -85,7 +87,7 @@ def _told(module: ModuleType, y: np.ndarray, p: np.ndarray) -> np.ndarray:
 def _fill(module: ModuleType, states: np.ndarray, p: np.ndarray, told: np.ndarray) -> None:
     """The rows of states (k, N) into told (k, ...); of many at once, the same bits, sooner."""
     if len(states) == 1:
-        module.points(states[0], p, told[0])
+        for_arrays(module, states, p).points(states[0], p, told[0])
         return
     out = np.zeros(told.shape[1], dtype=object)
     try:
@@ -113,7 +115,17 @@ def standing(
 
     Coordinates that turn the structure stay as they are, and so does all where heights are named.
     """
-    y = y.copy()
+    stands = _standing(module, value_of(y), value_of(p), named)
+    if not (m := directions(y, p)):
+        return stands
+    # arrays of objects are not added in the order of numbers: the values are those of numbers
+    return with_tangent(stands, tangent_of(_standing(module, y, p, named), m))
+
+
+def _standing(
+    module: ModuleType, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+) -> np.ndarray:
+    y = y.astype(np.result_type(y, p))
     n = len(module.STATES) // 2
     free = np.array([name not in named for name in module.STATES])
     free &= np.tile(np.array(angles(module)) == 0.0, 2)
@@ -124,9 +136,12 @@ def standing(
             return y
         lowest = int(np.argmin(points.gap))
         lever = points.normal[lowest] * places
-        if abs(points.gap[lowest]) <= 1e-15 * points.size[lowest] or not lever.any():
+        done = abs(points.gap[lowest]) <= 1e-15 * points.size[lowest]
+        if not lever.any() or (done and y.dtype != object):  # a gap that is none has derivatives
             break
         y[:n] -= points.gap[lowest] * lever / (lever @ lever)
+        if done:
+            break
     points = Points(module, y, p)
     down = points.closed
     if not down.any() or not free[n:].any():
@@ -138,13 +153,30 @@ def standing(
         moved = y.copy()
         lacking = rows @ y[n:]
         move = np.flatnonzero(free[n:])
-        moved[n + move] -= np.linalg.lstsq(rows[:, move], lacking, rcond=None)[0]
+        moved[n + move] -= _least_squares(rows[:, move], lacking)
         there = Points(module, moved, p)
         fits = np.abs(rows @ moved[n:]) <= _CLOSED * (np.abs(rows) @ np.abs(moved[n:]) + 1e-300)
         opens = there.gap_rate >= -_CLOSED * there.speed
         if fits[: len(held)].all() and opens[down].all():
             return moved
     return y
+
+
+def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The least x (n,) of those for which a x is nearest to b, of duals as well.
+
+    Derivatives of the pseudoinverse: Golub and Pereyra (1973), where the rank of a stays.
+    """
+    plain, b_ = value_of(a), value_of(b)
+    x = np.linalg.lstsq(plain, b_, rcond=None)[0]
+    if not (m := directions(a, b)):
+        return x
+    da, db, inverse = tangent_of(a, m), tangent_of(b, m), np.linalg.pinv(plain)
+    free = np.eye(len(x)) - inverse @ plain
+    left = np.einsum("ijm,i->jm", da, b_ - plain @ x)
+    drawn = np.einsum("ijm,i->jm", da, inverse.T @ x)
+    along = inverse @ (db - np.einsum("ijm,j->im", da, x) + inverse.T @ left) + free @ drawn
+    return with_tangent(x, along)
 
 
 def drawn_out(
@@ -159,12 +191,14 @@ def drawn_out(
     if not places:
         return y
     alike = [c for c, row in enumerate(module.POINT_STATES) if row == module.POINT_STATES[0]]
-    contact = max(alike, key=lambda c: _switch_margin(module, c, y, p))
-    drawn, told = y.copy(), np.zeros(len(module.KINEMATICS))
+    contact = max(alike, key=lambda c: _switch_margin(module, c, value_of(y), value_of(p)))
+    y = y.astype(np.result_type(y, p))
+    m = for_arrays(module, y)
+    drawn, told = y.copy(), np.zeros(len(module.KINEMATICS), y.dtype)
     for guard in range(module.GUARDS[contact]):
         if module.KINDS[contact][guard] == SWITCH:
-            module.jump(contact, guard, 0, 0.0, drawn.copy(), p, drawn)
-    module.kinematics(contact, y, p, told)
+            m.jump(contact, guard, 0, 0.0, drawn.copy(), p, drawn)
+    m.kinematics(contact, y, p, told)
     for name, z in places.items():
         i = module.STATES.index(z)
         size = abs(drawn[i]) + abs(told[module.KINEMATICS.index(f"{name}_elongation")])
@@ -187,6 +221,7 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
 
     Raises ValueError where a point is below what it stands on, and where no contact state fits.
     """
+    y, p = value_of(y), value_of(p)
     points = Points(module, y, p)
     touching, slides = points.touching()
     states = []

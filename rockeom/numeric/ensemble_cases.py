@@ -15,7 +15,7 @@ import xarray as xr
 
 from rockeom.arguments import is_number, told
 from rockeom.many import Differs, Many
-from rockeom.numeric.case import Case, Problem, Problems
+from rockeom.numeric.case import Case, Problem, Problems, without_duals
 
 FEW, MANY = 256, 2048
 """Cases that a thread takes at a time, at most: made one by one, and where made at once."""
@@ -384,7 +384,7 @@ class Source:
                 f"a case is a {case.structure.module.NAME}, the first one a "
                 f"{self.module.NAME}: simulate each model by itself"
             )
-        return case, case.problem()
+        return case, without_duals(case.problem())
 
 
 def _few(rows: np.ndarray) -> list[np.ndarray]:

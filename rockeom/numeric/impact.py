@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Protocol
 
 import numpy as np
@@ -189,7 +190,8 @@ class EnergyRatioAtSpeed(TabledLaw):
         if self.height is not None:
             number("height of an energy ratio in pieces", self.height)
         limits = [limit for limit, _, _ in self.pieces]
-        if not limits or limits[-1] != math.inf or limits != sorted(set(limits)):
+        rises = all(a < b for a, b in pairwise(limits))
+        if not limits or limits[-1] != math.inf or not rises:
             raise ValueError(
                 f"energy ratio in pieces with the limits {limits} m/s: they must increase, and the "
                 "last one be infinite"
@@ -281,7 +283,10 @@ class EnergyRatioAtSpeed(TabledLaw):
 
     def table(self, structure: Landing) -> list[float]:
         lever = self.lever(structure)
-        rows = [(limit / lever, r, slope * lever) for limit, r, slope in self.pieces]
+        rows = [
+            (limit / lever if limit < math.inf else limit, r, slope * lever)
+            for limit, r, slope in self.pieces
+        ]
         return [*(number for row in rows for number in row), float(len(rows))]
 
     def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
@@ -483,8 +488,8 @@ class RandomEnergyRatio(TabledLaw):
         return {foot: r[(places * len(r)).astype(int)] for foot, r in feet.items()}
 
     def table(self, structure: Landing) -> list[float]:
-        feet = [np.sqrt(self.drawn[foot]).tolist() for foot in ("left", "right")]
-        return [*feet[0], *feet[1], float(DRAWS)]
+        drawn = [*self.drawn["left"].tolist(), *self.drawn["right"].tolist()]
+        return [*map(mathematics.sqrt, drawn), float(DRAWS)]
 
     def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
         return math.sqrt(self.drawn[landing_foot(rate)][impact % DRAWS])

@@ -11,8 +11,7 @@ import numpy as np
 
 from rockeom.arguments import told
 from rockeom.contract import AT_THE_START, CONTACT, EVENTS_KEPT, FULL, REFINED, STEPS_KEPT
-from rockeom.dual import directions
-from rockeom.numeric.case import STILL, Case, Problem
+from rockeom.numeric.case import STILL, Case, Problem, without_duals
 from rockeom.numeric.choice import chosen
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.options import SolverOptions
@@ -67,13 +66,7 @@ def simulate(
     if keep not in KEPT:
         raise ValueError(f"keep is {told(keep)}: choose {' or '.join(map(repr, KEPT))}")
     case = Case(structure, motion, impact, initial, duration, vertical, phase)
-    problem = case.problem()
-    if directions(*problem):
-        raise TypeError(
-            "the case holds duals, and `simulate` tells no derivatives: give it to `rk.tangents`, "
-            "or simulate it with the `.value` of each"
-        )
-    return simulated(case, problem, SolverOptions.of(options), keep)
+    return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 
 
 def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = ALL) -> Response:

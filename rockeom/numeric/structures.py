@@ -25,7 +25,7 @@ import numpy as np
 from rockeom import hooks
 from rockeom.arguments import near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
-from rockeom.mathematics import isfinite, mathematics, of_compounds
+from rockeom.mathematics import for_arrays, isfinite, mathematics
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.contact_states import (
     by_forces,
@@ -98,12 +98,16 @@ class Structure:
 
     def module_for(self, *arrays: np.ndarray) -> Any:
         """The generated module, for compounds where arrays hold such."""
-        compounds = any(x.dtype == object for x in arrays)
-        return of_compounds(self.module) if compounds else self.module
+        return for_arrays(self.module, *arrays)
 
     @property
     def states(self) -> tuple[str, ...]:
         return self.module.STATES
+
+    @property
+    def jumps_between_events(self) -> bool:
+        """Whether a force may jump at a place where no contact state ends."""
+        return False
 
     @functools.cached_property
     def rocks_on_rigid_ground(self) -> bool:
@@ -1246,6 +1250,7 @@ class _ControlledWall(Structure):
         y = super().state(values)
         if "permanent_extension" in values:
             return y
+        y = y.astype(np.result_type(y, self.vector))
         m = self.module
         side = "left" if (y[m.ROTATION] or y[m.ROTATION_RATE]) < 0 else "right"
         beyond = self._elastic_force(side, y) - self.yield_force
@@ -1550,6 +1555,12 @@ class ControlledWallOscillator(_ControlledWall):
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
         return cls.from_wall(hooks.thesis_wall(initial_force), energy_ratio, held)
 
+    @property
+    def jumps_between_events(self) -> bool:
+        """Where the ratio follows the speed of the instant, in pieces that need not meet."""
+        law = self.energy_ratio
+        return not self.held and isinstance(law, EnergyRatioAtSpeed) and len(law.pieces) > 1
+
     def parameters(self) -> dict[str, float]:
         values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
         law = values.pop("energy_ratio")
@@ -1566,6 +1577,7 @@ class ControlledWallOscillator(_ControlledWall):
         """(N,) state vector; a passage_speed that is not given is that of the energy there is."""
         y = super().state(values)
         if "passage_speed" not in values:
+            y = y.astype(np.result_type(y, self.vector))
             upright = np.zeros_like(y)
             upright[1] = y[1]
             m = self.module_for(y, self.vector)
