@@ -84,14 +84,14 @@ def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
         raise TypeError(
             f"{what} is masked or complex: fill the gaps, or take the real part, yourself"
         )
-    if found.dtype.kind not in "iuf":
-        for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
-            if type(element) is not float and not is_number(element):
-                place = f"[{', '.join(map(str, index))}]" if index else ""
-                raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
-        if any(issubclass(kind, Compound) for kind in {*map(type, found.flat)}):
-            return found
-    return found.astype(float)
+    if found.dtype.kind in "iuf":
+        return found.astype(float)
+    for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
+        if not (type(element) is float or isinstance(element, Compound) or is_number(element)):
+            place = f"[{', '.join(map(str, index))}]" if index else ""
+            raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
+    compounds = any(issubclass(kind, Compound) for kind in {*map(type, found.flat)})
+    return found if compounds else found.astype(float)
 
 
 def whole_number(what: str, value: Any, least: int) -> int:

@@ -11,6 +11,7 @@ import math
 import operator
 from collections.abc import Callable
 from copy import copy
+from functools import cache
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -46,6 +47,15 @@ def _through(
     return _dual(np.float64(found), parts[0] + parts[1])
 
 
+def _through_array(ufunc: np.ufunc, given: tuple[Any, ...]) -> np.ndarray:
+    """The same of a dual and an array (n,) of floats, as of one after the other."""
+    plain = [x.value if type(x) is Dual else x for x in given]
+    found = ufunc(*plain)
+    ((x, slope),) = (of for of in zip(given, _OF_ARRAYS[ufunc], strict=True) if type(of[0]) is Dual)
+    slopes = np.broadcast_to(slope(*plain, found), found.shape)
+    return with_tangent(found, np.multiply.outer(slopes, x.tangent))
+
+
 def _moved(slope: Any, tangent: np.ndarray) -> np.ndarray:
     """What does not move moves nothing, however steep it is there."""
     if math.isfinite(slope):
@@ -73,6 +83,20 @@ _OF_TWO: dict[str, tuple[Slope, ...]] = {
     "copysign": (lambda x, y, f: math.copysign(1.0, x) * math.copysign(1.0, y), lambda *_: 0.0),
 }
 """Of functions of two numbers, by their names in `operator` or `math`."""
+
+_OF_ARRAYS = {
+    np.add: _OF_TWO["add"],
+    np.subtract: _OF_TWO["sub"],
+    np.multiply: _OF_TWO["mul"],
+    np.true_divide: _OF_TWO["truediv"],
+}
+"""What is done with an array of floats at once: with thousands of samples of a record."""
+
+
+def _are_floats(given: tuple[Any, ...]) -> bool:
+    """Whether an array (n,) of floats meets one dual."""
+    return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in given)
+
 
 _IN_MATH = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
 """What NumPy calls otherwise."""
@@ -117,7 +141,12 @@ def _compared(name: str) -> Callable[[Any, Any], Any]:
 
 
 def _is_plain(x: Any) -> bool:
-    return isinstance(x, int | float | np.number | Dual)
+    return _is_number(type(x))
+
+
+@cache
+def _is_number(kind: type) -> bool:
+    return issubclass(kind, int | float | np.number | Dual)
 
 
 class Dual(Compound):
@@ -182,6 +211,8 @@ class Dual(Compound):
         """What NumPy does with numbers one by one, operators among it."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
+        if ufunc in _OF_ARRAYS and _are_floats(given):
+            return _through_array(ufunc, given)
         if any(isinstance(x, np.ndarray) for x in given):
             return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)
         if how:
@@ -229,9 +260,10 @@ def duals(**values: float) -> dict[str, Any]:
 def value_of(x: Any) -> Any:
     """A number without its derivatives; of an array of numbers an array of float."""
     if isinstance(x, np.ndarray):
-        if x.dtype != object or not all(map(_is_plain, x.flat)):  # many cases are no number
-            return x
-        found = np.array([value_of(element) for element in x.flat], dtype=float).reshape(x.shape)
+        if x.dtype != object or not all(map(_is_number, {*map(type, x.flat)})):
+            return x  # of many cases
+        plain = [element.value if type(element) is Dual else element for element in x.flat]
+        found = np.array(plain, dtype=float).reshape(x.shape)
         found.flags.writeable = x.flags.writeable
         return found
     return float(x.value) if isinstance(x, Dual) else x
@@ -267,7 +299,7 @@ def _unless_same(old: Any, new: Any) -> Any:
 def with_tangent(values: np.ndarray, tangent: np.ndarray) -> np.ndarray:
     """An array of duals, of values (n,) and their tangents (n, m)."""
     found = np.empty(len(values), dtype=object)
-    found[:] = [Dual(*both) for both in zip(values, tangent, strict=True)]
+    found[:] = list(map(_dual, values, tangent))
     return found
 
 
@@ -277,8 +309,9 @@ def tangent_of(x: Any, m: int) -> np.ndarray:
     if isinstance(x, Dual):
         found[:] = x.tangent
     elif isinstance(x, np.ndarray) and x.dtype == object:
-        for place in zip(*np.nonzero(_are_duals(x)), strict=True):
-            found[place] = x[place].tangent
+        for row, element in zip(found.reshape(-1, m), x.flat, strict=True):
+            if type(element) is Dual:
+                row[:] = element.tangent
     return found
 
 
@@ -293,4 +326,3 @@ def directions(*given: Any) -> int:
     return 0
 
 
-_are_duals = np.frompyfunc(lambda x: isinstance(x, Dual), 1, 1)

@@ -238,8 +238,8 @@ def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
     linear = segments[:, KIND] == LINEAR
     found = segments.astype(np.result_type(segments, type(amplitude), type(time)))
-    found[:, START:KIND] *= time
-    found[:, C0] *= amplitude
+    for column, factor in ((START, time), (END, time), (C0, amplitude)):
+        found[:, column] = segments[:, column] * factor
     rate = segments[:, C1] / time
     found[:, C1] = np.where(linear, rate * amplitude, rate)
     kind = segments[:, KIND]

@@ -96,7 +96,7 @@ def carry(
     ny, gy = row_at(vertical, 0, 0.0)
     dual_gx = with_derivatives(dual_horizontal, nx, gx)
     dual_gy = with_derivatives(dual_vertical, ny, gy)
-    tau_x = tau_y = 0.0 * (dual_ratio[0] - value(dual_ratio[0]))
+    tau_x = tau_y = moving(0.0, 0.0)
     e = q = impacts = 0
     i = 0
     length = 0.0
@@ -249,7 +249,7 @@ def moves_by(
         return 0, tau_x
     if begins and t == gy[0]:
         return 0, tau_y
-    still = 0.0 * tau_x
+    still = moving(0.0, 0.0)
     if t == 0.0:
         return 0, still
     g, state = duals[_GUARD:_TOLD], duals[_STATE:_KICK]

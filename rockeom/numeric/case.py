@@ -251,14 +251,15 @@ class Case:
         added: what only one of them has is its support. Where nothing turns it yet, the first push
         of the ground will.
         """
-        structure = self.structure
-        m = structure.module_for(y0, structure.vector)
+        structure, y0 = self.structure, value_of(y0)
+        p = value_of(structure.vector)
+        m = structure.module_for(y0, p)
         lift = 0.0 if self.vertical is None else next(_pushes(self.vertical))
         first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
-        turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, structure.vector))
+        turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, p))
         for side in (-1.0, 1.0):
             contact = structure.contact(y0, None, side)
-            m.rates(contact, y0, structure.vector, next(_pushes(self.motion)), lift, rate)
+            m.rates(contact, y0, p, next(_pushes(self.motion)), lift, rate)
             turn += rate[m.ROTATION_RATE]
         return np.sign(turn) or -np.sign(first)
 
@@ -281,7 +282,7 @@ def _pushes(motion: GroundMotion) -> Iterator[float]:
         start, end, kind, c0, c1, c2, c3 = row.tolist()
         curved = kind != LINEAR and c1 != 0.0
         tau = 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9)
-        yield within(kind, c0, c1, c2, c3, tau)
+        yield value_of(within(kind, c0, c1, c2, c3, tau))
 
 
 def ground_table(motion: GroundMotion | None) -> np.ndarray:

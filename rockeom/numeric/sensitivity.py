@@ -14,7 +14,7 @@ from rockeom.contract import REST
 from rockeom.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.mathematics import mathematics, of_compounds
 from rockeom.motion import GroundMotion
-from rockeom.motion.segments import START
+from rockeom.motion.segments import END, START
 from rockeom.numeric.case import Case, ground_table
 from rockeom.numeric.impact import EnergyRatio, ImpactLaw, VelocityRatio
 from rockeom.numeric.response import Outcome, Response
@@ -401,9 +401,10 @@ class _Moving:
     def corner(self, t: float, tolerance: float) -> Any:
         """When there is a corner of the ground's motion that moves, within a tolerance; or None."""
         for motion in (self.case.motion, self.case.vertical):
-            for start in ground_table(motion)[:, START]:
-                if isinstance(start, Dual) and abs(start - t) <= tolerance:
-                    return start
+            rows = ground_table(motion)
+            for corner in (*rows[:, START], *rows[-1:, END]):
+                if isinstance(corner, Dual) and abs(corner - t) <= tolerance:
+                    return corner
         return None
 
     def event(self, what: str, number: str) -> int:

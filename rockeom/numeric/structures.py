@@ -104,6 +104,11 @@ class Structure:
     def states(self) -> tuple[str, ...]:
         return self.module.STATES
 
+    @property
+    def jumps_between_events(self) -> bool:
+        """Whether a force may jump at a place where no contact state ends."""
+        return False
+
     @functools.cached_property
     def rocks_on_rigid_ground(self) -> bool:
         """Whether the edges of the base are pivots, and full contact is a phase of its own."""
@@ -1549,6 +1554,12 @@ class ControlledWallOscillator(_ControlledWall):
     ) -> ControlledWallOscillator:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
         return cls.from_wall(hooks.thesis_wall(initial_force), energy_ratio, held)
+
+    @property
+    def jumps_between_events(self) -> bool:
+        """Where the ratio follows the speed of the instant, in pieces that need not meet."""
+        law = self.energy_ratio
+        return not self.held and isinstance(law, EnergyRatioAtSpeed) and len(law.pieces) > 1
 
     def parameters(self) -> dict[str, float]:
         values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}

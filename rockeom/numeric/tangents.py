@@ -60,6 +60,11 @@ class Tangents:
     grazing: str
     _motion: _Motion
 
+    @property
+    def parameters(self) -> np.ndarray:
+        """(P, m) of the parameters as equations take them, with the constants that follow."""
+        return self._motion.along.p[: len(self.response.structure.vector)]
+
     def at(self, times: ArrayLike) -> np.ndarray:
         """(n, N, m) derivatives of the states at fixed times (n,) [s], behind an event at one.
 
@@ -81,7 +86,8 @@ def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     options : as for `simulate`. The derivatives are those of the steps that were taken, and as
     accurate as the motion.
 
-    Raises what `simulate` raises.
+    Raises what `simulate` raises, and ValueError for a structure of which a force jumps where no
+    contact state ends: derivatives end there, too.
 
     >>> start = rk.duals(theta=0.1, theta_dot=0.0)
     >>> flow = rk.tangents(rk.Case(block, motion, initial=start, duration=2.0))
@@ -96,6 +102,11 @@ def of_problem(
     case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions
 ) -> Tangents:
     """The same of a case in numbers: for whoever runs it again from another state."""
+    if case.structure.jumps_between_events:
+        raise ValueError(
+            f"tangents: a force of {type(case.structure).__name__} jumps between its events, and "
+            "derivatives with it: give it one law for all speeds, or the speed of the last passage"
+        )
     response = simulated(nominal(case), problem, options)
     motion = _Motion(response, problem, along)
     found = motion.carried(np.empty(0))
