@@ -26,7 +26,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from scipy.special import ndtr, ndtri
+from scipy.special import ndtr
 
 from rockeom.analysis.arguments import require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
@@ -152,10 +152,10 @@ def first_order_reliability(
     random : of each parameter a continuous distribution of scipy.stats, frozen, by name.
     reach : how far a failure is looked for [standard deviations].
 
-    From the medians along the steepest descent to the boundary, and on the boundary towards its
-    normal as long as that comes nearer: the fixed point is that of Hasofer and Lind (1974) and
-    Rackwitz and Fiessler (1978), and each step has a gradient and a smaller distance. What it finds
-    is one nearest point; there may be others.
+    The rule of Hasofer and Lind (1974), for distributions as by Rackwitz and Fiessler (1978), kept
+    on the boundary: rays from the medians meet it by Newton's rule on the exact gradient, and turn
+    towards its normal, by BFGS, as long as it comes nearer. What that finds is one nearest point;
+    there may be others.
 
     Raises ValueError for distributions that are none, for a limit state that does not change at the
     medians, jumps or has no boundary within reach, and for derivatives that are not finite.
@@ -240,7 +240,7 @@ def monte_carlo(
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
-    u = ndtri(np.random.default_rng(seed).random((number, len(space.names))))
+    u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(case(**space.values(u[0])))
     sweep = simulate_many(case, space.table(u), arrays=True, quantities=kept, **how)
     fails, answered = condition.of_sweep(sweep)
@@ -561,6 +561,8 @@ class _Fates:
             self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
             lanes=False, progress=False,
         )  # fmt: skip
+        if sweep.attrs["interrupted"]:
+            raise KeyboardInterrupt
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():
             row = int(np.argmin(answered))
