@@ -20,12 +20,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from scipy.special import ndtr, ndtri
+from scipy.special import ndtr
 
 from rockeom.analysis.arguments import require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
@@ -54,6 +55,8 @@ APART = 0.01
 """Part of the overturning rotation by which two motions differ that part at a boundary."""
 NEWTON = 1e-5
 """Step of Newton's rule from where the next one would be its square [standard deviations]."""
+MOST_RAYS = 30
+"""On which a boundary is met: with a corner at its nearest point there is no end to them."""
 ROUNDS = 60
 """Of any search here; what needs more does not settle."""
 MOST_DOUBLINGS = 6
@@ -149,10 +152,10 @@ def first_order_reliability(
     random : of each parameter a continuous distribution of scipy.stats, frozen, by name.
     reach : how far a failure is looked for [standard deviations].
 
-    From the medians along the steepest descent to the boundary, and on the boundary towards its
-    normal as long as that comes nearer: the fixed point is that of Hasofer and Lind (1974) and
-    Rackwitz and Fiessler (1978), and each step has a gradient and a smaller distance. What it finds
-    is one nearest point; there may be others.
+    The rule of Hasofer and Lind (1974), for distributions as by Rackwitz and Fiessler (1978), kept
+    on the boundary: rays from the medians meet it by Newton's rule on the exact gradient, and turn
+    towards its normal, by BFGS, as long as it comes nearer. What that finds is one nearest point;
+    there may be others.
 
     Raises ValueError for distributions that are none, for a limit state that does not change at the
     medians, jumps or has no boundary within reach, and for derivatives that are not finite.
@@ -237,7 +240,7 @@ def monte_carlo(
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
-    u = ndtri(np.random.default_rng(seed).random((number, len(space.names))))
+    u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(case(**space.values(u[0])))
     sweep = simulate_many(case, space.table(u), arrays=True, quantities=kept, **how)
     fails, answered = condition.of_sweep(sweep)
@@ -320,6 +323,7 @@ class _Surface(Protocol):
 
     space: _Space
     side: int
+    reach: float
 
     @property
     def runs(self) -> int:
@@ -343,6 +347,8 @@ def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
     met: list[tuple[float, np.ndarray, np.ndarray]] = []
 
     def logarithm(ray: np.ndarray) -> tuple[float, np.ndarray]:
+        if len(met) == MOST_RAYS:
+            raise _EnoughError
         along = _unit(ray)
         distance = surface.distance(along)
         if math.isinf(distance):
@@ -353,8 +359,10 @@ def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
         return math.log(max(distance, _LEAST)), slope
 
     how = {"gtol": 0.1 * SETTLED, "norm": 2, "maxiter": ROUNDS}
-    with np.errstate(invalid="ignore"):  # where a ray meets nothing
+    with np.errstate(invalid="ignore"), suppress(_EnoughError):  # invalid where a ray meets nothing
         minimize(logarithm, ray, jac=True, method="BFGS", options=how)
+    if not met:
+        raise _none_found(surface.reach, "on the likeliest ray")
     distance, along, normal = min(met, key=lambda of: of[0])
     angle = 2.0 * math.asin(min(0.5 * float(np.linalg.norm(along - normal)), 1.0))
     names = surface.space.names
@@ -369,16 +377,15 @@ def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
     )
 
 
-def _axes(k: int) -> np.ndarray:
-    """(2 k, k) rays along which one parameter alone changes."""
-    return np.concatenate([np.eye(k), -np.eye(k)])
+class _EnoughError(Exception):
+    """Rays enough have been looked at."""
 
 
-def _none_found(reach: float) -> ValueError:
+def _none_found(reach: float, where: str) -> ValueError:
     return ValueError(
-        f"no failure was found within {reach:g} standard deviations of the medians where one "
-        "parameter changes alone: the index is larger, or several must change together; give a "
-        "larger reach, or use `monte_carlo`"
+        f"no failure was found within {reach:g} standard deviations of the medians, looked for "
+        f"{where}: the index is larger, or it fails elsewhere; give a larger reach, or use "
+        "`monte_carlo`"
     )
 
 
@@ -402,15 +409,17 @@ class _Smooth:
         return bool(np.any(self.first[1]))
 
     def towards_failure(self) -> np.ndarray:
-        """The steepest descent from the medians, or the nearest axis where that misses failure."""
-        steepest = -self.side * _unit(self.first[1])
-        if math.isfinite(self.distance(steepest)):
-            return steepest
-        axes = _axes(len(self.space.names))
-        distances = [self.distance(ray) for ray in axes]
-        if math.isinf(min(distances)):
-            raise _none_found(self.reach)
-        return axes[int(np.argmin(distances))]
+        """Of Newton's steps down the gradient the first with whose ray a boundary is met."""
+        u, (value, slope) = np.zeros(len(self.space.names)), self.first
+        for _ in range(ROUNDS):
+            if not np.any(slope):
+                break
+            u = u - (value or self.side) * slope / (slope @ slope)
+            u = u * min(1.0, self.reach / float(np.linalg.norm(u)))
+            if math.isfinite(self.distance(_unit(u))):
+                return _unit(u)
+            value, slope = self._at(u)
+        raise _none_found(self.reach, "down the gradient")
 
     def _at(self, u: np.ndarray) -> tuple[float, np.ndarray]:
         """The limit state and its gradient (k,) at deviates u (k,)."""
@@ -483,8 +492,7 @@ class _Margin:
         from rockeom.numeric.sensitivity import answer
         from rockeom.numeric.tangents import tangents
 
-        case = self.case(**parameters)
-        found = tangents(case, self.options)
+        found = tangents(self.case(**parameters), self.options)
         if _fell(found.response):
             return -math.inf
         peak = answer(f"peak {self.demand}", found)
@@ -552,6 +560,8 @@ class _Fates:
             self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
             lanes=False, progress=False,
         )  # fmt: skip
+        if sweep.attrs["interrupted"]:
+            raise KeyboardInterrupt
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():
             row = int(np.argmin(answered))
@@ -573,10 +583,10 @@ class _Fates:
     def towards_failure(self) -> np.ndarray:
         """The ray to begin with: the normal of a plane through where the axes meet the surface."""
         k = len(self.space.names)
-        rays = _axes(k)
+        rays = np.concatenate([np.eye(k), -np.eye(k)])
         first = self.first_changes(rays)[:, 1]
         if np.all(np.isinf(first)):
-            raise _none_found(self.reach)
+            raise _none_found(self.reach, "where one parameter changes alone")
         plane = _unit(rays.T @ (1.0 / first))
         nearer = self.first_changes(plane[None])[0, 1] <= first.min()
         return plane if nearer else rays[int(np.argmin(first))]
@@ -586,7 +596,7 @@ class _Overturning:
     """The boundary of overturning, about which a motion lingers at the unstable equilibrium."""
 
     def __init__(self, fates: _Fates) -> None:
-        self.fates, self.space = fates, fates.space
+        self.fates, self.space, self.reach = fates, fates.space, fates.reach
         self.side = -1 if fates.failed else 1
         self.own_runs = 0
         self.ends = (0.0, 0.0)

@@ -81,6 +81,16 @@ def test_a_curved_boundary_is_nearest_where_another_minimisation_has_it(bend):
     assert found.runs < 40
 
 
+def test_a_corner_is_named_and_its_distance_found_nearly():
+    """Both must be exceeded, so that the nearest failure is where two planes meet."""
+    random = {"a": stats.norm(0.0, 1.0), "b": stats.norm(0.5, 1.0)}
+    found = analysis.first_order_reliability(lambda a, b: max(3.0 - a, 3.0 - b), random)
+    assert not found.settled
+    assert found.angle > 0.1
+    assert found.index == pytest.approx(math.hypot(3.0, 2.5), rel=1e-4)
+    assert "not settled" in repr(found)
+
+
 def test_a_thrown_slender_block_overturns_as_its_energy_says():
     """Where speed > P alpha: of logarithms a plane."""
     found = analysis.reliability_of(thrown, SLENDER_AND_FAST)
