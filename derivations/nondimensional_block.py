@@ -448,6 +448,9 @@ plt.show()
 # shaking. Two lines: the two halves of a cycle differ, and every cycle is like the last. Four
 # lines: two cycles make one period. Towards $\beta\approx3.23$ the doublings pile up, and what
 # follows is chaotic.*
+#
+# How such points are computed, where the doublings end, and how chaos is told from a long period:
+# [phase plane, saltation and chaos](saltation_and_chaos.py).
 
 # %% [markdown]
 # ## 5. Overturning by a pulse
@@ -562,6 +565,7 @@ plt.show()
 # the second half of the pulse catches a block that the first half has thrown. No design should rest
 # upon it. But it tells how sensitive overturning is, and that the stones that stand or lie after an
 # earthquake are a poor seismograph.
+# The borders of Figure 4, to ten digits, are in [overturning](overturning.py).
 
 # %% [markdown]
 # ## Exercises
