@@ -609,9 +609,27 @@ assert math.isclose(
 # positive behind the end of the cascade (dotted), but in windows. On the level in the middle the
 # two multipliers are complex, of one size, and $\lambda$ is half of (12).*
 #
-# Beyond $\beta\approx2.75$ there is no attractor at all: the chaotic motion has grown until it
-# reaches states from which the block falls. It rocks on for a while, and then it overturns; after
-# how long is anybody's guess.
+# A little beyond the last of these amplitudes the chaotic motion reaches states from which the
+# block falls. From states of the motion at 2.74 it rocks on at 2.76 as before, and then it
+# overturns:
+
+# %%
+lasted = []
+for state in sections.strobe.isel(beta=-1, start=0, look=slice(0, 30)).values:
+    begin = dict(zip(unit_block.states, state, strict=True))
+    run = rk.simulate(
+        unit_block, motion(2.76, 1000 * 3.0), impact=rk.VelocityRatio(ratio), initial=begin,
+        options=sparse,
+    )  # fmt: skip
+    assert run.outcome is rk.Outcome.OVERTURNED
+    lasted.append(run.t[-1] / 3)
+print(f"periods until it falls: {min(lasted):.0f}, ..., {np.median(lasted):.0f}, ..., "
+      f"{max(lasted):.0f}")  # fmt: skip
+assert max(lasted) > 10 * min(lasted)
+
+# %% [markdown]
+# After how long depends on digits of the start that nobody knows: of chaos that does not last, one
+# can only say how long it lasts on the average.
 #
 # ## Exercises
 #
@@ -630,8 +648,8 @@ assert math.isclose(
 #    the place then? *Hint: near its lowest point a motion is $x = h + \frac12at^2$; let $h$ be
 #    negative.*
 # 6. **The squat block.** Find the break of symmetry and the first two doublings for the block of
-#    Figure 2-12, $\alpha=\arctan\frac12$. *Hint: `rk.NondimensionalBlock`, from $\beta=2$ on, where
-#    all accelerations are multiples of $\alpha$.*
+#    Figure 2-12, $\alpha=\arctan\frac12$. *Hint: `rk.NondimensionalBlock`, whose accelerations are
+#    in units of $g$, that is, $\alpha\beta$; begin at $\beta=2$.*
 
 # %% [markdown]
 # <details><summary>Solution 1</summary>
