@@ -379,7 +379,7 @@ def family(beta, shift=0.5, mirrored=True, options=None):
 
 
 settled = family(1.5).points({"theta": 0.03}, cycles=100)[-1]
-symmetric = analysis.orbit_branch(family, between=(1.5, 2.8), guess=settled, step=0.05)
+symmetric = analysis.orbit_branch(family, between=(1.5, 2.8), guess=settled, step=0.03)
 (breaks,) = symmetric.bifurcations
 assert breaks.kind == "symmetry breaking"
 assert math.isclose(breaks.value, amplitude(v_sym), rel_tol=1e-9)
@@ -409,7 +409,7 @@ speeds = np.linspace(0.12, 1.15, 400)
 for low, high, dashes in [(0, v_fold, "--"), (v_fold, v_sym, "-"), (v_sym, 2, "--")]:
     there = speeds[(speeds >= low) & (speeds <= high)]
     curve.plot(amplitude(there), there, dashes, color=fb.LINES[0])
-for branch, every in ((symmetric, 3), (downwards, 4)):
+for branch, every in ((symmetric, 4), (downwards, 4)):
     engine = ratio * np.abs(branch.at_impacts("theta_dot")[:, 0]) / alpha
     curve.plot(branch.values[::every], engine[::every], "o", ms=4, mfc="white", color="black")
 for v_there, label, offset in [(v_fold, "fold", (-26, -4)), (v_sym, "symmetry breaks", (-80, 8))]:
@@ -477,7 +477,8 @@ figure, ax = plt.subplots(figsize=(7.0, 4.2), layout="constrained")
 ax.plot(values, dots, ".", ms=1.6, mew=0, color=fb.INK)
 for branch, color in zip((symmetric, broken, doubled), fb.LINES, strict=False):
     lines = ratio * np.sort(np.abs(branch.at_impacts("theta_dot")), axis=1) / alpha
-    for there, dashes in ((branch.stable, "-"), (~branch.stable, "--")):
+    beside = np.convolve(~branch.stable, [1, 1, 1], "same") > 0  # no gap where it changes
+    for there, dashes in ((branch.stable, "-"), (beside, "--")):
         shown = np.where(there[:, None], lines, np.nan)
         ax.plot(branch.values, shown, dashes, color=color, lw=1.0, alpha=0.9)
 for one in cascade.values:
