@@ -60,10 +60,9 @@ def observed(response: rk.Response, times: np.ndarray) -> Observed:
         rows = [[getattr(e, side)[n] for n in states] for e in events]
         return np.reshape(rows, (len(events), len(states)))
 
-    found, before = response.at(times), column("before")
-    before[rests(response)] = 0.0
+    found = response.at(times)
     return Observed(
-        np.array([e.time for e in events]), before, column("after"), response.end,
+        np.array([e.time for e in events]), column("before"), column("after"), response.end,
         np.stack([found[n] for n in states], axis=-1),
     )  # fmt: skip
 
@@ -122,14 +121,6 @@ def extrapolated(rows: list[Observed]) -> Reference:
     pairs = zip(rows[0], before, strict=True)
     errors = [np.abs(last - less).max(initial=0.0) / size_of(last) for last, less in pairs]
     return Reference(rows[0], float(max(errors)))
-
-
-def rests(response: rk.Response) -> list[bool]:
-    """Which of the events are limits of infinitely many impacts.
-
-    What the states would be there, had the impacts not come to their end, is nothing to compare.
-    """
-    return [e.kind == "rest" for e in response.events]
 
 
 def sequence(response: rk.Response) -> list[Any]:
