@@ -11,7 +11,6 @@ import math
 import operator
 from collections.abc import Callable
 from copy import copy
-from functools import cache
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -84,7 +83,7 @@ _OF_TWO: dict[str, tuple[Slope, ...]] = {
 }
 """Of functions of two numbers, by their names in `operator` or `math`."""
 
-_OF_ARRAYS = {
+_OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
     np.add: _OF_TWO["add"],
     np.subtract: _OF_TWO["sub"],
     np.multiply: _OF_TWO["mul"],
@@ -144,7 +143,6 @@ def _is_plain(x: Any) -> bool:
     return _is_number(type(x))
 
 
-@cache
 def _is_number(kind: type) -> bool:
     return issubclass(kind, int | float | np.number | Dual)
 
