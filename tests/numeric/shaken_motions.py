@@ -8,7 +8,7 @@ import math
 from typing import Any, NamedTuple
 
 import rockeom as rk
-from tests.numeric.differences import Motion, run
+from tests.differences import Motion, run
 from tests.numeric.structures import DAMPING, S1, STIFFNESS
 
 GRAVITY = 9.81

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 import rockeom as rk
-from tests.numeric.differences import (
+from tests.differences import (
     TIGHT,
     Observed,
     OtherEventsError,
