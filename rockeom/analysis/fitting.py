@@ -386,7 +386,7 @@ def _swings_moved(
             found.crossing_time,
         ]
     )
-    along = _along(carried, case, quantity, times.ravel()).reshape(*times.shape, -1)
+    along = _along(carried, quantity, times.ravel()).reshape(*times.shape, -1)
     by, rate = along[..., :-1], along[..., -1]
     turns = there & (found.peak_time > 0.0)  # others are those of the start
     peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
@@ -398,7 +398,7 @@ def _swings_moved(
     return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
 
 
-def _along(carried: Tangents, case: Case, quantity: str, times: np.ndarray) -> np.ndarray:
+def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
     """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
     from rockeom.dual import tangent_of, with_tangent
     from rockeom.numeric.sensitivity import quantity_of
@@ -407,7 +407,7 @@ def _along(carried: Tangents, case: Case, quantity: str, times: np.ndarray) -> n
     run, m = carried.response, len(carried.end_time)
     module, p = run.structure.module, run.structure.vector
     still = np.zeros((len(p), 1))  # by time
-    moving = with_tangent(p, np.append(tangent_of(case.structure.vector, m), still, axis=1))
+    moving = with_tangent(p, np.append(carried.parameters, still, axis=1))
     y, contact = run.steps.at(times, "right")
     ground = [
         np.zeros(len(times)) if motion is None else motion.acceleration(times)

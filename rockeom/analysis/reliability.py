@@ -489,17 +489,13 @@ class _Margin:
     options: SolverOptions | None
 
     def __call__(self, **parameters: Dual) -> Any:
-        from rockeom.numeric.case import parted
-        from rockeom.numeric.options import SolverOptions
         from rockeom.numeric.sensitivity import answer
-        from rockeom.numeric.tangents import of_problem
+        from rockeom.numeric.tangents import tangents
 
-        case = self.case(**parameters)
-        problem, along = parted(case.problem())
-        found = of_problem(case, problem, along, SolverOptions.of(self.options))
+        found = tangents(self.case(**parameters), self.options)
         if _fell(found.response):
             return -math.inf
-        peak = answer(f"peak {self.demand}", found, case.structure.vector, along)
+        peak = answer(f"peak {self.demand}", found)
         if found.grazing and not np.all(np.isfinite(peak.tangent)):
             raise ValueError(f"the peak of {self.demand} has no derivatives: {found.grazing}")
         return 1.0 - peak / self.limit
