@@ -19,6 +19,7 @@ from tests.differences import (
 )
 from tests.soak.cases import Dice, Motion
 
+OPTIONS = dataclasses.replace(TIGHT, max_steps=20_000, max_impacts=400)
 TOLERANCE, DOUBT = 3e-8, 30.0
 """A derivative may be wrong by so much of its size, or by so many times what the reference may."""
 SHARE = 0.97
@@ -50,9 +51,8 @@ def moved(motion: Motion, s: Any) -> rk.Case:
 
 def wrong_tangents(motion: Motion) -> Iterator[str]:
     """Derivatives against differences, where these can be had."""
-    options = dataclasses.replace(TIGHT, max_steps=20_000, max_impacts=400)
     try:
-        found = rk.tangents(moved(motion, rk.Dual(0.0, [1.0])), options)
+        found = rk.tangents(moved(motion, rk.Dual(0.0, [1.0])), OPTIONS)
     except ValueError as refused:
         if "derivative" in str(refused):  # it says so
             return
@@ -63,11 +63,12 @@ def wrong_tangents(motion: Motion) -> Iterator[str]:
     marks = np.array([0.0, *(e.time for e in run.events), run.duration])
     times = (0.5 * (marks[1:] + marks[:-1]))[np.diff(marks) > 0.02 * run.duration]
     try:
-        reference = differenced(lambda s: moved(motion, s), {"s": 0.0}, {"s": 1.0}, times)
+        reference = differenced(lambda s: moved(motion, s), {"s": 0.0}, {"s": 1.0}, times, OPTIONS)
     except (OtherEventsError, ValueError):  # there is none beside it
         return
     parts = found.event_times, found.before, found.after, found.end, found.at(times)
-    bound = max(TOLERANCE, DOUBT * reference.error)
+    bound = max(OPTIONS = dataclasses.replace(TIGHT, max_steps=20_000, max_impacts=400)
+TOLERANCE, DOUBT * reference.error)
     for name, part, other in zip(Observed._fields, parts, reference.derivative, strict=True):
         error = np.abs(part[..., 0] - other).max(initial=0.0) / size_of(other)
         if not error <= bound:
