@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
-from copy import copy
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -281,11 +280,12 @@ def nominal(x: Any) -> Any:
         return _unless_same(x, type(x)(map(nominal, x)))
     if not hasattr(x, "__dict__") or callable(x) or isinstance(x, ModuleType):
         return x
-    found = copy(x)
-    changed = {name: new for name, old in vars(found).items() if (new := nominal(old)) is not old}
-    for name, value in changed.items():
-        object.__setattr__(found, name, value)
-    return found if changed else x
+    changed = {name: new for name, old in vars(x).items() if (new := nominal(old)) is not old}
+    if not changed:
+        return x
+    found = object.__new__(type(x))  # it was checked when it was made
+    vars(found).update(vars(x) | changed)
+    return found
 
 
 def _unless_same(old: Any, new: Any) -> Any:

@@ -14,48 +14,141 @@ A motion is looked at once a period T of the ground, as by a stroboscope: P take
 look to that at the next (Poincare's map). A motion of k periods is a fixed point of P k times
 over. Near it a small difference is multiplied by the matrix A of the derivatives of P k times
 over, whose eigenvalues are Floquet's multipliers: the motion lasts if all are inside the unit
-circle. As a parameter changes, a multiplier that leaves the circle through -1 doubles the period;
-one through +1 ends the motion, or breaks its symmetry.
+circle. The derivatives are carried through the impacts by `rockeom.tangents`. As a parameter
+changes, a multiplier that leaves the circle through -1 doubles the period; one through +1 ends the
+motion, or breaks its symmetry. `orbit_branch` follows motions to there.
 
 Of a structure without a preferred side under a_g(t + T/2) = -a_g(t), a motion that is its own
 mirror image half a period later cannot double its period unless a second condition happens to be
 met: A is the square of the same matrix for half a period, and a real square has an eigenvalue -1
-only as one of two. The symmetry breaks first (Swift and Wiesenfeld 1984).
+only as one of two. The symmetry breaks first (Swift and Wiesenfeld 1984). A map that is `mirrored`
+looks every half period, at every second look into a mirror: such a motion is a fixed point of it,
+and where its symmetry breaks a multiplier is -1.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+import contextlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
+from rockeom.contract import SWITCH
+from rockeom.dual import Dual, directions, value_of
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
     from rockeom.numeric.impact import ImpactLaw
     from rockeom.numeric.options import SolverOptions
+    from rockeom.numeric.response import Response
     from rockeom.numeric.structures import Structure
 
-_DIFFERENCE = 1e-5
-"""Of a state, in parts of its largest value in a cycle, for derivatives: truncation and the noise
-of the integration are both about 1e-9 of them."""
+_SINGULAR = 1e-8
+"""Of a direction, in parts of the states: no step of Newton's method is made along it."""
 
-_REACH = 0.2
-"""How far an orbit may be from the one followed before, in parts of its size, to be the same."""
+_SAME = 1e-6
+"""States that differ by less, in parts of their size, repeat themselves."""
+
+
+class GrazingError(ArithmeticError):
+    """A motion whose events come and go with the least change, so that it has no derivative."""
+
+
+@dataclass(frozen=True)
+class Shooting:
+    """What becomes of several states in a cycle each: multiple shooting.
+
+    x (k, n) : states, of which each should become the next, and the last the first. after (k, n) :
+    what they became. by_state (k, n, n), by_value (k, n, m) : its derivatives by the state and by
+    the m directions of the map's own duals. runs : the k motions. size (n,) : the largest absolute
+    value of each state in them.
+    """
+
+    x: np.ndarray
+    after: np.ndarray
+    by_state: np.ndarray
+    by_value: np.ndarray
+    runs: tuple[Response, ...]
+    size: np.ndarray
+
+    @property
+    def gaps(self) -> np.ndarray:
+        """(k, n) by how much each state misses the next."""
+        return self.after - np.roll(self.x, -1, axis=0)
+
+    @property
+    def scale(self) -> np.ndarray:
+        """(n,) the size, 1 for a state that stays zero."""
+        return np.where(self.size > 0, self.size, 1.0)
+
+    @property
+    def residual(self) -> float:
+        """The largest gap, in parts of the size."""
+        return float(np.abs(self.gaps / self.scale).max())
+
+    @property
+    def derivative(self) -> np.ndarray:
+        """A (n, n), of the state after all the cycles by that before."""
+        product = np.eye(self.x.shape[1])
+        for one in self.by_state:
+            product = one @ product
+        return product
+
+    def jacobian(self) -> np.ndarray:
+        """(k n, k n + m) derivatives of the gaps by the states and by the map's directions."""
+        k, n = self.x.shape
+        blocks = np.zeros((k, n, k, n))
+        for i, one in enumerate(self.by_state):
+            blocks[i, :, i] += one
+            blocks[i, :, (i + 1) % k] -= np.eye(n)
+        return np.hstack([blocks.reshape(k * n, k * n), self.by_value.reshape(k * n, -1)])
+
+    def closer(self) -> np.ndarray:
+        """(k, n) states after a step of Newton's method.
+
+        Where a multiplier is 1 the map says nothing of that direction: no step along it.
+        """
+        k, n = self.x.shape
+        scale = np.tile(self.scale, k)
+        matrix = self.jacobian()[:, : k * n] * scale / scale[:, None]
+        return self.x - (scale * self.solve(matrix, self.gaps.ravel() / scale)).reshape(k, n)
+
+    @staticmethod
+    def solve(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
+        """x of matrix x = right, without what a nearly singular matrix leaves open.
+
+        matrix (n, n), right (n,), scaled to be of the order of 1: x (n,) is the shortest of all
+        where singular values are below 1e-8.
+        """
+        with contextlib.suppress(np.linalg.LinAlgError):
+            inverse = np.linalg.inv(matrix)
+            if np.linalg.norm(inverse) < 1 / _SINGULAR:
+                return inverse @ right
+        left, stretch, across = np.linalg.svd(matrix)
+        gains = np.divide(1.0, stretch, out=np.zeros_like(stretch), where=stretch > _SINGULAR)
+        return across.T @ (gains * (left.T @ right))
+
+    @property
+    def jumps(self) -> int:
+        """How many changes of contact there are at which a velocity may jump."""
+        return sum(int((run.passages[1][:, 0] != SWITCH).sum()) for run in self.runs)
 
 
 @dataclass(frozen=True)
 class PeriodicOrbit:
-    """A motion that repeats itself after `cycles` periods of the ground.
+    """A motion that repeats itself after `cycles` cycles of its map.
 
     state (n,) at the time zero of the ground's motion, in the order of `states`. multipliers (n,)
     complex, the largest first, after all the cycles; derivative A (n, n), whose eigenvalues they
     are. size (n,) : the largest absolute value of each state in the motion. residual : how far the
-    motion is from closing, in parts of it.
+    motion is from closing, in parts of it. looks (cycles, n) : the states at the start of each
+    cycle. runs : the motion in each cycle. mirror (N,) : of a mirrored map, -1 for each state of
+    the structure that changes its sign in the mirror, else 1; None of another map.
     """
 
     states: tuple[str, ...]
@@ -64,6 +157,9 @@ class PeriodicOrbit:
     derivative: np.ndarray
     size: np.ndarray
     residual: float
+    looks: np.ndarray = field(repr=False)
+    runs: tuple[Response, ...] = field(repr=False)
+    mirror: np.ndarray | None = field(default=None, repr=False)
 
     @property
     def multipliers(self) -> np.ndarray:
@@ -80,6 +176,70 @@ class PeriodicOrbit:
         """The state by name, as `simulate` takes it."""
         return dict(zip(self.states, self.state.tolist(), strict=True))
 
+    @property
+    def symmetric(self) -> bool:
+        """Whether it is its own mirror image half of its period later; known of mirrored maps."""
+        return self.mirror is not None and self._repeats % 2 == 1
+
+    @property
+    def order(self) -> tuple[int, int]:
+        """(m, n) of Hogan (1989): m impacts to each side in n periods of the ground.
+
+        n is the least: a motion of one period that was sought as one of two is (m, 1). Impacts are
+        counted in all and halved, so that the thesis's (1, 1) of Figure 2-12 comes upright twice a
+        period.
+        """
+        cycles = self._repeats
+        legs = [run for run, _ in self.legs(cycles)]
+        periods = len(legs) if self.mirror is None else len(legs) // 2
+        return sum(len(run.impacts) for run in legs) // 2, periods
+
+    def at_impacts(self, name: str) -> np.ndarray:
+        """(k,) a state just before each impact of the motion, in time order."""
+        return np.array(
+            [
+                sign[run.states.index(name)] * impact.before[name]
+                for run, sign in self.legs()
+                for impact in run.impacts
+            ]
+        )
+
+    def trajectory(self) -> tuple[np.ndarray, np.ndarray]:
+        """Times (n,) [s] and states (n, N) of the structure over the whole motion, for drawing."""
+        times, states, start = [], [], 0.0
+        for run, sign in self.legs():
+            times.append(start + run.t)
+            states.append(sign * run.y)
+            start += run.duration
+        return np.concatenate(times), np.concatenate(states)
+
+    def nearest_event(self) -> float:
+        """Time from a look to the event nearest to one, in parts of the cycle; inf without any."""
+        parts = [run.passages[0] / run.duration for run in self.runs]
+        return float(min((np.minimum(t, 1 - t).min() for t in parts if len(t)), default=np.inf))
+
+    @cached_property
+    def _repeats(self) -> int:
+        """Cycles of the map after which the looks repeat themselves."""
+        scale = np.where(self.size > 0, self.size, 1.0)
+        for k in range(1, self.cycles):
+            apart = np.abs(self.looks - np.roll(self.looks, -k, axis=0)) / scale
+            if self.cycles % k == 0 and apart.max() < _SAME:
+                return k
+        return self.cycles
+
+    def legs(self, cycles: int | None = None) -> Iterator[tuple[Response, np.ndarray]]:
+        """Runs one after the other, and what to multiply the states of each with, (N,).
+
+        cycles : how many there are, those of the orbit if not given. What an odd number of mirrored
+        half periods takes to its mirror image needs as many again to repeat itself.
+        """
+        cycles = self.cycles if cycles is None else cycles
+        mirror = np.ones(len(self.runs[0].states)) if self.mirror is None else self.mirror
+        twice = self.mirror is not None and cycles % 2 == 1
+        for i in range(2 * cycles if twice else cycles):
+            yield self.runs[i % cycles], mirror**i
+
 
 @dataclass(frozen=True)
 class StroboscopicMap:
@@ -91,8 +251,17 @@ class StroboscopicMap:
     permanent extension that no cycle changes has the multiplier 1, and an orbit for each value:
     leave it out for the orbits without one. options : tolerances of 1e-12, 1e-14 if not given.
 
+    mirrored : a cycle is half a period, and what it leaves is seen in a mirror, where all states
+    change their sign but those named by `upward`, such as heights. A symmetric motion then repeats
+    itself after one cycle, one that is not after two. For structures and laws of impact without a
+    preferred side, and a motion that is its own negative half a period later.
+
+    Structure, motion, impact and period may hold duals, whose directions come behind those of the
+    states in `shooting`.
+
     Each cycle is a simulation of its own. One that does not reach its end, because the structure
-    falls, is an ArithmeticError.
+    falls, is an ArithmeticError. The contact state at its start follows from the state: begin the
+    motion, by its phase, where no impact falls together with the look.
     """
 
     structure: Structure
@@ -101,32 +270,59 @@ class StroboscopicMap:
     impact: ImpactLaw | None = None
     states: tuple[str, ...] = ()
     options: SolverOptions | None = None
+    mirrored: bool = False
+    upward: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        (period,) = positive("StroboscopicMap", period=self.period)
         known = self.structure.states
-        unknown = [name for name in self.states if name not in known]
-        if unknown:
-            raise ValueError(
-                f"StroboscopicMap: states has {unknown[0]!r}: choose among {', '.join(known)}"
-            )
-        if self.motion.duration < 2 * period * (1 - 1e-12):
-            raise ValueError(
-                f"StroboscopicMap: the motion lasts {self.motion.duration} s: give two periods of "
-                f"{period} s, or more"
-            )
-        early = period * np.linspace(0.03, 0.97, 12)
-        now, later = (self.motion.acceleration(t) for t in (early, early + period))
-        if np.abs(later - now).max() > 1e-6 * self.motion.peak:
-            raise ValueError(
-                f"StroboscopicMap: period is {period} s: the motion does not repeat itself after it"
-            )
+        for argument in ("states", "upward"):
+            unknown = [name for name in getattr(self, argument) if name not in known]
+            if unknown:
+                raise ValueError(
+                    f"StroboscopicMap: {argument} has {unknown[0]!r}: choose among "
+                    f"{', '.join(known)}"
+                )
+        self._check_period()
         if not self.states:
             object.__setattr__(self, "states", known)
         if self.options is None:
             from rockeom.numeric.options import SolverOptions
 
             object.__setattr__(self, "options", SolverOptions(rtol=1e-12, atol=1e-14))
+
+    def _check_period(self) -> None:
+        (period,) = positive("StroboscopicMap", period=value_of(self.period))
+        motion = self.motion
+        if directions(motion.segments, self.period):  # the same in numbers was looked at
+            return
+        if motion.duration < 2 * period * (1 - 1e-12):
+            raise ValueError(
+                f"StroboscopicMap: the motion lasts {motion.duration} s: give two periods of "
+                f"{period} s, or more"
+            )
+        early = period * np.linspace(0.03, 0.97, 12)
+        now, half, later = (motion.acceleration(early + period * k) for k in (0, 0.5, 1))
+        if np.abs(later - now).max() > 1e-6 * motion.peak:
+            raise ValueError(
+                f"StroboscopicMap: period is {period} s: the motion does not repeat itself after it"
+            )
+        if self.mirrored and np.abs(half + now).max() > 1e-6 * motion.peak:
+            raise ValueError(
+                "StroboscopicMap: mirrored, but the motion is not its own negative half a period "
+                "later: leave `mirrored` out"
+            )
+
+    @property
+    def cycle(self) -> float:
+        """Time from one look to the next [s]."""
+        return self.period / 2 if self.mirrored else self.period
+
+    @property
+    def mirror(self) -> np.ndarray:
+        """(N,) what each state of the structure is multiplied by at a look: -1 or 1."""
+        turned = [-1.0 if self.mirrored and name not in self.upward else 1.0
+                  for name in self.structure.states]  # fmt: skip
+        return np.array(turned)
 
     def points(self, initial: Mapping[str, float] | ArrayLike, cycles: int) -> np.ndarray:
         """States (cycles + 1, n) at the starts of the cycles, `initial` first.
@@ -135,21 +331,33 @@ class StroboscopicMap:
         """
         found = [self._vector(initial)]
         for _ in range(cycles):
-            found.append(self._cycle(found[-1])[0])
+            found.append(self._next(found[-1]))
         return np.array(found)
 
     def derivative(self, state: Mapping[str, float] | ArrayLike, cycles: int = 1) -> np.ndarray:
-        """(n, n) derivatives of the state after `cycles` by that before, by central differences."""
-        x, product = self._vector(state), np.eye(len(self.states))
-        for _ in range(cycles):
-            after, size = self._cycle(x)
-            columns = []
-            for step in np.diag(_DIFFERENCE * np.where(size > 0, size, 1.0)):
-                ahead, behind = self._cycle(x + step)[0], self._cycle(x - step)[0]
-                columns.append((ahead - behind) / (2 * step.sum()))
-            product = np.column_stack(columns) @ product
-            x = after
-        return product
+        """(n, n) derivatives of the state after `cycles` by that before, exact to the tolerance.
+
+        Raises GrazingError where an event grazes, so that there are none.
+        """
+        return self.shooting(self.points(state, cycles)[:-1]).derivative
+
+    def shooting(self, states: ArrayLike, more: int = 0) -> Shooting:
+        """What becomes of each of several states (k, n) in a cycle, with the derivatives.
+
+        more : directions of the duals that the map holds, which number n + more.
+        """
+        x = np.array([self._vector(one) for one in np.asarray(states)])
+        self._check_stands(x)
+        n, columns = len(self.states), self._columns
+        sign = self.mirror[columns]
+        found = [self._tangents(one, n + more) for one in x]
+        size = np.max(
+            [np.abs(f.response.steps.powers[:, 0, columns]).max(axis=0) for f in found], 0
+        )
+        tangents = np.array([sign[:, None] * f.end[columns] for f in found])
+        after = np.array([sign * f.response.end[columns] for f in found])
+        runs = tuple(f.response for f in found)
+        return Shooting(x, after, tangents[:, :, :n], tangents[:, :, n:], runs, size)
 
     def orbit(
         self,
@@ -160,30 +368,67 @@ class StroboscopicMap:
     ) -> PeriodicOrbit:
         """The periodic motion near a guess, stable or not, by Newton's method.
 
-        guess : as `initial` of `points`. cycles : of its period; a motion of fewer cycles repeats
-        itself after these too, and may be what is found. tolerance : of the residual.
-        Raises ArithmeticError where no orbit is found.
+        guess : as `initial` of `points`, or (cycles, n) at the start of each cycle. cycles : after
+        which it closes; a motion of fewer cycles repeats itself after these too, and may be what is
+        found. tolerance : of the residual. Each cycle is shot by itself (multiple shooting), so
+        that errors do not grow from one to the next.
+
+        Raises ArithmeticError where no orbit is found, and ValueError where a map is mirrored and
+        its structure is not.
         """
-        x = self._vector(guess)
+        x = self._start(guess, cycles)
+        residual = np.inf
         for _ in range(iterations):
-            after, size = x, np.zeros(len(x))
-            for _ in range(cycles):
-                after, largest = self._cycle(after)
-                size = np.maximum(size, largest)
-            scale = np.where(size > 0, size, 1.0)
-            residual = float((np.abs(after - x) / scale).max())
-            a = self.derivative(x, cycles)
+            shot = self.shooting(x)
+            residual = shot.residual
             if residual <= tolerance:
-                return PeriodicOrbit(self.states, x, cycles, a, size, residual)
-            # where a multiplier is 1 the map says nothing of that direction: no step along it
-            left, stretch, right = np.linalg.svd((np.eye(len(x)) - a) * scale / scale[:, None])
-            gains = np.divide(1.0, stretch, out=np.zeros_like(stretch), where=stretch > 1e-8)
-            x = x + scale * (right.T @ (gains * (left.T @ ((after - x) / scale))))
+                self._check_mirror(shot)
+                return self.closed(shot)
+            x = shot.closer()
         raise ArithmeticError(
             f"StroboscopicMap.orbit: no motion of {cycles} cycles within {iterations} steps of "
             f"Newton's method, the residual is {residual:.1e}: give a closer guess, such as the "
             "last of `points`; at resonance without damping there may be none"
         )
+
+    def closed(self, shot: Shooting) -> PeriodicOrbit:
+        """The orbit of states that meet one another."""
+        mirror = self.mirror if self.mirrored else None
+        return PeriodicOrbit(
+            self.states, shot.x[0], len(shot.x), shot.derivative, shot.size, shot.residual,
+            shot.x, shot.runs, mirror,
+        )  # fmt: skip
+
+    def _start(self, guess: Mapping[str, float] | ArrayLike, cycles: int) -> np.ndarray:
+        if not isinstance(guess, Mapping) and np.shape(guess) == (cycles, len(self.states)):
+            return np.asarray(guess, dtype=float)
+        return self.points(guess, cycles - 1)
+
+    def _check_stands(self, x: np.ndarray) -> None:
+        falls = self.structure.falls
+        for name in set(self.states) & set(falls):
+            largest = np.abs(x[:, self.states.index(name)]).max()
+            if largest >= falls[name]:
+                raise ArithmeticError(
+                    f"StroboscopicMap: no cycle from {name} = {largest:.6g}: it lies on the ground"
+                )
+
+    def _check_mirror(self, shot: Shooting) -> None:
+        """Whether the second half of a period is the mirror image of the first from there."""
+        if not self.mirrored:
+            return
+        run = self._simulated(shot.x[0], self.period)
+        apart = np.abs(run.end[self._columns] - self._next(self._next(shot.x[0])))
+        if (apart / shot.scale).max() > _SAME * max(1.0, np.abs(shot.by_state).max()):
+            raise ValueError(
+                "StroboscopicMap: mirrored, but the mirror image moves otherwise: name in `upward` "
+                "the states that keep their sign, such as heights, or leave `mirrored` out where "
+                "structure or impact prefer a side"
+            )
+
+    @property
+    def _columns(self) -> list[int]:
+        return [self.structure.states.index(name) for name in self.states]
 
     def _vector(self, state: Mapping[str, float] | ArrayLike) -> np.ndarray:
         if isinstance(state, Mapping):
@@ -202,111 +447,42 @@ class StroboscopicMap:
             )
         return vector
 
-    def _cycle(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The state after a cycle, and the largest size of each state in it."""
+    def _named(self, x: Any) -> dict[str, Any]:
+        return dict(zip(self.states, x, strict=True))
+
+    def _simulated(self, x: np.ndarray, duration: float) -> Response:
         from rockeom.numeric.simulate import simulate
 
         run = simulate(
             self.structure,
             self.motion,
             impact=self.impact,
-            initial=dict(zip(self.states, x.tolist(), strict=True)),
-            duration=self.period,
+            initial=self._named(x.tolist()),
+            duration=duration,
             options=self.options,
         )
-        if run.outcome.label not in ("completed", "came to rest"):
-            raise ArithmeticError(f"StroboscopicMap: no cycle from {x}: {run.outcome.sentence}")
-        columns = [run.states.index(name) for name in self.states]
-        return run.end[columns], np.abs(run.steps.powers[:, 0, columns]).max(axis=0)
+        _check_ended(run, x)
+        return run
+
+    def _next(self, x: np.ndarray) -> np.ndarray:
+        """The state a cycle later."""
+        run = self._simulated(x, self.cycle)
+        return (self.mirror * run.end)[self._columns]
+
+    def _tangents(self, x: np.ndarray, m: int) -> Any:
+        """The cycle from a state, with derivatives in m directions, those of the state first."""
+        from rockeom.numeric.case import Case
+        from rockeom.numeric.tangents import tangents
+
+        initial = self._named([Dual(v, e) for v, e in zip(x, np.eye(len(x), m), strict=True)])
+        case = Case(self.structure, self.motion, self.impact, initial, self.cycle)
+        found = tangents(case, self.options)
+        _check_ended(found.response, x)
+        if found.grazing:
+            raise GrazingError(f"StroboscopicMap: no derivative from {x}: {found.grazing}")
+        return found
 
 
-def continued_orbits(
-    stroboscope: Callable[[float], StroboscopicMap],
-    values: Sequence[float] | np.ndarray,
-    guess: Mapping[str, float] | ArrayLike,
-    cycles: int = 1,
-) -> list[PeriodicOrbit]:
-    """One orbit followed through the values of a parameter.
-
-    stroboscope : makes the map of a value. values : in steps so small that an orbit is a good
-    guess for the next; after the first two, the guess is extrapolated. guess, cycles : of the
-    first, as for `StroboscopicMap.orbit`.
-
-    Stops, with fewer orbits than values, where Newton's method finds no orbit, or only one that is
-    not near the last: at a fold, where this orbit meets another and both end, or because the steps
-    are too long.
-    """
-    found: list[PeriodicOrbit] = []
-    for index, value in enumerate(values):
-        at: Mapping[str, float] | ArrayLike = found[-1].state if found else guess
-        if len(found) > 1:
-            ratio = (value - values[index - 1]) / (values[index - 1] - values[index - 2])
-            at = found[-1].state + ratio * (found[-1].state - found[-2].state)
-        try:
-            found.append(_next_orbit(stroboscope(value), at, found[-1] if found else None, cycles))
-        except ArithmeticError:
-            if not found:
-                raise
-            break
-    return found
-
-
-def bifurcation_value(
-    stroboscope: Callable[[float], StroboscopicMap],
-    between: tuple[float, float],
-    guess: Mapping[str, float] | ArrayLike,
-    cycles: int = 1,
-    multiplier: int = -1,
-    tolerance: float = 1e-7,
-) -> float:
-    """Value of a parameter at which a multiplier of an orbit is -1, its period doubles, or +1.
-
-    stroboscope : makes the map of a value. between : two values, on either side. guess : of the
-    orbit at the first, cycles : of its period, as for `StroboscopicMap.orbit`. multiplier : -1 or
-    1. tolerance : of the value, in its own unit; for 1 the orbit itself is ill determined near
-    there.
-
-    Raises ValueError where the multiplier does not pass it in between, once or an odd number of
-    times, ArithmeticError where the orbit is lost.
-    """
-    from scipy.optimize import brentq  # takes long to import
-
-    if multiplier not in (-1, 1):
-        raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
-    first, last = numbers("bifurcation_value", first=between[0], last=between[1])
-    orbits = {float(first): stroboscope(float(first)).orbit(guess, cycles)}
-
-    def beyond(value: float) -> float:
-        if value not in orbits:
-            nearest = min(orbits, key=lambda other: abs(other - value))
-            known = orbits[nearest]
-            orbits[value] = _next_orbit(stroboscope(value), known.state, known, cycles)
-        a = orbits[value].derivative
-        return float(np.linalg.det(a - multiplier * np.eye(len(a))))
-
-    for value in np.linspace(first, last, 9):  # so that the last is reached in short steps
-        beyond(float(value))
-    ends = [beyond(float(first)), beyond(float(last))]
-    if ends[0] * ends[1] > 0:
-        raise ValueError(
-            f"bifurcation_value: between {first} and {last} no multiplier passes {multiplier}: "
-            "follow them with `continued_orbits`"
-        )
-    return float(brentq(beyond, float(first), float(last), xtol=tolerance))
-
-
-def _next_orbit(
-    stroboscope: StroboscopicMap,
-    guess: Mapping[str, float] | ArrayLike,
-    previous: PeriodicOrbit | None,
-    cycles: int,
-) -> PeriodicOrbit:
-    """The orbit near a guess; ArithmeticError if it is none that the previous one grew into."""
-    orbit = stroboscope.orbit(guess, cycles)
-    if previous is not None:
-        reach = np.abs(orbit.state - previous.state) - _REACH * previous.size
-        if reach.max() > 0:
-            raise ArithmeticError(
-                f"the orbit is lost: from {previous.state} Newton's method went to {orbit.state}"
-            )
-    return orbit
+def _check_ended(run: Response, x: np.ndarray) -> None:
+    if run.outcome.label not in ("completed", "came to rest"):
+        raise ArithmeticError(f"StroboscopicMap: no cycle from {x}: {run.outcome.sentence}")

@@ -135,7 +135,7 @@ def sensitivity(
         if name in _FACTORS:
             _along_ground(case, along, j, name)
     found = of_problem(seeded, problem, along, SolverOptions.of(options))
-    answers = [answer(name, found, seeded.structure.vector, along) for name in wanted]
+    answers = [answer(name, found) for name in wanted]
     return Sensitivity(
         wanted,
         given,
@@ -331,12 +331,12 @@ def _turned(part: str, path: _Path) -> Turn:
 # -- what is asked for
 
 
-def answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -> Dual:
-    """An answer with its derivatives; p : the parameters with theirs, duals."""
-    motion = _Moving(found, p, along)
-    for pattern, answer in _ANSWERS.items():
+def answer(name: str, found: Tangents) -> Dual:
+    """An answer with its derivatives; its name as of `sensitivity`, which says what is raised."""
+    motion = _Moving(found)
+    for pattern, asked in _ANSWERS.items():
         if match := re.fullmatch(pattern, name):
-            return answer(motion, *match.groups())
+            return asked(motion, *match.groups())
     if name in ("number of impacts", "number of events", "outcome"):
         raise ValueError(
             f"of: the {name} has no derivative: it stays or it jumps. The time of an impact has, "
@@ -348,8 +348,9 @@ def answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) ->
 class _Moving:
     """A motion with its derivatives, asked for quantities at places of it."""
 
-    def __init__(self, found: Tangents, p: np.ndarray, along: ProblemTangents) -> None:
-        self.found, self.run, self.p, self.along = found, found.response, p, along
+    def __init__(self, found: Tangents) -> None:
+        self.found, self.run, self.along = found, found.response, found.along
+        self.p = with_tangent(self.run.structure.vector, found.parameters)
         self.module = self.run.structure.module
         self.m = found.end.shape[-1]
 

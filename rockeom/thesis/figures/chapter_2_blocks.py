@@ -9,13 +9,23 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
+import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis import energy_ratio_of_block
+from rockeom.analysis import energy_ratio_of_block, overturning_boundaries
+from rockeom.analysis.branches import (
+    FLIPS,
+    Cascade,
+    OrbitBranch,
+    orbit_branch,
+    period_doublings,
+)
+from rockeom.analysis.orbits import PeriodicOrbit, StroboscopicMap
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
@@ -193,46 +203,114 @@ def distinct(values: np.ndarray, apart: float = 2e-3) -> int:
     return 1 + int((np.diff(np.sort(values)) > apart).sum()) if len(values) else 0
 
 
+AMPLITUDES = np.linspace(3.0, 3.26, 105)
+"""beta of Figure 2-12."""
+
+START = 2.0
+"""beta at which the motion of two mirrored halves is stable."""
+
+
+def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> StroboscopicMap:
+    """The block under beta cos(omega t), looked at every half period, each second time mirrored."""
+    ground = rk.GroundMotion.harmonic(
+        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=2 * PERIOD
+    )
+    return StroboscopicMap(SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True)
+
+
+@cache
+def symmetric_state() -> np.ndarray:
+    """(2,) of the symmetric motion at `START`, settled."""
+    return stroboscope(START).points({"x_dot": -0.3}, 60)[-1]
+
+
+@cache
+def cascade() -> Cascade:
+    """Break of symmetry and the first five doublings."""
+    return period_doublings(stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5)
+
+
+@cache
+def branches(doublings: int) -> tuple[OrbitBranch, ...]:
+    """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
+    found = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
+    for _ in range(doublings + 1):
+        leaves = next(one for one in found[-1].bifurcations if one.kind in FLIPS)
+        found.append(found[-1].switched(leaves))
+    return tuple(found)
+
+
+@cache
+def branches_by_energy() -> tuple[OrbitBranch, OrbitBranch]:
+    """Symmetric and asymmetric motions where 0.5 is the ratio of energies, to the end.
+
+    The first of them is reached from the ratio of speeds, which grows to sqrt(0.5).
+    """
+    ratio = math.sqrt(SPEED_RATIO)
+    grown = orbit_branch(
+        lambda e: stroboscope(START, e), (SPEED_RATIO, ratio), symmetric_state(), step=0.1
+    )
+    symmetric = orbit_branch(
+        lambda beta: stroboscope(beta, ratio), (START, AMPLITUDES[-1]), grown.orbits[-1].state,
+        step=0.05,
+    )  # fmt: skip
+    (broken,) = symmetric.bifurcations
+    return symmetric, symmetric.switched(broken, step=0.05)
+
+
+STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
+UNSTABLE: dict[str, Any] = {"color": style.LINES[1], "lw": 0.7, "ls": "--"}
+
+
+def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
+    """States (k, m) of the motions of a branch, full where these last, dashed where they do not."""
+    stable = np.abs(branch.multipliers).max(axis=1) < 1 - 1e-6  # not where one is on the circle
+    until = stable | np.append(False, stable[:-1]) | np.append(stable[1:], False)
+    ax.plot(branch.values, np.where(stable[:, None], np.nan, states), **UNSTABLE)
+    ax.plot(branch.values, np.where(until[:, None], states, np.nan), **STABLE)
+
+
 @thesis_figure(Source.IN_KIND)
 def figure_2_11() -> Drawn:
     """Steady orbits of a block under harmonic shaking: symmetric, asymmetric, of two cycles.
 
     The values of the thesis are not stated. Drawn is 2-13, put right, with alpha = atan(0.5),
-    omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2, 2.8 and 3.15; the
-    motion from x = 0.1 after it has settled.
+    omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2, 2.8 and 3.15: the
+    orbit that lasts (full), and those that it has left, which are unstable (dashed).
     """
     figure = style.new_figure(8.6, 3.2)
-    counts = []
-    for ax, beta, title in zip(
+    lasting = []
+    for i, (ax, beta, title) in enumerate(zip(
         figure.subplots(1, 3, sharey=True), (2.0, 2.8, 3.15),
         ("symmetric", "asymmetric", "two cycles"), strict=True,
-    ):  # fmt: skip
-        run = driven(beta)
-        kept = run.t > SETTLING * PERIOD
-        x, rate = run["x"][kept], run["x_dot"][kept]
-        ax.plot(x, rate, color=style.LINES[0], lw=0.9)
-        bare_portrait(ax, 1.1 * float(np.abs(x).max()))
+    )):  # fmt: skip
+        orbits = [branch.at(beta) for branch in branches(doublings=1)[: i + 1]]
+        for orbit in orbits:
+            _, states = orbit.trajectory()
+            ax.plot(*states.T, **(STABLE if orbit.stable else UNSTABLE))
+        bare_portrait(ax, 1.1 * float(max(orbit.size[0] for orbit in orbits)))
         ax.set_title(rf"{title}, $\beta$ = {beta:g}", fontsize=9)
-        speeds = upright_speeds(run)
-        counts.append((beta, distinct(speeds), distinct(np.abs(speeds))))
+        lasting.append((beta, orbits[-1]))
     for ax in figure.axes[1:]:
         ax.set_ylabel("")
     found = "; ".join(
-        f"beta = {b:g}: {n} velocities when upright, {m} speeds" for b, n, m in counts
+        f"beta = {beta:g}: {told(orbit)}, multipliers up to {abs(orbit.multipliers[0]):.3f}"
+        for beta, orbit in lasting
     )
     return Drawn(
         figure,
         (
             Statement(
                 "Figure 2-11", "there are symmetric and asymmetric steady orbits", found,
-                counts[0][1:] == (2, 1) and counts[1][1:] == (2, 2),
+                all(orbit.stable for _, orbit in lasting)
+                and [orbit.symmetric for _, orbit in lasting] == [True, False, False],
             ),
         ),
     )  # fmt: skip
 
 
-AMPLITUDES = np.linspace(3.0, 3.26, 105)
-"""beta of Figure 2-12."""
+def told(orbit: PeriodicOrbit) -> str:
+    return f"{'' if orbit.symmetric else 'a'}symmetric {orbit.order}"
 
 
 @thesis_figure(Source.COMPUTED)
@@ -243,8 +321,13 @@ def figure_2_12() -> Drawn:
     speeds, and 2-13 is put right. Each beta starts from x = 0.1 and settles in 120 cycles; the
     speeds of the next 24 are dots. Each start finds one of two mirrored motions, which are drawn
     as the one whose faster passage is to the right.
+
+    Lines are periodic motions, found by Newton's method and followed as beta changes: full where
+    they last, dashed where they are unstable, the symmetric one and those of 1, 2, 4 and 8 cycles.
+    Where one leaves another a multiplier is -1. These beta are found to 1e-8; where they pile up
+    follows from the last two and Feigenbaum's constant.
     """
-    figure = style.new_figure(6.6, 4.0)
+    figure = style.new_figure(6.6, 4.4)
     ax = figure.add_subplot()
     counts = []
     for beta in AMPLITUDES:
@@ -252,21 +335,50 @@ def figure_2_12() -> Drawn:
         mirror = 1.0 if abs(speeds.max()) >= abs(speeds.min()) else -1.0
         ax.plot(np.full_like(speeds, beta), mirror * speeds, ".", ms=1.6, mew=0, color=style.INK)
         counts.append(distinct(speeds))
+    for branch in branches(doublings=3):
+        speeds = branch.at_impacts("x_dot")
+        turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
+        draw_branch(ax, branch, np.where(turned[:, None], -speeds, speeds))
+    for one in cascade().bifurcations[1:]:
+        ax.axvline(one.value, color=style.INK, lw=0.5, ls=":")
     ax.set_xlabel(r"amplitude $\beta$ [-]")
     ax.set_ylabel(r"rate when upright $\dot x$ [-]")
     ax.set_xlim(3.0, 3.26)
+    ax.plot([], [], ".", color=style.INK, ms=4, label="settled")
+    ax.plot([], [], **STABLE, label="stable orbit")
+    ax.plot([], [], **UNSTABLE, label="unstable orbit")
+    ax.legend(loc="center left", fontsize=7.5)
     number = np.array(counts)
     doubled = {n: AMPLITUDES[number == n] for n in (2, 4, 8)}
     found = "; ".join(
         f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in doubled.items() if len(b)
     )
     smeared = AMPLITUDES[number > 16]
+    breaks, *values = cascade().values
+    limits = cascade().accumulations
+    by_energy = branches_by_energy()
+    flips = [one for one in by_energy[1].bifurcations if one.value > AMPLITUDES[0]]
     return Drawn(
         figure,
         (
             Statement(
                 "2.5.1", "two dots are a (1,1) orbit, 4 and 8 those of 2 and 4 cycles",
                 found, all(len(b) > 0 for b in doubled.values()),
+            ),
+            Statement(
+                "2.5.1", "the period doubles with increasing frequency until a distinct point",
+                f"the symmetry breaks at {breaks:.8f}; the period doubles at "
+                + ", ".join(f"{value:.8f}" for value in values)
+                + f"; the doublings pile up at {limits[-1]:.6f}, by the two before the last "
+                f"{limits[-2]:.6f}",
+                bool((np.diff(values) > 0).all() and cascade().ratios[-1] > 4.0),
+            ),
+            Statement(
+                "Figure 2-12", "r = 0.5",
+                "as a ratio of energies, as in 2-4, no period doubles from 3 to 3.26: the symmetry "
+                f"breaks at {by_energy[0].bifurcations[0].value:.8f}, and the motion behind lasts"
+                if not flips and by_energy[1].stable.all() else f"also of energies {flips}",
+                bool(flips),
             ),
             Statement(
                 "2.5.1", "smeared bands for beta > 3.34, where the figure has ended",
@@ -280,9 +392,9 @@ def figure_2_12() -> Drawn:
 # --- 2.5 pulses
 
 
-def draw_rotations(runs: list[tuple[str, rk.Response]], reach: float, until: float) -> Figure:
-    figure = style.new_figure(7.2, 3.6)
-    ax = figure.add_subplot()
+def draw_rotations(
+    ax: Axes, runs: list[tuple[str, rk.Response]], reach: float, until: float
+) -> None:
     for (label, run), color in zip(runs, style.LINES, strict=False):
         ratio = run["theta"] / run.structure.alpha  # type: ignore[attr-defined]
         fell = run.outcome.label == "overturned"
@@ -293,15 +405,68 @@ def draw_rotations(runs: list[tuple[str, rk.Response]], reach: float, until: flo
     ax.set_xlabel("time [s]")
     ax.set_ylabel(r"rotation $\theta/\alpha$ [-]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return figure
+
+
+def sine_on_block(
+    slenderness: float, amplitude: float, period: float, ratio: float | None
+) -> rk.Case:
+    """A block 2 m wide under one sine, its amplitude in g; r by 2-6 if none is given."""
+    block = rk.RigidBlock(half_width=1.0, half_height=slenderness)
+    pulse = rk.GroundMotion.single_sine(amplitude * STANDARD_GRAVITY, period, duration=20.0)
+    return rk.Case(block, pulse, impact=None if ratio is None else rk.EnergyRatio(ratio))
 
 
 @cache
 def pulsed(slenderness: float, peak: float, period: float, ratio: float | None) -> rk.Response:
-    """A block 2 m wide under one sine, the peak in g; r by 2-6 if none is given."""
-    block = rk.RigidBlock(half_width=1.0, half_height=slenderness)
-    pulse = rk.GroundMotion.single_sine(peak * STANDARD_GRAVITY, period, duration=20.0)
-    return rk.simulate(block, pulse, impact=None if ratio is None else rk.EnergyRatio(ratio))
+    """The motion of `sine_on_block`."""
+    case = sine_on_block(slenderness, peak, period, ratio)
+    return rk.simulate(case.structure, case.motion, impact=case.impact)
+
+
+def fate(impacts: float) -> str:
+    """What a number of impacts before overturning says, inf standing for none."""
+    if math.isinf(impacts):
+        return "stands"
+    return {0.0: "overturns", 1.0: "overturns after an impact"}.get(
+        impacts, f"overturns after {impacts:.0f} impacts"
+    )
+
+
+@cache
+def changes_of_fate(
+    name: str, first: float, last: float, cases: int, **of_all: float | None
+) -> xr.Dataset:
+    """Where the fate of `sine_on_block` changes along one of its arguments, to 1e-9 of it."""
+
+    def case(**one: float) -> rk.Case:
+        return sine_on_block(**one, **of_all)  # type: ignore[arg-type]
+
+    sweep = rk.simulate_many(case, {name: np.linspace(first, last, cases)}, arrays=True)
+    return overturning_boundaries(case, sweep, accuracy=1e-9, arrays=True)
+
+
+def draw_fates(ax: Axes, found: xr.Dataset, name: str, first: float, last: float) -> None:
+    """A bar along `name`, in which the changes of fate are told to six digits."""
+    at = found[name].values
+    fates = [*found["below"].values, found["above"].values[-1]]
+    edges = [first, *at, last]
+    for kind, low, high in zip(fates, edges[:-1], edges[1:], strict=True):
+        ax.axvspan(low, high, color="white" if math.isinf(kind) else FATES[int(kind)], lw=0)
+        if high - low > 0.1 * (last - first):
+            ax.text((low + high) / 2, 0.5, fate(kind), ha="center", va="center", fontsize=8)
+    for i, value in enumerate(at):
+        aside = i + 1 < len(at) and at[i + 1] - value < 0.1 * (last - first)
+        ax.annotate(
+            f"{value:.6f}", (value, 1.0), (-2 if aside else 2, 2), textcoords="offset points",
+            ha="right" if aside else "left", fontsize=8,
+        )  # fmt: skip
+        ax.axvline(value, color=style.INK, lw=0.8)
+    ax.set(xlim=(first, last), ylim=(0, 1), yticks=[])
+    ax.grid(visible=False)
+
+
+FATES = ("#c98a72", "#f2cdbb")
+"""Colours of overturning without an impact, and after one."""
 
 
 @thesis_figure(Source.COMPUTED)
@@ -310,21 +475,34 @@ def figure_2_13() -> Drawn:
 
     T = 2.192 s and r = 0.954, the ratio of energies of 2-6. The block "1 m wide and 8 m high" has
     these as its half-width and half-height: with half of them 0.172 g does not overturn it. The
-    other peaks of the thesis are not stated; here they are 0.14, 0.3 and 0.5 g.
+    other peaks of the thesis are not stated; here they are 0.14, 0.3 and 0.5 g. Below stands at
+    which peaks the fate changes, as it was found between 5001 pulses from 0.1 to 0.6 g.
     """
     peaks = (0.14, 0.172, 0.3, 0.454, 0.5)
     runs = {peak: pulsed(8.0, peak, 2.192, 0.954) for peak in peaks}
-    figure = draw_rotations([(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
+    figure = style.new_figure(7.2, 4.4)
+    above, below = figure.subplots(2, height_ratios=(5, 1))
+    draw_rotations(above, [(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
+    changes = changes_of_fate(
+        "amplitude", 0.1, 0.6, 5001, slenderness=8.0, period=2.192, ratio=0.954
+    )
+    draw_fates(below, changes, "amplitude", 0.1, 0.6)
+    below.set_xlabel("peak of the pulse [g]")
     weak, strong = runs[0.172], runs[0.454]
     reached = abs(strong.extremes("theta").peak) / strong.structure.alpha  # type: ignore[attr-defined]
+    at = changes["amplitude"].values
+    fates = [f"{fate(f)} from {a:.6f} g" for a, f in zip(at, changes["above"].values, strict=True)]
     return Drawn(
         figure,
         (
-            Statement("2.5.1", "a pulse of 0.172 g overturns it", weak.outcome.label,
+            Statement("2.5.1", "a pulse of 0.172 g overturns it",
+                      f"{weak.outcome.label}; pulses do from {at[0]:.6f} g on",
                       weak.outcome.label == "overturned"),
             Statement("2.5.1", "one of 0.454 g does not",
                       f"{strong.outcome.label}, at most {reached:.2f} alpha",
                       strong.outcome.label != "overturned"),
+            Statement("2.5.1", "a stronger pulse may be the safer one",
+                      "; ".join(fates), bool(np.isinf(changes["above"]).any())),
         ),
     )  # fmt: skip
 
@@ -334,10 +512,17 @@ def figure_2_14() -> Drawn:
     """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
 
     The sine has 0.3 g and 2 s, r is by 2-6. The width is not stated: the half-width is 1 m here,
-    as in Figure 2-13.
+    as in Figure 2-13. Below stands at which aspect ratio the fate changes, as it was found between
+    1501 blocks from 3.5 to 5.
     """
-    runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in (3.8, 3.82, 4.26, 4.28)}
-    figure = draw_rotations([(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)
+    ratios = (3.8, 3.82, 4.26, 4.28)
+    runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in ratios}
+    figure = style.new_figure(7.2, 4.4)
+    above, below = figure.subplots(2, height_ratios=(5, 1))
+    draw_rotations(above, [(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)
+    changes = changes_of_fate("slenderness", 3.5, 5.0, 1501, amplitude=0.3, period=2.0, ratio=None)
+    draw_fates(below, changes, "slenderness", 3.5, 5.0)
+    below.set_xlabel("aspect ratio $H/B$ [-]")
     peaks = {
         ratio: abs(run.extremes("theta").peak) / run.structure.alpha  # type: ignore[attr-defined]
         for ratio, run in runs.items()
@@ -347,11 +532,13 @@ def figure_2_14() -> Drawn:
         f"{ratio:g}: {'overturns' if ratio in fell else f'{peak:.2f} alpha'}"
         for ratio, peak in peaks.items()
     )
+    at = ", ".join(f"{value:.6f}" for value in changes["slenderness"].values)
     return Drawn(
         figure,
         (
             Statement(
-                "2.5.1", "0.5 % of the aspect ratio can lead to a very different response", found,
+                "2.5.1", "0.5 % of the aspect ratio can lead to a very different response",
+                f"{found}; the fate changes at {at}",
                 (3.8 in fell) != (3.82 in fell) or (4.26 in fell) != (4.28 in fell),
             ),
         ),

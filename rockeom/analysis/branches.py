@@ -1,0 +1,521 @@
+"""Families of periodic motions as a parameter changes, stable or not, and where they change.
+
+    def at(beta):
+        motion = rk.GroundMotion.harmonic(beta, period=0.6, duration=1.2)
+        return analysis.StroboscopicMap(block, motion, period=0.6, mirrored=True)
+
+    branch = analysis.orbit_branch(at, between=(1.0, 2.0), guess=settled)
+    branch.values, branch.stable
+    for found in branch.bifurcations:
+        print(found.kind, found.value)
+    other = branch.switched(branch.bifurcations[0])
+
+The parameter is any number that the function uses to make the map: of the ground's motion, of the
+structure, of the law of impact. The function is called with a `Dual` of it, which calculates as a
+number does, and so the derivative by it is exact, too.
+
+States x of all cycles and the parameter are unknown together, z = (x, value); the motion closes on
+a curve of them, which is followed along its own length (pseudo-arclength continuation, Keller
+1977), so that a fold is no end. Between two points of the curve a function that changes its sign
+tells what happens, and is set to zero:
+
+    fold               the direction of the curve has no part along the parameter; multiplier +1
+    branch point       the Jacobian with the direction as a last row is singular: another branch
+                       crosses, and as a rule breaks the symmetry; multiplier +1
+    period doubling    det(A + I) = 0, multiplier -1
+    symmetry breaking  the same, of a mirrored map after an odd number of half periods
+    grazing            an event at which velocities jump appears or vanishes. The motion is not
+                       smooth beyond, and the branch ends; halving the step finds where.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import numbers, positive
+from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
+from rockeom.dual import Dual
+
+FEIGENBAUM = 4.669201609102990
+"""The limit of the ratio of distances between one period doubling and the next."""
+
+FLIPS = ("symmetry breaking", "period doubling")
+"""Bifurcations with a multiplier -1, behind which a motion needs twice the cycles."""
+
+_CLOSED = 1e-10
+"""Residual of a motion that counts as closed."""
+
+_CORRECTIONS = 8
+"""Steps of Newton's method after which a shorter step along the branch is tried."""
+
+_SHORTEST = 1e-10
+"""Step along a branch, in parts of it, below which the branch has ended."""
+
+_INSIDE = 1e-9
+"""By how much of their range values may pass a bound, for rounding."""
+
+_AT_THE_LOOK = 1e-6
+"""Time of an event from a look, in parts of the cycle, that counts as none."""
+
+_MOST = 1000
+"""Motions of a branch."""
+
+_BEND = 0.95
+"""Least cosine of the angle between directions at both ends of a step."""
+
+_REACH = 0.2
+"""How far an orbit may be from the one followed before, in parts of its size, to be the same."""
+
+Family = Callable[[Any], StroboscopicMap]
+"""Makes the map of a value of the parameter, which is a float or a `Dual`."""
+
+
+@dataclass(frozen=True)
+class Bifurcation:
+    """Where the motions of a branch change: kind, value of the parameter, and the motion there."""
+
+    kind: str
+    value: float
+    orbit: PeriodicOrbit
+
+
+@dataclass(frozen=True)
+class OrbitBranch:
+    """Motions that grow into one another as a parameter changes.
+
+    values (k,) : of the parameter, which may go back and forth. orbits : one of each. bifurcations
+    in the order in which they were passed. ended : why the branch was not followed further.
+    """
+
+    values: np.ndarray
+    orbits: tuple[PeriodicOrbit, ...]
+    bifurcations: tuple[Bifurcation, ...]
+    ended: str
+    family: Family = field(repr=False)
+    between: tuple[float, float] = field(repr=False)
+    tolerance: float = field(repr=False, default=1e-10)
+
+    @property
+    def stable(self) -> np.ndarray:
+        """(k,) whether each motion lasts."""
+        return np.array([orbit.stable for orbit in self.orbits])
+
+    @property
+    def multipliers(self) -> np.ndarray:
+        """(k, n) complex, of each motion, the largest first."""
+        return np.array([orbit.multipliers for orbit in self.orbits])
+
+    def at(self, value: float) -> PeriodicOrbit:
+        """The motion at a value of the parameter, by Newton's method from the nearest found.
+
+        Of a branch that folds that is one of several. Raises ValueError for a value that the branch
+        does not reach.
+        """
+        if not self.values.min() <= value <= self.values.max():
+            raise ValueError(
+                f"at: value is {value}: the branch goes from {self.values.min():.6g} to "
+                f"{self.values.max():.6g}"
+            )
+        near = self.orbits[np.abs(self.values - value).argmin()]
+        return self.family(value).orbit(near.looks, near.cycles)
+
+    def at_impacts(self, name: str) -> np.ndarray:
+        """(k, m) a state just before the impacts of each motion, nan where one has fewer than m."""
+        found = [orbit.at_impacts(name) for orbit in self.orbits]
+        table = np.full((len(found), max(map(len, found))), np.nan)
+        for row, values in zip(table, found, strict=True):
+            row[: len(values)] = values
+        return table
+
+    def switched(
+        self,
+        at: Bifurcation,
+        between: tuple[float, float] | None = None,
+        step: float = 0.02,
+        until: Sequence[str] = (),
+    ) -> OrbitBranch:
+        """The branch that begins at a bifurcation of this one, followed away from it.
+
+        at : a period doubling or a break of symmetry, behind which the motions have twice the
+        cycles, or a branch point. It leaves along the eigenvector of the multiplier -1 or +1. Of
+        the two ways, which are one motion a cycle later, or two mirror images, one is followed.
+        between : values that are not left, those of this branch if not given. step, until : as for
+        `orbit_branch`.
+
+        Raises ValueError for another kind of bifurcation.
+        """
+        if at.kind not in (*FLIPS, "branch point"):
+            raise ValueError(
+                f"switched: at a {at.kind} no other branch begins: choose a period doubling, a "
+                "symmetry breaking or a branch point"
+            )
+        between = self.between if between is None else between
+        start, leaves = _leaving(self.family, at)
+        follower = _Follower(self.family, between, start, at.value, self.tolerance)
+        way = np.append(leaves.ravel() / follower.scale[:-1], 0.0)
+        shot = follower.shot(follower.z)
+        first = _Point(
+            follower.z, way / np.linalg.norm(way), follower.jacobian(shot),
+            follower.plain.closed(shot), crossing=True,
+        )  # fmt: skip
+        return _followed(follower, first, between, step, tuple(until))
+
+
+def orbit_branch(
+    stroboscope: Family,
+    between: tuple[float, float],
+    guess: Mapping[str, float] | ArrayLike,
+    cycles: int = 1,
+    step: float = 0.02,
+    until: Sequence[str] = (),
+    tolerance: float = 1e-10,
+) -> OrbitBranch:
+    """A branch of periodic motions, followed from one value of a parameter towards another.
+
+    stroboscope : makes the map of a value; it is called with a float for the first motion, then
+    with a `Dual`. between : the first value and the one to go to, beyond neither of which the
+    branch is followed; a branch that folds may come back to the first. guess, cycles : of the first
+    motion, as for `StroboscopicMap.orbit`. step : the longest, in parts of the branch: of the range
+    of values and of the size of the motion. until : kinds of bifurcation at the first of which to
+    stop. tolerance : of a bifurcation's place, in parts of the range.
+
+    Raises ArithmeticError where there is no first motion.
+    """
+    first, last = (float(v) for v in numbers("orbit_branch", first=between[0], last=between[1]))
+    positive("orbit_branch", step=step, tolerance=tolerance)
+    if first == last:
+        raise ValueError(f"orbit_branch: between is {between}: give two values that differ")
+    start = stroboscope(first).orbit(guess, cycles).looks
+    follower = _Follower(stroboscope, (first, last), start, first, tolerance)
+    towards = np.append(np.zeros(start.size), np.sign(last - first))
+    begun = follower.corrected(follower.z, towards)
+    point = begun._replace(way=follower.way(begun.jacobian, towards))
+    return _followed(follower, point, (first, last), step, tuple(until))
+
+
+class _Point(NamedTuple):
+    """A motion of a branch: scaled unknowns z, the direction of the curve there, the motion.
+
+    jacobian (k n, k n + 1) : of the scaled gaps by z. crossing : whether it is a bifurcation at
+    which branches cross, so that a multiplier is 1.
+    """
+
+    z: np.ndarray
+    way: np.ndarray
+    jacobian: np.ndarray
+    orbit: PeriodicOrbit
+    crossing: bool = False
+
+
+class _Follower:
+    """The equations of a branch: all gaps of the shooting in the unknowns z, scaled to about 1."""
+
+    def __init__(
+        self, family: Family, between: tuple[float, float], states: np.ndarray, value: float,
+        tolerance: float,
+    ) -> None:  # fmt: skip
+        self.family, self.shape, self.tolerance = family, states.shape, tolerance
+        self.jumps, self.bounds, self.plain = -1, between, family(value)
+        size = self._shot(states, value).scale
+        of_states = np.tile(size, len(states)) * math.sqrt(states.size)
+        self.scale = np.append(of_states, abs(between[1] - between[0]))
+        self.rows = np.tile(size, len(states))
+        self.z = np.append(states.ravel(), value) / self.scale
+
+    def value(self, z: np.ndarray) -> float:
+        """Of the parameter; at a bound but for rounding, that bound."""
+        found = float(z[-1] * self.scale[-1])
+        near = min(self.bounds, key=lambda bound: abs(bound - found))
+        return near if abs(near - found) < 1e-14 * abs(near) else found
+
+    def shot(self, z: np.ndarray) -> Shooting:
+        """The shooting from z; ArithmeticError where it has not the events of the branch."""
+        shot = self._shot((z * self.scale)[:-1].reshape(self.shape), self.value(z))
+        if self.jumps < 0:
+            self.jumps = shot.jumps
+        more = shot.jumps - self.jumps
+        if more:
+            raise GrazingError(f"{abs(more)} events {'appear' if more > 0 else 'vanish'}")
+        return shot
+
+    def _shot(self, states: np.ndarray, value: float) -> Shooting:
+        n = self.shape[1]
+        return self.family(Dual(value, np.eye(n + 1)[n])).shooting(states, more=1)
+
+    def jacobian(self, shot: Shooting) -> np.ndarray:
+        """(k n, k n + 1) derivatives of the scaled gaps by z."""
+        return shot.jacobian() * self.scale / self.rows[:, None]
+
+    @staticmethod
+    def way(jacobian: np.ndarray, before: np.ndarray) -> np.ndarray:
+        """Unit vector along the branch, forward as seen from the one before."""
+        bordered = np.vstack([jacobian, before])
+        found = Shooting.solve(bordered, np.append(np.zeros(len(before) - 1), 1.0))
+        return found / np.linalg.norm(found)
+
+    def corrected(self, anchor: np.ndarray, way: np.ndarray) -> _Point:
+        """The motion of the branch in the plane through the anchor across the way.
+
+        Raises ArithmeticError where Newton's method does not find it.
+        """
+        z = anchor
+        for _ in range(_CORRECTIONS):
+            shot = self.shot(z)
+            jacobian = self.jacobian(shot)
+            if shot.residual <= _CLOSED:
+                return _Point(z, self.way(jacobian, way), jacobian, self.plain.closed(shot))
+            right = np.append(shot.gaps.ravel() / self.rows, way @ (z - anchor))
+            z = z - Shooting.solve(np.vstack([jacobian, way]), right)
+        raise ArithmeticError(f"the residual is still {shot.residual:.1e}")
+
+    def tests(self, point: _Point) -> dict[str, float]:
+        """Functions that change their sign at bifurcations, by kind."""
+        multipliers = point.orbit.multipliers
+        flip = FLIPS[0] if self._half(point.orbit) else FLIPS[1]
+        found = {flip: np.prod(multipliers + 1).real}
+        if point.crossing:
+            return found
+        bordered = np.vstack([point.jacobian, point.way])
+        return {"fold": point.way[-1], "branch point": np.linalg.det(bordered)} | found
+
+    @staticmethod
+    def _half(orbit: PeriodicOrbit) -> bool:
+        return orbit.mirror is not None and orbit.cycles % 2 == 1
+
+    def next(self, here: _Point, length: float, start: _Point | None) -> tuple[_Point, str]:
+        """The next point, and why it is the last, if it is.
+
+        Raises ArithmeticError where a shorter step is to be tried.
+        """
+        there = self.corrected(here.z + length * here.way, here.way)
+        if there.way @ here.way < _BEND:
+            raise ArithmeticError("the branch bends within the shortest step")
+        if start is not None and np.linalg.norm(there.z - start.z) < length:
+            return there, "it came back to its start"
+        for bound in self.bounds:
+            if self._beyond(there.z, bound):
+                return self._landed(here, there, bound), f"{bound:.12g} was reached"
+        return there, ""
+
+    def _beyond(self, z: np.ndarray, bound: float) -> bool:
+        """Whether a point is outside, but for rounding."""
+        inwards = sum(self.bounds) - 2 * bound
+        return (z[-1] * self.scale[-1] - bound) * np.sign(inwards) < -_INSIDE * self.scale[-1]
+
+    def _landed(self, here: _Point, there: _Point, bound: float) -> _Point:
+        """The point of a bound, which the step from here to there passed."""
+        part = (bound / self.scale[-1] - here.z[-1]) / (there.z[-1] - here.z[-1])
+        across = np.append(np.zeros(len(here.z) - 1), 1.0)
+        found = self.corrected(here.z + part * (there.z - here.z), across)
+        z = np.append(found.z[:-1], bound / self.scale[-1])
+        return found._replace(z=z, way=self.way(found.jacobian, here.way))
+
+    def passed(self, here: _Point, there: _Point) -> list[tuple[Bifurcation, _Point]]:
+        """What happened between two points, in its order."""
+        length = float(here.way @ (there.z - here.z))
+        before, after = self.tests(here), self.tests(there)
+        changed = [kind for kind, value in before.items() if value * after[kind] < 0]
+        found = [(kind, self._located(kind, here, length)) for kind in changed]
+        found.sort(key=lambda one: here.way @ one[1].z)
+        return [(Bifurcation(kind, self.value(at.z), at.orbit), at) for kind, at in found]
+
+    def _located(self, kind: str, start: _Point, length: float) -> _Point:
+        """Where a test changes its sign within a length from a point."""
+        from scipy.optimize import brentq  # takes long to import
+
+        points: dict[float, _Point] = {}
+
+        def test(along: float) -> float:
+            points[along] = self.corrected(start.z + along * start.way, start.way)
+            return self.tests(points[along])[kind]
+
+        return points[brentq(test, 0.0, length, xtol=self.tolerance)]
+
+    def end(self, here: _Point, lost: ArithmeticError) -> tuple[list[Bifurcation], str]:
+        """What the end of a branch is, behind which there is no step however short."""
+        value = self.value(here.z)
+        if not isinstance(lost, GrazingError):
+            return [], f"it was lost at {value:.12g}: {lost}"
+        if here.orbit.nearest_event() < _AT_THE_LOOK:
+            return [], (
+                f"at {value:.12g} an event falls together with the look: begin the motion of the "
+                "ground at another phase"
+            )
+        return [Bifurcation("grazing", value, here.orbit)], f"a grazing was reached: {lost}"
+
+
+def _followed(
+    follower: _Follower, first: _Point, between: tuple[float, float], step: float,
+    until: tuple[str, ...],
+) -> OrbitBranch:  # fmt: skip
+    """The branch from its first point on, as long as it goes."""
+    points, bifurcations = [first], list[Bifurcation]()
+    length, ended, lost = step / 10, "", ArithmeticError()
+    while not ended:
+        here = points[-1]
+        try:
+            there, ended = follower.next(here, length, first if len(points) > 10 else None)
+        except ArithmeticError as error:
+            length, lost = length / 2, error
+            if length >= _SHORTEST:
+                continue
+            grazing, ended = follower.end(here, lost)
+            bifurcations += grazing
+            near = [p for p in points if np.linalg.norm(p.z - here.z) < step / 1000]
+            points = [*points[: len(points) - len(near)], here]
+            break
+        for bifurcation, point in follower.passed(here, there):
+            bifurcations.append(bifurcation)
+            points.append(point)
+        points.append(there)
+        if any(b.kind in until for b in bifurcations):
+            ended = f"a {bifurcations[-1].kind} was reached"
+        elif len(points) == _MOST:
+            ended = f"{_MOST} motions were found"
+        length = min(step, 1.5 * length)
+    return OrbitBranch(
+        np.array([follower.value(p.z) for p in points]), tuple(p.orbit for p in points),
+        tuple(bifurcations), ended, follower.family, between, follower.tolerance,
+    )  # fmt: skip
+
+
+def _leaving(family: Family, at: Bifurcation) -> tuple[np.ndarray, np.ndarray]:
+    """States (k, n) at a bifurcation as the other branch counts them, and where it leaves to."""
+    shot = family(at.value).shooting(at.orbit.looks)
+    values, vectors = np.linalg.eig(shot.derivative)
+    sign = -1.0 if at.kind in FLIPS else 1.0
+    leaves = [vectors[:, np.abs(values - sign).argmin()].real]
+    for one in shot.by_state[:-1]:
+        leaves.append(one @ leaves[-1])
+    if sign > 0:
+        return shot.x, np.array(leaves)
+    return np.concatenate([shot.x, shot.x]), np.concatenate([leaves, -np.array(leaves)])
+
+
+@dataclass(frozen=True)
+class Cascade:
+    """Period doublings, each of the motions that the one before leaves.
+
+    bifurcations : in their order; of a mirrored map the break of symmetry comes first.
+    """
+
+    bifurcations: tuple[Bifurcation, ...]
+
+    @property
+    def values(self) -> np.ndarray:
+        """(k,) of the parameter at each."""
+        return np.array([one.value for one in self.bifurcations])
+
+    @property
+    def ratios(self) -> np.ndarray:
+        """(k - 2,) of the distances between one and the next; they tend to Feigenbaum's 4.6692."""
+        gaps = np.diff(self.values)
+        return gaps[:-1] / gaps[1:]
+
+    @property
+    def accumulations(self) -> np.ndarray:
+        """(k - 1,) where they pile up, from each and the one before by Feigenbaum's limit.
+
+        Of a geometric series it is exact. How far the last is from the one before tells the error.
+        """
+        return self.values[1:] + np.diff(self.values) / (FEIGENBAUM - 1)
+
+
+def period_doublings(
+    stroboscope: Family,
+    between: tuple[float, float],
+    guess: Mapping[str, float] | ArrayLike,
+    cycles: int = 1,
+    number: int = 4,
+) -> Cascade:
+    """The first period doublings of a cascade, by following each branch to where the next begins.
+
+    stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
+    are fewer where a branch has none in between. The time it takes doubles with each.
+    """
+    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
+    found: list[Bifurcation] = []
+    while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
+        found.append(flips[0])
+        if sum(one.kind == FLIPS[1] for one in found) == number:
+            break
+        here, last = found[-1].value, float(between[1])
+        if len(found) > 1:  # the next is likely to be half as far as this end
+            ahead = here + (here - found[-2].value) / 2
+            last = min(ahead, last, key=lambda value: abs(value - here))
+        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS)
+    return Cascade(tuple(found))
+
+
+def bifurcation_value(
+    stroboscope: Family,
+    between: tuple[float, float],
+    guess: Mapping[str, float] | ArrayLike,
+    cycles: int = 1,
+    multiplier: int = -1,
+    tolerance: float = 1e-9,
+) -> float:
+    """Value of a parameter at which a multiplier of an orbit is -1, its period doubles, or +1.
+
+    The first on the branch from one value to another, see `orbit_branch`. stroboscope : makes the
+    map of a value. between : the two values. guess : of the orbit at the first, cycles : of its
+    period, as for `StroboscopicMap.orbit`. multiplier : -1 or 1. tolerance : of the value, in its
+    own unit.
+
+    Raises ValueError where the multiplier does not pass it in between, ArithmeticError where the
+    orbit is lost.
+    """
+    if multiplier not in (-1, 1):
+        raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
+    kinds = FLIPS if multiplier < 0 else ("fold", "branch point")
+    parts = tolerance / abs(between[1] - between[0])
+    branch = orbit_branch(
+        stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts
+    )
+    for one in branch.bifurcations:
+        if one.kind in kinds:
+            return one.value
+    sentence = f"between {between[0]} and {between[1]} no multiplier passes {multiplier}"
+    if branch.values[-1] != between[1]:
+        raise ArithmeticError(f"bifurcation_value: {sentence}, and {branch.ended}")
+    raise ValueError(f"bifurcation_value: {sentence}: follow them with `orbit_branch`")
+
+
+def continued_orbits(
+    stroboscope: Callable[[float], StroboscopicMap],
+    values: Sequence[float] | np.ndarray,
+    guess: Mapping[str, float] | ArrayLike,
+    cycles: int = 1,
+) -> list[PeriodicOrbit]:
+    """One orbit followed through given values of a parameter; `orbit_branch` chooses them itself.
+
+    stroboscope : makes the map of a value. values : in steps so small that an orbit is a good
+    guess for the next; after the first two, the guess is extrapolated. guess, cycles : of the
+    first, as for `StroboscopicMap.orbit`.
+
+    Stops, with fewer orbits than values, where Newton's method finds no orbit, or only one that is
+    not near the last: at a fold, where this orbit meets another and both end, or because the steps
+    are too long.
+    """
+    found: list[PeriodicOrbit] = []
+    for index, value in enumerate(values):
+        at: Mapping[str, float] | ArrayLike = found[-1].looks if found else guess
+        if len(found) > 1:
+            ratio = (value - values[index - 1]) / (values[index - 1] - values[index - 2])
+            at = found[-1].looks + ratio * (found[-1].looks - found[-2].looks)
+        try:
+            orbit = stroboscope(value).orbit(at, cycles)
+        except ArithmeticError:
+            if not found:
+                raise
+            break
+        if found and (np.abs(orbit.state - found[-1].state) > _REACH * found[-1].size).any():
+            break
+        found.append(orbit)
+    return found
