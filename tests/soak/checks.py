@@ -20,6 +20,7 @@ from rockeom.motion.segments import C0, C1, C2, END, KIND, LINEAR, SINE, START
 from rockeom.numeric.ensemble import lanes_pay
 from tests.soak.cases import Dice, Motion, draw, is_even, other_side
 from tests.soak.physics import Physics, physics
+from tests.soak.tangents import wrong_tangents
 
 EPS = np.finfo(float).eps
 SLACK = 1000.0
@@ -890,11 +891,17 @@ def _another(outcome: str, adaptive: rk.Outcome, motion: Motion) -> bool:
     return turned <= 0.01 * largest and ended <= 0.01 * motion.motion.duration
 
 
+def tangents(r: Record) -> Found:
+    """Derivatives against differences, of the motion at tight tolerances."""
+    yield from wrong_tangents(r.motion)
+
+
 COMPARED: dict[str, tuple[float, Callable[[Record], Found]]] = {
     "mirror": (0.2, mirrored),
     "cut": (0.1, cut),
     "many": (0.05, many),
     "lanes": (0.02, lanes),
     "equal": (0.1, equal),
+    "tangents": (0.02, tangents),
 }
 """Checks that need more runs, each with the share of seeds that it is made for."""

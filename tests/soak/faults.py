@@ -36,7 +36,7 @@ class Fault:
     @property
     def compiles(self) -> bool:
         """Whether it changes the programs."""
-        return self.file in (LOOP, LANES)
+        return self.file in (LOOP, LANES, CARRIED)
 
     def text(self) -> str:
         """The file with the fault; raises LookupError where it is not as the fault knows it."""
@@ -49,6 +49,7 @@ class Fault:
 
 
 LOOP, LANES = "rockeom/numeric/loop.py", "rockeom/numeric/lanes.py"
+CARRIED = "rockeom/numeric/carried.py"
 STRUCTURES = "rockeom/numeric/structures.py"
 _FULL = """\
         full = (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]
@@ -162,6 +163,15 @@ FAULTS = {
         ("feet",),
         check="feet",
     ),
+    "saltation": Fault(
+        "derivatives behind an impact are left at its time, which moves",
+        CARRIED,
+        (("y[j] = moved[j] - rate_there[j] * tau", "y[j] = moved[j]"),),
+        ("rigid_block",),
+        ("tangents",),
+        runs=400,
+        check="tangents",
+    ),
     "pushover": Fault(
         "unknowns of a pushover in metres, equations in newtons",
         "rockeom/numeric/statics.py",
@@ -183,7 +193,8 @@ def planted(name: str) -> int:
         copy = Path(folder)
         for part in ("rockeom", "generated", "tests/soak"):
             shutil.copytree(ROOT / part, copy / part)
-        shutil.copy(ROOT / "pyproject.toml", copy)
+        for file in ("pyproject.toml", "tests/differences.py"):
+            shutil.copy(ROOT / file, copy / file)
         (copy / fault.file).write_text(fault.text(), encoding="utf-8")
         environment = os.environ | {"PYTHONPATH": str(copy)}
         if fault.compiles:  # what is wrong on purpose is not kept

@@ -60,6 +60,11 @@ ONCE_WRONG = {
     ),
     1700595: ("lanes", "chaotic: a millionth decides whether it falls"),
     1503033: ("lanes", "what steps err by grows through 700 impacts, with and without lanes"),
+    294: (
+        "tangents",
+        "a foot lifts at the start, and the law has no ratio: nothing had a derivative",
+    ),
+    279: ("tangents", "an element switches where the force goes on, and a table tells the ratio"),
     1009897: ("none", "a rest of more than a thousand impacts gives too little to the column"),
 }
 """Seeds that found something: the check that is made besides those of every response, and what."""

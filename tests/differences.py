@@ -68,8 +68,9 @@ def observed(response: rk.Response, times: np.ndarray) -> Observed:
 
 
 def differenced(
-    motion: Motion, values: Mapping[str, float], direction: Mapping[str, float], times: Any = ()
-) -> Reference:
+    motion: Motion, values: Mapping[str, float], direction: Mapping[str, float],
+    times: Any = (), options: rk.SolverOptions = TIGHT,
+) -> Reference:  # fmt: skip
     """Derivative of a motion along a direction of its numbers, by Richardson's extrapolation.
 
     Central differences over smaller and smaller parts of the direction: their error has even powers
@@ -79,11 +80,11 @@ def differenced(
     Raises OtherEventsError where all neighbours that are far enough for it pass through other
     events.
     """
-    kinds = sequence(run(motion(**values)))
+    kinds = sequence(run(motion(**values), options))
 
     def moved(part: float) -> Observed:
         at = {name: value + part * direction.get(name, 0.0) for name, value in values.items()}
-        response = run(motion(**at))
+        response = run(motion(**at), options)
         if sequence(response) != kinds:
             raise OtherEventsError(f"{sequence(response)} in place of {kinds}")
         return observed(response, np.asarray(times, dtype=float))
