@@ -482,6 +482,9 @@ plt.show()
 # halves of a cycle differ, and every cycle is like the last. Four: two cycles make one period.
 # Towards $\beta\approx3.23$ the doublings pile up, and what follows is chaotic. The motions of the
 # dashed lines are still there, but no disturbance leaves the block on them.*
+#
+# How such points are computed, where the doublings end, and how chaos is told from a long period:
+# [phase plane, saltation and chaos](saltation_and_chaos.py).
 
 # %% [markdown]
 # ## 5. Overturning by a pulse
@@ -596,6 +599,7 @@ plt.show()
 # the second half of the pulse catches a block that the first half has thrown. No design should rest
 # upon it. But it tells how sensitive overturning is, and that the stones that stand or lie after an
 # earthquake are a poor seismograph.
+# The borders of Figure 4, to ten digits, are in [overturning](overturning.py).
 
 # %% [markdown]
 # ## Exercises

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 def require(right: ArrayLike, function: str, name: str, value: ArrayLike, rule: str) -> None:
@@ -81,3 +86,19 @@ def side_of(function: str, theta: np.ndarray, side: ArrayLike | None) -> np.ndar
     rule = "it contradicts the sign of theta: leave it out, or give it for theta = 0 alone"
     require(number * theta >= 0, function, "side", number, rule)
     return number
+
+
+def dims_of_starts(function: str, sections: xr.Dataset, *names: str) -> tuple[str, ...]:
+    """Names of the dimensions over which the motions of `poincare_sections` start differently.
+
+    Raises ValueError where the sections vary anything but these and the names.
+    """
+    dims = list(map(str, sections["outcome"].dims))
+    starts = tuple(name for name in str(sections.attrs.get("starts")).split() if name in dims)
+    others = [name for name in dims if name not in (*starts, *names)]
+    if others:
+        raise ValueError(
+            f"{function}: the sections vary {', '.join(others)} as well: choose one value, as in "
+            f"sections.isel({others[0]}=0)"
+        )
+    return starts

@@ -148,14 +148,15 @@ def without_duals(problem: Problem) -> Problem:
     return problem
 
 
-def parted(problem: Problem) -> tuple[Problem, ProblemTangents]:
-    """A problem of duals as one of floats, and its derivatives; m is 0 where no number is a dual.
+def parted(problem: Problem, m: int | None = None) -> tuple[Problem, ProblemTangents]:
+    """A problem of duals as one of floats, and its derivatives.
 
+    m : how many directions there are; those of the duals if not given, 0 where there are none.
     The floats are those, to the last bit, of the case without derivatives.
     """
     q = problem
     p, table = q.p(), np.array(q.table)
-    m = directions(q.y0, p, q.ratio, q.fallen, q.horizontal, q.vertical, q.end, q.quiet_from)
+    m = directions(*q) if m is None else m
     values = {name: value_of(x) for name, x in q._asdict().items()}
     values["table"] = value_of(table).tolist()
     tangents = {

@@ -36,6 +36,7 @@ def simulate_many(
     *,
     arrays: bool = False,
     impact_times: int = 0,
+    impact_states: bool = False,
     options: SolverOptions | None = None,
     threads: int | None = None,
     chunk: int | None = None,
@@ -75,7 +76,9 @@ def simulate_many(
         way (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by x),
         it is called again for those that do; `np.sin(x)` is of all at once. Values that are no
         numbers, such as motions, it gets one by one.
-    impact_times : how many impact times of each case to keep.
+    impact_times : how many impact times of each case to keep. impact_states : keep the states
+        before and after each of these impacts, too; each case is then simulated by itself with its
+        whole response, as for `quantities`.
     threads : all cores if not given. The result is the same to the last bit for any number of
         threads and any `chunk`, the number of cases that a thread takes at a time: if not given,
         ever fewer towards the end, so that no thread waits long for another. A chunk is also what a
@@ -113,11 +116,11 @@ def simulate_many(
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
     outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for not
     run), final_time [s], final_phase, impacts, refined (segments of the ground in which equal steps
-    would have been too long), peak, maximum, minimum and final value of each state, and impact_time
-    (nan where there was none). maximum and minimum have a sign, peak is the larger of their sizes;
-    they are found within the steps. Every variable has a long_name and, where it has one unit,
-    units; state_unit and quantity_unit tell those of each state and quantity. Memory is bounded by
-    the dataset. A keyboard interrupt ends the work early: what is done is returned,
+    would have been too long), peak, maximum, minimum and final value of each state, impact_time and
+    impact_state (nan where there was none). maximum and minimum have a sign, peak is the larger of
+    their sizes; they are found within the steps. Every variable has a long_name and, where it has
+    one unit, units; state_unit and quantity_unit tell those of each state and quantity. Memory is
+    bounded by the dataset. A keyboard interrupt ends the work early: what is done is returned,
     `attrs["interrupted"]` is 1.
 
     Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all, and for
@@ -135,6 +138,10 @@ def simulate_many(
         )
     threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
     impact_times = whole_number("impact_times", impact_times, 0)
+    if impact_states and not impact_times:
+        raise ValueError(
+            "impact_states is asked for and impact_times is 0: say of how many impacts"
+        )
     if chunk is not None:
         chunk = whole_number("chunk", chunk, 1)
 
@@ -146,7 +153,9 @@ def simulate_many(
     compiled = program(module, method, lanes)
     apart = store is not None or executor is not None
     its_revision = revision(module, method, lanes) if apart else ""
-    work = Work(case, options, lanes, arrays, impact_times, quantities, times, its_revision)
+    work = Work(
+        case, options, lanes, arrays, impact_times, impact_states, quantities, times, its_revision
+    )
     check_names(cases, work.empty(1, module), module)
     kept = work.empty(cases.total, module)
     size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))

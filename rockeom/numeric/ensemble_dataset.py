@@ -95,7 +95,7 @@ def check_names(cases: Cases, row: Kept, module: ModuleType) -> None:
             )
 
 
-_COORDINATES = ("state", "state_unit", "quantity", "quantity_unit", "time")
+_COORDINATES = ("state", "state_unit", "quantity", "quantity_unit", "time", "side")
 
 
 def _variables(
@@ -144,6 +144,11 @@ def _variables(
     }
     if r.times.shape[1]:
         found["impact_time"] = shaped(r.times, "time of the impact", "impact", units=seconds)
+    if asked.impacts.size:
+        found["side"] = ("side",), ["before", "after"], {"long_name": "side of the impact"}
+        found["impact_state"] = shaped(
+            asked.impacts, "state at the impact", "impact", "side", "state", **one_of(module.STATES)
+        )
     if asked.quantities:
         of = asked.extremes
         found |= named("quantity", asked.quantities) | {

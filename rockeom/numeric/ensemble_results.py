@@ -9,7 +9,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from rockeom.arguments import numbers
-from rockeom.contract import AT_THE_START, CONTACT, FULL, IMPACTS, REFINED, TIME
+from rockeom.contract import (
+    AT_THE_START,
+    CONTACT,
+    FULL,
+    IMPACT,
+    IMPACTS,
+    LANDING,
+    REFINED,
+    TIME,
+)
 from rockeom.numeric.ensemble_cases import Part
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.program import Program
@@ -102,17 +111,28 @@ class Results:
 
 @dataclass(frozen=True)
 class Asked:
-    """Extremes (n, 2, m) and histories (n, m, k) of m named quantities, from whole responses."""
+    """What needs whole responses of n cases.
+
+    extremes (n, 2, m) and histories (n, m, k) : of m named quantities.
+    impacts (n, i, 2, N) : states before and after each of the first impacts.
+    """
 
     quantities: tuple[str, ...]
     times: np.ndarray
     options: SolverOptions
     extremes: np.ndarray
     histories: np.ndarray
+    impacts: np.ndarray
 
     @classmethod
     def empty(
-        cls, n: int, names: Sequence[str], times: Sequence[float] | np.ndarray, how: SolverOptions
+        cls,
+        n: int,
+        names: Sequence[str],
+        times: Sequence[float] | np.ndarray,
+        how: SolverOptions,
+        impacts: int = 0,
+        states: int = 0,
     ) -> Asked:
         if isinstance(names, str):
             raise ValueError(f"quantities is the word {names!r}: give a list of names")
@@ -122,10 +142,13 @@ class Asked:
         if not np.all(at >= 0.0):
             raise ValueError(f"times holds {at.min()}: give times from 0 on, in seconds")
         extremes, histories = np.full((n, 2, m), np.nan), np.full((n, m, at.size), np.nan)
-        return cls(tuple(names), at, how, extremes, histories)
+        of_impacts = np.full((n, impacts, 2, states), np.nan)
+        return cls(tuple(names), at, how, extremes, histories, of_impacts)
 
     def run(self, part: Part, stop: threading.Event) -> None:
-        for row, case in zip(part.rows, part.cases if self.quantities else (), strict=False):
+        if not (self.quantities or self.impacts.size):
+            return
+        for row, case in zip(part.rows, part.cases, strict=True):
             if stop.is_set():
                 return
             response = simulate(
@@ -133,8 +156,12 @@ class Asked:
                 duration=case.duration, vertical=case.vertical, phase=case.phase,
                 options=self.options,
             )  # fmt: skip
-            of_each = response.extremes_of(self.quantities).values()
-            self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
+            _, kinds, states = response.passages
+            found = states[np.isin(kinds[:, 0], (IMPACT, LANDING))][: self.impacts.shape[1]]
+            self.impacts[row, : len(found)] = found
+            if self.quantities:
+                of_each = response.extremes_of(self.quantities).values()
+                self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
             if self.times.size:
                 known = self.times <= response.t[-1]
                 history = response.at(self.times[known], names=self.quantities)
@@ -161,8 +188,12 @@ class Kept:
 
     def arrays(self) -> dict[str, np.ndarray]:
         """By name."""
-        asked = {"extremes": self.asked.extremes, "histories": self.asked.histories}
-        return vars(self.results) | asked
+        asked = self.asked
+        return vars(self.results) | {
+            "extremes": asked.extremes,
+            "histories": asked.histories,
+            "impact_states": asked.impacts,
+        }
 
     def put(self, rows: np.ndarray | slice, found: Mapping[str, np.ndarray]) -> None:
         """Write what was found of some rows elsewhere."""

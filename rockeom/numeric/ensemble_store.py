@@ -38,6 +38,7 @@ SPREAD = 16
 _DIMS = {
     "peaks": ("case", "side", "state"), "final": ("case", "state"), "times": ("case", "impact"),
     "extremes": ("case", "side", "quantity"), "histories": ("case", "quantity", "time"),
+    "impact_states": ("case", "impact", "side", "state"),
 }  # fmt: skip
 
 
@@ -175,6 +176,8 @@ def definition(work: Work, cases: Cases, module: ModuleType) -> dict[str, str]:
         "times": str(np.asarray(work.times, dtype=float).tolist()),
         "lanes": str(work.lanes),
     }
+    if work.impact_states:  # not told of stores that were made before it could be asked for
+        found["impact_states"] = "True"
     found |= {name: repr(value) for name, value in asdict(work.options).items()}
     for name, values in cases.values.items():
         which = () if cases.which is None else (cases.which[name],)

@@ -45,6 +45,7 @@ class Work:
     lanes: bool
     arrays: bool
     impact_times: int
+    impact_states: bool
     quantities: Sequence[str]
     times: Any
     revision: str
@@ -52,12 +53,15 @@ class Work:
     def empty(self, n: int, module: ModuleType) -> Kept:
         return Kept(
             Results.empty(n, module.N_STATES, self.impact_times),
-            Asked.empty(n, self.quantities, self.times, self.options),
-        )
+            Asked.empty(
+                n, self.quantities, self.times, self.options,
+                self.impact_times * self.impact_states, module.N_STATES,
+            ),
+        )  # fmt: skip
 
     def source(self, cases: Cases, module: ModuleType, **how: Any) -> Source:
         """The cases; whole responses are of cases made one by one."""
-        arrays = self.arrays and not len(self.quantities)
+        arrays = self.arrays and not (len(self.quantities) or self.impact_states)
         return Source(self.case, cases, module=module, arrays=arrays, **how)
 
 
@@ -196,8 +200,8 @@ def in_threads(
 class Progress:
     """A line on stderr: how many are done, and how long the rest will take."""
 
-    def __init__(self, total: int, shown: bool) -> None:
-        self.total, self.shown, self.done = total, shown, 0
+    def __init__(self, total: int, shown: bool, of: str = "motions") -> None:
+        self.total, self.shown, self.of, self.done = total, shown, of, 0
         self.started = self.last = time.monotonic()
 
     def __enter__(self) -> Progress:
@@ -209,10 +213,10 @@ class Progress:
         if self.shown and now - self.last > 0.2:
             self.last = now
             left = (now - self.started) * (self.total - self.done) / self.done
-            sys.stderr.write(f"\r{self.done:,} of {self.total:,} motions, {left:.0f} s left ")
+            sys.stderr.write(f"\r{self.done:,} of {self.total:,} {self.of}, {left:.0f} s left ")
             sys.stderr.flush()
 
     def __exit__(self, *_: object) -> None:
         if self.shown:
             took = time.monotonic() - self.started
-            sys.stderr.write(f"\r{self.done:,} of {self.total:,} motions in {took:.1f} s.\n")
+            sys.stderr.write(f"\r{self.done:,} of {self.total:,} {self.of} in {took:.1f} s.\n")

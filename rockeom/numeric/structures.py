@@ -25,7 +25,7 @@ import numpy as np
 from rockeom import hooks
 from rockeom.arguments import near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
-from rockeom.dual import value_of
+from rockeom.dual import directions, value_of
 from rockeom.mathematics import for_arrays, isfinite, mathematics
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.contact_states import (
@@ -1618,6 +1618,8 @@ class DeclaredStructure(Structure):
         signed = frozenset(name for name, sign in signs.items() if sign == "+-")
         check_values(self.model, values, frozenset(known), signed)
         for name in (name for name, sign in signs.items() if sign == "n"):
+            if directions(values[name]):
+                raise TypeError(f"{self.model}: {name} is a dual: whole numbers have no derivative")
             if not (values[name] >= 1 and values[name] % 1 == 0):
                 raise ValueError(
                     f"{self.model}: {name} is {values[name]:g}: give a whole number of at least 1"

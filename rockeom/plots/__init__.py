@@ -9,6 +9,11 @@ from rockeom.plots import free_body
 from rockeom.plots.animation import Animation, animate
 from rockeom.plots.comparison import plot_comparison
 from rockeom.plots.design_report import DesignReport, design_report
+from rockeom.plots.dynamics import (
+    basins_of_attraction,
+    bifurcation_diagram,
+    poincare_section,
+)
 from rockeom.plots.ground_motion import plot_motion, plot_spectra
 from rockeom.plots.portrait import plot_phase_portrait
 from rockeom.plots.response import plot_response
@@ -25,6 +30,8 @@ __all__ = [
     "Animation",
     "DesignReport",
     "animate",
+    "basins_of_attraction",
+    "bifurcation_diagram",
     "design_report",
     "draw_structure",
     "fragility_curve",
@@ -36,6 +43,7 @@ __all__ = [
     "plot_phase_portrait",
     "plot_response",
     "plot_spectra",
+    "poincare_section",
     "rocking_spectrum",
     "use_style",
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from itertools import cycle
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,34 +11,95 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.contract import IMPACT, LANDING
+from rockeom.numeric.response import Response
 from rockeom.plots import style
 
 if TYPE_CHECKING:
-    from rockeom.numeric.response import Response
+    from rockeom.numeric.structures import Structure
 
 
 @style.styled
-def plot_phase_portrait(run: Response, *, ax: Axes | None = None) -> Figure:
+def plot_phase_portrait(
+    run: Response | Sequence[Response], *, separatrix: bool = False, ax: Axes | None = None
+) -> Figure:
     """Rate of rotation against rotation; impacts are the dotted jumps.
 
+        plot_phase_portrait([released(theta) for theta in (0.05, 0.1)], separatrix=True)
+
+    run : a response, or several of one structure, each in another colour.
+    separatrix : also the dashed lines on which the structure would reach the balance on each foot
+        with no speed left, if nothing drove it and nothing were lost: motions inside come back,
+        those outside fall. For structures with one coordinate that have a balance.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
+
+    Raises ValueError for no responses, and for the separatrix of a structure that has none.
     """
+    runs = [run] if isinstance(run, Response) else list(run)
+    if not runs:
+        raise ValueError("plot_phase_portrait: there is no response: give one at least")
+    first = runs[0]
     if ax is None:
         ax = style.new_figure(4.6, 3.8).add_subplot()
-        ax.set_title(style.wrapped(style.plain(style.title_of(run)), 70), fontsize=9)
+        ax.set_title(style.wrapped(style.plain(style.title_of(first)), 70), fontsize=9)
+    if separatrix:
+        for side in _separatrix(first.structure):
+            ax.plot(*side, "--", color=style.INK, lw=0.9)
+        ax.plot([], [], "--", color=style.INK, lw=0.9, label="separatrix")
+        ax.legend(loc="upper right")
+    for one, colour in zip(runs, cycle([*style.OTHERS[:1], *style.LINES[:2], *style.OTHERS[1:]])):
+        _draw(ax, one, colour)
+    p = first.program
+    if len(runs) == 1:
+        start = first.y[0, p.ROTATION], first.y[0, p.ROTATION_RATE]
+        ax.annotate("start", start, xytext=(4, 4), textcoords="offset points", fontsize=8)
+    name = first.states[p.ROTATION]
+    unit = "-" if style.is_dimensionless(first) else p.STATE_UNITS[p.ROTATION]
+    ax.set_xlabel(f"{style.symbol(name)} [{unit}]")
+    rate, unit = style.rate_of(first)
+    ax.set_ylabel(f"${rate}$ [{unit}]")
+    return style.parent_figure(ax)
+
+
+def _draw(ax: Axes, run: Response, colour: str) -> None:
     p = run.program
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1
     for piece in np.split(np.column_stack([y, dy]), jumps):
-        ax.plot(*piece.T, color=style.OTHERS[0])
+        ax.plot(*piece.T, color=colour)
     _, kinds, states = run.passages
     for before, after in states[np.isin(kinds[:, 0], (IMPACT, LANDING))]:
         ends = np.array([before, after])
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)
-    ax.plot(y[0], dy[0], "o", color=style.OTHERS[0], ms=4)
-    ax.annotate("start", (y[0], dy[0]), xytext=(4, 4), textcoords="offset points", fontsize=8)
-    name = run.states[p.ROTATION]
-    ax.set_xlabel(f"{style.symbol(name)} [{p.STATE_UNITS[p.ROTATION]}]")
-    rate, unit = style.rate_of(run)
-    ax.set_ylabel(f"${rate}$ [{unit}]")
-    return style.parent_figure(ax)
+    ax.plot(y[0], dy[0], "o", color=colour, ms=4)
+
+
+_POINTS = 1000
+
+
+def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Rotations and rates (n,) with the energy of the balance, to each side.
+
+    Source: the energies of the structure, kinetic and potential; the balance is where the potential
+    is highest before the structure has fallen.
+    """
+    m = structure.module
+    if m.N_STATES != 2:
+        raise ValueError(
+            f"plot_phase_portrait: {structure.model} has {m.N_STATES} states, and its separatrix "
+            "is no line in this plane: leave separatrix=True out"
+        )
+    name, rate = (m.STATES[i] for i in (m.ROTATION, m.ROTATION_RATE))
+    for side in (1.0, -1.0):
+        rotation = side * structure.overturning_rotation * np.linspace(1e-9, 1.0, _POINTS)
+        at_rest = structure.energies({name: rotation})
+        potential = at_rest["gravitational_energy"] + at_rest["elastic_energy"]
+        top = int(potential.argmax())
+        if not 0 < top < _POINTS - 1:
+            raise ValueError(
+                f"plot_phase_portrait: {structure.model} has no balance before it has fallen, and "
+                "no separatrix: leave separatrix=True out"
+            )
+        rotation, lacking = rotation[: top + 1], potential[top] - potential[: top + 1]
+        kinetic = structure.energies({name: rotation, rate: 1.0})["kinetic_energy"]
+        speed = np.sqrt(lacking / kinetic)
+        yield np.append(rotation, rotation[::-1]), np.append(speed, -speed[::-1])

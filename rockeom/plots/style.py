@@ -134,7 +134,9 @@ def title_of(run: Response) -> str:
 
 
 def symbol(name: str) -> str:
-    """How a coordinate is written in a figure."""
+    """How a coordinate, or its rate, is written in a figure."""
+    if name.endswith("_dot"):
+        return rf"$\dot{{{symbol(name.removesuffix('_dot')).strip('$')}}}$"
     head = name.rstrip("0123456789")
     if name == "theta":
         return r"$\theta$"

@@ -1,0 +1,211 @@
+"""How fast neighbouring motions part: Lyapunov exponents of motions through impacts.
+
+    import rockeom as rk
+    from rockeom import analysis
+
+    block = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
+    shaking = rk.GroundMotion.harmonic(1.5, period=0.6, duration=1.2)
+    stroboscope = analysis.StroboscopicMap(block, shaking, period=0.6)
+    spectrum = analysis.lyapunov_spectrum(stroboscope, {"theta": 0.05}, cycles=500)
+    spectrum.exponents, spectrum.standard_errors
+
+A small difference between two motions under the same shaking is carried from one period to the next
+by the matrix of derivatives A_k of the states, through impacts, too. n differences are carried
+together and made orthogonal once a period, A_k Q_k = Q_(k+1) R_k: the logarithms of the diagonal of
+R_k are how much each direction grew, and their mean over time is the exponent (Benettin, Galgani,
+Giorgilli and Strelcyn 1980, Meccanica 15, 9-20 and 21-30; at impacts Mueller 1995, Chaos, Solitons
+& Fractals 5(9), 1671-1681). One above zero means that nearby motions part, and that none can be
+foretold for long: chaos, if the motion stays within bounds.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import require
+from rockeom.analysis.orbits import StroboscopicMap
+from rockeom.analysis.sweeps import STANDS
+from rockeom.arguments import whole_number
+from rockeom.dual import Dual
+from rockeom.numeric.case import Case
+from rockeom.numeric.ensemble_work import Progress
+from rockeom.numeric.tangents import tangents
+
+BATCHES = 20
+"""Of the cycles, whose means tell the error of the exponents."""
+
+
+@dataclass(frozen=True, eq=False)
+class LyapunovSpectrum:
+    """The Lyapunov exponents of a motion under shaking that repeats itself, and their doubt.
+
+    states (n names) : those that are followed. period : of the ground [s].
+    growth (c, n) : logarithm of how much each direction grew in each cycle; -inf where a cycle
+        forgets it, as one in which the structure comes to rest does.
+    state (n,), phase, directions (n, n) : where the motion is after the cycles, its contact state,
+        and the orthogonal directions in the columns: from there it can be gone on with.
+    """
+
+    states: tuple[str, ...]
+    period: float
+    growth: np.ndarray
+    state: np.ndarray
+    phase: str
+    directions: np.ndarray
+
+    @property
+    def cycles(self) -> int:
+        """Over how many periods of the ground the means are taken."""
+        return len(self.growth)
+
+    @property
+    def exponents(self) -> np.ndarray:
+        """(n,) mean growth a second, the largest first [1/s]."""
+        return -np.sort(-self.growth.mean(axis=0)) / self.period
+
+    @property
+    def standard_errors(self) -> np.ndarray:
+        """(n,) of the `exponents` [1/s], by the means of 20 batches of cycles; nan of -inf.
+
+        One cycle hangs on the one before, and long batches hardly do (Law 2015, Simulation Modeling
+        and Analysis, 9.5.3). The error says how much the mean of so many cycles of a motion that
+        has settled varies; not whether it has.
+        """
+        order = np.argsort(-self.growth.mean(axis=0), kind="stable")
+        batches = np.array_split(self.growth[:, order], min(BATCHES, self.cycles))
+        means = np.array([batch.mean(axis=0) for batch in batches])
+        with np.errstate(invalid="ignore"):
+            return means.std(axis=0, ddof=1) / np.sqrt(len(means)) / self.period
+
+    def bounds(self, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
+        """Lower and upper confidence bound of each exponent (n,) [1/s], by Student's t.
+
+        Raises ValueError for a level that does not lie between 0 and 1.
+        """
+        from scipy.stats import t  # takes long to import
+
+        require(0.0 < level < 1.0, "bounds", "level", level, "it lies between 0 and 1, as 0.95")
+        reach = t.ppf(0.5 + 0.5 * level, min(BATCHES, self.cycles) - 1) * self.standard_errors
+        return self.exponents - reach, self.exponents + reach
+
+    @property
+    def dimension(self) -> float:
+        """Of the attractor in a section, as Kaplan and Yorke conjectured.
+
+        j + (sum of the first j exponents)/|the next one|, j being as large as that sum is not
+        negative. Source: Farmer, Ott and Yorke (1983), Physica D 7, 153-180.
+        """
+        exponents = self.exponents
+        sums = np.concatenate([[0.0], np.cumsum(exponents)])
+        j = int(np.flatnonzero(sums >= 0.0)[-1])
+        return float(j if j == len(exponents) else j + sums[j] / abs(exponents[j]))
+
+    def __repr__(self) -> str:
+        pairs = zip(self.exponents, self.standard_errors, strict=True)
+        told_of = ", ".join(f"{value:.4g} +- {error:.2g}" for value, error in pairs)
+        return f"<LyapunovSpectrum: {told_of} 1/s, {self.cycles} cycles of {self.period:.6g} s>"
+
+
+def lyapunov_spectrum(
+    stroboscope: StroboscopicMap,
+    initial: Mapping[str, float] | ArrayLike | LyapunovSpectrum,
+    *,
+    cycles: int = 1000,
+    settling: int = 100,
+    progress: bool | None = None,
+) -> LyapunovSpectrum:
+    """All Lyapunov exponents of the motion from a start, of any structure, with their errors.
+
+    stroboscope : the structure and its shaking, of which the states that it follows are varied.
+    initial : states at the start, by name or in the order of `stroboscope.states`; or a spectrum
+        that was found before, which is gone on with: two calls for 500 cycles give the same as one
+        for 1000, to the last bit.
+    cycles : over how many periods the mean is taken; twenty or more. settling : periods before
+        them, in which the motion settles and the directions turn to where they grow; none where a
+        spectrum is gone on with.
+    progress : a line on stderr; if not given, where stderr is a terminal.
+
+    The motion goes on from period to period in its contact state. A keyboard interrupt ends the
+    work early, once twenty cycles are done: what is found so far is returned, and can be gone on
+    with.
+
+    The sum of the exponents is the mean rate at which volumes of states grow: of a block without
+    damping only impacts take from them, e**2 each. In the plane of the states of a block there are
+    two; the direction of time, whose exponent is zero, is not among them.
+
+    Raises ArithmeticError where a motion ends before its cycle does, as one that overturns, and
+    where it grazes, so that no derivative is known.
+    """
+    cycles, settling = (
+        whole_number("cycles", cycles, BATCHES),
+        whole_number("settling", settling, 0),
+    )
+    motion, growth = _start(stroboscope, initial), []
+    if isinstance(initial, LyapunovSpectrum):
+        settling, growth = 0, [*initial.growth]
+    shown = sys.stderr.isatty() if progress is None else progress
+    with Progress(settling + cycles, shown, "cycles") as line:
+        try:
+            for k in range(settling + cycles):
+                motion, grown = _cycle(stroboscope, motion, k)
+                if k >= settling:
+                    growth.append(grown)
+                line.add(1)
+        except KeyboardInterrupt:
+            if len(growth) < BATCHES:
+                raise
+    return LyapunovSpectrum(stroboscope.states, stroboscope.period, np.array(growth), *motion)
+
+
+def _start(
+    stroboscope: StroboscopicMap, initial: Mapping[str, float] | ArrayLike | LyapunovSpectrum
+) -> _Motion:
+    """From where the motion is followed; raises ValueError for a spectrum of another map."""
+    if not isinstance(initial, LyapunovSpectrum):
+        return _Motion(stroboscope.points(initial, 0)[0], "", np.eye(len(stroboscope.states)))
+    if initial.states != stroboscope.states or initial.period != stroboscope.period:
+        raise ValueError(
+            f"lyapunov_spectrum: initial is a spectrum of {', '.join(initial.states)} and a period "
+            f"of {initial.period} s: go on with it by the map that it was found with"
+        )
+    return _Motion(initial.state, initial.phase, initial.directions)
+
+
+class _Motion(NamedTuple):
+    """Where a motion is, and the directions that are carried with it."""
+
+    state: np.ndarray
+    phase: str
+    directions: np.ndarray
+
+
+def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.ndarray]:
+    """The motion a period later, and how much each direction grew."""
+    start: dict[str, Any] = {
+        name: Dual(float(value), along)
+        for name, value, along in zip(one.states, motion.state, motion.directions, strict=True)
+    }
+    case = Case(
+        one.structure, one.motion, one.impact, start, one.period, phase=motion.phase or None
+    )
+    found = tangents(case, one.options)
+    run = found.response
+    if run.outcome.label not in STANDS:
+        raise ArithmeticError(
+            f"lyapunov_spectrum: no cycle {k + 1} from {motion.state}: {run.outcome.sentence}"
+        )
+    if found.grazing:
+        raise ArithmeticError(f"lyapunov_spectrum: cycle {k + 1}: {found.grazing}")
+    rows = [run.states.index(name) for name in one.states]
+    directions, grown = np.linalg.qr(found.end[rows])
+    stretched = np.abs(np.diag(grown))
+    with np.errstate(divide="ignore"):
+        growth = np.log(stretched)
+    directions = directions * (stretched > 0.0)  # what a motion has forgotten stays so
+    return _Motion(run.end[rows], run.final_phase, directions), growth

@@ -1,0 +1,440 @@
+"""Where motions under shaking that repeats itself settle: sections, coexisting orbits, basins.
+
+    import numpy as np
+    import rockeom as rk
+    from rockeom import analysis
+
+    block = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
+    shaking = rk.GroundMotion.harmonic(1.5, period=0.6, duration=300.0)
+    stroboscope = analysis.StroboscopicMap(block, shaking, period=0.6, impact=rk.VelocityRatio(0.9))
+    starts = {"theta": np.linspace(-0.1, 0.1, 40), "theta_dot": np.linspace(-0.3, 0.3, 40)}
+    found = analysis.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
+    basins = analysis.basins(found)
+    analysis.basin_stability(basins)
+
+A motion is looked at once a period of the ground, and at its impacts: each look is a point of a
+section of its states (Poincare's). What it settles on depends on where it starts; the starts that
+end on the same orbit are its basin. Many motions are followed from many starts, and for many values
+of parameters, by `simulate_many`.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
+from rockeom.analysis.orbits import StroboscopicMap
+from rockeom.analysis.sweeps import FALLS, STANDS
+from rockeom.arguments import told, whole_number
+from rockeom.numeric.case import Case
+from rockeom.numeric.ensemble import simulate_many
+from rockeom.numeric.ensemble_cases import ROW, WORTHWHILE, Cases
+from rockeom.numeric.ensemble_work import Progress
+from rockeom.numeric.quantities import units_of
+from rockeom.numeric.units import in_udunits, time_unit
+
+
+def poincare_sections(
+    stroboscope: StroboscopicMap | Callable[..., StroboscopicMap],
+    over: Mapping[str, Any] | None = None,
+    *,
+    starts: Any,
+    settling: int = 100,
+    cycles: int = 50,
+    impacts: int = 0,
+    threads: int | None = None,
+    progress: bool | None = None,
+    store: str | os.PathLike[str] | None = None,
+) -> xr.Dataset:
+    """States at the starts of cycles, and at impacts, of motions from several starts.
+
+        def shaken(beta):
+            ground = rk.GroundMotion.harmonic(beta * unit, period=3.0, duration=600.0)
+            return analysis.StroboscopicMap(block, ground, 3.0, impact=rk.VelocityRatio(0.5))
+
+        analysis.poincare_sections(
+            shaken,
+            over={"beta": np.linspace(3.0, 3.26, 200)},
+            starts=[{"x": 0.1}, {"x": -0.1}],
+            settling=150,
+            cycles=32,
+            impacts=4,
+        )
+
+    stroboscope : a map; or a function that makes one from one value of each name in `over`, of any
+        parameter of the structure, its impacts or its shaking, whose period may vary, too.
+    over : names and their values, a grid. starts : states at the time zero, what is not named being
+        zero: names and their values are a grid, over which the dataset is, too; a table (a list of
+        dicts, a DataFrame) has a start in each row, and the dataset is over "start".
+    settling : cycles that are not kept. cycles : that are kept.
+    impacts : how many impacts a cycle are kept, in the mean.
+    threads, progress : as of `simulate_many`.
+    store : a folder that keeps what is done, of the package zarr, as of `simulate_many`: the same
+        call goes on where the last one was stopped, and gives the same to the last bit.
+
+    Returns a dataset over the names and the starts: strobe over "look" and "state", all states at
+    the start of each cycle that is kept and at the end of the last; impact_count over "cycle";
+    outcome, a label, of the last cycle that was followed. With `impacts`, also impact_time since
+    the start of its cycle [s], and impact_state over "side", which is before or after, both over
+    "impact", in the order of time; for these the cycles are followed a second time. What is not
+    there is nan: a motion that has fallen has no states. An interrupt ends the work early,
+    `attrs["interrupted"]` is 1.
+
+    As many cycles as the motion of the ground lasts are settled in one go, one after the other
+    otherwise; a motion that lasts for all of them saves time. The motions have the `options` of the
+    first map, and go on from cycle to cycle in their contact state.
+
+    Raises ValueError for names that are no states, and what `simulate_many` raises.
+    """
+    plan = _Plan.of(stroboscope, over, starts)
+    settling, cycles = whole_number("settling", settling, 0), whole_number("cycles", cycles, 1)
+    impacts = whole_number("impacts", impacts, 0)
+    shown = sys.stderr.isatty() if progress is None else progress
+    total = len(plan.maps) * len(plan.y) * (settling + cycles * (2 if impacts else 1))
+    with Progress(total, shown, "cycles") as line:
+        how = _How(threads, None if store is None else Path(store), line)
+        motions = plan.motions(how)
+        for k, stride in enumerate(plan.strides(settling)):
+            motions.go(stride, f"settling_{k}")
+        again = motions.copy()
+        strobe, count = [motions.y.copy()], []
+        for k in range(cycles):
+            count.append(motions.go(1, f"cycle_{k}")["impacts"])
+            strobe.append(motions.y.copy())
+        found = {"strobe": np.stack(strobe, axis=1), "count": np.stack(count, axis=1)}
+        if impacts:
+            parts = [
+                again.go(stride, f"impacts_{k}", impacts * stride)
+                for k, stride in enumerate(plan.strides(cycles))
+            ]
+            for name in ("impact_time", "impact_state"):
+                found[name] = np.concatenate([part[name] for part in parts], axis=1)
+            found["impact_time"] %= again.periods[:, None]
+    return plan.dataset(motions, found)
+
+
+# --- which motions end on the same orbit
+
+NOT_PERIODIC, FALLEN, UNKNOWN = 0, -1, -2
+"""Fates of motions that are on no periodic orbit; the orbits are numbered from one on."""
+
+
+def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
+    """Which starts end on the same periodic orbit, from sections of one map.
+
+        found = analysis.poincare_sections(
+            stroboscope,
+            starts={"theta": np.linspace(-0.2, 0.2, 200), "theta_dot": np.linspace(-1, 1, 200)},
+            settling=200,
+            cycles=16,
+        )
+        analysis.basins(found)
+
+    sections : of `poincare_sections`, over starts alone. tolerance : of a look at a motion, in
+        parts of the largest size that each state has in any of them. A motion is periodic if all
+        its looks repeat themselves within it after as many cycles as half of those kept or fewer;
+        two are on one orbit if the last look at one is as near to one at the other. Orbits that are
+        nearer to each other than that, as late in a cascade, are not told apart, and a motion that
+        settles so slowly that it seems to repeat itself is taken for periodic.
+
+    Returns the dataset with `fate` of each start: from 1 on the number of its orbit, the one with
+    the most starts first; 0 not periodic within the cycles kept, whether chaotic, of a long period
+    or not yet settled; -1 overturned; -2 not run, or without an answer. flag_values and
+    flag_meanings say so. orbit_cycles and orbit_state, a look at it, are those of each orbit.
+
+    Raises ValueError for sections of several maps and for a tolerance that is not positive.
+    """
+    (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
+    strobe = sections["strobe"].values
+    dims_of_starts("basins", sections)
+    looks = strobe.reshape(-1, *strobe.shape[-2:])
+    labels = sections["outcome"].values.ravel()
+    fate = np.where(labels == FALLS, FALLEN, UNKNOWN)
+    there = np.isin(labels, STANDS) & np.isfinite(looks).all(axis=(1, 2))
+    size = np.abs(looks[there]).max(axis=(0, 1), initial=0.0)
+    scaled = looks[there] / np.where(size > 0, size, 1.0)
+    numbers_of, orbits = _orbits(scaled, tolerance)
+    fate[there] = numbers_of
+    state = looks[there][[first for first, _ in orbits], -1]
+    words = [f"orbit_{i}" for i in range(1, len(orbits) + 1)]
+    attrs = {
+        "long_name": "what a start ends on",
+        "flag_values": np.arange(UNKNOWN, len(orbits) + 1),
+        "flag_meanings": " ".join(["no_answer", "overturned", "not_periodic", *words]),
+    }
+    return sections.assign(
+        fate=(sections["outcome"].dims, fate.reshape(sections["outcome"].shape), attrs),
+        orbit_cycles=("orbit", [cycles for _, cycles in orbits], {"long_name": "cycles of it"}),
+        orbit_state=(("orbit", "state"), state.reshape(-1, strobe.shape[-1])),
+    ).assign_coords(orbit=np.arange(1, len(orbits) + 1))
+
+
+def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
+    """Which part of the starts ends on each orbit, and how well so many starts tell it.
+
+        rng = np.random.default_rng(1)
+        starts = [{"theta": a, "theta_dot": b} for a, b in rng.uniform(-0.1, 0.1, (2000, 2))]
+        found = analysis.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
+        analysis.basin_stability(analysis.basins(found))
+
+    basins : of `basins`. Those without an answer are not counted. level : probability of the
+        bounds, which are Wilson's, of starts that were drawn at random; those of a grid are no
+        sample, and it tells areas better than its bounds say.
+
+    Returns share, low, high and number of starts over `fate`, the meanings of `basins`. Source:
+    Menck, Heitzig, Marwan and Kurths (2013), Nature Physics 9, 89-92. Raises ValueError for a level
+    that does not lie between 0 and 1 and where no start has an answer.
+    """
+    from scipy.stats import binomtest  # takes long to import
+
+    require(0.0 < level < 1.0, "basin_stability", "level", level, "it lies between 0 and 1")
+    fate = basins["fate"]
+    known = fate.values[fate.values > UNKNOWN]
+    if not len(known):
+        raise ValueError("basin_stability: no start has an answer: let the sections be run")
+    values = fate.attrs["flag_values"][1:]
+    words = [word.replace("_", " ") for word in fate.attrs["flag_meanings"].split()[1:]]
+    number = np.array([(known == value).sum() for value in values])
+    bounds = [binomtest(k, len(known)).proportion_ci(level, method="wilson") for k in number]
+    return xr.Dataset(
+        {
+            "share": ("fate", number / len(known)),
+            "low": ("fate", [one.low for one in bounds]),
+            "high": ("fate", [one.high for one in bounds]),
+            "number": ("fate", number),
+        },
+        {"fate": words},
+        {"starts": len(known), "level": level},
+    )
+
+
+def _orbits(looks: np.ndarray, tolerance: float) -> tuple[np.ndarray, list[tuple[int, int]]]:
+    """Number of the orbit of each motion, and of each orbit a motion that is on it and its cycles.
+
+    looks (n, c + 1, N) : scaled.
+    """
+    cycles = _cycles(looks, tolerance)
+    found = np.full(len(looks), NOT_PERIODIC)
+    left = np.flatnonzero(cycles)
+    groups: list[np.ndarray] = []
+    while len(left):
+        first = left[0]
+        points = looks[first, -cycles[first] :]
+        apart = np.abs(looks[left, -1, None] - points).max(axis=2).min(axis=1)
+        mine = apart <= tolerance
+        groups.append(left[mine])
+        left = left[~mine]
+    groups.sort(key=len, reverse=True)
+    for number, group in enumerate(groups, 1):
+        found[group] = number
+    return found, [(int(group[0]), int(cycles[group[0]])) for group in groups]
+
+
+def _cycles(looks: np.ndarray, tolerance: float) -> np.ndarray:
+    """(n,) after how many cycles each motion repeats itself, 0 if it does not."""
+    found = np.zeros(len(looks), dtype=int)
+    for k in range(1, (looks.shape[1] - 1) // 2 + 1):
+        open_ = np.flatnonzero(found == 0)
+        gap = np.abs(looks[open_, k:] - looks[open_, :-k]).max(axis=(1, 2))
+        found[open_[gap <= tolerance]] = k
+    return found
+
+
+# --- how motions are followed
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """Maps (m,) of the values of `over`, and starts y (k, N): m k motions, map by map."""
+
+    maps: np.ndarray
+    over: Cases | None
+    starts: Cases
+    y: np.ndarray
+
+    @classmethod
+    def of(cls, stroboscope: Any, over: Mapping[str, Any] | None, starts: Any) -> _Plan:
+        if over is not None and (not isinstance(over, Mapping) or isinstance(over, xr.Dataset)):
+            raise TypeError(f"over is {told(over)}: give names with their lists of values")
+        if isinstance(starts, Mapping) and not starts:
+            starts = [{}]
+        values = None if over is None else Cases.of(over)
+        from_where = Cases.of(starts)
+        maps = _maps(stroboscope, values)
+        y = _states(from_where, maps[0].structure.states)
+        if values is not None and (twice := {*values.values} & {*from_where.values}):
+            raise ValueError(
+                f"poincare_sections: {min(twice)!r} is a name of both `over` and `starts`: let the "
+                "function call its argument by another one"
+            )
+        return cls(maps, values, from_where, y)
+
+    def motions(self, how: _How) -> _Motions:
+        n, k = len(self.maps), len(self.y)
+        return _Motions(
+            how,
+            np.repeat(self.maps, k),
+            np.tile(self.y, (n, 1)),
+            np.full(n * k, "", dtype=object),
+            np.full(n * k, "not run", dtype=object),
+        )
+
+    def strides(self, settling: int) -> list[int]:
+        """Cycles that are settled in one go, while the shortest of the motions goes on behind."""
+        longest = min(int(one.motion.duration / one.period * (1 + 1e-12)) for one in self.maps) - 1
+        whole, rest = divmod(settling, longest)
+        return [longest] * whole + [rest] * (rest > 0)
+
+    def dataset(self, motions: _Motions, kept: Mapping[str, np.ndarray]) -> xr.Dataset:
+        module = self.maps[0].structure.module
+        seconds = in_udunits(time_unit(module))
+        units = [in_udunits(units_of(module)[name]) for name in module.STATES]
+        names, of_starts = self.over, self.starts
+        dims = (*(() if names is None else names.dims), *of_starts.dims)
+        shape = (*(() if names is None else names.shape), *of_starts.shape)
+
+        def shaped(a: np.ndarray, name: str, *others: str, **attrs: Any) -> Any:
+            return (*dims, *others), a.reshape(shape + a.shape[1:]), {"long_name": name, **attrs}
+
+        found = {
+            "outcome": shaped(motions.outcome.astype(str), "outcome"),
+            "strobe": shaped(kept["strobe"], "state at the start of a cycle", "look", "state"),
+            "impact_count": shaped(kept["count"], "impacts of the cycle", "cycle", units="1"),
+        }
+        if "impact_state" in kept:
+            times, states = kept["impact_time"], kept["impact_state"]
+            each = "impact", "side", "state"
+            found["impact_time"] = shaped(times, "time in the cycle", "impact", units=seconds)
+            found["impact_state"] = shaped(states, "state at the impact", *each)
+        coordinates = {
+            **({} if names is None else names.coordinates()),
+            **of_starts.coordinates(),
+            "state": ("state", list(module.STATES), {"long_name": "name of the state"}),
+            "state_unit": ("state", units, {"long_name": "unit of the state"}),
+            "side": ("side", ["before", "after"], {"long_name": "side of the impact"}),
+        }
+        for name, unit in zip(module.STATES, units, strict=True):
+            if name in coordinates:
+                coordinates[name][2].update(units=unit, long_name=f"initial {name}")
+        made = xr.Dataset(found, coordinates).rename({ROW: "start"} if ROW in dims else {})
+        starts = " ".join("start" if name == ROW else name for name in of_starts.dims)
+        interrupted = int(motions.interrupted)
+        return made.assign_attrs(model=module.NAME, starts=starts, interrupted=interrupted)
+
+
+def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
+    """Of each value; raises TypeError for what is no map, ValueError for another structure."""
+    if over is None:
+        found = [stroboscope]
+    elif not callable(stroboscope):
+        raise TypeError(
+            f"stroboscope is {told(stroboscope)}: with `over`, give a function that makes a map"
+        )
+    else:
+        found = [stroboscope(**over.named(row)) for row in range(over.total)]
+    maps = np.empty(len(found), dtype=object)
+    for i, one in enumerate(found):
+        if not isinstance(one, StroboscopicMap):
+            raise TypeError(f"stroboscope gave {told(one)}: give an analysis.StroboscopicMap")
+        maps[i] = one
+    return maps
+
+
+def _states(starts: Cases, known: tuple[str, ...]) -> np.ndarray:
+    """(k, N) states at the start."""
+    y = np.zeros((starts.total, len(known)))
+    places = starts.places(np.arange(starts.total))
+    for (name, values), place in zip(starts.values.items(), places, strict=True):
+        if name not in known:
+            raise ValueError(
+                f"poincare_sections: starts has {name!r}: choose among {', '.join(known)}"
+            )
+        (column,) = numbers("poincare_sections", **{f"starts[{name!r}]": values})
+        y[:, known.index(name)] = column[place]
+    return y
+
+
+class _How(NamedTuple):
+    """Who does the work, and where it is kept."""
+
+    threads: int | None
+    store: Path | None
+    line: Progress
+
+
+@dataclass
+class _Motions:
+    """Where n motions are: their states y (n, N), contact states and outcomes."""
+
+    how: _How
+    maps: np.ndarray
+    y: np.ndarray
+    phase: np.ndarray
+    outcome: np.ndarray
+    interrupted: bool = False
+
+    def copy(self) -> _Motions:
+        here = self.y.copy(), self.phase.copy(), self.outcome.copy()
+        return _Motions(self.how, self.maps, *here, self.interrupted)
+
+    @property
+    def periods(self) -> np.ndarray:
+        """(n,) of the ground of each [s]."""
+        return np.array([one.period for one in self.maps])
+
+    def go(self, cycles: int, name: str, impacts: int = 0) -> dict[str, np.ndarray]:
+        """Some cycles on with all that stand; those that fall have no states from then on.
+
+        name : of what is stored. Returns the number of impacts of each, and times and states of so
+        many; nan of those that do not stand behind them.
+        """
+        n, width = self.y.shape
+        found = {
+            "impacts": np.full(n, np.nan),
+            "impact_time": np.full((n, impacts), np.nan),
+            "impact_state": np.full((n, impacts, 2, width), np.nan),
+        }
+        there = np.flatnonzero(np.isfinite(self.y).all(axis=1))
+        if len(there) and not self.interrupted:
+            sweep = self._swept(there, cycles, name, impacts)
+            stands = sweep["outcome"].isin(STANDS).values
+            self.interrupted = bool(sweep.attrs["interrupted"])
+            self.outcome[there] = sweep["outcome"].values
+            self.phase[there] = sweep["final_phase"].values
+            self.y[there] = np.where(stands[:, None], sweep["final"].values, np.nan)
+            for key in found if impacts else ("impacts",):
+                found[key][there[stands]] = sweep[key].values[stands]
+        if self.interrupted:
+            self.y[:] = np.nan
+        self.how.line.add(n * cycles)
+        return found
+
+    def _swept(self, there: np.ndarray, cycles: int, name: str, impacts: int) -> xr.Dataset:
+        def case(stroboscope: StroboscopicMap, phase: str, **state: float) -> Case:
+            one, end = stroboscope, cycles * stroboscope.period
+            return Case(one.structure, one.motion, one.impact, state, end, phase=phase or None)
+
+        threads, store = self.how.threads or os.cpu_count() or 1, self.how.store
+        states = self.maps[0].structure.states
+        rows = {"stroboscope": self.maps[there], "phase": self.phase[there]}
+        rows |= {name: self.y[there, i] for i, name in enumerate(states)}
+        return simulate_many(
+            case,
+            xr.Dataset({key: ("row", values) for key, values in rows.items()}),
+            arrays=len(there) >= WORTHWHILE * len({id(one) for one in self.maps}),
+            impact_times=impacts,
+            impact_states=impacts > 0,
+            options=self.maps[0].options,
+            threads=threads,
+            chunk=None if store is None else -(-len(there) // (4 * threads)),
+            progress=False,
+            store=None if store is None else store / f"{name}.zarr",
+        )
