@@ -52,7 +52,7 @@ def test_figure_2_12_has_no_cascade_where_half_of_the_energy_is_left():
             chapter_2_blocks.SQUAT.alpha * 3.2, period=3.0, phase=np.pi / 2, duration=150.0
         ),
         impact=rk.EnergyRatio(0.5),
-        initial=dict(zip(late.states, late.state + [1e-3, -1e-3], strict=True)),
+        initial=dict(zip(late.states, late.state + np.array([1e-3, -1e-3]), strict=True)),
     )
     assert run.end == pytest.approx(late.state, abs=1e-6)
 
