@@ -15,7 +15,7 @@ from rockeom.dual import Dual, directions, duals, tangent_of, value_of, with_tan
 from rockeom.mathematics import mathematics, of_compounds
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numeric.case import Case, ProblemTangents, ground_table, parted
-from rockeom.numeric.impact import EnergyRatio, ImpactLaw, VelocityRatio
+from rockeom.numeric.impact import EnergyRatio, VelocityRatio
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.structures import DeclaredStructure, Structure
