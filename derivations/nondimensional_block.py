@@ -411,8 +411,8 @@ plt.show()
 # one that repeats after two cycles of the ground, then four, then never. Figure 2-12 of the thesis,
 # after Hogan (1989), shows it for $\alpha = \arctan\tfrac12$, $\omega=\tfrac23\pi$, $3\le\beta\le
 # 3.26$ and "$r = 0.5$". That $r$ multiplies *velocities*, Hogan's convention. As a ratio of
-# energies, as $r$ is defined elsewhere in the thesis, it gives no cascade here; the block falls
-# over.
+# energies, as $r$ is defined elsewhere in the thesis, it gives no cascade: from here the block
+# falls over, and the periodic motion that others lead to does not double.
 
 # %%
 squat_block = rk.NondimensionalBlock(alpha=squat)
@@ -435,19 +435,56 @@ for beta_run, number in [(3.05, 2), (3.18, 4), (3.22, 8)]:
     assert len(distinct(speeds)) == number
     assert last_speeds(beta_run, rk.EnergyRatio(0.5)).size == 0  # fallen
 
+# %% [markdown]
+# Dots show what lasts, and only after long waiting. The periodic motions themselves, stable or not,
+# are zeros of a function: let $P$ take the state at one half period of the ground to the mirror
+# image of the state at the next. A symmetric motion is a fixed point of $P$, an asymmetric one of
+# $P^2$, one of two cycles of $P^4$. Newton's method finds them from the derivative of $P$, which is
+# carried through the impacts, and a step along the curve of solutions leads from one $\beta$ to the
+# next. Where a multiplier, an eigenvalue of that derivative, passes $-1$, the motion stops to last
+# and another one, twice as long, leaves it.
+
+# %%
+squat_law = rk.VelocityRatio(0.5)
+
+
+def stroboscope(beta):
+    """Looks at the block every half period, at every second look into a mirror."""
+    motion = rk.GroundMotion.harmonic(
+        squat * beta, angular_frequency=drive, phase=math.pi / 2, duration=6.0
+    )
+    return analysis.StroboscopicMap(squat_block, motion, 3.0, squat_law, mirrored=True)
+
+
+settled = stroboscope(2.0).points({"x_dot": -0.3}, cycles=60)[-1]
+branches = [analysis.orbit_branch(stroboscope, between=(2.0, 3.26), guess=settled, step=0.05)]
+for _ in range(3):
+    leaves = branches[-1].bifurcations[0]
+    print(f"{leaves.kind} at beta = {leaves.value:.8f}, orbit {leaves.orbit.order}")
+    branches.append(branches[-1].switched(leaves, step=0.05))
+
 # %%
 figure, ax = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
 for beta_run in np.linspace(3.0, 3.26, 131):
     speeds = last_speeds(beta_run, rk.VelocityRatio(0.5))
     ax.plot(np.full_like(speeds, beta_run), speeds, ".", ms=1.2, color=fb.INK)
-ax.set(xlabel=r"$\beta$", ylabel=r"$|\dot x|$ after an impact")
+for branch in branches:
+    after = 0.5 * np.abs(branch.at_impacts("x_dot"))
+    stable = np.where(branch.stable[:, None], after, np.nan)
+    ax.plot(branch.values, after, "--", color=fb.LINES[1], lw=0.8)
+    ax.plot(branch.values, stable, color=fb.LINES[0], lw=1.2)
+ax.set(xlabel=r"$\beta$", ylabel=r"$|\dot x|$ after an impact", xlim=(3.0, 3.26))
 plt.show()
 
 # %% [markdown]
 # *Figure 3. Speeds after the impacts, once the start is forgotten, against the amplitude of the
-# shaking. Two lines: the two halves of a cycle differ, and every cycle is like the last. Four
-# lines: two cycles make one period. Towards $\beta\approx3.23$ the doublings pile up, and what
-# follows is chaotic.*
+# shaking (dots), and periodic motions that last (full lines) or not (dashed). Two dots: the two
+# halves of a cycle differ, and every cycle is like the last. Four: two cycles make one period.
+# Towards $\beta\approx3.23$ the doublings pile up, and what follows is chaotic. The motions of the
+# dashed lines are still there, but no disturbance leaves the block on them.*
+#
+# How such points are computed, where the doublings end, and how chaos is told from a long period:
+# [phase plane, saltation and chaos](saltation_and_chaos.py).
 
 # %% [markdown]
 # ## 5. Overturning by a pulse
@@ -562,6 +599,7 @@ plt.show()
 # the second half of the pulse catches a block that the first half has thrown. No design should rest
 # upon it. But it tells how sensitive overturning is, and that the stones that stand or lie after an
 # earthquake are a poor seismograph.
+# The borders of Figure 4, to ten digits, are in [overturning](overturning.py).
 
 # %% [markdown]
 # ## Exercises
@@ -629,8 +667,9 @@ plt.show()
 #
 # <details><summary>Solution 6</summary>
 #
-# The doublings are at 3.1106, 3.2066 and 3.2264, where a multiplier of the orbit passes -1. The
-# ratio of their distances is 4.85; 4.669 is the limit of such ratios.
+# The doublings are at 3.1106, 3.2066 and 3.2264, where a multiplier of the orbit passes -1;
+# `analysis.period_doublings` finds them to ten digits. The ratio of their distances is 4.83; 4.669
+# is the limit of such ratios.
 #
 # </details>
 
@@ -672,29 +711,9 @@ assert np.allclose([borders[0.5], borders[2.0]], [0.99, 0.80], atol=6e-3)
 assert all(one < 1 for one in borders.values())
 assert math.isclose(borders[50.0], 0.5, rel_tol=0.05)
 
-squat_law = rk.VelocityRatio(0.5)
-
-
-def stroboscope(beta):
-    motion = rk.GroundMotion.harmonic(
-        squat * beta, angular_frequency=drive, phase=math.pi / 2, duration=48.0
-    )
-    return analysis.StroboscopicMap(squat_block, motion, 3.0, impact=squat_law)
-
-
-def settled(beta):
-    """The state once a cycle, after the start is forgotten."""
-    motion = rk.GroundMotion.harmonic(
-        squat * beta, angular_frequency=drive, phase=math.pi / 2, duration=900.0
-    )
-    options = rk.SolverOptions(output_step=100.0)
-    return rk.simulate(squat_block, motion, impact=squat_law, options=options).final
-
-
 # at a doubling a multiplier of the orbit is -1
-doublings = [
-    analysis.bifurcation_value(stroboscope, between, settled(between[0]), cycles, tolerance=1e-5)
-    for cycles, between in [(1, (3.1, 3.12)), (2, (3.2, 3.21)), (4, (3.225, 3.227))]
-]
-assert np.allclose(doublings, [3.1106, 3.2066, 3.2264], atol=1e-4)
-assert np.isclose((doublings[1] - doublings[0]) / (doublings[2] - doublings[1]), 4.85, atol=0.02)
+cascade = analysis.period_doublings(stroboscope, (2.0, 3.26), settled, number=3)
+broken, *doublings = cascade.values
+assert np.allclose(doublings, [3.1106, 3.2066, 3.2264], atol=5e-5)
+assert np.isclose((doublings[1] - doublings[0]) / (doublings[2] - doublings[1]), 4.83, atol=5e-3)
+assert np.allclose([broken, *doublings[:2]], [b.bifurcations[0].value for b in branches[:3]])

@@ -10,8 +10,6 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
-from copy import copy
-from functools import cache
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -84,7 +82,7 @@ _OF_TWO: dict[str, tuple[Slope, ...]] = {
 }
 """Of functions of two numbers, by their names in `operator` or `math`."""
 
-_OF_ARRAYS = {
+_OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
     np.add: _OF_TWO["add"],
     np.subtract: _OF_TWO["sub"],
     np.multiply: _OF_TWO["mul"],
@@ -144,7 +142,6 @@ def _is_plain(x: Any) -> bool:
     return _is_number(type(x))
 
 
-@cache
 def _is_number(kind: type) -> bool:
     return issubclass(kind, int | float | np.number | Dual)
 
@@ -283,11 +280,12 @@ def nominal(x: Any) -> Any:
         return _unless_same(x, type(x)(map(nominal, x)))
     if not hasattr(x, "__dict__") or callable(x) or isinstance(x, ModuleType):
         return x
-    found = copy(x)
-    changed = {name: new for name, old in vars(found).items() if (new := nominal(old)) is not old}
-    for name, value in changed.items():
-        object.__setattr__(found, name, value)
-    return found if changed else x
+    changed = {name: new for name, old in vars(x).items() if (new := nominal(old)) is not old}
+    if not changed:
+        return x
+    found = object.__new__(type(x))  # it was checked when it was made
+    vars(found).update(vars(x) | changed)
+    return found
 
 
 def _unless_same(old: Any, new: Any) -> Any:

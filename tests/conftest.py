@@ -33,6 +33,7 @@ TOGETHER = {
     "tests/thesis/test_checks_notice.py": "tests/thesis/test_equations.py",
     "tests/codegen/test_generated_functions.py": "tests/symbolic/test_typeset.py",
     "tests/codegen/test_generated_text.py": "tests/symbolic/test_typeset.py",
+    "tests/codegen/test_carried_functions.py": "tests/symbolic/test_typeset.py",
 }
 """Files that go to the worker of another one, which has derived what both compare with."""
 

@@ -1,7 +1,8 @@
 """Values of SymPy expressions by walking through them, each shared part once.
 
 Nothing is rewritten and no text is compiled: for one set of numbers, or one of arrays, that is
-many times as fast as `subs` or `lambdify`, and independent of both.
+many times as fast as `subs` or `lambdify`, and independent of both. Of complex numbers, by which
+derivatives are found, signs and the larger of two are those of the real parts.
 """
 
 import math
@@ -25,8 +26,8 @@ FUNCTIONS = {
     sp.sinh: np.sinh,
     sp.cosh: np.cosh,
     sp.tanh: np.tanh,
-    sp.Abs: np.abs,
-    sp.sign: np.sign,
+    sp.Abs: lambda x: np.where(np.real(x) < 0, -x, x),
+    sp.sign: lambda x: np.sign(np.real(x)),
     sp.Min: lambda *a: reduce(np.minimum, a),
     sp.Max: lambda *a: reduce(np.maximum, a),
     sp.Add: lambda *a: reduce(operator.add, a),

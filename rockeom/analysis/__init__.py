@@ -14,6 +14,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.analysis.boundaries import OverturningPoint, followed_boundary, overturning_point
     from rockeom.analysis.branches import (
         FEIGENBAUM,
         Bifurcation,
@@ -171,6 +172,13 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
     )
     from rockeom.analysis.noise import Noise, noise_level
     from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
+    from rockeom.analysis.overturning import (
+        dimensionless_pulses,
+        impacts_before_overturning,
+        minimum_overturning,
+        overturning_boundaries,
+        rocking_spectrum,
+    )
     from rockeom.analysis.periods import exact_quarter_period, quarter_period, rocking_period
     from rockeom.analysis.points_of_interest import (
         PointsOfInterest,
@@ -180,6 +188,13 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
     )
     from rockeom.analysis.pulses import PULSE_MODELS, PulseFit, fit_pulse
     from rockeom.analysis.records import MeasuredRecord, Velocities
+    from rockeom.analysis.reliability import (
+        FirstOrder,
+        MonteCarlo,
+        first_order_reliability,
+        monte_carlo,
+        reliability_of,
+    )
     from rockeom.analysis.restitution import (
         energy_ratio_from_velocity_ratio,
         energy_ratio_of_block,
@@ -241,6 +256,7 @@ __all__ = [
     "EquivalentOscillator",
     "FemaComparison",
     "FemaEstimate",
+    "FirstOrder",
     "Fit",
     "FlagRule",
     "FoundationSprings",
@@ -258,11 +274,13 @@ __all__ = [
     "Mean",
     "MeanSpectrum",
     "MeasuredRecord",
+    "MonteCarlo",
     "MovingWindow",
     "Noise",
     "OrbitBranch",
     "OscillatorHistory",
     "OscillatorResponse",
+    "OverturningPoint",
     "PassageDamping",
     "PeakChange",
     "Peaks",
@@ -308,6 +326,7 @@ __all__ = [
     "damping_modifier",
     "demands",
     "design_damping",
+    "dimensionless_pulses",
     "displacement_based_design",
     "displacement_from_rotation",
     "energies_of_states",
@@ -326,6 +345,7 @@ __all__ = [
     "fema_356_against_integration",
     "fema_356_damping",
     "fema_356_rocking",
+    "first_order_reliability",
     "fit",
     "fit_fragility",
     "fit_free_vibration",
@@ -335,6 +355,7 @@ __all__ = [
     "fitted_peaks",
     "fitted_rotational_spring",
     "flag_damping",
+    "followed_boundary",
     "fragility_of",
     "grant_damping",
     "gravitational_energy",
@@ -342,19 +363,24 @@ __all__ = [
     "held_states",
     "impact_forces_of_record",
     "impact_speed",
+    "impacts_before_overturning",
     "importance_scores",
     "kink_gain",
     "linear_start",
     "low_pass_on_peaks",
     "lyapunov_spectrum",
+    "minimum_overturning",
     "modified_spectrum",
+    "monte_carlo",
     "moving_window",
     "noise_level",
     "orbit_branch",
     "oscillator_history",
     "outcome_labels",
+    "overturning_boundaries",
     "overturning_constant",
     "overturning_half_sine",
+    "overturning_point",
     "overturning_spectral_velocity",
     "peak_sequence",
     "peaks_of",
@@ -368,11 +394,13 @@ __all__ = [
     "recentring_ratio",
     "record_energies",
     "rectangular_mat",
+    "reliability_of",
     "resolved_floor",
     "response_spectrum",
     "restitution_envelope",
     "rigid_moment",
     "rocking_period",
+    "rocking_spectrum",
     "rotation_about_moving_centre",
     "rotation_centre",
     "rotation_centre_between_gauges",
@@ -410,7 +438,8 @@ _HOMES = (
     "design.displacement_based", "design.envelope", "design.fema_356", "design.hysteresis",
     "design.oscillator", "design.overturning", "spectra", "fitting", "impacts", "measured_forces",
     "noise", "points_of_interest", "pulses", "records", "slips", "windows",
-    "fragility", "sweeps", "branches", "sections", "lyapunov",
+    "fragility", "reliability", "sweeps", "branches", "sections", "lyapunov", "overturning",
+    "boundaries",
 )  # fmt: skip
 
 _RENAMED = {"TwoSprings": "FoundationSprings"}

@@ -24,9 +24,8 @@ tells what happens, and is set to zero:
                        crosses, and as a rule breaks the symmetry; multiplier +1
     period doubling    det(A + I) = 0, multiplier -1
     symmetry breaking  the same, of a mirrored map after an odd number of half periods
-    torus              the product of a complex pair of multipliers is 1
-    grazing            an event appears or vanishes. The motion is not smooth beyond, and the branch
-                       ends; halving the step finds where.
+    grazing            an event at which velocities jump appears or vanishes. The motion is not
+                       smooth beyond, and the branch ends; halving the step finds where.
 """
 
 from __future__ import annotations
@@ -222,7 +221,7 @@ class _Follower:
         tolerance: float,
     ) -> None:  # fmt: skip
         self.family, self.shape, self.tolerance = family, states.shape, tolerance
-        self.passages, self.bounds, self.plain = -1, between, family(value)
+        self.jumps, self.bounds, self.plain = -1, between, family(value)
         size = self._shot(states, value).scale
         of_states = np.tile(size, len(states)) * math.sqrt(states.size)
         self.scale = np.append(of_states, abs(between[1] - between[0]))
@@ -230,14 +229,17 @@ class _Follower:
         self.z = np.append(states.ravel(), value) / self.scale
 
     def value(self, z: np.ndarray) -> float:
-        return float(z[-1] * self.scale[-1])
+        """Of the parameter; at a bound but for rounding, that bound."""
+        found = float(z[-1] * self.scale[-1])
+        near = min(self.bounds, key=lambda bound: abs(bound - found))
+        return near if abs(near - found) < 1e-14 * abs(near) else found
 
     def shot(self, z: np.ndarray) -> Shooting:
         """The shooting from z; ArithmeticError where it has not the events of the branch."""
         shot = self._shot((z * self.scale)[:-1].reshape(self.shape), self.value(z))
-        if self.passages < 0:
-            self.passages = shot.passages
-        more = shot.passages - self.passages
+        if self.jumps < 0:
+            self.jumps = shot.jumps
+        more = shot.jumps - self.jumps
         if more:
             raise GrazingError(f"{abs(more)} events {'appear' if more > 0 else 'vanish'}")
         return shot
@@ -276,8 +278,7 @@ class _Follower:
         """Functions that change their sign at bifurcations, by kind."""
         multipliers = point.orbit.multipliers
         flip = FLIPS[0] if self._half(point.orbit) else FLIPS[1]
-        pairs = [a * b - 1 for i, a in enumerate(multipliers) for b in multipliers[:i]]
-        found = {flip: np.prod(multipliers + 1).real, "torus": np.prod(pairs).real}
+        found = {flip: np.prod(multipliers + 1).real}
         if point.crossing:
             return found
         bordered = np.vstack([point.jacobian, point.way])
@@ -322,11 +323,7 @@ class _Follower:
         changed = [kind for kind, value in before.items() if value * after[kind] < 0]
         found = [(kind, self._located(kind, here, length)) for kind in changed]
         found.sort(key=lambda one: here.way @ one[1].z)
-        return [
-            (Bifurcation(kind, self.value(at.z), at.orbit), at)
-            for kind, at in found
-            if kind != "torus" or _turns(at.orbit)
-        ]
+        return [(Bifurcation(kind, self.value(at.z), at.orbit), at) for kind, at in found]
 
     def _located(self, kind: str, start: _Point, length: float) -> _Point:
         """Where a test changes its sign within a length from a point."""
@@ -351,12 +348,6 @@ class _Follower:
                 "ground at another phase"
             )
         return [Bifurcation("grazing", value, here.orbit)], f"a grazing was reached: {lost}"
-
-
-def _turns(orbit: PeriodicOrbit) -> bool:
-    """Whether the multipliers nearest to the unit circle are complex."""
-    at_one = np.abs(np.abs(orbit.multipliers) - 1).argsort()[:2]
-    return bool((orbit.multipliers[at_one].imag != 0).all())
 
 
 def _followed(

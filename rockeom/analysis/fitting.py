@@ -15,7 +15,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
@@ -32,10 +32,13 @@ if TYPE_CHECKING:
     from rockeom.numeric.case import Case
     from rockeom.numeric.options import SolverOptions
     from rockeom.numeric.response import Response
+    from rockeom.numeric.tangents import Tangents
 
 CONFIDENCE = 0.95
 STEP = 1e-4
 """Of a parameter, in parts of its first guess, for derivatives: simulations are known to 1e-9."""
+BESIDE = 1e-3
+"""Part of a quarter period to both sides of a peak at which its rate is looked at."""
 NO_RATIO = 1e-3
 """The least energy ratio that is tried; some models know no impact without rebound."""
 
@@ -49,6 +52,7 @@ class Fit:
         the residuals leave (known is False then). informative (n,) : which values any parameter
         moves; others, such as the start of a simulation, tell nothing and count nowhere.
     at_bounds : names of parameters that a bound held; their interval says nothing.
+    exact : whether the derivatives of the model were given, and not found by central differences.
     """
 
     values: dict[str, float]
@@ -59,6 +63,7 @@ class Fit:
     known: bool
     informative: np.ndarray
     at_bounds: tuple[str, ...]
+    exact: bool = False
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -136,6 +141,7 @@ def fit(
     *,
     uncertainty: ArrayLike | None = None,
     bounds: Mapping[str, tuple[float, float]] | None = None,
+    derivatives: Callable[..., ArrayLike] | None = None,
 ) -> Fit:
     """Least squares: the parameters with which a function comes closest to a measurement.
 
@@ -146,9 +152,11 @@ def fit(
     start : a first guess of each parameter, of the size that it may have.
     uncertainty : standard deviation of the measured values, one or (n,); if not given, one for all
         is estimated from what the fit leaves. bounds : (lowest, highest) of parameters, by name.
+    derivatives : a function of the same parameters that returns the derivatives (n, k) of what the
+        model returns, k in the order of start; central differences if not given.
 
     The covariance is that of the linearised model, (J^T J)^-1 with J the derivatives over the
-    uncertainties, by central differences.
+    uncertainties.
 
     Raises ValueError for bad arguments, for as many parameters as values where the uncertainty must
     be estimated, and for parameters that the values do not tell apart.
@@ -182,8 +190,20 @@ def fit(
             )
         return found
 
+    def slopes_at(z: np.ndarray) -> np.ndarray:
+        assert derivatives is not None
+        given = derivatives(**_named(start, z * scale))
+        (found,) = numbers(where, **{"what derivatives returned": given})
+        if found.shape != (len(y), len(first)):
+            raise ValueError(
+                f"{where}: derivatives returned the shape {found.shape}: return "
+                f"{(len(y), len(first))}, a row for each value and a column for each parameter"
+            )
+        return found * scale / sigma[:, None]
+
     best = least_squares(
-        lambda z: (predicted(z) - y) / sigma, first / scale, jac="3-point", diff_step=STEP,
+        lambda z: (predicted(z) - y) / sigma, first / scale,
+        jac="3-point" if derivatives is None else slopes_at, diff_step=STEP,
         bounds=(low / scale, high / scale), x_scale="jac", xtol=1e-10, ftol=1e-12, gtol=1e-12,
     )  # fmt: skip
     slopes = best.jac / scale
@@ -208,6 +228,7 @@ def fit(
         known=known,
         informative=informative,
         at_bounds=tuple(name for name, at in zip(start, held, strict=True) if at),
+        exact=derivatives is not None,
     )
 
 
@@ -340,6 +361,73 @@ def _crests(at: _Curve, low: np.ndarray, high: np.ndarray, side: np.ndarray) -> 
     )
 
 
+def _swings_moved(
+    case: Case, quantity: str, number: int, options: SolverOptions | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Derivatives (number, m) of each of `Swings`, along the directions of the duals of a case.
+
+    That of the time of a peak is -x_tp/x_tt, of the exact x_t and x_p a little before and behind
+    it. Raises ValueError where there are none.
+    """
+    from rockeom.numeric.tangents import tangents
+
+    carried = tangents(case, options)
+    if carried.grazing:
+        raise ValueError(f"the swings have no derivatives: {carried.grazing}")
+    run = carried.response
+    found = swings(run, quantity, number)
+    there, crossed = found.peak != 0.0, found.crossing_time < run.t[-1]
+    beside = BESIDE * np.abs(found.crossing_time - found.peak_time)
+    times = np.stack(
+        [
+            found.peak_time,
+            np.maximum(found.peak_time - beside, 0.0),
+            np.minimum(found.peak_time + beside, run.t[-1]),
+            found.crossing_time,
+        ]
+    )
+    along = _along(carried, quantity, times.ravel()).reshape(*times.shape, -1)
+    by, rate = along[..., :-1], along[..., -1]
+    turns = there & (found.peak_time > 0.0)  # others are those of the start
+    peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
+    crossing_time = _quotient(by[3], rate[3], crossed)
+    for row, time in enumerate(found.crossing_time):  # at an impact the rate jumps
+        (at,) = np.nonzero(np.abs(run.passages[0] - time) <= beside[row])
+        if len(at):
+            crossing_time[row] = carried.event_times[at[0]]
+    return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
+
+
+def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
+    """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
+    from rockeom.dual import tangent_of, with_tangent
+    from rockeom.numeric.sensitivity import quantity_of
+    from rockeom.numeric.states import filled
+
+    run, m = carried.response, len(carried.end_time)
+    module, p = run.structure.module, run.structure.vector
+    still = np.zeros((len(p), 1))  # by time
+    moving = with_tangent(p, np.append(carried.parameters, still, axis=1))
+    y, contact = run.steps.at(times, "right")
+    ground = [
+        np.zeros(len(times)) if motion is None else motion.acceleration(times)
+        for motion in (run.motion, run.vertical)
+    ]
+    rates = filled(run.structure, "rates", module.N_STATES, contact, y, *ground)
+    by = np.append(carried.at(times), rates.T[..., None], axis=2)
+    found = [
+        quantity_of(module, quantity, int(of), with_tangent(*row), moving)
+        for of, *row in zip(contact, y, by, strict=True)
+    ]
+    return tangent_of(np.array(found, dtype=object), m + 1)
+
+
+def _quotient(by: np.ndarray, rate: np.ndarray, which: np.ndarray) -> np.ndarray:
+    """-by/rate (n, m) where `which` (n,) is true, and zero elsewhere."""
+    here = np.broadcast_to(which[:, None], by.shape)
+    return -np.divide(by, rate[:, None], out=np.zeros(by.shape), where=here)
+
+
 def fit_free_vibration(
     case: Callable[..., Case],
     start: Mapping[str, float],
@@ -352,6 +440,7 @@ def fit_free_vibration(
     time_uncertainty: float | None = None,
     release_time: float | None = None,
     bounds: Mapping[str, tuple[float, float]] | None = None,
+    exact: bool | None = None,
     options: SolverOptions | None = None,
 ) -> Fit:
     """A structure's parameters and its law of impact, fitted to a measured free vibration.
@@ -365,6 +454,9 @@ def fit_free_vibration(
     release_time : a first guess [s]; the times then count from another instant, and the release is
     fitted, as the parameter "release_time". options : of the simulations. bounds, and what is
     returned: as in `fit`, the values in the order peaks, peak_times, crossing_times.
+    exact : whether the derivatives are those of `rk.tangents`, which need a `case` that calculates
+    with `rk.Dual`, and a state, displacement or uplift; False takes central differences, of two
+    simulations for each parameter. If not given, exact ones where the first guess has them.
 
     A peak from which the simulation is let go, moved by no parameter, counts nowhere. Peaks of a
     noisy record lie too far out, the largest of several samples; filter it first, or fit crossings.
@@ -390,21 +482,43 @@ def fit_free_vibration(
         first["release_time"] = release_time
     number = max(map(len, given.values()))
 
+    def of_each(columns: Sequence[np.ndarray]) -> np.ndarray:
+        named = dict(zip(offered, columns, strict=True))
+        return np.concatenate([named[name][: len(values)] for name, values in given.items()])
+
     def model(**parameters: float) -> np.ndarray:
         shift = parameters.pop("release_time", 0.0) if release_time is not None else 0.0
         found = swings(_run(case(**parameters), options), quantity, number)
-        columns = {
-            "peaks": found.peak,
-            "peak_times": found.peak_time + shift,
-            "crossing_times": found.crossing_time + shift,
-        }
-        return np.concatenate([columns[name][: len(values)] for name, values in given.items()])
+        return of_each([found.peak, found.peak_time + shift, found.crossing_time + shift])
+
+    def derivatives(**parameters: float) -> np.ndarray:
+        from rockeom.dual import duals
+
+        seeds = duals(**parameters)
+        along = np.zeros(len(seeds))
+        if release_time is not None:
+            along = seeds.pop("release_time").tangent
+        peak, peak_time, crossing = _swings_moved(case(**seeds), quantity, number, options)
+        return of_each([peak, peak_time + along, crossing + along])
 
     sigma = None
     if None not in errors:
         lengths = [len(values) for values in given.values()]
         sigma = np.repeat(np.array(errors, dtype=float), lengths)
-    return fit(model, np.concatenate(list(given.values())), first, uncertainty=sigma, bounds=bounds)
+    if exact is None:
+        exact = _works(derivatives, first)
+    return fit(
+        model, np.concatenate(list(given.values())), first, uncertainty=sigma, bounds=bounds,
+        derivatives=derivatives if exact else None,
+    )  # fmt: skip
+
+
+def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -> bool:
+    """Whether there are derivatives at the first guess: not every function takes duals."""
+    try:
+        return bool(np.all(np.isfinite(derivatives(**start))))
+    except (TypeError, ValueError, AttributeError):
+        return False
 
 
 def _run(case: Case, options: SolverOptions | None) -> Response:

@@ -38,6 +38,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
+from rockeom.contract import SWITCH
 from rockeom.dual import Dual, directions, value_of
 
 if TYPE_CHECKING:
@@ -133,9 +134,9 @@ class Shooting:
         return across.T @ (gains * (left.T @ right))
 
     @property
-    def passages(self) -> int:
-        """How many changes of contact there are in all."""
-        return sum(len(run.passages[0]) for run in self.runs)
+    def jumps(self) -> int:
+        """How many changes of contact there are at which a velocity may jump."""
+        return sum(int((run.passages[1][:, 0] != SWITCH).sum()) for run in self.runs)
 
 
 @dataclass(frozen=True)
@@ -346,6 +347,7 @@ class StroboscopicMap:
         more : directions of the duals that the map holds, which number n + more.
         """
         x = np.array([self._vector(one) for one in np.asarray(states)])
+        self._check_stands(x)
         n, columns = len(self.states), self._columns
         sign = self.mirror[columns]
         found = [self._tangents(one, n + more) for one in x]
@@ -401,6 +403,15 @@ class StroboscopicMap:
         if not isinstance(guess, Mapping) and np.shape(guess) == (cycles, len(self.states)):
             return np.asarray(guess, dtype=float)
         return self.points(guess, cycles - 1)
+
+    def _check_stands(self, x: np.ndarray) -> None:
+        falls = self.structure.falls
+        for name in set(self.states) & set(falls):
+            largest = np.abs(x[:, self.states.index(name)]).max()
+            if largest >= falls[name]:
+                raise ArithmeticError(
+                    f"StroboscopicMap: no cycle from {name} = {largest:.6g}: it lies on the ground"
+                )
 
     def _check_mirror(self, shot: Shooting) -> None:
         """Whether the second half of a period is the mirror image of the first from there."""

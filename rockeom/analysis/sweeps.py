@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-STANDS = ("completed", "came to rest")
+RESTS = "came to rest"
+STANDS = ("completed", RESTS)
 """Outcomes of cases that were followed to their end and did not fall."""
 FALLS = "overturned"
 

@@ -234,7 +234,7 @@ def shaking_ends(segments: np.ndarray) -> float:
     return 0.0
 
 
-def scaled(segments: np.ndarray, amplitude: float, time: float) -> np.ndarray:
+def scaled(segments: np.ndarray, amplitude: Any, time: Any) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
     linear = segments[:, KIND] == LINEAR
     found = segments.astype(np.result_type(segments, type(amplitude), type(time)))

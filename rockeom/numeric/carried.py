@@ -70,7 +70,7 @@ _KICK = _STATE + N_STATES
 _GUARD = _KICK + 2 * N_STATES
 _TOLD = _GUARD + N_GUARDS + N_PARTS
 DUALS_SIZE = _TOLD + N_KNOWN
-FLOATS_SIZE = 3 * N_STATES
+FLOATS_SIZE = 4 * N_STATES
 
 
 @entry
@@ -254,19 +254,22 @@ def moves_by(
         return 0, still
     g, state = duals[_GUARD:_TOLD], duals[_STATE:_KICK]
     before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
-    later = floats[2 * N_STATES :]
+    later, rate_soon = floats[2 * N_STATES : 3 * N_STATES], floats[3 * N_STATES :]
     # how fast the guard falls, and how fast that changes
     falls = falls_by(contact, guard, t, before, rate_there, gx, gy, p, state, g)
     ahead = 1e-3 * length
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
-    after = falls_by(contact, guard, t + ahead, later, rate_there, gx, gy, p, state, g)
+    soon = t + ahead
+    rates(contact, later, p, shaking(gx, soon), shaking(gy, soon), rate_soon)
+    after = falls_by(contact, guard, soon, later, rate_soon, gx, gy, p, state, g)
     for j in range(N_STATES):
         later[j] = atol[j] + rtol * abs(before[j])
     grain = abs(
         guard_along(contact, guard, before, later, shaking(gx, t), shaking(gy, t), p, state, g)
     )
-    bends = abs(after - falls) / ahead if ahead > 0.0 else 0.0
+    # where it falls faster and faster it comes from where it was open: a short hop is no graze
+    bends = max(after - falls, 0.0) / ahead if ahead > 0.0 else 0.0
     if not falls < 0.0 or falls * falls <= DIGITS * grain * bends:
         # its time is not known; where nothing changes there, none is asked for
         return (0 if goes_on(e, t, gx, gy, p, event_kinds, event_states, floats) else GRAZES), still

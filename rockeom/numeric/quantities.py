@@ -31,7 +31,7 @@ _OF_PLACE = {
     "displacement": "m", "rise": "m", "velocity": "m/s", "vertical_velocity": "m/s",
     "acceleration": "m/s2", "vertical_acceleration": "m/s2",
 }  # fmt: skip
-_OF_ELEMENT = {"deformation": "m", "force": "N", "energy": "J"}
+OF_ELEMENT = {"deformation": "m", "force": "N", "energy": "J"}
 _OF_BASE = {"base_shear": "N", "overturning_moment": "N m"}
 _WORKS = ("ground_work", "damping_loss", "force_work", "friction_loss")
 
@@ -52,7 +52,7 @@ def families(module: ModuleType) -> dict[str, dict[str, str]]:
         ELEMENTS: [
             (f"{name}_{what}", unit)
             for name in module.ELEMENT_NAMES
-            for what, unit in _OF_ELEMENT.items()
+            for what, unit in OF_ELEMENT.items()
         ],
         BASE: [*_OF_BASE.items()],
         WORKS: [(name, "J") for name in (*_works(module), "impact_loss")],
@@ -164,7 +164,7 @@ def elements(structure: Structure, contact: np.ndarray, y: np.ndarray) -> dict[s
     return {
         f"{name}_{what}": value
         for name, values in zip(names, found, strict=True)
-        for what, value in zip(_OF_ELEMENT, values, strict=False)
+        for what, value in zip(OF_ELEMENT, values, strict=False)
     }
 
 

@@ -10,17 +10,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from rockeom.arguments import is_number, near, told
-from rockeom.contract import REST
+from rockeom.contract import IMPACT, LANDING, REST
 from rockeom.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.mathematics import mathematics, of_compounds
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numeric.case import Case, ProblemTangents, ground_table, parted
 from rockeom.numeric.impact import EnergyRatio, VelocityRatio
 from rockeom.numeric.options import SolverOptions
+from rockeom.numeric.quantities import OF_ELEMENT
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.structures import DeclaredStructure, Structure
 from rockeom.numeric.tangents import Tangents, of_problem
-from rockeom.numeric.units import main_units, time_unit
+from rockeom.numeric.units import time_unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -98,7 +99,8 @@ def sensitivity(
     of : "peak theta", the largest size of it; "greatest theta" and "least theta"; "theta at 2.5",
         at a time [s]; "end theta"; "impact 3 time", and of the third impact (or "event 3", of
         `run.events`) "impact 3 theta_dot", before it, and "impact 3 theta_dot after"; "overturning
-        time" and "rest time". Instead of theta any state, energy or displacement.
+        time" and "rest time". Instead of theta any state, energy, displacement, or deformation,
+        force and energy of an element, such as "storey_1_force".
     to : numbers that the structure was given, by their names, "masses[0]" for an item of a list
         and "support.stiffness" for one of its support; those of the law of impact, such as "r";
         "restitution", the ratio e of the rates of rotation, of a law of one ratio; "initial theta"
@@ -133,7 +135,7 @@ def sensitivity(
         if name in _FACTORS:
             _along_ground(case, along, j, name)
     found = of_problem(seeded, problem, along, SolverOptions.of(options))
-    answers = [_answer(name, found, seeded.structure.vector, along) for name in wanted]
+    answers = [answer(name, found) for name in wanted]
     return Sensitivity(
         wanted,
         given,
@@ -192,18 +194,25 @@ def _knobs(case: Case) -> dict[str, _Knob]:
 
 def _of_structure(structure: Structure) -> dict[str, _Knob]:
     module = structure.module
-    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
+    signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
+    numbers = [x for x in _numbers(_made_of(structure)) if signs.get(x[0]) != "n"]  # whole ones
+    units = _units_of(structure, [path for _, path, _ in numbers])
     return {
-        name: _Knob(value, _unit_of_parameter(structure, path, units), _turned("structure", path))
-        for name, path, value in _numbers(_made_of(structure))
+        name: _Knob(value, unit, _turned("structure", path))
+        for (name, path, value), unit in zip(numbers, units, strict=True)
     }
 
 
-def _unit_of_parameter(structure: Structure, path: _Path, units: Mapping[str, str]) -> str:
-    """That of the parameter of the equations that is this number itself, if one is."""
-    seed = Dual(_at(_made_of(structure), path), [1.0])
-    equations = _remade(structure, path, seed).parameters()
-    return next((units[name] for name, x in equations.items() if x is seed), "")
+def _units_of(structure: Structure, paths: list[_Path]) -> list[str]:
+    """Of each number that of the parameter of the equations that it is; "" where none is."""
+    made, module = _made_of(structure), structure.module
+    seeds = [Dual(_at(made, path), [1.0]) for path in paths]
+    for path, seed in zip(paths, seeds, strict=True):
+        made[path[0]] = _put(made[path[0]], path[1:], seed)
+    equations = type(structure)(**made).parameters()
+    units = zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True)
+    known = {id(equations[name]): unit for name, unit in units}
+    return [known.get(id(seed), "") for seed in seeds]
 
 
 def _of_law(case: Case) -> dict[str, _Knob]:
@@ -322,12 +331,12 @@ def _turned(part: str, path: _Path) -> Turn:
 # -- what is asked for
 
 
-def _answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -> Dual:
-    """An answer with its derivatives; p : the parameters with theirs, duals."""
-    motion = _Moving(found, p, along)
-    for pattern, answer in _ANSWERS.items():
+def answer(name: str, found: Tangents) -> Dual:
+    """An answer with its derivatives; its name as of `sensitivity`, which says what is raised."""
+    motion = _Moving(found)
+    for pattern, asked in _ANSWERS.items():
         if match := re.fullmatch(pattern, name):
-            return answer(motion, *match.groups())
+            return asked(motion, *match.groups())
     if name in ("number of impacts", "number of events", "outcome"):
         raise ValueError(
             f"of: the {name} has no derivative: it stays or it jumps. The time of an impact has, "
@@ -339,14 +348,17 @@ def _answer(name: str, found: Tangents, p: np.ndarray, along: ProblemTangents) -
 class _Moving:
     """A motion with its derivatives, asked for quantities at places of it."""
 
-    def __init__(self, found: Tangents, p: np.ndarray, along: ProblemTangents) -> None:
-        self.found, self.run, self.p, self.along = found, found.response, p, along
+    def __init__(self, found: Tangents) -> None:
+        self.found, self.run, self.along = found, found.response, found.along
+        self.p = with_tangent(self.run.structure.vector, found.parameters)
         self.module = self.run.structure.module
         self.m = found.end.shape[-1]
 
     def of(self, name: str, contact: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""
-        return _dual(_quantity(self.module, name, contact, with_tangent(y, along), self.p), self.m)
+        return _dual(
+            quantity_of(self.module, name, contact, with_tangent(y, along), self.p), self.m
+        )
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
         _, kinds, states = self.run.passages
@@ -391,6 +403,13 @@ class _Moving:
         self.module.rates(int(contact[0]), y[0], run.structure.vector, *map(float, ground), rates)
         return rates
 
+    def rate(self, name: str, t: float) -> float:
+        """Rate of a quantity up to a time."""
+        y, contact = self.run.steps.at(np.array([t]), "left")
+        moving = with_tangent(y[0], self.rates(t)[:, None])
+        x = quantity_of(self.module, name, int(contact[0]), moving, self.run.structure.vector)
+        return float(_dual(x, 1).tangent[0])
+
     def corner(self, t: float, tolerance: float) -> Dual | None:
         """When there is a corner of the ground's motion that moves, within a tolerance."""
         for rows, along in zip(
@@ -403,42 +422,62 @@ class _Moving:
 
     def event(self, what: str, number: str) -> int:
         """Which of all passages the n-th impact is, or the n-th event."""
-        every = self.run.events
-        some = self.run.impacts if what == "impact" else every
+        kinds = self.run.passages[1][:, 0]
+        every = np.ones(len(kinds), dtype=bool)
+        some = np.flatnonzero(np.isin(kinds, (IMPACT, LANDING)) if what == "impact" else every)
         if not 1 <= int(number) <= len(some):
             raise ValueError(
                 f"of: there is no {what} {number}: the motion has {len(some)} {what}s, from 1 on"
             )
-        return next(k for k, event in enumerate(every) if event is some[int(number) - 1])
+        return int(some[int(number) - 1])
 
 
 def _dual(x: Any, m: int) -> Dual:
     return Dual(float(value_of(x)), tangent_of(x, m))
 
 
-def _quantity(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
-    _check_known(module, name)
-    if name in module.STATES:
-        return y[module.STATES.index(name)]
-    function = "kinematics" if name in module.KINEMATICS else "energies"
-    names = getattr(module, function.upper())
-    out = np.zeros(len(names), dtype=object)
+def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+    """A quantity of a state y (N,) of duals, with the parameters p, by the equations; a number.
+
+    name : of a state, a displacement, an energy, or of what an element does. Raises ValueError for
+    any other.
+    """
+    function, first, last = _told(module, name)
+    if not function:
+        return y[first]
+    out = np.zeros(_SIZES[function](module), dtype=object)
     getattr(of_compounds(module), function)(contact, y, p, out)
-    return sum(out) if name == "total_energy" else out[names.index(name)]
+    return sum(out[first:last])
 
 
-def _check_known(module: Any, name: str) -> None:
-    known = (*module.STATES, *module.KINEMATICS, *module.ENERGIES, "total_energy")
+_SIZES: dict[str, Callable[[Any], int]] = {
+    "kinematics": lambda m: len(m.KINEMATICS),
+    "energies": lambda m: len(m.ENERGIES),
+    "elements": lambda m: 4 * len(m.ELEMENT_NAMES),
+}
+
+
+def _told(module: Any, name: str) -> tuple[str, int, int]:
+    """The function of the module that tells a quantity, "" of a state, and from where to where."""
+    known = {state: ("", i, i + 1) for i, state in enumerate(module.STATES)}
+    for function in ("kinematics", "energies"):
+        for i, quantity in enumerate(getattr(module, function.upper())):
+            known[quantity] = function, i, i + 1
+    known["total_energy"] = "energies", 0, len(module.ENERGIES)
+    for i, element in enumerate(module.ELEMENT_NAMES):
+        for k, part in enumerate(OF_ELEMENT, 4 * i):
+            known[f"{element}_{part}"] = "elements", k, k + 1
     if name not in known:
         raise ValueError(
             f"of: derivatives are told of {', '.join(known)}: {name!r} is none of them"
             f"{near(name, known)}"
         )
+    return known[name]
 
 
 def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     """An extreme, which moves with its event, or the ground's corner, or stands still in time."""
-    _check_known(motion.module, name)
+    _told(motion.module, name)  # before steps are searched
     of = motion.run.extremes(name)
     sided = which == "greatest" or (which == "peak" and of.maximum >= -of.minimum)
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
@@ -452,8 +491,17 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     elif (corner := motion.corner(t, tolerance)) is not None:
         found = motion.at_corner(name, corner)
     else:
-        found = motion.at_time(name, t)
+        found = motion.at_time(name, _where_it_turns(motion, name, t, tolerance))
     return -found if which == "peak" and value < 0.0 else found
+
+
+def _where_it_turns(motion: _Moving, name: str, t: float, tolerance: float) -> float:
+    """The time of an extreme, which its value tells to half of the digits, by that of its rate."""
+    rate, h = motion.rate(name, t), 1e3 * tolerance
+    within = h < t < motion.last - h
+    bend = (motion.rate(name, t + h) - motion.rate(name, t - h)) / (2.0 * h) if within else 0.0
+    moved = -rate / bend if bend else 0.0
+    return t + moved if abs(moved) <= tolerance else t
 
 
 def _at_time(motion: _Moving, name: str, time: str) -> Dual:
@@ -504,7 +552,7 @@ _EXAMPLES = (
 
 
 def _unit_of(name: str, run: Response) -> str:
-    units = main_units(run.structure.module)
+    units = run.units
     if re.search(r"\btime$", name):
         return time_unit(run.structure.module)
     return next((units[word] for word in name.split() if word in units), "")

@@ -25,6 +25,7 @@ import numpy as np
 from rockeom import hooks
 from rockeom.arguments import near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
+from rockeom.dual import directions, value_of
 from rockeom.mathematics import for_arrays, isfinite, mathematics
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.contact_states import (
@@ -196,9 +197,10 @@ class Structure:
 
         Raises ValueError for a state that fits no contact state, or not the phase named.
         """
-        m = self.module
+        m, y = self.module, value_of(y)  # which contact state it is has no derivative
         if has_points(m):
-            return contact_of(m, self.model, y, self.vector) if phase is None else named(m, phase)
+            p = value_of(self.vector)
+            return contact_of(m, self.model, y, p) if phase is None else named(m, phase)
         values = y.tolist()
         rotation, rate = values[m.ROTATION], values[m.ROTATION_RATE]
         if phase is not None:
@@ -277,11 +279,12 @@ class Structure:
 
         None is below zero inside the contact state, and none below -1 within rounding of it.
         """
-        m = self.module_for(y, self.vector)
+        p = value_of(self.vector)
+        m = self.module_for(y, p)
 
         def guards(state: np.ndarray) -> np.ndarray:
-            g = np.zeros(m.N_GUARDS + m.N_PARTS, np.result_type(y, self.vector))
-            m.guards(contact, state, self.vector, 0.0, 0.0, g)
+            g = np.zeros(m.N_GUARDS + m.N_PARTS, np.result_type(y, p))
+            m.guards(contact, state, p, 0.0, 0.0, g)
             return g[: m.GUARDS[contact]]
 
         here = guards(y)
@@ -1615,6 +1618,8 @@ class DeclaredStructure(Structure):
         signed = frozenset(name for name, sign in signs.items() if sign == "+-")
         check_values(self.model, values, frozenset(known), signed)
         for name in (name for name, sign in signs.items() if sign == "n"):
+            if directions(values[name]):
+                raise TypeError(f"{self.model}: {name} is a dual: whole numbers have no derivative")
             if not (values[name] >= 1 and values[name] % 1 == 0):
                 raise ValueError(
                     f"{self.model}: {name} is {values[name]:g}: give a whole number of at least 1"

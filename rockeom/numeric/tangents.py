@@ -61,9 +61,14 @@ class Tangents:
     _motion: _Motion
 
     @property
+    def along(self) -> ProblemTangents:
+        """Of the numbers from which the motion follows."""
+        return self._motion.along
+
+    @property
     def parameters(self) -> np.ndarray:
         """(P, m) of the parameters as equations take them, with the constants that follow."""
-        return self._motion.along.p[: len(self.response.structure.vector)]
+        return self.along.p[: len(self.response.structure.vector)]
 
     def at(self, times: ArrayLike) -> np.ndarray:
         """(n, N, m) derivatives of the states at fixed times (n,) [s], behind an event at one.

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from rockeom.analysis.fragility import Fragility, fragility_of
+from rockeom.analysis.overturning import impacts_before_overturning
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.plots import style
 
@@ -37,7 +42,14 @@ _CLASSES = (
 
 
 @style.styled
-def overturning_map(sweep: xr.Dataset, *, x: str, y: str, ax: Axes | None = None) -> Figure:
+def overturning_map(
+    sweep: xr.Dataset,
+    *,
+    x: str,
+    y: str,
+    boundaries: xr.Dataset | None = None,
+    ax: Axes | None = None,
+) -> Figure:
     """Which cases overturn, and after how many impacts, over two names of a sweep.
 
         overturning_map(sweep, x="frequency", y="amplitude")
@@ -45,13 +57,16 @@ def overturning_map(sweep: xr.Dataset, *, x: str, y: str, ax: Axes | None = None
     x, y : names of the sweep's dimensions; or two coordinates of the cases of a table, which are
         then drawn as dots. A name's attributes `long_name` and `units` label its axis:
         sweep["frequency"].attrs["units"] = "Hz".
+    boundaries : of `analysis.overturning_boundaries`, drawn as lines: where they cross the sides of
+        the sweep's cells they were found, and in a cell they are straight.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
     Each class is darker than the one before, without colours, too. Overturning without an impact
     and after some are the two modes of Zhang and Makris (2001), Journal of Engineering Mechanics
     127(5), 473-483. Cases that were not run or gave no answer are grey and crossed out.
 
-    Raises ValueError for names that the sweep does not have, and where it varies others as well.
+    Raises ValueError for names that the sweep or the boundaries do not have, where the sweep varies
+    others as well, and for boundaries of a sweep that is no grid of numbers.
     """
     kinds = _only("overturning_map", _classes(sweep), sweep, x, y)
     if ax is None:
@@ -64,11 +79,13 @@ def overturning_map(sweep: xr.Dataset, *, x: str, y: str, ax: Axes | None = None
     else:
         _cells(ax, kinds.transpose(y, x).sortby(_sortable(sweep, x, y)), x, y)
     present = [_CLASSES[kind] for kind in np.unique(kinds.values)]
-    handles = [
+    handles: list[Artist] = [
         Patch(facecolor=colour, edgecolor="0.3", lw=0.6, label=label,
               hatch="xxx" if label == _CLASSES[_NO_ANSWER][0] else None)
         for label, colour in present
     ]  # fmt: skip
+    if boundaries is not None:
+        handles.append(_draw_boundaries(ax, boundaries, sweep, x, y))
     ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     _entitle(ax, sweep, kinds.size)
     return style.parent_figure(ax)
@@ -76,11 +93,10 @@ def overturning_map(sweep: xr.Dataset, *, x: str, y: str, ax: Axes | None = None
 
 def _classes(sweep: xr.Dataset) -> xr.DataArray:
     """Which of _CLASSES each case is."""
-    labels = outcome_labels(sweep)
-    impacts = sweep["impacts"]
-    fell, stands = labels == FALLS, labels.isin(STANDS)
-    found = xr.where(fell, 5 - np.minimum(impacts, 3), xr.where(impacts > 0, 1, 0))
-    return xr.where(fell | stands, found, _NO_ANSWER).astype(int)
+    before = impacts_before_overturning(sweep, most=3)
+    stands = xr.where(sweep["impacts"] > 0, 1, 0)
+    found = xr.where(np.isinf(before), stands, 5 - before)
+    return found.fillna(_NO_ANSWER).astype(int)
 
 
 def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
@@ -95,6 +111,63 @@ def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
     ax.grid(visible=False)
     ax.set_xlim(edges[0][0], edges[0][-1])
     ax.set_ylim(edges[1][0], edges[1][-1])
+
+
+def _draw_boundaries(ax: Axes, boundaries: xr.Dataset, sweep: xr.Dataset, x: str, y: str) -> Line2D:
+    """Lines through the cells of a grid, dots where none leads on; returns what stands for them."""
+    for name in (x, y):
+        if name not in boundaries.coords or sweep[name].dims != (name,):
+            raise ValueError(
+                f"overturning_map: the boundaries of a grid over {x!r} and {y!r} are wanted; give "
+                "those of this sweep"
+            )
+    points = np.stack([boundaries[name].values for name in (x, y)], axis=1)
+    lines, alone = _joined(points, boundaries, sweep, (x, y))
+    look: dict[str, Any] = {"color": style.INK, "lw": 0.8}
+    ax.add_collection(LineCollection([points[list(pair)] for pair in lines], **look), autolim=False)
+    ax.plot(*points[alone].T, ".", color=style.INK, ms=1.5, mew=0)
+    return Line2D([], [], label="boundary", **look)
+
+
+def _joined(
+    points: np.ndarray, boundaries: xr.Dataset, sweep: xr.Dataset, names: tuple[str, str]
+) -> tuple[list[tuple[int, int]], list[int]]:
+    """Pairs of points that a line joins, and the points that none does.
+
+    Two on different sides of a cell are joined if the same fates meet in both, the closest first.
+    """
+    edges = [np.sort(sweep[name].values) for name in names]
+    fates = np.sort([boundaries["below"].values, boundaries["above"].values], axis=0).T
+    cells: dict[tuple[int, ...], list[tuple[int, tuple[int, int]]]] = {}
+    for i, along in enumerate(boundaries["along"].values):
+        axis = names.index(along)
+        place = [int((e <= v).sum()) - 1 for e, v in zip(edges, points[i], strict=True)]
+        for back in (0, 1):
+            cell = place.copy()
+            cell[1 - axis] -= back
+            cells.setdefault((*cell, *fates[i]), []).append((i, (axis, back)))
+    spans = np.array([edge[-1] - edge[0] for edge in edges])
+    pairs: list[tuple[int, int]] = []
+    for there in cells.values():
+        pairs += _closest(points / spans, there)
+    joined = {i for pair in pairs for i in pair}
+    return pairs, [i for i in range(len(points)) if i not in joined]
+
+
+def _closest(points: np.ndarray, there: list[tuple[int, tuple[int, int]]]) -> list[tuple[int, int]]:
+    """Each point of a cell with one on another side, the closest first."""
+    choices = sorted(
+        (float(np.hypot(*(points[i] - points[j]))), i, j)
+        for (i, side), (j, other) in combinations(there, 2)
+        if side != other
+    )
+    taken: set[int] = set()
+    found = []
+    for _, i, j in choices:
+        if not taken & {i, j}:
+            found.append((i, j))
+            taken |= {i, j}
+    return found
 
 
 def _rgb(colour: str) -> list[float]:
@@ -121,6 +194,7 @@ def rocking_spectrum(
     alpha: float | str,
     by: str | None = None,
     state: str = "theta",
+    fractiles: Sequence[float] = (),
     ax: Axes | None = None,
 ) -> Figure:
     """Peak rotation over the slenderness against a name of a sweep, a line for each value of `by`.
@@ -132,6 +206,9 @@ def rocking_spectrum(
     by : another name of the sweep, if it varies one. Many lines have a scale of colours; many of
         words, such as records, are thin and grey.
     state : the rotation.
+    fractiles : parts of the lines, such as (0.16, 0.5, 0.84): thick lines that so many of the
+        others do not exceed at each x, overturning being more than any rotation. They have gaps
+        where so many overturn.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
     Cases that overturn have no peak: they are triangles in the band above, a row for each line.
@@ -159,6 +236,9 @@ def rocking_spectrum(
     for line, lost, row, look in zip(lines.T, down.T, rows, looks, strict=True):
         ax.plot(at, line, **look)
         ax.plot(at[lost], np.full(lost.sum(), row), "^", color=look["color"], ms=3.5, mew=0)
+    for part, dashes in zip(fractiles, _STYLES, strict=False):
+        ax.plot(at, _not_exceeded(lines, down, part), ls=dashes, color=style.LINES[1], lw=1.8,
+                zorder=5, label=f"{100 * part:.0f} % of them")  # fmt: skip
     if down.any():
         ax.axhspan(top, 1.2 * top, facecolor="0.95", lw=0, zorder=0)
         ax.plot([], [], "^", color=style.INK, ms=3.5, mew=0, label="overturned")
@@ -172,6 +252,15 @@ def rocking_spectrum(
         ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     _entitle(ax, sweep, lines.size)
     return style.parent_figure(ax)
+
+
+def _not_exceeded(lines: np.ndarray, down: np.ndarray, part: float) -> np.ndarray:
+    """(n,) the least of lines (n, m) that this part of them does not exceed; nan where it fell."""
+    order = np.sort(np.where(down, np.inf, lines), axis=1)  # those without an answer come last
+    number = np.isfinite(order).sum(axis=1) + down.sum(axis=1)
+    place = np.maximum(np.ceil(part * number - 1e-9).astype(int) - 1, 0)
+    found = order[np.arange(len(order)), place]
+    return np.where(np.isfinite(found), found, np.nan)
 
 
 def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str, Any]]:

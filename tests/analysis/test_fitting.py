@@ -114,6 +114,58 @@ def test_a_structure_and_its_law_from_peaks_and_crossings():
     assert 0.01 < stats.chi2.cdf(sum(misfits), 4 * len(misfits)) < 0.99
 
 
+def slender_swings(r, theta, alpha, p=3.0, n=5):
+    """Peaks, their times and crossings of a slender block that was let go, by its energy."""
+    part = 1.0 - np.sqrt(1.0 - r ** np.arange(n) * (1.0 - (1.0 - theta / alpha) ** 2))
+    quarter = np.arccosh(1.0 / (1.0 - part)) / p
+    peak_time = 2.0 * np.cumsum(quarter) - quarter - quarter[0]
+    return np.concatenate([alpha * part * (-1.0) ** np.arange(n), peak_time, peak_time + quarter])
+
+
+def test_the_covariance_is_that_of_the_exact_derivatives_of_a_slender_block():
+    """Those of the closed form are its imaginary parts beside a complex step."""
+
+    def case(r, theta, alpha):
+        block = rk.SlenderBlock(alpha=alpha, radius=0.75 * 9.81 / 3.0**2)
+        return rk.Case(block, rk.GroundMotion.none(4.0), rk.EnergyRatio(r), {"theta": theta})
+
+    true = {"r": 0.8, "theta": 0.15, "alpha": 0.2}
+    peaks, peak_times, crossings = slender_swings(**true).reshape(3, -1)
+    found = analysis.fit_free_vibration(
+        case, {"r": 0.7, "theta": 0.14, "alpha": 0.21}, peaks=peaks, peak_times=peak_times,
+        crossing_times=crossings, quantity="theta", uncertainty=1e-3, time_uncertainty=2e-3,
+        exact=True,
+    )  # fmt: skip
+    assert found.exact
+    assert found.values == pytest.approx(true, rel=1e-8)
+    slopes = np.column_stack(
+        [slender_swings(**{**true, name: x + 1e-30j}).imag / 1e-30 for name, x in true.items()]
+    )
+    slopes /= np.repeat([1e-3, 2e-3, 2e-3], 5)[:, None]
+    assert found.covariance == pytest.approx(np.linalg.inv(slopes.T @ slopes), rel=2e-6)
+
+
+def test_a_fit_without_exact_derivatives_finds_the_same():
+    def in_floats(r, theta):
+        return let_go(float(r), theta)
+
+    crossings = [0.25, 0.63, 0.95, 1.23]
+    start = {"r": 0.8, "theta": 0.12}
+    exact = analysis.fit_free_vibration(let_go, start, crossing_times=crossings)
+    other = analysis.fit_free_vibration(in_floats, start, crossing_times=crossings)
+    assert exact.exact
+    assert not other.exact
+    assert other.values == pytest.approx(exact.values, rel=1e-6)
+    assert other.covariance == pytest.approx(exact.covariance, rel=1e-4)
+    with pytest.raises(TypeError, match="asked for as a float"):
+        analysis.fit_free_vibration(in_floats, start, crossing_times=crossings, exact=True)
+    with pytest.raises(ValueError, match=r"return \(4, 2\), a row for each value"):
+        analysis.fit(
+            lambda k, c: k * np.arange(4.0) + c, crossings, {"k": 1.0, "c": 0.0},
+            derivatives=lambda k, c: np.arange(4.0),
+        )  # fmt: skip
+
+
 def test_a_noisy_record_at_200_hz():
     """Its crossings tell r; of 20 such records 19 intervals of 95 % hold it, of these all five."""
     run = rk.simulate(BLOCK, STILL, impact=rk.EnergyRatio(0.83), initial={"theta": 0.13})

@@ -142,34 +142,6 @@ def test_each_impact_shrinks_areas_by_the_square_of_the_velocity_ratio():
         assert np.prod(orbit.multipliers).real == pytest.approx(E_HOGAN**4, rel=1e-6)
 
 
-def test_cascade_of_figure_2_12():
-    """Each doubling is where a simulation begins to need twice the periods to repeat itself.
-
-    They pile up at 3.2318, a number found without any multiplier, from long runs. Here it follows
-    from the last two doublings and Feigenbaum's constant.
-    """
-    brackets = {1: (3.0, 3.15), 2: (3.12, 3.21), 4: (3.21, 3.23), 8: (3.2285, 3.2313)}
-    doublings = [
-        analysis.bifurcation_value(hogan, between, settled(between[0])[-1], cycles)
-        for cycles, between in brackets.items()
-    ]
-    assert doublings == sorted(doublings)
-    for beta, cycles in (
-        (doublings[0] - 0.02, 1),
-        (doublings[0] + 0.02, 2),
-        (doublings[1] - 0.005, 2),
-        (doublings[1] + 0.005, 4),
-        (doublings[2] - 0.002, 4),
-        (doublings[2] + 0.001, 8),
-    ):
-        late = settled(beta)[-17:]
-        repeats = [k for k in (1, 2, 4, 8) if np.abs(late[k:] - late[:-k]).max() < 1e-5]
-        assert repeats[0] == cycles
-    gaps = np.diff(doublings)
-    assert gaps[:-1] / gaps[1:] == pytest.approx(4.669, rel=0.15)
-    assert doublings[-1] + gaps[-1] / (4.669 - 1) == pytest.approx(3.2318, abs=1e-4)
-
-
 # --- vibrations without jumps
 
 

@@ -120,28 +120,30 @@ def phases(name):
 
 
 class Sample:
-    """N random states of one contact state with as many random structures and accelerations."""
+    """n random states of one contact state with as many random structures and accelerations."""
 
-    def __init__(self, name, contact):
-        self.name, self.contact, self.model = name, contact, model(name)
+    def __init__(self, name, contact, n=N):
+        self.name, self.contact, self.model, self.n = name, contact, model(name), n
         self.phase = self.model.mechanism(contact)
         self.side = self.phase.side_of(contact)
         rng = np.random.default_rng(zlib.crc32(f"{name} {contact}".encode()))
         self.parameters = {
-            k: value * rng.uniform(0.8, 1.25, N) for k, value in TYPICAL[name].items()
+            k: value * rng.uniform(0.8, 1.25, self.n) for k, value in TYPICAL[name].items()
         }
         half = len(self.model.states) // 2
-        self.y = np.concatenate([rng.uniform(-0.6, 0.6, (half, N)), rng.uniform(-2, 2, (half, N))])
+        self.y = np.concatenate(
+            [rng.uniform(-0.6, 0.6, (half, self.n)), rng.uniform(-2, 2, (half, self.n))]
+        )
         if self.side:  # on its own side
             row = self.model.states.index(self.model.rotation.name)
             self.y[row] = self.side * np.abs(self.y[row])
         held = set(range(half)) - {self.model.coordinates.index(c) for c in self.phase.coordinates}
         for row in held:
             self.y[row] = self.y[half + row] = 0.0
-        self.ax, self.ay, self.load = rng.uniform(-10, 10, (3, N))
+        self.ax, self.ay, self.load = rng.uniform(-10, 10, (3, self.n))
 
     def values(self, *expressions, accelerations=()):
-        """(k, N): expressions of the model at the sample."""
+        """(k, n): expressions of the model at the sample."""
         m, half = self.model, len(self.model.coordinates)
         known = Exact(m, self.contact, {p.symbol: self.parameters[p.name] for p in m.parameters})
         for i, c in enumerate(m.coordinates):
@@ -149,10 +151,10 @@ class Sample:
         known |= {SIDE: self.side, GROUND_X: self.ax, GROUND_Y: self.ay, LOAD: self.load}
         free = [c.acceleration for c in self.phase.coordinates]
         known |= dict(zip(free, accelerations, strict=False))
-        return np.array([np.broadcast_to(known[sp.sympify(e)], (N,)) for e in expressions])
+        return np.array([np.broadcast_to(known[sp.sympify(e)], (self.n,)) for e in expressions])
 
     def sizes(self, *expressions, accelerations=()):
-        """(k, N): the sums of the absolute values of the expressions' terms, laws a number each."""
+        """(k, n): the sums of the absolute values of the expressions' terms, laws a number each."""
         parts = [terms(e) for e in expressions]
         found = np.abs(
             self.values(*(t for part in parts for t in part), accelerations=accelerations)
@@ -165,12 +167,12 @@ class Sample:
         return self.sizes(*(self.model.in_contact(e, self.contact) for e in expressions))
 
     def solution_size(self):
-        """(d, N): the scale of rounding errors of q'' = M^-1 f."""
+        """(d, n): the scale of rounding errors of q'' = M^-1 f."""
         equations = self.model.equations(self.contact)
         d = len(self.phase.coordinates)
-        mass = self.values(*equations.mass_matrix).reshape(d, d, N)
-        mass_size = self.sizes(*equations.mass_matrix).reshape(d, d, N)
-        right_size = self.sizes(*equations.forcing).reshape(d, N)
+        mass = self.values(*equations.mass_matrix).reshape(d, d, self.n)
+        mass_size = self.sizes(*equations.mass_matrix).reshape(d, d, self.n)
+        right_size = self.sizes(*equations.forcing).reshape(d, self.n)
         found = phases(self.name)[self.contact].accelerations(
             self.y, self.parameters, self.ax, self.ay
         )
@@ -180,17 +182,17 @@ class Sample:
 
     @functools.cached_property
     def prepared(self):
-        """(N, m): parameters with their constants, as generated functions take them."""
+        """(n, m): parameters with their constants, as generated functions take them."""
         p = np.array([self.parameters[k] for k in module(self.name).PARAMETERS])
         return [module(self.name).prepare(np.ascontiguousarray(row)) for row in p.T]
 
     def generated(self, function, length, *arguments):
-        """(length, N): a function of the generated module at each state."""
+        """(length, n): a function of the generated module at each state."""
         number = module(self.name).CONTACTS.index(self.contact)
-        out = np.empty((N, length))
+        out = np.empty((self.n, length))
         compiled = getattr(module(self.name), function)
         states, structures = np.ascontiguousarray(self.y.T), self.prepared
-        for i in range(N):
+        for i in range(self.n):
             compiled(number, states[i], structures[i], *(a[i] for a in arguments), out[i])
         return out.T
 

@@ -60,8 +60,7 @@ def assert_structure_carried(name, start):
         return Case(structure, motion, initial={n: numbers[n] for n in start}).problem()
 
     assert_carried(of, given | start, rtol=1e-5)
-    duals = rk.duals(**given)
-    assert nominal(SHIPPED[name](**fixed, **duals)) == SHIPPED[name](**fixed, **given)
+    assert nominal(SHIPPED[name](**fixed, **rk.duals(**given))) == SHIPPED[name](**fixed, **given)
 
 
 def signs(name):
@@ -224,6 +223,11 @@ X = rk.Dual(0.1, [1.0, 0.0])
         (lambda: rk.Dual("a", [1.0]), TypeError, "value is 'a'"),
         (lambda: rk.Dual(X, [1.0]), TypeError, "give a plain number"),
         (lambda: rk.duals(mass="heavy"), TypeError, "value is 'heavy'"),
+        (
+            lambda: SHIPPED["rocking_frame"](**(plain("rocking_frame") | {"columns": X})),
+            TypeError,
+            "columns is a dual",
+        ),
         (lambda: rk.Winkler(stiffness=1.0, damping=0.0, springs=X), ValueError, "springs is 0.1"),
         (
             lambda: rk.simulate(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": X}),

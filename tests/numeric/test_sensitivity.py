@@ -173,8 +173,8 @@ def test_numbers_of_laws_and_lists():
     )
     found = rk.sensitivity(block, ["impact 2 time", "impact 3 time"], ["left", "right"])
     # the left foot lands first, the right one second
-    assert found.derivatives[0, 0] > 0.0 and found.derivatives[0, 1] == 0.0
-    assert found.derivatives[1, 1] > 0.0
+    assert found.derivatives[0, 1] == 0.0
+    assert min(found.derivatives[0, 0], *found.derivatives[1]) > 0.0
 
 
 def test_restitution_is_the_ratio_of_the_rates_whatever_the_law_is_given():

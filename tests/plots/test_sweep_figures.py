@@ -112,6 +112,45 @@ def test_map_of_more_names_asks_which_value():
         overturning_map(MAP, x="period", y="amplitude")
 
 
+def crossings(f, inside, names=("frequency", "amplitude")) -> xr.Dataset:
+    """Where a grid's lines cross a circle about the middle of [0, 10] x [0, 10], as boundaries."""
+    found = []
+    for axis, name in enumerate(names):
+        for line in f:
+            reach = 3.3**2 - (line - 5) ** 2
+            for sign in (-1, 1) if reach > 0 else ():
+                at = [line, line]
+                at[axis] = 5 + sign * np.sqrt(reach)
+                found.append((*at, name, *((np.inf, inside) if sign < 0 else (inside, np.inf))))
+    x, y, along, below, above = zip(*found, strict=True)
+    columns = {"along": along, "below": below, "above": above}
+    return xr.Dataset(
+        {name: ("boundary", np.array(column)) for name, column in columns.items()},
+        coords={names[0]: ("boundary", np.array(x)), names[1]: ("boundary", np.array(y))},
+    )
+
+
+def test_boundaries_that_enclose_a_region_are_drawn_as_a_closed_line():
+    lines = np.linspace(0.0, 10.0, 12)
+    size = (len(lines),) * 2
+    sweep = map_of(np.full(size, STANDS), np.zeros(size, int), frequency=lines, amplitude=lines)
+    found = crossings(lines, 1.0)
+    figure = drawn(overturning_map(sweep, x="frequency", y="amplitude", boundaries=found))
+    (drawn_lines,) = (
+        c for c in figure.axes[0].collections if isinstance(c, mpl.collections.LineCollection)
+    )
+    segments = np.array(drawn_lines.get_segments())
+    np.testing.assert_allclose(np.hypot(*(segments - 5).T), 3.3)
+    ends, times = np.unique(segments.reshape(-1, 2).round(9), axis=0, return_counts=True)
+    assert len(ends) == found.sizes["boundary"]
+    assert (times == 2).all()
+    assert np.hypot(*np.diff(segments, axis=1)[:, 0].T).max() < np.hypot(10 / 11, 10 / 11)
+    with pytest.raises(ValueError, match="boundaries of a grid over 'amplitude' and 'frequency'"):
+        overturning_map(
+            sweep, x="amplitude", y="frequency", boundaries=found.drop_vars("amplitude")
+        )
+
+
 # --- rocking spectrum
 
 
@@ -156,6 +195,20 @@ def test_one_line_and_many_and_many_of_words():
     words = many.rename(alpha="record").assign_coords(record=list("abcdefghi"))
     (ax,) = drawn(rocking_spectrum(words, x="p", by="record", alpha=0.2)).axes
     assert [t.get_text() for t in ax.get_legend().get_texts()] == ["each record", "overturned"]
+
+
+def test_fractiles_of_a_spectrum_count_who_overturned_as_more_than_any_rotation():
+    """Of 0.01 to 0.10 at one period, and there the last three overturn; 80 % of them is a gap."""
+    parts = (0.5, 0.7, 0.8)
+    peaks = np.arange(1, 11) / 100
+    labels = [[STANDS] * 7 + [FELL] * 3, [STANDS] * 10, [STANDS] * 10]
+    sweep = spectrum_of(np.arange(10) / 100 + 0.1, [peaks] * 3, labels)
+    figure = drawn(rocking_spectrum(sweep, x="p", by="alpha", alpha=0.1, fractiles=parts))
+    lines = {line.get_label(): line.get_ydata() for line in figure.axes[0].lines}
+    for part, expected in zip(parts, (0.5, 0.7, np.nan), strict=True):
+        found = dict(zip([1.0, 2.0, 3.0], lines[f"{100 * part:.0f} % of them"], strict=True))
+        assert found[2.0] == pytest.approx(expected, nan_ok=True)
+        assert found[1.0] == found[3.0] == pytest.approx(10 * part / 10)
 
 
 # --- fragility and incremental dynamic analysis

@@ -45,6 +45,12 @@ def test_pulses_of_figures_2_13_and_2_14():
     ratios = (3.8, 3.82, 4.26, 4.28)
     fell = [chapter_2_blocks.pulsed(x, 0.3, 2.0, None).outcome.label for x in ratios]
     assert [one == "overturned" for one in fell] == [False, False, False, True]
+    changes = chapter_2_blocks.changes_of_fate(
+        "slenderness", 3.5, 5.0, 151, amplitude=0.3, period=2.0, ratio=None
+    )
+    for value in (changes.slenderness.values * (1 + 2e-9 * side) for side in (-1, 1)):
+        fell = chapter_2_blocks.pulsed(float(value[0]), 0.3, 2.0, None).outcome.label
+        assert (fell == "overturned") == (value[0] > changes.high.values[0])
 
 
 def test_table_4_2_as_figures_4_57_and_4_58_read_it():

@@ -12,11 +12,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis import energy_ratio_of_block
+from rockeom.analysis import energy_ratio_of_block, overturning_boundaries
 from rockeom.analysis.branches import (
     FLIPS,
     Cascade,
@@ -391,9 +392,9 @@ def figure_2_12() -> Drawn:
 # --- 2.5 pulses
 
 
-def draw_rotations(runs: list[tuple[str, rk.Response]], reach: float, until: float) -> Figure:
-    figure = style.new_figure(7.2, 3.6)
-    ax = figure.add_subplot()
+def draw_rotations(
+    ax: Axes, runs: list[tuple[str, rk.Response]], reach: float, until: float
+) -> None:
     for (label, run), color in zip(runs, style.LINES, strict=False):
         ratio = run["theta"] / run.structure.alpha  # type: ignore[attr-defined]
         fell = run.outcome.label == "overturned"
@@ -404,15 +405,68 @@ def draw_rotations(runs: list[tuple[str, rk.Response]], reach: float, until: flo
     ax.set_xlabel("time [s]")
     ax.set_ylabel(r"rotation $\theta/\alpha$ [-]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return figure
+
+
+def sine_on_block(
+    slenderness: float, amplitude: float, period: float, ratio: float | None
+) -> rk.Case:
+    """A block 2 m wide under one sine, its amplitude in g; r by 2-6 if none is given."""
+    block = rk.RigidBlock(half_width=1.0, half_height=slenderness)
+    pulse = rk.GroundMotion.single_sine(amplitude * STANDARD_GRAVITY, period, duration=20.0)
+    return rk.Case(block, pulse, impact=None if ratio is None else rk.EnergyRatio(ratio))
 
 
 @cache
 def pulsed(slenderness: float, peak: float, period: float, ratio: float | None) -> rk.Response:
-    """A block 2 m wide under one sine, the peak in g; r by 2-6 if none is given."""
-    block = rk.RigidBlock(half_width=1.0, half_height=slenderness)
-    pulse = rk.GroundMotion.single_sine(peak * STANDARD_GRAVITY, period, duration=20.0)
-    return rk.simulate(block, pulse, impact=None if ratio is None else rk.EnergyRatio(ratio))
+    """The motion of `sine_on_block`."""
+    case = sine_on_block(slenderness, peak, period, ratio)
+    return rk.simulate(case.structure, case.motion, impact=case.impact)
+
+
+def fate(impacts: float) -> str:
+    """What a number of impacts before overturning says, inf standing for none."""
+    if math.isinf(impacts):
+        return "stands"
+    return {0.0: "overturns", 1.0: "overturns after an impact"}.get(
+        impacts, f"overturns after {impacts:.0f} impacts"
+    )
+
+
+@cache
+def changes_of_fate(
+    name: str, first: float, last: float, cases: int, **of_all: float | None
+) -> xr.Dataset:
+    """Where the fate of `sine_on_block` changes along one of its arguments, to 1e-9 of it."""
+
+    def case(**one: float) -> rk.Case:
+        return sine_on_block(**one, **of_all)  # type: ignore[arg-type]
+
+    sweep = rk.simulate_many(case, {name: np.linspace(first, last, cases)}, arrays=True)
+    return overturning_boundaries(case, sweep, accuracy=1e-9, arrays=True)
+
+
+def draw_fates(ax: Axes, found: xr.Dataset, name: str, first: float, last: float) -> None:
+    """A bar along `name`, in which the changes of fate are told to six digits."""
+    at = found[name].values
+    fates = [*found["below"].values, found["above"].values[-1]]
+    edges = [first, *at, last]
+    for kind, low, high in zip(fates, edges[:-1], edges[1:], strict=True):
+        ax.axvspan(low, high, color="white" if math.isinf(kind) else FATES[int(kind)], lw=0)
+        if high - low > 0.1 * (last - first):
+            ax.text((low + high) / 2, 0.5, fate(kind), ha="center", va="center", fontsize=8)
+    for i, value in enumerate(at):
+        aside = i + 1 < len(at) and at[i + 1] - value < 0.1 * (last - first)
+        ax.annotate(
+            f"{value:.6f}", (value, 1.0), (-2 if aside else 2, 2), textcoords="offset points",
+            ha="right" if aside else "left", fontsize=8,
+        )  # fmt: skip
+        ax.axvline(value, color=style.INK, lw=0.8)
+    ax.set(xlim=(first, last), ylim=(0, 1), yticks=[])
+    ax.grid(visible=False)
+
+
+FATES = ("#c98a72", "#f2cdbb")
+"""Colours of overturning without an impact, and after one."""
 
 
 @thesis_figure(Source.COMPUTED)
@@ -421,21 +475,34 @@ def figure_2_13() -> Drawn:
 
     T = 2.192 s and r = 0.954, the ratio of energies of 2-6. The block "1 m wide and 8 m high" has
     these as its half-width and half-height: with half of them 0.172 g does not overturn it. The
-    other peaks of the thesis are not stated; here they are 0.14, 0.3 and 0.5 g.
+    other peaks of the thesis are not stated; here they are 0.14, 0.3 and 0.5 g. Below stands at
+    which peaks the fate changes, as it was found between 5001 pulses from 0.1 to 0.6 g.
     """
     peaks = (0.14, 0.172, 0.3, 0.454, 0.5)
     runs = {peak: pulsed(8.0, peak, 2.192, 0.954) for peak in peaks}
-    figure = draw_rotations([(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
+    figure = style.new_figure(7.2, 4.4)
+    above, below = figure.subplots(2, height_ratios=(5, 1))
+    draw_rotations(above, [(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
+    changes = changes_of_fate(
+        "amplitude", 0.1, 0.6, 5001, slenderness=8.0, period=2.192, ratio=0.954
+    )
+    draw_fates(below, changes, "amplitude", 0.1, 0.6)
+    below.set_xlabel("peak of the pulse [g]")
     weak, strong = runs[0.172], runs[0.454]
     reached = abs(strong.extremes("theta").peak) / strong.structure.alpha  # type: ignore[attr-defined]
+    at = changes["amplitude"].values
+    fates = [f"{fate(f)} from {a:.6f} g" for a, f in zip(at, changes["above"].values, strict=True)]
     return Drawn(
         figure,
         (
-            Statement("2.5.1", "a pulse of 0.172 g overturns it", weak.outcome.label,
+            Statement("2.5.1", "a pulse of 0.172 g overturns it",
+                      f"{weak.outcome.label}; pulses do from {at[0]:.6f} g on",
                       weak.outcome.label == "overturned"),
             Statement("2.5.1", "one of 0.454 g does not",
                       f"{strong.outcome.label}, at most {reached:.2f} alpha",
                       strong.outcome.label != "overturned"),
+            Statement("2.5.1", "a stronger pulse may be the safer one",
+                      "; ".join(fates), bool(np.isinf(changes["above"]).any())),
         ),
     )  # fmt: skip
 
@@ -445,10 +512,17 @@ def figure_2_14() -> Drawn:
     """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
 
     The sine has 0.3 g and 2 s, r is by 2-6. The width is not stated: the half-width is 1 m here,
-    as in Figure 2-13.
+    as in Figure 2-13. Below stands at which aspect ratio the fate changes, as it was found between
+    1501 blocks from 3.5 to 5.
     """
-    runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in (3.8, 3.82, 4.26, 4.28)}
-    figure = draw_rotations([(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)
+    ratios = (3.8, 3.82, 4.26, 4.28)
+    runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in ratios}
+    figure = style.new_figure(7.2, 4.4)
+    above, below = figure.subplots(2, height_ratios=(5, 1))
+    draw_rotations(above, [(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)
+    changes = changes_of_fate("slenderness", 3.5, 5.0, 1501, amplitude=0.3, period=2.0, ratio=None)
+    draw_fates(below, changes, "slenderness", 3.5, 5.0)
+    below.set_xlabel("aspect ratio $H/B$ [-]")
     peaks = {
         ratio: abs(run.extremes("theta").peak) / run.structure.alpha  # type: ignore[attr-defined]
         for ratio, run in runs.items()
@@ -458,11 +532,13 @@ def figure_2_14() -> Drawn:
         f"{ratio:g}: {'overturns' if ratio in fell else f'{peak:.2f} alpha'}"
         for ratio, peak in peaks.items()
     )
+    at = ", ".join(f"{value:.6f}" for value in changes["slenderness"].values)
     return Drawn(
         figure,
         (
             Statement(
-                "2.5.1", "0.5 % of the aspect ratio can lead to a very different response", found,
+                "2.5.1", "0.5 % of the aspect ratio can lead to a very different response",
+                f"{found}; the fate changes at {at}",
                 (3.8 in fell) != (3.82 in fell) or (4.26 in fell) != (4.28 in fell),
             ),
         ),

@@ -8,16 +8,19 @@ out. A zero crossing is an instant without acceleration, so that its displacemen
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import groupby
 from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 import rockeom as rk
 from rockeom import analysis
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.plots import free_body as fb, style
+from rockeom.thesis.figures.chapter_2_blocks import draw_branch
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.shaken import sylmar_360, wall_motion
@@ -810,15 +813,34 @@ def stroboscope(frequency: float, amplitude: float) -> analysis.StroboscopicMap:
 
 
 def upright_velocities(branch: analysis.OrbitBranch) -> np.ndarray:
-    """(k, m) velocities when upright of each motion of a branch [m/s], in time order."""
+    """(k, m) velocities when upright of each motion of a branch [m/s], a passage a column.
+
+    Each row is turned so that it continues the one before; where their number changes new columns
+    begin, and what is not there is nan.
+    """
     rows = [
         [e.before["u_dot"] for run in orbit.runs for e in run.events if abs(e.before["u"]) < 1e-9]
         for orbit in branch.orbits
     ]
-    return np.array(rows)
+    groups = [list(group) for _, group in groupby(rows, len)]
+    table = np.full((len(rows), sum(len(group[0]) for group in groups)), np.nan)
+    lines = iter(table)
+    first = 0
+    for group in groups:
+        last = np.array(group[0])
+        for row, line in zip(group, lines, strict=False):
+            turns = [np.roll(row, k) for k in range(len(row))]
+            last = turns[int(np.argmin([np.abs(turn - last).max() for turn in turns]))]
+            line[first : first + len(row)] = last
+        first += len(group[0])
+    return table
 
 
-def branches_of(frequency: float, start: list[float]) -> list[analysis.OrbitBranch]:
+DOUBLING = (0.000228, 0.0341)
+"""Displacement [m] and velocity [m/s] of the motion at 4.553 Hz and 6.02 m/s2 that will double."""
+
+
+def branches_of(frequency: float, start: ArrayLike) -> list[analysis.OrbitBranch]:
     """Motions of one period from 6.02 m/s2 down and up, and those that double there, if any do."""
 
     def at(amplitude: float) -> analysis.StroboscopicMap:
@@ -840,8 +862,8 @@ def figure_4_73() -> Figure:
 
     What the thesis describes is found at 4.553 Hz (right), sought so that the period doubles at
     6.03; the smear from 6.21 on then comes of itself. Black is a motion of four passages a cycle,
-    followed from 6.02 up and down. Orange are motions from rest: below 5.97 they settle to one of
-    two passages a cycle, which stays stable beside the other. A third, with passages of 0.8 m/s,
+    followed from 6.02 up and down. Orange dots are motions from rest: below 5.97 they settle to one
+    of two passages a cycle, which stays stable beside the other. A third, with passages of 0.8 m/s,
     is out of the picture. The oscillator is that of 4-37 with the constant r = 0.852.
     """
     figure = style.new_figure(7.6, 3.6)
@@ -855,10 +877,14 @@ def figure_4_73() -> Figure:
             dots(stated, z, settled_speeds(8.0, z, start)[0], style.INK, 3.0)
         dots(sought, z, settled_speeds(4.553, z, {"u": 0.0})[0], style.LINES[1], 3.5)
     for way in (np.arange(6.02, 5.59, -0.02), np.arange(6.02, 6.5, 0.01)):
-        state = {"u": 0.000228, "u_dot": 0.0341}
+        state = dict(zip(("u", "u_dot"), DOUBLING, strict=True))
         for z in way:
             speeds, state = settled_speeds(4.553, z, state)
             dots(sought, z, speeds, style.INK, 2.0)
+    settled = stroboscope(8.0, 6.02).points({"u": 0.004, "u_dot": 0.2}, 60)[-1]
+    for ax, frequency, first in ((stated, 8.0, settled), (sought, 4.553, DOUBLING)):
+        for branch in branches_of(frequency, first):
+            draw_branch(ax, branch, upright_velocities(branch))
     stated.set_title("8 Hz, as stated", fontsize=9)
     sought.set_title("4.553 Hz, sought", fontsize=9)
     for ax, reach in ((stated, 0.6), (sought, 0.3)):

@@ -1,0 +1,332 @@
+"""Boundaries of overturning by derivatives of the motion: points to many digits, and their course.
+
+    point = analysis.overturning_point(pulse, {"frequency": 4, "amplitude": 1.5},
+                                       {"frequency": 4, "amplitude": 2.0})
+    point.at  # {"frequency": 4.0, "amplitude": 1.788563...}
+    line = analysis.followed_boundary(
+        pulse, point, within={"frequency": (0.5, 8.0), "amplitude": (0.5, 8.0)}
+    )
+
+On the boundary the motion comes to its balance and stays there. Beside it, at a small distance h,
+it leaves the balance after a time that grows as -ln|h|/lambda, lambda being the rate at which it
+falls from there, and then either overturns or comes back. So the derivative of the time T of that
+event grows as 1/h, from both sides, and 1/(dT/dh) goes through zero as a straight line, of slope
+-lambda: a secant of it is right to second order.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from rockeom.analysis.arguments import numbers, positive
+from rockeom.analysis.sweeps import FALLS, RESTS, STANDS
+
+if TYPE_CHECKING:
+    from rockeom.numeric.case import Case
+    from rockeom.numeric.options import SolverOptions
+    from rockeom.numeric.tangents import Tangents
+
+_LONGER = 5
+"""So many times a motion is made twice as long, to see how it ends."""
+
+
+@dataclass(frozen=True)
+class OverturningPoint:
+    """A case at which the fate changes: its motion ends at the balance, for ever.
+
+    at : the values, by name. normal (k,) : the direction in which the fate changes from `below` to
+    `above` fastest, of length 1, in the order of the names; changes at right angles to it stay on
+    the boundary. below, above : impacts before overturning on both sides, inf where it stands.
+    runs : motions that it took, with their derivatives.
+    """
+
+    at: dict[str, float]
+    normal: np.ndarray
+    below: float
+    above: float
+    runs: int
+
+
+def overturning_point(
+    case: Callable[..., Case],
+    start: Mapping[str, float],
+    end: Mapping[str, float],
+    *,
+    accuracy: float = 1e-10,
+    options: SolverOptions | None = None,
+) -> OverturningPoint:
+    """The case between two at which the number of impacts before overturning changes.
+
+    case : makes a case from numbers by name, which may be duals (`rk.duals`), as of `rk.tangents`.
+    start, end : numbers by the same names, of cases with different fates; the point is looked for
+        on the straight line between them.
+    accuracy : of the place on that line, in parts of the size of the numbers.
+    options : of the integrator. Its tolerance bounds how well the boundary is known at all.
+
+    Secants of 1/(dT/dh), see above, are as good as Newton's method, and are kept between points of
+    both sides (Brent's method); where there is no such derivative the line is halved.
+
+    Raises ValueError for names that differ, for two cases of one fate, and where a third fate, or
+    none, comes between them: then give closer ones.
+    """
+    return _Line(case, *_ends("overturning_point", start, end), options).point(accuracy)
+
+
+def _ends(
+    function: str, start: Mapping[str, float], end: Mapping[str, float]
+) -> tuple[tuple[str, ...], np.ndarray, np.ndarray]:
+    if {*start} != {*end}:
+        raise ValueError(
+            f"{function}: start has {', '.join(start)}, end {', '.join(end)}: give the same names"
+        )
+    low, high = numbers(function, start=[*start.values()], end=[end[name] for name in start])
+    return tuple(start), low, high
+
+
+@dataclass
+class _Line:
+    """Cases on a straight line, at places from 0 to 1, each run once."""
+
+    case: Callable[..., Case]
+    names: tuple[str, ...]
+    start: np.ndarray
+    end: np.ndarray
+    options: SolverOptions | None
+    runs: dict[float, _Run] = field(default_factory=dict)
+
+    def values(self, place: float) -> np.ndarray:
+        return self.start + place * (self.end - self.start)
+
+    def run(self, place: float) -> _Run:
+        if place not in self.runs:
+            self.runs[place] = _Run.of(self.case, self.names, self.values(place), self.options)
+        return self.runs[place]
+
+    @property
+    def fates(self) -> tuple[float, float]:
+        return self.run(0.0).fate, self.run(1.0).fate
+
+    def point(self, accuracy: float) -> OverturningPoint:
+        """Raises ValueError where both ends have the same fate, or there is a third."""
+        from scipy.optimize import brentq  # takes long to import
+
+        below, above = self.fates
+        if below == above or math.isnan(below + above):
+            raise ValueError(
+                f"overturning_point: {self.said(0.0)}, and {self.said(1.0)}: give two fates"
+            )
+        size = np.abs(self.values(0.5)).max() / np.abs(self.end - self.start).max()
+        place = brentq(self.steepness, 0.0, 1.0, xtol=max(accuracy * size, 1e-15), rtol=1e-15)
+        known = [x for x in self.runs if self.gradient(x).any()]
+        nearest = min(known or [place], key=lambda x: abs(x - place))
+        normal = self.gradient(nearest) * (1.0 if self.run(nearest).fate == below else -1.0)
+        return OverturningPoint(
+            dict(zip(self.names, self.values(place).tolist(), strict=True)),
+            normal / (np.linalg.norm(normal) or np.nan), below, above, len(self.runs),
+        )  # fmt: skip
+
+    def said(self, place: float) -> str:
+        values = zip(self.names, self.values(place).tolist(), strict=True)
+        told = ", ".join(f"{name} = {value:.12g}" for name, value in values)
+        fate = self.run(place).fate
+        return f"{told} " + ("stands" if math.isinf(fate) else f"overturns after {fate:g} impacts")
+
+    def steepness(self, place: float) -> float:
+        """1/(dT/dplace), negative on the side of the start; only its sign where T is not known."""
+        below, above = self.fates
+        fate = self.run(place).fate
+        if fate not in (below, above):
+            raise ValueError(
+                f"overturning_point: between its ends there is another fate, at "
+                f"{self.said(place)}: give closer ones"
+            )
+        slope = abs(self.gradient(place) @ (self.end - self.start))
+        return (-1.0 if fate == below else 1.0) * (1.0 / slope if slope > 0 else 1.0)
+
+    def gradient(self, place: float) -> np.ndarray:
+        """(k,) of the time at which the balance is left for good; zeros where it is not known."""
+        fallen = [run.passages for run in (self.run(0.0), self.run(1.0)) if run.falls]
+        return self.run(place).gradient(min(fallen))
+
+
+@dataclass
+class _Run:
+    """A motion and its derivatives by the k numbers of its case."""
+
+    case: Case
+    options: SolverOptions | None
+    found: Tangents
+
+    @classmethod
+    def of(
+        cls,
+        case: Callable[..., Case],
+        names: tuple[str, ...],
+        values: np.ndarray,
+        options: SolverOptions | None,
+    ) -> _Run:
+        from rockeom.dual import duals
+        from rockeom.numeric.tangents import tangents
+
+        made = case(**duals(**dict(zip(names, values.tolist(), strict=True))))
+        return cls(made, options, tangents(made, options))
+
+    @property
+    def passages(self) -> int:
+        return len(self.found.event_times)
+
+    @property
+    def falls(self) -> bool:
+        return self.found.response.outcome.label == FALLS
+
+    @property
+    def fate(self) -> float:
+        run = self.found.response
+        if self.falls:
+            return float(len(run.impacts))
+        return math.inf if run.outcome.label in STANDS else math.nan
+
+    def gradient(self, passages: int) -> np.ndarray:
+        """Of the time of what follows so many passages: the next, or lying on the ground."""
+        for found in self.longer():
+            if len(found.event_times) > passages:
+                slope = found.event_times[passages]
+            elif found.response.t[-1] < found.response.duration:  # it lies on the ground
+                slope = found.end_time
+            else:
+                continue
+            return np.nan_to_num(slope, posinf=0.0, neginf=0.0)
+        return np.zeros(len(self.found.end_time))
+
+    def longer(self) -> Iterator[Tangents]:
+        """The motion as it is, and ever longer while it moves; it is kept as it was made last."""
+        from rockeom.numeric.tangents import tangents
+
+        for _ in range(_LONGER):
+            yield self.found
+            if self.found.response.outcome.label == RESTS:
+                return
+            last = 2.0 * self.found.response.duration
+            self.found = tangents(replace(self.case, duration=last), self.options)
+
+
+# --- from point to point
+
+
+def followed_boundary(
+    case: Callable[..., Case],
+    point: OverturningPoint,
+    within: Mapping[str, tuple[float, float]],
+    *,
+    step: float = 0.02,
+    accuracy: float = 1e-8,
+    most: int = 1000,
+    options: SolverOptions | None = None,
+) -> xr.Dataset:
+    """The boundary through a point, followed both ways, whichever way it turns.
+
+    case, accuracy, options : as of `overturning_point`. point : what that returned, of two names.
+    within : the least and the largest value of each name, where the boundary is left.
+    step : the longest, in parts of what is within; less where the boundary bends. most : points,
+        each way.
+
+    From a point the line goes on at a right angle to its normal, and from there along it to the
+    next point. A step that finds other fates is halved; the line ends where a hundredth of it does
+    not help: where three fates meet, or nearly so, because one of the two is too narrow.
+
+    Returns a dataset over "point" with a coordinate of each name, the normal's components, the
+    fates in `attrs` "below" and "above", and in "first" and "last" why it ended there.
+    Raises ValueError for other names than two, and a point that is not within.
+    """
+    where = "followed_boundary"
+    names = tuple(point.at)
+    if len(names) != 2 or {*within} != {*names}:
+        raise ValueError(
+            f"{where}: within has {', '.join(within)}, the point {', '.join(names)}: give the "
+            "range of each of two names"
+        )
+    (box,) = numbers(where, within=[within[name] for name in names])
+    positive(where, step=step, accuracy=accuracy, within=box[:, 1] - box[:, 0])
+    walk = _Walk(case, names, box, (point.below, point.above), step, accuracy, options)
+    if not walk.contains(walk.scaled(point)):
+        raise ValueError(f"{where}: point is at {point.at}, which is not within {dict(within)}")
+    ways = [walk.points(point, sign, most) for sign in (-1.0, 1.0)]
+    (back, first), (ahead, last) = ways
+    line = [*reversed(back), point, *ahead]
+    normal = {f"normal_{name}": [one.normal[i] for one in line] for i, name in enumerate(names)}
+    return xr.Dataset(
+        {name: ("point", values) for name, values in normal.items()},
+        {name: ("point", [one.at[name] for one in line]) for name in names},
+        {"below": point.below, "above": point.above, "first": first, "last": last},
+    )
+
+
+@dataclass(frozen=True)
+class _Walk:
+    """Steps along a boundary; lengths are in parts of a box (2, 2) of the names' values."""
+
+    case: Callable[..., Case]
+    names: tuple[str, ...]
+    box: np.ndarray
+    fates: tuple[float, float]
+    step: float
+    accuracy: float
+    options: SolverOptions | None
+
+    def scaled(self, point: OverturningPoint) -> np.ndarray:
+        low, high = self.box.T
+        return (np.array([*point.at.values()]) - low) / (high - low)
+
+    def contains(self, place: np.ndarray) -> bool:
+        return bool((place >= 0.0).all() and (place <= 1.0).all())
+
+    def along(self, point: OverturningPoint, sign: float) -> np.ndarray:
+        """(2,) direction in which the boundary goes on."""
+        normal = point.normal * (self.box[:, 1] - self.box[:, 0])
+        return sign * np.array([-normal[1], normal[0]]) / np.linalg.norm(normal)
+
+    def points(
+        self, point: OverturningPoint, sign: float, most: int
+    ) -> tuple[list[OverturningPoint], str]:
+        """Those on one side of a point, and why there are no more."""
+        found: list[OverturningPoint] = []
+        step = self.step
+        while len(found) < most:
+            if not self.contains(self.scaled(point) + step * self.along(point, sign)):
+                return found, "left what is within"
+            following = self.next(point, sign, step)
+            if following is not None:
+                found.append(following)
+                point, step = following, min(1.5 * step, self.step)
+            elif step > 0.01 * self.step:
+                step *= 0.5
+            else:
+                return found, "the boundary between these fates ends"
+        return found, f"{most} points"
+
+    def next(self, point: OverturningPoint, sign: float, step: float) -> OverturningPoint | None:
+        """The point one step on, or None where the fates are others or the boundary bends more."""
+        along = self.along(point, sign)
+        across = sign * np.array([along[1], -along[0]])
+        ahead = self.scaled(point) + step * along
+        low, span = self.box[:, 0], self.box[:, 1] - self.box[:, 0]
+        for width in step * np.array([0.001, 0.01, 0.1]):
+            start, end = (low + span * (ahead + side * width * across) for side in (-1.0, 1.0))
+            line = _Line(self.case, self.names, start, end, self.options)
+            if line.fates == self.fates:
+                try:
+                    found = line.point(self.accuracy)
+                except ValueError:
+                    return None
+                return found if self.along(found, sign) @ along > _STRAIGHT else None
+        return None
+
+
+_STRAIGHT = math.cos(0.2)
+"""A boundary turns by no more in a step."""

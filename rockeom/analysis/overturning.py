@@ -1,0 +1,415 @@
+"""Which motions overturn a structure, and where its fate changes: to digits, not to pixels.
+
+    import numpy as np
+    import rockeom as rk
+    from rockeom import analysis
+
+    pulse = analysis.dimensionless_pulses(rk.RigidBlock(half_width=1.0, half_height=8.0))
+    grid = {"frequency": np.linspace(0.5, 8, 76), "amplitude": np.linspace(0.5, 8, 76)}
+    sweep = rk.simulate_many(pulse, grid, arrays=True)
+    borders = analysis.overturning_boundaries(pulse, sweep, arrays=True)
+    rk.plots.overturning_map(sweep, x="frequency", y="amplitude", boundaries=borders)
+
+The fate of a motion is the number of impacts before the structure overturns: 0, 1, 2, ...; it is
+infinite where it never does. Zhang and Makris (2001), Journal of Engineering Mechanics 127(5),
+473-483, found that a block overturns without an impact or after some, and that between the two it
+may survive a pulse that is stronger than one that overturns it.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.arguments import positive, slenderness
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
+from rockeom.motion import GroundMotion
+
+if TYPE_CHECKING:
+    from rockeom.numeric.case import Case
+    from rockeom.numeric.impact import ImpactLaw
+    from rockeom.numeric.options import SolverOptions
+    from rockeom.numeric.structures import Structure
+
+MOST = 3
+"""So many impacts before overturning and more are one fate, if nothing else is asked for."""
+
+
+def impacts_before_overturning(sweep: xr.Dataset, most: int | None = None) -> xr.DataArray:
+    """How many impacts each case of a sweep had before it overturned: its fate, 0, 1, 2, ...
+
+    sweep : of `simulate_many`. most : so many and more count as this number; all numbers if not
+        given.
+
+    inf is a case that never overturns, nan one without an answer, of the shape of the sweep.
+    Raises ValueError as `outcome_labels` does. Source: Zhang and Makris (2001).
+    """
+    labels = outcome_labels(sweep)
+    impacts = sweep["impacts"].astype(float)
+    known = labels.isin((FALLS, *STANDS))
+    return impacts.clip(max=most).where(labels == FALLS, np.inf).where(known)
+
+
+# --- families of pulses
+
+
+def dimensionless_pulses(
+    structure: Structure,
+    pulse: Callable[[float, float], GroundMotion] = GroundMotion.single_sine,
+    *,
+    impact: ImpactLaw | None = None,
+    p: float | None = None,
+    acceleration: float | None = None,
+) -> Callable[[float, float], Case]:
+    """The function of a sweep over pulses in the units of a structure: (frequency, amplitude).
+
+    structure : which they push. pulse : makes a motion of an amplitude [m/s2] and a period [s], as
+        `GroundMotion.single_sine` and `GroundMotion.ricker` do. impact : as of `simulate`.
+    p : in units of which frequencies are [rad/s], omega_p/p = 2 pi/(p period); if not given, the
+        structure's `frequency_parameter`. acceleration : in units of which amplitudes are [m/s2];
+        if not given, the structure's `uplift_acceleration`, g tan(alpha) of a block.
+
+    The numbers of a block depend on these two, on its slenderness and on its restitution alone.
+    Source: Zhang and Makris (2001). Raises ValueError where p or acceleration is to be given.
+    """
+    where = "dimensionless_pulses"
+    if p is None:
+        p = getattr(structure, "frequency_parameter", None)
+    if acceleration is None:
+        acceleration = structure.uplift_acceleration
+    rate = _unit(where, structure, "p", p)
+    least = _unit(where, structure, "acceleration", acceleration)
+
+    from rockeom.numeric.case import Case
+
+    def case(frequency: float, amplitude: float) -> Case:
+        """A pulse of `frequency` [p] and `amplitude` [acceleration]."""
+        return Case(structure, pulse(amplitude * least, 2.0 * math.pi / (rate * frequency)), impact)
+
+    return case
+
+
+def _unit(function: str, structure: Structure, name: str, value: float | None) -> float:
+    """A number that is given, or else was found of a structure."""
+    if value is None or not math.isfinite(value):
+        raise ValueError(f"{function}: {structure.model} has no {name} of its own: give {name}")
+    return float(positive(function, **{name: value})[0])
+
+
+# --- where the fate changes
+
+
+def overturning_boundaries(
+    case: Callable[..., Case],
+    sweep: xr.Dataset,
+    along: str | Sequence[str] = (),
+    *,
+    accuracy: float = 1e-6,
+    most: int = MOST,
+    arrays: bool = False,
+    options: SolverOptions | None = None,
+    threads: int | None = None,
+    progress: bool | None = None,
+) -> xr.Dataset:
+    """Where the number of impacts before overturning changes, between the cases of a sweep.
+
+        sweep = rk.simulate_many(case, {"amplitude": np.linspace(1.0, 6.0, 501)})
+        analysis.overturning_boundaries(case, sweep, accuracy=1e-9)
+
+    case : the function of the sweep. sweep : a grid of `simulate_many`; or what this function has
+        returned, to go on with: after an interrupt, or with a finer accuracy.
+    along : names of the sweep along which neighbours are compared, all that hold numbers if none
+        are named.
+    accuracy : of each value, in parts of it.
+    most : so many impacts and more are one fate. arrays, threads : as of `simulate_many`.
+    options : of the integrator, the defaults if not given: the sweep may be rougher. Cases beside
+        a boundary are simulated anew with these.
+    progress : a line on stderr; if not given, where stderr is a terminal.
+
+    Between neighbours of different fates the interval is halved until it is as short as asked for,
+    all of them at once; a third fate in it makes two of one. What is narrower than the sweep's
+    spacing, and lies between neighbours of the same fate, is not seen.
+
+    Returns a dataset over "boundary": a coordinate of each name of the sweep, `along`, and low and
+    high, between which the fate changes along that name from `below` to `above`. The coordinate is
+    their middle. An interval with a case without an answer stays as long as it is. A keyboard
+    interrupt returns what there is, with `attrs["interrupted"]` 1.
+
+    Raises ValueError for a sweep that is no grid, and for names that hold no numbers.
+    """
+    (parts,) = positive("overturning_boundaries", accuracy=accuracy)
+    fates = _Fates(case, most, {"arrays": arrays, "options": options, "threads": threads})
+    if "low" in sweep and sweep["low"].dims == (_DIM,):
+        found = _Brackets.of(sweep)
+    else:
+        found = _neighbours(sweep, _along(sweep, along), fates)
+    return _halved(found, float(parts), fates, progress)
+
+
+@dataclass(frozen=True)
+class _Fates:
+    """Finds what becomes of some cases; an interrupt is raised, with none of them kept."""
+
+    case: Callable[..., Case]
+    most: int
+    how: Mapping[str, Any]
+
+    def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
+        """(n,) of the values (n,) of each name."""
+        from rockeom.numeric.ensemble import simulate_many
+
+        table = xr.Dataset({name: ("row", values) for name, values in columns.items()})
+        found = simulate_many(self.case, table, progress=False, **self.how)
+        if found.attrs["interrupted"]:
+            raise KeyboardInterrupt
+        return impacts_before_overturning(found, self.most).values
+
+
+_DIM = "boundary"
+_NUMBERS = "low", "high", "below", "above"
+
+
+@dataclass(frozen=True)
+class _Brackets:
+    """n intervals between neighbours along one name, in each of which the fate changes.
+
+    at : the values (n,) of every name, that of the interval's own name standing for nothing.
+    along (n,) : the interval's own name. low, high (n,) : its ends; below, above (n,) : the fates
+    there.
+    """
+
+    at: Mapping[str, np.ndarray]
+    along: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    below: np.ndarray
+    above: np.ndarray
+
+    @classmethod
+    def of(cls, found: xr.Dataset) -> _Brackets:
+        """Of what was found before."""
+        at = {str(name): found[name].values for name in found.coords}
+        return cls(at, found["along"].values, *(found[name].values for name in _NUMBERS))
+
+    @classmethod
+    def joined(cls, some: Sequence[_Brackets]) -> _Brackets:
+        at = {name: np.concatenate([one.at[name] for one in some]) for name in some[0].at}
+        others = ("along", *_NUMBERS)
+        return cls(at, *(np.concatenate([getattr(one, n) for one in some]) for n in others))
+
+    def __len__(self) -> int:
+        return len(self.low)
+
+    def __getitem__(self, which: np.ndarray) -> _Brackets:
+        at = {name: values[which] for name, values in self.at.items()}
+        return _Brackets(at, *(getattr(self, name)[which] for name in ("along", *_NUMBERS)))
+
+    @property
+    def middle(self) -> np.ndarray:
+        return self.low + 0.5 * (self.high - self.low)
+
+    def with_middles(self) -> dict[str, np.ndarray]:
+        """The values of every name in the middles of the intervals."""
+        return {
+            name: np.where(self.along == name, self.middle, values) if values.dtype != object
+            else values
+            for name, values in self.at.items()
+        }  # fmt: skip
+
+    def halves(self, fates: np.ndarray) -> _Brackets:
+        """The halves in which the fate changes, by the fates (n,) in the middles."""
+        lower = replace(self, high=self.middle, above=fates)
+        upper = replace(self, low=self.middle, below=fates)
+        return _Brackets.joined([lower[fates != self.below], upper[fates != self.above]])
+
+    def narrower(self, accuracy: float) -> np.ndarray:
+        """(n,) whether each is as narrow as asked for, or as numbers can be."""
+        size = np.maximum(np.abs(self.low), np.abs(self.high))
+        between = (self.low < self.middle) & (self.middle < self.high)
+        return (self.high - self.low <= accuracy * size) | ~between
+
+    def dataset(self) -> xr.Dataset:
+        """In the order of the names' values."""
+        at = self.with_middles()
+        order = np.lexsort([*reversed(at.values()), self.along])
+        found = {name: (_DIM, getattr(self, name)[order]) for name in ("along", *_NUMBERS)}
+        return xr.Dataset(found, {name: (_DIM, values[order]) for name, values in at.items()})
+
+
+def _along(sweep: xr.Dataset, asked: str | Sequence[str]) -> list[str]:
+    """The names along which neighbours are compared."""
+    where = "overturning_boundaries"
+    dims = [str(name) for name in impacts_before_overturning(sweep).dims]
+    grid = [name for name in dims if name != "case" and name in sweep.coords]
+    there = [name for name in grid if sweep[name].dtype.kind in "iuf"]
+    names = [asked] if isinstance(asked, str) else list(asked) or there
+    for name in names or ["none"]:
+        if name not in there:
+            raise ValueError(
+                f"{where}: along has {name!r}: the sweep is to be a grid over names that hold "
+                f"numbers; it is over {', '.join(dims)}"
+            )
+    taken = {"along", *_NUMBERS}.intersection(dims)
+    if taken:
+        raise ValueError(f"{where}: the sweep calls a name {min(taken)!r}: give it another one")
+    return names
+
+
+def _neighbours(sweep: xr.Dataset, along: Sequence[str], fates: _Fates) -> _Brackets:
+    """Intervals between neighbours whose fates differ, as `fates` finds them too."""
+    ordered = sweep.sortby(list(along))
+    there = impacts_before_overturning(ordered, fates.most)
+    values = {str(name): ordered[name].values for name in there.dims}
+    found, sure = there.values.copy(), np.zeros(there.shape, dtype=bool)
+    while True:
+        pairs = [(name, *_differ(found, list(values).index(name))) for name in along]
+        ends = np.concatenate([end for _, *both in pairs for end in both])
+        ends = np.unique(ends[~sure[tuple(ends.T)]], axis=0)
+        if not len(ends):
+            return _Brackets.joined([_of_pairs(values, found, *pair) for pair in pairs])
+        places = tuple(ends.T)
+        found[places] = fates({n: v[i] for (n, v), i in zip(values.items(), places, strict=True)})
+        sure[places] = True
+
+
+def _differ(fates: np.ndarray, axis: int) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, d) of neighbours along an axis whose fates are known and differ."""
+    first = np.take(fates, range(fates.shape[axis] - 1), axis)
+    second = np.take(fates, range(1, fates.shape[axis]), axis)
+    low = np.argwhere((first != second) & ~np.isnan(first) & ~np.isnan(second))
+    return low, low + (np.arange(fates.ndim) == axis)
+
+
+def _of_pairs(
+    values: Mapping[str, np.ndarray],
+    fates: np.ndarray,
+    name: str,
+    low: np.ndarray,
+    high: np.ndarray,
+) -> _Brackets:
+    at = {n: v[i] for (n, v), i in zip(values.items(), low.T, strict=True)}
+    ends = (values[name][i[:, list(values).index(name)]].astype(float) for i in (low, high))
+    known = (fates[tuple(i.T)] for i in (low, high))
+    return _Brackets(at, np.full(len(low), name), *ends, *known)
+
+
+def _halved(
+    brackets: _Brackets, accuracy: float, fates: _Fates, progress: bool | None
+) -> xr.Dataset:
+    """All intervals as narrow as asked for, or as far as an interrupt let them come."""
+    from rockeom.numeric.ensemble_work import Progress
+
+    ended: list[_Brackets] = []
+    interrupted = 0
+    shown = sys.stderr.isatty() if progress is None else progress
+    with Progress(_halvings(brackets, accuracy), shown) as bar:
+        try:
+            while len(brackets):
+                narrow = brackets.narrower(accuracy)
+                ended.append(brackets[narrow])
+                brackets = brackets[~narrow]
+                if len(brackets):
+                    found = fates(brackets.with_middles())
+                    bar.add(len(found))
+                    lost = np.isnan(found)
+                    ended.append(brackets[lost])
+                    brackets = brackets[~lost].halves(found[~lost])
+        except KeyboardInterrupt:
+            interrupted = 1
+    whole = _Brackets.joined([*ended, brackets]).dataset()
+    whole.attrs["interrupted"] = interrupted
+    return whole
+
+
+def _halvings(brackets: _Brackets, accuracy: float) -> int:
+    """How many motions it takes, if no interval becomes two."""
+    size = accuracy * np.maximum(np.abs(brackets.low), np.abs(brackets.high))
+    return int(np.ceil(np.log2((brackets.high - brackets.low) / size)).clip(0).sum())
+
+
+def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
+    """The least `y` at which a structure overturns, at each `x`: the spectrum of overturning.
+
+        analysis.minimum_overturning(borders, x="frequency", y="amplitude")
+
+    boundaries : of `overturning_boundaries`, found along y. x, y : names of its coordinates.
+
+    Returns y over x, with the number of impacts before overturning as a coordinate. x without a
+    boundary between standing and overturning are missing: nothing of the sweep overturned there, or
+    all of it did. A window of overturning that the sweep did not see is not seen here.
+
+    Source: Zhang and Makris (2001). Raises ValueError for a name that is not there, and where
+    nothing was found along y.
+    """
+    for name in (x, y):
+        if name not in boundaries.coords:
+            raise ValueError(
+                f"minimum_overturning: the boundaries have no {name!r}; they have "
+                f"{', '.join(map(str, boundaries.coords))}"
+            )
+    onset = (boundaries["along"] == y) & np.isinf(boundaries["below"])
+    if not onset.any():
+        raise ValueError(f"minimum_overturning: nothing that stands overturns along {y}")
+    found = boundaries.isel({_DIM: np.flatnonzero(onset.values)})
+    order = np.lexsort([found[y].values, found[x].values])
+    at, first = np.unique(found[x].values[order], return_index=True)
+    least = order[first]
+    return xr.DataArray(
+        found[y].values[least], {x: at, "impacts": (x, found["above"].values[least])}, [x], y
+    )
+
+
+# --- how far blocks rock
+
+
+def rocking_spectrum(
+    motions: GroundMotion | Sequence[GroundMotion],
+    periods: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    impact: ImpactLaw | None = None,
+    **how: Any,
+) -> xr.Dataset:
+    """Homogeneous blocks of many sizes under a motion, or each of a set of motions.
+
+        far_field = rk.MotionSet.from_library("far field")
+        sweep = analysis.rocking_spectrum(far_field, np.linspace(0.5, 8.0, 100), alpha=0.3)
+        rk.plots.rocking_spectrum(
+            sweep, x="period", by="motion", alpha="alpha", fractiles=(0.16, 0.5, 0.84)
+        )
+
+    periods : 2 pi/p of the blocks [s], p = sqrt(3 g/(4 R)). alpha : their slenderness, one or
+        several [rad]. impact : as of `simulate`. how : options, threads, progress, store and
+        others of `simulate_many`.
+
+    Returns the dataset of `simulate_many` over motion, period and alpha. Source: Makris and
+    Konstantinidis (2003), Earthquake Engineering and Structural Dynamics 32(2), 265-289.
+    Raises ValueError for a period or an angle that is none.
+    """
+    where = "rocking_spectrum"
+    lengths, angles = positive(where, periods=np.ravel(periods))[0], slenderness(where, alpha)
+    from rockeom.numeric.case import Case
+    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.numeric.structures import RigidBlock
+
+    def case(motion: GroundMotion, period: float, alpha: float) -> Case:
+        block = RigidBlock.from_frequency(p=2.0 * math.pi / period, alpha=alpha)
+        return Case(block, motion, impact)
+
+    over = {
+        "motion": [motions] if isinstance(motions, GroundMotion) else motions,
+        "period": _labelled(lengths, "period 2π/p", "s"),
+        "alpha": _labelled(np.ravel(angles), "slenderness", "rad"),
+    }
+    return simulate_many(case, over, **{"arrays": True} | how)
+
+
+def _labelled(values: np.ndarray, name: str, unit: str) -> xr.DataArray:
+    return xr.DataArray(values, dims=["value"], attrs={"long_name": name, "units": unit})

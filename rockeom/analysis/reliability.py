@@ -1,0 +1,662 @@
+"""How likely a structure of random parameters fails: by first order, and by Monte Carlo.
+
+    from scipy import stats
+
+    def case(half_width, r, pga):
+        block = rk.RigidBlock(half_width=half_width, half_height=0.6)
+        return rk.Case(block, record.scaled(pga), rk.EnergyRatio(r), duration=12.0)
+
+    random = {"half_width": stats.norm(0.1, 0.003), "r": stats.uniform(0.8, 0.1),
+              "pga": stats.lognorm(0.4, scale=2.0)}
+    found = analysis.reliability_of(case, random)  # of overturning
+    found.index, found.probability, found.design_point, found.importance
+    analysis.monte_carlo(case, random, 10_000).interval()
+
+The first order asks for the values nearest to the medians, in standard deviations, with which the
+structure fails, and takes the boundary there for a plane. Derivatives are those of `rk.tangents`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from scipy.special import ndtr
+
+from rockeom.analysis.arguments import require
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.dual import Dual
+
+if TYPE_CHECKING:
+    from rockeom.numeric.case import Case
+    from rockeom.numeric.ensemble_dataset import Sweep
+    from rockeom.numeric.options import SolverOptions
+    from rockeom.numeric.response import Response
+
+_LEAST = 1e-300
+"""Instead of 0, where the medians lie on the boundary."""
+REACH = 6.0
+"""Standard deviations from the medians up to which a boundary is looked for: 1e-9 lies beyond."""
+RAYS = 32
+"""Places on a ray at which it is asked whether the structure falls: a narrower window is missed."""
+ACCURACY = 1e-12
+"""To which the distance to a boundary is found [standard deviations]."""
+SETTLED = 1e-4
+"""Angle between the design point and the normal of the boundary at which it is taken for 0 [rad].
+
+Its square is what the index may still lose of itself.
+"""
+APART = 0.01
+"""Part of the overturning rotation by which two motions differ that part at a boundary."""
+NEWTON = 1e-5
+"""Step of Newton's rule from where the next one would be its square [standard deviations]."""
+MOST_RAYS = 30
+"""On which a boundary is met: with a corner at its nearest point there is no end to them."""
+ROUNDS = 60
+"""Of any search here; what needs more does not settle."""
+MOST_DOUBLINGS = 6
+"""Of the duration of a motion that lingers near the unstable equilibrium."""
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """The nearest failure, and the probability of failure by first order.
+
+    index : beta, the distance of the design point from the medians [standard deviations]; negative
+        where the medians fail.
+    design_point : the likeliest values with which it fails, by name; deviates (k,) : the same as
+        standard normal deviates, in the order of the names.
+    importance : parts, of a sum of 1, which the parameters have in the variance of the linearised
+        limit state, by name: alpha squared.
+    angle : between the design point and the normal of the boundary [rad], 0 at a nearest point.
+    settled : whether it is one, to `SETTLED`. If not, the boundary has a corner there or is broken
+        up, and the index is that of the nearest point that was found.
+    runs : evaluations of the limit state, or simulations.
+    """
+
+    index: float
+    design_point: dict[str, float]
+    deviates: np.ndarray
+    importance: dict[str, float]
+    angle: float
+    settled: bool
+    runs: int
+
+    @property
+    def probability(self) -> float:
+        """Phi(-index): exact if the boundary is a plane of the normal deviates."""
+        return float(ndtr(-self.index))
+
+    def __repr__(self) -> str:
+        lines = [f"index {self.index:.4f}, probability {self.probability:.3g} by first order"]
+        if not self.settled:
+            lines[0] += f" (not settled: {self.angle:.2g} rad off the normal)"
+        for name, value in self.design_point.items():
+            lines.append(f"{name} = {value:.5g}, importance {self.importance[name]:.3f}")
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True, eq=False)
+class MonteCarlo:
+    """A probability of failure by counting.
+
+    failures of number samples; left_out : samples without an answer, which are not counted.
+    sweep : of `simulate_many`, a case a sample, with the values drawn as coordinates.
+    """
+
+    failures: int
+    number: int
+    left_out: int
+    sweep: Sweep
+
+    @property
+    def probability(self) -> float:
+        """The part that failed."""
+        return self.failures / self.number
+
+    def interval(self, level: float = 0.95) -> tuple[float, float]:
+        """Bounds of the probability, of Clopper and Pearson: they hold it at least as often.
+
+        level : how often. Raises ValueError for one that does not lie between 0 and 1.
+        """
+        from scipy.stats import binomtest  # takes long to import
+
+        require(0.0 < level < 1.0, "interval", "level", level, "it lies between 0 and 1, as 0.95")
+        found = binomtest(self.failures, self.number).proportion_ci(level)
+        return float(found.low), float(found.high)
+
+    def __repr__(self) -> str:
+        low, high = self.interval()
+        left_out = f", {self.left_out} left out" if self.left_out else ""
+        return (
+            f"{self.failures} of {self.number} fail: probability {self.probability:.3g}, "
+            f"{low:.3g} to {high:.3g} (95 %){left_out}"
+        )
+
+
+def first_order_reliability(
+    limit_state: Callable[..., Any], random: Mapping[str, Any], *, reach: float = REACH
+) -> FirstOrder:
+    """The reliability of any smooth limit state of independent random parameters.
+
+        random = {"strength": stats.lognorm(0.1, scale=5.0), "load": stats.norm(2.0, 0.6)}
+        first_order_reliability(lambda strength, load: strength - load, random)
+
+    limit_state : a function of the parameters, by name, which it gets as `rk.Dual`; returns one,
+        positive where the structure is safe. Where it fails without a derivative, -math.inf.
+    random : of each parameter a continuous distribution of scipy.stats, frozen, by name.
+    reach : how far a failure is looked for [standard deviations].
+
+    The rule of Hasofer and Lind (1974), for distributions as by Rackwitz and Fiessler (1978), kept
+    on the boundary: rays from the medians meet it by Newton's rule on the exact gradient, and turn
+    towards its normal, by BFGS, as long as it comes nearer. What that finds is one nearest point;
+    there may be others.
+
+    Raises ValueError for distributions that are none, for a limit state that does not change at the
+    medians, jumps or has no boundary within reach, and for derivatives that are not finite.
+    """
+    space = _Space.of("first_order_reliability", random)
+    require(reach > 0, "first_order_reliability", "reach", reach, "it must be positive")
+    surface = _Smooth(space, limit_state, reach)
+    if not surface.changes:
+        raise ValueError(
+            "first_order_reliability: no parameter changes the limit state at the medians, so that "
+            "they do not tell where it fails: choose one that does, or use `monte_carlo`"
+        )
+    return _nearest(surface, surface.towards_failure())
+
+
+def reliability_of(
+    case: Callable[..., Case],
+    random: Mapping[str, Any],
+    *,
+    demand: str | None = None,
+    limit: float | None = None,
+    reach: float = REACH,
+    options: SolverOptions | None = None,
+) -> FirstOrder:
+    """By first order, how likely a structure of random parameters overturns or exceeds a limit.
+
+        reliability_of(case, random)                               # overturning
+        reliability_of(case, random, demand="theta", limit=0.05)   # or a rotation of 0.05 rad
+
+    case : a function of the parameters, by name, that returns a `Case`; it calculates with numbers
+        and with `rk.Dual`.
+    random, reach : as of `first_order_reliability`. options : of the simulations.
+    demand, limit : of the state, energy, displacement or uplift whose largest size is to stay below
+        the limit [its unit]; who overturns exceeds it. If neither is given, overturning is meant.
+
+    A largest size has a derivative, where one crest remains the highest; of overturning there is
+    no margin that would have one, since the peak goes to the unstable equilibrium with a vertical
+    slope and is nothing beyond. Its boundary is found on rays from the medians instead: the first
+    change of fate of 32 places, narrowed down to 1e-12. With the values there the structure lingers
+    about the unstable equilibrium, and the gradient of its rotation, by then large along nothing
+    but the normal of the boundary, is that normal. Islands of overturning narrower than a place are
+    missed, as are other nearest points; hold it beside `monte_carlo`.
+
+    Returns `FirstOrder`. Raises ValueError as `first_order_reliability` does, and for a motion
+    without an answer.
+    """
+    space = _Space.of("reliability_of", random)
+    require(reach > 0, "reliability_of", "reach", reach, "it must be positive")
+    condition = _Condition.of("reliability_of", demand, limit)
+    fates = partial(_Fates, space, case, condition, reach, options)
+    if demand is None or limit is None:
+        overturning = _Overturning(fates())
+        return _nearest(overturning, overturning.fates.towards_failure())
+    surface = _Smooth(space, _Margin(case, demand, limit, options), reach)
+    # a structure that does not move at the medians has no derivatives there
+    start = surface if surface.changes else fates()
+    return _nearest(surface, start.towards_failure())
+
+
+def monte_carlo(
+    case: Callable[..., Case],
+    random: Mapping[str, Any],
+    number: int = 10_000,
+    *,
+    demand: str | None = None,
+    limit: float | None = None,
+    seed: int = 0,
+    **how: Any,
+) -> MonteCarlo:
+    """How many of a number of structures with parameters drawn at random fail.
+
+    case, random, demand, limit : as of `reliability_of`; demand may be any quantity.
+    number : of samples. seed : of what is drawn; the same seed draws the same.
+    how : what else `simulate_many` takes: options, threads, progress, and store, a folder in which
+        what is done is kept, so that the same call goes on where it was stopped.
+
+    Cases that were not run or gave no answer are not counted, but told: `left_out`. Raises
+    ValueError for bad arguments, and where no case gave an answer.
+    """
+    from rockeom.numeric.ensemble import simulate_many
+
+    space = _Space.of("monte_carlo", random)
+    require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
+    condition = _Condition.of("monte_carlo", demand, limit)
+    u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
+    kept = condition.quantities(case(**space.values(u[0])))
+    sweep = simulate_many(case, space.table(u), arrays=True, quantities=kept, **how)
+    fails, answered = condition.of_sweep(sweep)
+    if not answered.any():
+        raise ValueError(
+            f"monte_carlo: none of {number} cases gave an answer; the outcome of the first is "
+            f"{outcome_labels(sweep).values[0]!r}"
+        )
+    return MonteCarlo(int(fails.sum()), int(answered.sum()), int((~answered).sum()), sweep)
+
+
+def _told(values: Mapping[str, float]) -> str:
+    return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())
+
+
+# -- random parameters
+
+
+@dataclass(frozen=True)
+class _Space:
+    """Independent random parameters as standard normal deviates u (..., k)."""
+
+    names: tuple[str, ...]
+    marginals: tuple[Any, ...]
+
+    @classmethod
+    def of(cls, where: str, random: Mapping[str, Any]) -> _Space:
+        if not random:
+            raise ValueError(f"{where}: random is empty: give a distribution of each parameter")
+        for name, marginal in random.items():
+            if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
+                raise ValueError(
+                    f"{where}: random has {name} = {marginal!r}: give a continuous distribution "
+                    "with its parameters, such as scipy.stats.norm(0.1, 0.01)"
+                )
+        return cls(tuple(random), tuple(random.values()))
+
+    def columns(self, u: np.ndarray) -> list[np.ndarray]:
+        """Values of each parameter; each tail from its own end, so that none loses its digits."""
+        return [
+            np.where(x > 0, of.isf(ndtr(-x)), of.ppf(ndtr(x)))
+            for of, x in zip(self.marginals, np.moveaxis(u, -1, 0), strict=True)
+        ]
+
+    def table(self, u: np.ndarray) -> np.ndarray:
+        """Of u (n, k), rows for `simulate_many`."""
+        found = np.empty(len(u), dtype=[(name, float) for name in self.names])
+        for name, column in zip(self.names, self.columns(u), strict=True):
+            found[name] = column
+        return found
+
+    def values(self, u: np.ndarray) -> dict[str, float]:
+        """Of u (k,), by name."""
+        found = (float(x) for x in self.columns(u))
+        return dict(zip(self.names, found, strict=True))
+
+    def duals(self, u: np.ndarray) -> dict[str, Dual]:
+        """Of u (k,), by name, with their derivatives by u."""
+        values = self.values(u)
+        log_density = -0.5 * u**2 - 0.5 * math.log(2 * math.pi)
+        slopes = [
+            math.exp(of_u - of.logpdf(x))
+            for of_u, of, x in zip(log_density, self.marginals, values.values(), strict=True)
+        ]
+        return {
+            name: Dual(x, direction)
+            for (name, x), direction in zip(values.items(), np.diag(slopes), strict=True)
+        }
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return vector / np.linalg.norm(vector)
+
+
+# -- the nearest point of a surface
+
+
+class _Surface(Protocol):
+    """The boundary of failure around the medians, as rays from there meet it."""
+
+    space: _Space
+    side: int
+    reach: float
+
+    @property
+    def runs(self) -> int:
+        """How many motions, or evaluations of a limit state, there were."""
+
+    def distance(self, ray: np.ndarray) -> float:
+        """Along a unit vector (k,), to where failure begins or, from within, ends; inf if not."""
+
+    def normal(self, ray: np.ndarray) -> np.ndarray:
+        """(k,) of unit length and outwards, where the last ray that was asked for meets it."""
+
+
+def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
+    """Where the surface is nearest, of rays that begin with one that meets it.
+
+    Minimised is the logarithm of the distance. The first step along its gradient leads to the
+    normal: the step of Hasofer, Lind, Rackwitz and Fiessler. BFGS learns the curvature from there.
+    """
+    from scipy.optimize import minimize  # takes long to import
+
+    met: list[tuple[float, np.ndarray, np.ndarray]] = []
+
+    def logarithm(ray: np.ndarray) -> tuple[float, np.ndarray]:
+        if len(met) == MOST_RAYS:
+            raise _EnoughError
+        along = _unit(ray)
+        distance = surface.distance(along)
+        if math.isinf(distance):
+            return distance, np.zeros(len(ray))
+        normal = surface.normal(along)
+        met.append((distance, along, normal))
+        slope = (along - normal / (normal @ along)) / np.linalg.norm(ray)
+        return math.log(max(distance, _LEAST)), slope
+
+    how = {"gtol": 0.1 * SETTLED, "norm": 2, "maxiter": ROUNDS}
+    with np.errstate(invalid="ignore"), suppress(_EnoughError):  # invalid where a ray meets nothing
+        minimize(logarithm, ray, jac=True, method="BFGS", options=how)
+    if not met:
+        raise _none_found(surface.reach, "on the likeliest ray")
+    distance, along, normal = min(met, key=lambda of: of[0])
+    angle = 2.0 * math.asin(min(0.5 * float(np.linalg.norm(along - normal)), 1.0))
+    names = surface.space.names
+    return FirstOrder(
+        index=surface.side * distance,
+        design_point=surface.space.values(distance * along),
+        deviates=distance * along,
+        importance=dict(zip(names, (along**2).tolist(), strict=True)),
+        angle=angle,
+        settled=angle <= SETTLED,
+        runs=surface.runs,
+    )
+
+
+class _EnoughError(Exception):
+    """Rays enough have been looked at."""
+
+
+def _none_found(reach: float, where: str) -> ValueError:
+    return ValueError(
+        f"no failure was found within {reach:g} standard deviations of the medians, looked for "
+        f"{where}: the index is larger, or it fails elsewhere; give a larger reach, or use "
+        "`monte_carlo`"
+    )
+
+
+# -- a smooth limit state
+
+
+class _Smooth:
+    """Where a limit state of `rk.Dual` is zero."""
+
+    def __init__(self, space: _Space, limit_state: Callable[..., Any], reach: float) -> None:
+        self.space, self.limit_state, self.reach = space, limit_state, reach
+        self.runs = 0
+        self.first = self._at(np.zeros(len(space.names)))
+        self.side = 1 if self.first[0] >= 0 else -1
+        self.met = np.zeros(len(space.names))
+        self.slope = self.first[1]
+
+    @property
+    def changes(self) -> bool:
+        """Whether the limit state changes about the medians."""
+        return bool(np.any(self.first[1]))
+
+    def towards_failure(self) -> np.ndarray:
+        """Of Newton's steps down the gradient the first with whose ray a boundary is met."""
+        u, (value, slope) = np.zeros(len(self.space.names)), self.first
+        for _ in range(ROUNDS):
+            if not np.any(slope):
+                break
+            u = u - (value or self.side) * slope / (slope @ slope)
+            u = u * min(1.0, self.reach / float(np.linalg.norm(u)))
+            if math.isfinite(self.distance(_unit(u))):
+                return _unit(u)
+            value, slope = self._at(u)
+        raise _none_found(self.reach, "down the gradient")
+
+    def _at(self, u: np.ndarray) -> tuple[float, np.ndarray]:
+        """The limit state and its gradient (k,) at deviates u (k,)."""
+        self.runs += 1
+        values = self.space.duals(u)
+        found = self.limit_state(**values)
+        if isinstance(found, Dual):
+            value, slope = float(found.value), found.tangent
+        else:
+            value, slope = float(found), np.zeros(len(u))
+        if value == -math.inf:
+            return value, np.zeros(len(u))
+        if not (math.isfinite(value) and np.all(np.isfinite(slope))):
+            raise ValueError(
+                f"the limit state is {value} with the gradient {slope} at "
+                f"{_told(self.space.values(u))}: it must be finite there"
+            )
+        return value, slope
+
+    def normal(self, ray: np.ndarray) -> np.ndarray:
+        return -self.side * _unit(self.slope)
+
+    def distance(self, ray: np.ndarray) -> float:
+        """By Newton's rule, kept between what is on this side of the boundary and what is not."""
+        low, high, s = 0.0, math.inf, self._expected(ray)
+        for _ in range(ROUNDS):
+            value, slope = self.first if s == 0.0 else self._at(s * ray)
+            value, along = self.side * value, self.side * float(slope @ ray)
+            step = -value / along if along < 0 and math.isfinite(value) else math.nan
+            if abs(step) <= NEWTON * (1.0 + s):
+                self.met, self.slope = (s + step) * ray, slope
+                return s + step
+            low, high = (s, high) if value > 0 else (low, s)
+            if low == self.reach:
+                return math.inf
+            if high - low <= 1e-10 * (1.0 + low):
+                raise ValueError(
+                    f"the limit state jumps {low:.6g} standard deviations from the medians: a "
+                    "demand that is exceeded by overturning alone is `reliability_of` overturning"
+                )
+            s = _within(low, high, s + step, self.reach)
+        raise ValueError(f"the limit state has no clear zero between {low:g} and {high:g} deviates")
+
+    def _expected(self, ray: np.ndarray) -> float:
+        """Where a ray meets the plane that the boundary was like where the last one met it."""
+        along = float(self.slope @ ray)
+        found = float(self.slope @ self.met) / along if along else 0.0
+        return found if 0.0 < found < self.reach else float(np.linalg.norm(self.met))
+
+
+def _within(low: float, high: float, wanted: float, reach: float) -> float:
+    """The place wanted if it lies between; otherwise one that halves, or goes on outwards."""
+    if low < wanted < high:
+        return min(wanted, reach)
+    if high < math.inf:
+        return 0.5 * (low + high)
+    return min(2.0 * low + 0.5, reach)
+
+
+@dataclass(frozen=True)
+class _Margin:
+    """1 - peak/limit of a state, as a limit state."""
+
+    case: Callable[..., Case]
+    demand: str
+    limit: float
+    options: SolverOptions | None
+
+    def __call__(self, **parameters: Dual) -> Any:
+        from rockeom.numeric.sensitivity import answer
+        from rockeom.numeric.tangents import tangents
+
+        found = tangents(self.case(**parameters), self.options)
+        if _fell(found.response):
+            return -math.inf
+        peak = answer(f"peak {self.demand}", found)
+        if found.grazing and not np.all(np.isfinite(peak.tangent)):
+            raise ValueError(f"the peak of {self.demand} has no derivatives: {found.grazing}")
+        return 1.0 - peak / self.limit
+
+
+# -- overturning, of which a motion tells only whether it comes
+
+
+@dataclass(frozen=True)
+class _Condition:
+    """What fails: a structure that overturns, or whose demand reaches a limit as well."""
+
+    demand: str | None = None
+    limit: float | None = None
+
+    @classmethod
+    def of(cls, where: str, demand: str | None, limit: float | None) -> _Condition:
+        if (limit is None) != (demand is None):
+            raise ValueError(f"{where}: demand and limit belong together: give both or neither")
+        if limit is not None:
+            require(limit > 0, where, "limit", limit, "it must be positive, in the demand's unit")
+        return cls(demand, limit)
+
+    def quantities(self, one: Case) -> tuple[str, ...]:
+        """What `simulate_many` must keep of the cases, of which one is given."""
+        known = self.demand is None or self.demand in one.structure.states
+        return () if known else (str(self.demand),)
+
+    def of_sweep(self, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:
+        """(n,) which cases of a sweep fail, and (n,) which gave an answer."""
+        labels = outcome_labels(sweep)
+        fails = labels == FALLS
+        answered = fails | labels.isin(STANDS)
+        if self.demand is not None and self.limit is not None:
+            fails = fails | (peaks_of(sweep, self.demand) >= self.limit)
+        return fails.values & answered.values, answered.values
+
+
+class _Fates:
+    """Whether structures fail, and the first places on rays from the medians where it changes."""
+
+    def __init__(
+        self,
+        space: _Space,
+        case: Callable[..., Case],
+        condition: _Condition,
+        reach: float,
+        options: SolverOptions | None,
+    ) -> None:
+        self.space, self.case, self.condition = space, case, condition
+        self.reach, self.options = reach, options
+        self.runs = 0
+        self.failed = bool(self._fail(np.zeros((1, len(space.names))))[0])
+
+    def _fail(self, u: np.ndarray) -> np.ndarray:
+        """(n,) whether structures with the deviates u (n, k) fail."""
+        from rockeom.numeric.ensemble import simulate_many
+
+        self.runs += len(u)
+        kept = self.condition.quantities(self.case(**self.space.values(u[0])))
+        sweep = simulate_many(
+            self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
+            lanes=False, progress=False,
+        )  # fmt: skip
+        if sweep.attrs["interrupted"]:
+            raise KeyboardInterrupt
+        fails, answered = self.condition.of_sweep(sweep)
+        if not answered.all():
+            row = int(np.argmin(answered))
+            raise ValueError(
+                f"with {_told(self.space.values(u[row]))} the motion gives no answer: its outcome "
+                f"is {outcome_labels(sweep).values[row]!r}"
+            )
+        return fails
+
+    def first_changes(self, rays: np.ndarray) -> np.ndarray:
+        """(n, 2) last place as at the medians and first one that is not; inf, inf without any."""
+        places = np.linspace(0.0, self.reach, RAYS + 1)
+        u = places[None, 1:, None] * rays[:, None, :]
+        changed = self._fail(u.reshape(-1, rays.shape[1])).reshape(len(rays), RAYS) != self.failed
+        index = np.argmax(changed, axis=1)
+        found = np.stack([places[index], places[index + 1]], axis=1)
+        return np.where(changed.any(axis=1)[:, None], found, math.inf)
+
+    def towards_failure(self) -> np.ndarray:
+        """The ray to begin with: the normal of a plane through where the axes meet the surface."""
+        k = len(self.space.names)
+        rays = np.concatenate([np.eye(k), -np.eye(k)])
+        first = self.first_changes(rays)[:, 1]
+        if np.all(np.isinf(first)):
+            raise _none_found(self.reach, "where one parameter changes alone")
+        plane = _unit(rays.T @ (1.0 / first))
+        nearer = self.first_changes(plane[None])[0, 1] <= first.min()
+        return plane if nearer else rays[int(np.argmin(first))]
+
+
+class _Overturning:
+    """The boundary of overturning, about which a motion lingers at the unstable equilibrium."""
+
+    def __init__(self, fates: _Fates) -> None:
+        self.fates, self.space, self.reach = fates, fates.space, fates.reach
+        self.side = -1 if fates.failed else 1
+        self.own_runs = 0
+        self.ends = (0.0, 0.0)
+
+    @property
+    def runs(self) -> int:
+        return self.fates.runs + self.own_runs
+
+    def distance(self, ray: np.ndarray) -> float:
+        """By halves, between places found by many motions at once."""
+        low, high = self.fates.first_changes(ray[None])[0].tolist()
+        while high - low > ACCURACY * (1.0 + low) and high < math.inf:
+            middle = 0.5 * (low + high)
+            if _fell(self._run(middle * ray)) == self.fates.failed:
+                low = middle
+            else:
+                high = middle
+        self.ends = low, high
+        return low
+
+    def normal(self, ray: np.ndarray) -> np.ndarray:
+        """Gradient of the rotation that falls, when the motions on both sides have parted."""
+        from rockeom.numeric.tangents import tangents
+
+        low, high = self.ends
+        stands, falls = (high, low) if self.fates.failed else (low, high)
+        time, duration, name = self._parting(stands * ray, falls * ray)
+        case = self.fates.case(**self.space.duals(stands * ray))
+        found = tangents(replace(case, duration=duration), self.fates.options)
+        self.own_runs += 1
+        slope = found.at(np.array([time]))[0, found.response.states.index(name)]
+        if not np.all(np.isfinite(slope)):
+            raise ValueError(f"the boundary of overturning has no normal: {found.grazing}")
+        return _unit(slope) * np.sign(slope @ ray)
+
+    def _run(self, u: np.ndarray, duration: float | None = None) -> Response:
+        from rockeom.numeric.simulate import simulate
+
+        self.own_runs += 1
+        case = self.fates.case(**self.space.values(u))
+        if duration is not None:
+            case = replace(case, duration=duration)
+        return simulate(**vars(case), options=self.fates.options)
+
+    def _parting(self, stands: np.ndarray, falls: np.ndarray) -> tuple[float, float, str]:
+        """When both motions differ clearly [s], how long they must last, and in what."""
+        duration = self._run(stands).duration
+        for _ in range(MOST_DOUBLINGS):
+            one, other = self._run(stands, duration), self._run(falls, duration)
+            name = other.overturned
+            t = one.t[one.t <= other.t[-1]]
+            apart = np.abs(one.at(t)[name] - other.at(t)[name])
+            clear = apart > APART * one.structure.falls[name]
+            if clear.any():
+                return float(t[np.argmax(clear)]), duration, name
+            duration *= 2.0
+        raise ValueError(f"motions on both sides of overturning do not part in {duration:g} s")
+
+
+def _fell(run: Response) -> bool:
+    from rockeom.numeric.response import Outcome
+
+    return run.outcome is Outcome.OVERTURNED
