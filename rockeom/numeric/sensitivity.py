@@ -267,7 +267,9 @@ def _along_ground(case: Case, along: ProblemTangents, j: int, name: str) -> None
     acceleration, time = _FACTORS[name]
     for motion, found in ((case.motion, along.horizontal), (case.vertical, along.vertical)):
         table = ground_table(motion)
-        found[..., j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
+        moved = scaled(table, 1.0 + acceleration, 1.0 + time).imag
+        for column in np.flatnonzero(moved.any(axis=0)):  # of a record few are
+            found[:, column, j] = moved[:, column] / _TINY
 
 
 # -- a number within what something was made of

@@ -67,8 +67,7 @@ def wrong_tangents(motion: Motion) -> Iterator[str]:
     except (OtherEventsError, ValueError):  # there is none beside it
         return
     parts = found.event_times, found.before, found.after, found.end, found.at(times)
-    bound = max(OPTIONS = dataclasses.replace(TIGHT, max_steps=20_000, max_impacts=400)
-TOLERANCE, DOUBT * reference.error)
+    bound = max(TOLERANCE, DOUBT * reference.error)
     for name, part, other in zip(Observed._fields, parts, reference.derivative, strict=True):
         error = np.abs(part[..., 0] - other).max(initial=0.0) / size_of(other)
         if not error <= bound:
