@@ -165,7 +165,7 @@ class _Fates:
         """(n,) of the values (n,) of each name."""
         from rockeom.numeric.ensemble import simulate_many
 
-        table = xr.Dataset({name: ("row", values) for name, values in columns.items()})
+        table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
         found = simulate_many(self.case, table, progress=False, **self.how)
         if found.attrs["interrupted"]:
             raise KeyboardInterrupt
@@ -217,11 +217,11 @@ class _Brackets:
 
     def with_middles(self) -> dict[str, np.ndarray]:
         """The values of every name in the middles of the intervals."""
+        own = {name: self.along == name for name in self.at}
         return {
-            name: np.where(self.along == name, self.middle, values) if values.dtype != object
-            else values
+            name: np.where(own[name], self.middle, values) if own[name].any() else values
             for name, values in self.at.items()
-        }  # fmt: skip
+        }
 
     def halves(self, fates: np.ndarray) -> _Brackets:
         """The halves in which the fate changes, by the fates (n,) in the middles."""

@@ -121,6 +121,18 @@ def test_no_answer_is_no_fate_and_no_boundary():
     assert not analysis.overturning_boundaries(tall, sweep).sizes["boundary"]
 
 
+def test_whole_numbers_that_are_not_looked_along_stay_whole():
+    def frame(columns, amplitude):
+        assert isinstance(columns, int | np.integer)
+        return tall(amplitude / columns)
+
+    sweep = rk.simulate_many(frame, {"columns": [1, 2], "amplitude": [0.1, 0.3, 0.6]})
+    found = analysis.overturning_boundaries(frame, sweep, "amplitude", accuracy=1e-9)
+    onset = found.isel(boundary=np.flatnonzero(np.isinf(found.below)))
+    first, second = (float(onset.amplitude[onset.columns == n].min()) for n in (1, 2))
+    assert second == pytest.approx(2 * first, rel=1e-9)
+
+
 # --- what cannot be asked for
 
 
