@@ -121,7 +121,7 @@ class OrbitBranch:
 
     @property
     def stable(self) -> np.ndarray:
-        """(k,) whether each motion lasts."""
+        """(k,) whether each motion lasts; of one at a bifurcation rounding decides."""
         return np.array([orbit.stable for orbit in self.orbits])
 
     @property
