@@ -121,7 +121,7 @@ class OrbitBranch:
 
     @property
     def stable(self) -> np.ndarray:
-        """(k,) whether each motion lasts."""
+        """(k,) whether each motion lasts; of one at a bifurcation rounding decides."""
         return np.array([orbit.stable for orbit in self.orbits])
 
     @property
@@ -311,14 +311,18 @@ class _Follower:
 
         Raises ArithmeticError where a shorter step is to be tried.
         """
-        there = self.corrected(here.z + length * here.way, here.way)
+        ahead = here.z + length * here.way
+        for bound in self.bounds:
+            if self._beyond(ahead, bound):
+                return self._landed(here, ahead, bound), f"{bound:.12g} was reached"
+        there = self.corrected(ahead, here.way)
         if there.way @ here.way < (_CORNER if here.crossing else _BEND):
             raise ArithmeticError("the branch bends within the shortest step")
-        if start is not None and np.linalg.norm(there.z - start.z) < length:
-            return there, "it came back to its start"
         for bound in self.bounds:
             if self._beyond(there.z, bound):
-                return self._landed(here, there, bound), f"{bound:.12g} was reached"
+                return self._landed(here, there.z, bound), f"{bound:.12g} was reached"
+        if start is not None and np.linalg.norm(there.z - start.z) < length:
+            return there, "it came back to its start"
         return there, ""
 
     def _beyond(self, z: np.ndarray, bound: float) -> bool:
@@ -326,11 +330,11 @@ class _Follower:
         inwards = sum(self.bounds) - 2 * bound
         return (z[-1] * self.scale[-1] - bound) * np.sign(inwards) < -_INSIDE * self.scale[-1]
 
-    def _landed(self, here: _Point, there: _Point, bound: float) -> _Point:
-        """The point of a bound, which the step from here to there passed."""
-        part = (bound / self.scale[-1] - here.z[-1]) / (there.z[-1] - here.z[-1])
+    def _landed(self, here: _Point, there: np.ndarray, bound: float) -> _Point:
+        """The point of a bound, which the step from here to there passes."""
+        part = (bound / self.scale[-1] - here.z[-1]) / (there[-1] - here.z[-1])
         across = np.append(np.zeros(len(here.z) - 1), 1.0)
-        found = self.corrected(here.z + part * (there.z - here.z), across)
+        found = self.corrected(here.z + part * (there - here.z), across)
         z = np.append(found.z[:-1], bound / self.scale[-1])
         return found._replace(z=z, way=self.way(found.jacobian, here.way))
 

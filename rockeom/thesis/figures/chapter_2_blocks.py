@@ -378,7 +378,7 @@ def figure_2_12() -> Drawn:
                 "as a ratio of energies, as in 2-4, the (1,1) orbit does not double from 3 to "
                 f"3.26: its symmetry breaks at {by_energy[0].bifurcations[0].value:.8f}, and the "
                 "orbit behind lasts"
-                if not flips and by_energy[1].stable.all() else f"also of energies {flips}",
+                if not flips and by_energy[1].stable[1:].all() else f"also of energies {flips}",
                 bool(flips),
             ),
             Statement(
