@@ -85,6 +85,23 @@ def test_squat_block_is_chaotic_beside_a_cycle_of_three_periods():
     assert 1.0 < wild.dimension < 2.0
 
 
+def test_largest_exponent_is_positive_just_where_looks_do_not_repeat_themselves():
+    """Through the cascade, in windows of 16 and 10 cycles, and in the chaos between them."""
+    values = [3.22, 3.24, 3.25, 3.265, 3.3]
+    found = analysis.poincare_sections(
+        lambda beta: hogan(beta, 5002), over={"beta": values}, starts={"x": [0.1]},
+        settling=5000, cycles=64,
+    )  # fmt: skip
+    cycles = []
+    for beta in values:
+        one = analysis.basins(found.sel(beta=beta), tolerance=1e-6)
+        cycles.append(int(one.orbit_cycles[0]) if one.fate > 0 else 0)
+        at = found.strobe.sel(beta=beta).values[0, -1]
+        low, high = analysis.lyapunov_spectrum(hogan(beta), at, cycles=320, settling=5).bounds()
+        assert low[0] > 0 if cycles[-1] == 0 else high[0] < 0
+    assert cycles == [4, 0, 16, 10, 0]
+
+
 def test_exponents_of_a_cycle_are_the_logarithms_of_its_multipliers():
     """At 3.25, in a window between chaotic motions: a cycle of 16 periods."""
     cycle = settled(3.25)
