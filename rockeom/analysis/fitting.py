@@ -455,7 +455,7 @@ def fit_free_vibration(
     fitted, as the parameter "release_time". options : of the simulations. bounds, and what is
     returned: as in `fit`, the values in the order peaks, peak_times, crossing_times.
     exact : whether the derivatives are those of `rk.tangents`, which need a `case` that calculates
-    with `rk.Dual`, and a state, displacement or uplift; False takes central differences, of two
+    with `rk.Dual`, and a quantity that `rk.sensitivity` knows; False takes central differences, two
     simulations for each parameter. If not given, exact ones where the first guess has them.
 
     A peak from which the simulation is let go, moved by no parameter, counts nowhere. Peaks of a

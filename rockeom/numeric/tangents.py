@@ -201,7 +201,10 @@ class _Motion:
         if not found.stopped:
             return ""
         event = self.response.events[found.at]
-        return f"{event} at {event.time:.6g} s {_WHY[found.stopped]}"
+        what = (
+            f"the {event.kind} at {event.time:.6g} s, {event.phase_before} to {event.phase_after}"
+        )
+        return f"{what}, {_WHY[found.stopped]}"
 
 
 _WHY = {

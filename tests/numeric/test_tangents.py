@@ -234,11 +234,10 @@ def test_half_a_period_of_a_symmetric_orbit():
 @pytest.mark.parametrize(
     "options",
     [
-        rk.SolverOptions(method="RK45", rtol=1e-12, atol=1e-15),
         rk.SolverOptions(method="Radau", rtol=1e-10, atol=1e-13),
         rk.SolverOptions(steps_per_segment=40),
     ],
-    ids=["RK45", "Radau", "equal steps"],
+    ids=["Radau", "equal steps"],
 )
 def test_whatever_the_steps(options):
     """The motion's derivatives are those of its steps, as accurate as they are."""
