@@ -208,7 +208,7 @@ class Dual(Compound):
         """What NumPy does with numbers one by one, operators among it."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
-        if ufunc in _OF_ARRAYS and _are_floats(given):
+        if ufunc in _OF_ARRAYS and not how and _are_floats(given):
             return _through_array(ufunc, given)
         if any(isinstance(x, np.ndarray) for x in given):
             return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)

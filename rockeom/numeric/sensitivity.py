@@ -256,7 +256,7 @@ def _of_time(case: Case) -> dict[str, _Knob]:
     }
 
 
-_TINY = 1e-200
+_TINY = 1e-100
 _FACTORS = {"amplitude": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
 """What is added to the factors of the ground's acceleration and time to derive by them: imaginary
 parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
