@@ -120,6 +120,7 @@ def poincare_sections(
             for name in ("impact_time", "impact_state"):
                 found[name] = np.concatenate([part[name] for part in parts], axis=1)
             found["impact_time"] %= again.periods[:, None]
+            motions.interrupted |= again.interrupted
     return plan.dataset(motions, found)
 
 
@@ -155,16 +156,15 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
     Raises ValueError for sections of several maps and for a tolerance that is not positive.
     """
     (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
+    dims_of_starts("basins", sections)  # refuses others
     strobe = sections["strobe"].values
-    dims_of_starts("basins", sections)
     looks = strobe.reshape(-1, *strobe.shape[-2:])
     labels = sections["outcome"].values.ravel()
     fate = np.where(labels == FALLS, FALLEN, UNKNOWN)
     there = np.isin(labels, STANDS) & np.isfinite(looks).all(axis=(1, 2))
     size = np.abs(looks[there]).max(axis=(0, 1), initial=0.0)
     scaled = looks[there] / np.where(size > 0, size, 1.0)
-    numbers_of, orbits = _orbits(scaled, tolerance)
-    fate[there] = numbers_of
+    fate[there], orbits = _orbits(scaled, tolerance)
     state = looks[there][[first for first, _ in orbits], -1]
     words = [f"orbit_{i}" for i in range(1, len(orbits) + 1)]
     attrs = {
@@ -244,9 +244,9 @@ def _cycles(looks: np.ndarray, tolerance: float) -> np.ndarray:
     """(n,) after how many cycles each motion repeats itself, 0 if it does not."""
     found = np.zeros(len(looks), dtype=int)
     for k in range(1, (looks.shape[1] - 1) // 2 + 1):
-        open_ = np.flatnonzero(found == 0)
-        gap = np.abs(looks[open_, k:] - looks[open_, :-k]).max(axis=(1, 2))
-        found[open_[gap <= tolerance]] = k
+        left = np.flatnonzero(found == 0)
+        gap = np.abs(looks[left, k:] - looks[left, :-k]).max(axis=(1, 2))
+        found[left[gap <= tolerance]] = k
     return found
 
 
@@ -316,12 +316,12 @@ class _Plan:
             each = "impact", "side", "state"
             found["impact_time"] = shaped(times, "time in the cycle", "impact", units=seconds)
             found["impact_state"] = shaped(states, "state at the impact", *each)
+            found["side"] = "side", ["before", "after"], {"long_name": "side of the impact"}
         coordinates = {
             **({} if names is None else names.coordinates()),
             **of_starts.coordinates(),
             "state": ("state", list(module.STATES), {"long_name": "name of the state"}),
             "state_unit": ("state", units, {"long_name": "unit of the state"}),
-            "side": ("side", ["before", "after"], {"long_name": "side of the impact"}),
         }
         for name, unit in zip(module.STATES, units, strict=True):
             if name in coordinates:
@@ -345,7 +345,12 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     maps = np.empty(len(found), dtype=object)
     for i, one in enumerate(found):
         if not isinstance(one, StroboscopicMap):
-            raise TypeError(f"stroboscope gave {told(one)}: give an analysis.StroboscopicMap")
+            raise TypeError(f"stroboscope is {told(one)}: give an analysis.StroboscopicMap")
+        if one.structure.module is not found[0].structure.module:
+            raise ValueError(
+                f"poincare_sections: {one.structure.model} comes after "
+                f"{found[0].structure.model}: follow each model by itself"
+            )
         maps[i] = one
     return maps
 
