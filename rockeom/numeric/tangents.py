@@ -151,8 +151,8 @@ class _Motion:
     @cached_property
     def shakes(self) -> np.ndarray:
         """(m,) whether the ground moves otherwise in a direction."""
-        grounds = self.along.horizontal, self.along.vertical
-        return np.logical_or(*(x.any(axis=(0, 1)) for x in grounds))
+        horizontal, vertical = self.along.horizontal, self.along.vertical
+        return np.asarray(horizontal.any(axis=(0, 1)) | vertical.any(axis=(0, 1)))
 
     @cached_property
     def order(self) -> np.ndarray:
