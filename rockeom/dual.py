@@ -208,7 +208,7 @@ class Dual(Compound):
         """What NumPy does with numbers one by one, operators among it."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
-        if ufunc in _OF_ARRAYS and _are_floats(given):
+        if ufunc in _OF_ARRAYS and not how and _are_floats(given):
             return _through_array(ufunc, given)
         if any(isinstance(x, np.ndarray) for x in given):
             return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)
@@ -303,10 +303,12 @@ def with_tangent(values: np.ndarray, tangent: np.ndarray) -> np.ndarray:
 
 def tangent_of(x: Any, m: int) -> np.ndarray:
     """(..., m) derivatives of a number or an array (...), zero of those that have none."""
+    if isinstance(x, np.ndarray) and x.dtype != object:
+        return np.moveaxis(np.zeros((m, *x.shape)), 0, -1)  # one direction after the other
     found = np.zeros((*np.shape(x), m))
     if isinstance(x, Dual):
         found[:] = x.tangent
-    elif isinstance(x, np.ndarray) and x.dtype == object:
+    elif isinstance(x, np.ndarray):
         for row, element in zip(found.reshape(-1, m), x.flat, strict=True):
             if type(element) is Dual:
                 row[:] = element.tangent

@@ -32,7 +32,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -69,6 +69,12 @@ _MOST = 1000
 _BEND = 0.95
 """Least cosine of the angle between directions at both ends of a step."""
 
+_BESIDE = 5e-3
+"""Distance along a branch from a branch point at which it is looked at."""
+
+_CORNER = 0.2
+"""The same of the first step to another branch, which may leave at an angle."""
+
 _REACH = 0.2
 """How far an orbit may be from the one followed before, in parts of its size, to be the same."""
 
@@ -84,26 +90,38 @@ class Bifurcation:
     value: float
     orbit: PeriodicOrbit
 
+    def __repr__(self) -> str:
+        return f"<Bifurcation: {self.kind} of a {self.orbit.order} orbit at {self.value:.10g}>"
+
 
 @dataclass(frozen=True)
 class OrbitBranch:
     """Motions that grow into one another as a parameter changes.
 
     values (k,) : of the parameter, which may go back and forth. orbits : one of each. bifurcations
-    in the order in which they were passed. ended : why the branch was not followed further.
+    in the order in which they were passed; they are among the motions. ended : why the branch was
+    not followed further. An interrupt (Ctrl-C) returns what is done; from there it goes on by
+    `orbit_branch` from the last value and the `looks` of the last orbit.
     """
 
     values: np.ndarray
     orbits: tuple[PeriodicOrbit, ...]
     bifurcations: tuple[Bifurcation, ...]
     ended: str
-    family: Family = field(repr=False)
-    between: tuple[float, float] = field(repr=False)
-    tolerance: float = field(repr=False, default=1e-10)
+    family: Family
+    between: tuple[float, float]
+    tolerance: float = 1e-10
+
+    def __repr__(self) -> str:
+        passed = [f"{one.kind} at {one.value:.9g}" for one in self.bifurcations]
+        return (
+            f"<OrbitBranch: {len(self.values)} motions from {self.values[0]:.6g} to "
+            f"{self.values[-1]:.6g}; {', '.join((*passed, self.ended))}>"
+        )
 
     @property
     def stable(self) -> np.ndarray:
-        """(k,) whether each motion lasts."""
+        """(k,) whether each motion lasts; of one at a bifurcation rounding decides."""
         return np.array([orbit.stable for orbit in self.orbits])
 
     @property
@@ -293,14 +311,18 @@ class _Follower:
 
         Raises ArithmeticError where a shorter step is to be tried.
         """
-        there = self.corrected(here.z + length * here.way, here.way)
-        if there.way @ here.way < _BEND:
+        ahead = here.z + length * here.way
+        for bound in self.bounds:
+            if self._beyond(ahead, bound):
+                return self._landed(here, ahead, bound), f"{bound:.12g} was reached"
+        there = self.corrected(ahead, here.way)
+        if there.way @ here.way < (_CORNER if here.crossing else _BEND):
             raise ArithmeticError("the branch bends within the shortest step")
-        if start is not None and np.linalg.norm(there.z - start.z) < length:
-            return there, "it came back to its start"
         for bound in self.bounds:
             if self._beyond(there.z, bound):
-                return self._landed(here, there, bound), f"{bound:.12g} was reached"
+                return self._landed(here, there.z, bound), f"{bound:.12g} was reached"
+        if start is not None and np.linalg.norm(there.z - start.z) < length:
+            return there, "it came back to its start"
         return there, ""
 
     def _beyond(self, z: np.ndarray, bound: float) -> bool:
@@ -308,34 +330,54 @@ class _Follower:
         inwards = sum(self.bounds) - 2 * bound
         return (z[-1] * self.scale[-1] - bound) * np.sign(inwards) < -_INSIDE * self.scale[-1]
 
-    def _landed(self, here: _Point, there: _Point, bound: float) -> _Point:
-        """The point of a bound, which the step from here to there passed."""
-        part = (bound / self.scale[-1] - here.z[-1]) / (there.z[-1] - here.z[-1])
+    def _landed(self, here: _Point, there: np.ndarray, bound: float) -> _Point:
+        """The point of a bound, which the step from here to there passes."""
+        part = (bound / self.scale[-1] - here.z[-1]) / (there[-1] - here.z[-1])
         across = np.append(np.zeros(len(here.z) - 1), 1.0)
-        found = self.corrected(here.z + part * (there.z - here.z), across)
+        found = self.corrected(here.z + part * (there - here.z), across)
         z = np.append(found.z[:-1], bound / self.scale[-1])
         return found._replace(z=z, way=self.way(found.jacobian, here.way))
 
     def passed(self, here: _Point, there: _Point) -> list[tuple[Bifurcation, _Point]]:
         """What happened between two points, in its order."""
-        length = float(here.way @ (there.z - here.z))
         before, after = self.tests(here), self.tests(there)
         changed = [kind for kind, value in before.items() if value * after[kind] < 0]
-        found = [(kind, self._located(kind, here, length)) for kind in changed]
+        if "branch point" in changed and "fold" in changed:  # it turns where it meets another
+            changed.remove("fold")
+        found = [(kind, self._located(kind, here, there)) for kind in changed]
         found.sort(key=lambda one: here.way @ one[1].z)
         return [(Bifurcation(kind, self.value(at.z), at.orbit), at) for kind, at in found]
 
-    def _located(self, kind: str, start: _Point, length: float) -> _Point:
-        """Where a test changes its sign within a length from a point."""
+    def _located(self, kind: str, start: _Point, end: _Point) -> _Point:
+        """Where between two points a test changes its sign."""
         from scipy.optimize import brentq  # takes long to import
 
-        points: dict[float, _Point] = {}
+        length = float(start.way @ (end.z - start.z))
+        points = {0.0: start, length: end}
 
         def test(along: float) -> float:
-            points[along] = self.corrected(start.z + along * start.way, start.way)
+            if along not in points:
+                points[along] = self.corrected(start.z + along * start.way, start.way)
             return self.tests(points[along])[kind]
 
+        if kind == "branch point":
+            return self._crossed(start, brentq(test, 0.0, length, xtol=_BESIDE))
         return points[brentq(test, 0.0, length, xtol=self.tolerance)]
+
+    def _crossed(self, start: _Point, near: float) -> _Point:
+        """The branch point near a distance from a point, by a polynomial through six around it.
+
+        Where branches cross the equations are singular, so that close to there they say nothing.
+        """
+        beside = _BESIDE * np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
+        around = [self.corrected(start.z + (near + s) * start.way, start.way) for s in beside]
+        told = [np.append(point.z, self.tests(point)["branch point"]) for point in around]
+        powers = np.polynomial.polynomial.polyfit(beside, told, 5)
+        roots = np.polynomial.polynomial.polyroots(powers[:, -1])
+        at = roots[np.abs(roots).argmin()].real
+        z = np.polynomial.polynomial.polyval(at, powers[:, :-1])
+        shot = self.shot(z)
+        return _Point(z, start.way, self.jacobian(shot), self.plain.closed(shot))
 
     def end(self, here: _Point, lost: ArithmeticError) -> tuple[list[Bifurcation], str]:
         """What the end of a branch is, behind which there is no step however short."""
@@ -356,33 +398,40 @@ def _followed(
 ) -> OrbitBranch:  # fmt: skip
     """The branch from its first point on, as long as it goes."""
     points, bifurcations = [first], list[Bifurcation]()
-    length, ended, lost = step / 10, "", ArithmeticError()
+    length, ended = step / 10, ""
     while not ended:
         here = points[-1]
         try:
             there, ended = follower.next(here, length, first if len(points) > 10 else None)
+            found = follower.passed(here, there)
         except ArithmeticError as error:
-            length, lost = length / 2, error
-            if length >= _SHORTEST:
-                continue
-            grazing, ended = follower.end(here, lost)
-            bifurcations += grazing
-            near = [p for p in points if np.linalg.norm(p.z - here.z) < step / 1000]
-            points = [*points[: len(points) - len(near)], here]
-            break
-        for bifurcation, point in follower.passed(here, there):
-            bifurcations.append(bifurcation)
-            points.append(point)
-        points.append(there)
+            length, ended = length / 2, ""
+            if length < _SHORTEST:
+                grazing, ended = follower.end(here, error)
+                bifurcations += grazing
+                points = [*_apart(points, step / 1000), here]
+            continue
+        except KeyboardInterrupt:
+            ended = "it was interrupted"
+            continue
+        bifurcations += [bifurcation for bifurcation, _ in found]
+        points += [*(point for _, point in found), there]
         if any(b.kind in until for b in bifurcations):
             ended = f"a {bifurcations[-1].kind} was reached"
-        elif len(points) == _MOST:
+        elif not ended and len(points) >= _MOST:
             ended = f"{_MOST} motions were found"
         length = min(step, 1.5 * length)
     return OrbitBranch(
         np.array([follower.value(p.z) for p in points]), tuple(p.orbit for p in points),
         tuple(bifurcations), ended, follower.family, between, follower.tolerance,
     )  # fmt: skip
+
+
+def _apart(points: list[_Point], distance: float) -> list[_Point]:
+    """The points but for the last ones, which ever shorter steps left near to the end."""
+    while len(points) > 1 and np.linalg.norm(points[-1].z - points[-2].z) < distance:
+        points = points[:-1]
+    return points[:-1]
 
 
 def _leaving(family: Family, at: Bifurcation) -> tuple[np.ndarray, np.ndarray]:

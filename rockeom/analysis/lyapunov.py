@@ -40,6 +40,9 @@ from rockeom.numeric.tangents import tangents
 BATCHES = 20
 """Of the cycles, whose means tell the error of the exponents."""
 
+_NOISE = 1e-13
+"""Growth in a cycle, in parts of that of the fastest direction, that is no more than rounding."""
+
 
 @dataclass(frozen=True, eq=False)
 class LyapunovSpectrum:
@@ -47,7 +50,7 @@ class LyapunovSpectrum:
 
     states (n names) : those that are followed. period : of the ground [s].
     growth (c, n) : logarithm of how much each direction grew in each cycle; -inf where a cycle
-        forgets it, as one in which the structure comes to rest does.
+        forgets it, as one in which the structure comes to rest or feet are held does.
     state (n,), phase, directions (n, n) : where the motion is after the cycles, its contact state,
         and the orthogonal directions in the columns: from there it can be gone on with.
     """
@@ -122,7 +125,8 @@ def lyapunov_spectrum(
 ) -> LyapunovSpectrum:
     """All Lyapunov exponents of the motion from a start, of any structure, with their errors.
 
-    stroboscope : the structure and its shaking, of which the states that it follows are varied.
+    stroboscope : the structure and its shaking, of which the states that it follows are varied; a
+        mirrored map, too, is followed over whole periods.
     initial : states at the start, by name or in the order of `stroboscope.states`; or a spectrum
         that was found before, which is gone on with: two calls for 500 cycles give the same as one
         for 1000, to the last bit.
@@ -168,7 +172,11 @@ def _start(
 ) -> _Motion:
     """From where the motion is followed; raises ValueError for a spectrum of another map."""
     if not isinstance(initial, LyapunovSpectrum):
-        return _Motion(stroboscope.points(initial, 0)[0], "", np.eye(len(stroboscope.states)))
+        names = stroboscope.states
+        if isinstance(initial, Mapping):  # what is not named may follow from the rest
+            whole = stroboscope.structure.state(initial)
+            initial = whole[[stroboscope.structure.states.index(name) for name in names]]
+        return _Motion(stroboscope.points(initial, 0)[0], "", np.eye(len(names)))
     if initial.states != stroboscope.states or initial.period != stroboscope.period:
         raise ValueError(
             f"lyapunov_spectrum: initial is a spectrum of {', '.join(initial.states)} and a period "
@@ -189,7 +197,7 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
     """The motion a period later, and how much each direction grew."""
     start: dict[str, Any] = {
         name: Dual(float(value), along)
-        for name, value, along in zip(one.states, motion.state, motion.directions, strict=True)
+        for name, value, along in zip(one.states, motion.state, _free(one, motion), strict=True)
     }
     case = Case(
         one.structure, one.motion, one.impact, start, one.period, phase=motion.phase or None
@@ -205,7 +213,17 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
     rows = [run.states.index(name) for name in one.states]
     directions, grown = np.linalg.qr(found.end[rows])
     stretched = np.abs(np.diag(grown))
+    stretched[stretched < _NOISE * stretched.max()] = 0.0
     with np.errstate(divide="ignore"):
         growth = np.log(stretched)
-    directions = directions * (stretched > 0.0)  # what a motion has forgotten stays so
     return _Motion(run.end[rows], run.final_phase, directions), growth
+
+
+def _free(one: StroboscopicMap, motion: _Motion) -> np.ndarray:
+    """(n, n) the directions without what the ground holds: upright in full contact no rotation."""
+    found = motion.directions.copy()
+    if one.structure.rocks_on_rigid_ground and motion.phase == "both":
+        m = one.structure.module
+        held = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
+        found[[name in held for name in one.states]] = 0.0
+    return found

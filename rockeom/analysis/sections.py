@@ -39,6 +39,7 @@ from rockeom.numeric.ensemble import simulate_many
 from rockeom.numeric.ensemble_cases import ROW, WORTHWHILE, Cases
 from rockeom.numeric.ensemble_work import Progress
 from rockeom.numeric.quantities import units_of
+from rockeom.numeric.structures import Structure
 from rockeom.numeric.units import in_udunits, time_unit
 
 
@@ -70,7 +71,8 @@ def poincare_sections(
         )
 
     stroboscope : a map; or a function that makes one from one value of each name in `over`, of any
-        parameter of the structure, its impacts or its shaking, whose period may vary, too.
+        parameter of the structure, its impacts or its shaking, whose period may vary, too. All
+        states are followed, and looked at once a whole period, whatever the map says of these.
     over : names and their values, a grid. starts : states at the time zero, what is not named being
         zero: names and their values are a grid, over which the dataset is, too; a table (a list of
         dicts, a DataFrame) has a start in each row, and the dataset is over "start".
@@ -98,8 +100,8 @@ def poincare_sections(
     settling, cycles = whole_number("settling", settling, 0), whole_number("cycles", cycles, 1)
     impacts = whole_number("impacts", impacts, 0)
     shown = sys.stderr.isatty() if progress is None else progress
-    total = len(plan.maps) * len(plan.y) * (settling + cycles * (2 if impacts else 1))
-    with Progress(total, shown, "cycles") as line:
+    rounds = settling + cycles * (2 if impacts else 1)
+    with Progress(plan.total * rounds, shown, "cycles") as line:
         how = _How(threads, None if store is None else Path(store), line)
         motions = plan.motions(how)
         for k, stride in enumerate(plan.strides(settling)):
@@ -118,6 +120,7 @@ def poincare_sections(
             for name in ("impact_time", "impact_state"):
                 found[name] = np.concatenate([part[name] for part in parts], axis=1)
             found["impact_time"] %= again.periods[:, None]
+            motions.interrupted |= again.interrupted
     return plan.dataset(motions, found)
 
 
@@ -153,16 +156,15 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
     Raises ValueError for sections of several maps and for a tolerance that is not positive.
     """
     (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
+    dims_of_starts("basins", sections)  # refuses others
     strobe = sections["strobe"].values
-    dims_of_starts("basins", sections)
     looks = strobe.reshape(-1, *strobe.shape[-2:])
     labels = sections["outcome"].values.ravel()
     fate = np.where(labels == FALLS, FALLEN, UNKNOWN)
     there = np.isin(labels, STANDS) & np.isfinite(looks).all(axis=(1, 2))
     size = np.abs(looks[there]).max(axis=(0, 1), initial=0.0)
     scaled = looks[there] / np.where(size > 0, size, 1.0)
-    numbers_of, orbits = _orbits(scaled, tolerance)
-    fate[there] = numbers_of
+    fate[there], orbits = _orbits(scaled, tolerance)
     state = looks[there][[first for first, _ in orbits], -1]
     words = [f"orbit_{i}" for i in range(1, len(orbits) + 1)]
     attrs = {
@@ -242,9 +244,9 @@ def _cycles(looks: np.ndarray, tolerance: float) -> np.ndarray:
     """(n,) after how many cycles each motion repeats itself, 0 if it does not."""
     found = np.zeros(len(looks), dtype=int)
     for k in range(1, (looks.shape[1] - 1) // 2 + 1):
-        open_ = np.flatnonzero(found == 0)
-        gap = np.abs(looks[open_, k:] - looks[open_, :-k]).max(axis=(1, 2))
-        found[open_[gap <= tolerance]] = k
+        left = np.flatnonzero(found == 0)
+        gap = np.abs(looks[left, k:] - looks[left, :-k]).max(axis=(1, 2))
+        found[left[gap <= tolerance]] = k
     return found
 
 
@@ -253,39 +255,39 @@ def _cycles(looks: np.ndarray, tolerance: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Plan:
-    """Maps (m,) of the values of `over`, and starts y (k, N): m k motions, map by map."""
+    """Maps (m,) of the values of `over`, and k starts: m k motions, map by map."""
 
     maps: np.ndarray
     over: Cases | None
     starts: Cases
-    y: np.ndarray
 
     @classmethod
     def of(cls, stroboscope: Any, over: Mapping[str, Any] | None, starts: Any) -> _Plan:
         if over is not None and (not isinstance(over, Mapping) or isinstance(over, xr.Dataset)):
             raise TypeError(f"over is {told(over)}: give names with their lists of values")
-        if isinstance(starts, Mapping) and not starts:
-            starts = [{}]
         values = None if over is None else Cases.of(over)
         from_where = Cases.of(starts)
         maps = _maps(stroboscope, values)
-        y = _states(from_where, maps[0].structure.states)
         if values is not None and (twice := {*values.values} & {*from_where.values}):
             raise ValueError(
                 f"poincare_sections: {min(twice)!r} is a name of both `over` and `starts`: let the "
                 "function call its argument by another one"
             )
-        return cls(maps, values, from_where, y)
+        return cls(maps, values, from_where)
 
     def motions(self, how: _How) -> _Motions:
-        n, k = len(self.maps), len(self.y)
+        n = self.total
         return _Motions(
             how,
-            np.repeat(self.maps, k),
-            np.tile(self.y, (n, 1)),
-            np.full(n * k, "", dtype=object),
-            np.full(n * k, "not run", dtype=object),
+            np.repeat(self.maps, self.starts.total),
+            np.concatenate([_states(self.starts, one.structure) for one in self.maps]),
+            np.full(n, "", dtype=object),
+            np.full(n, "not run", dtype=object),
         )
+
+    @property
+    def total(self) -> int:
+        return len(self.maps) * self.starts.total
 
     def strides(self, settling: int) -> list[int]:
         """Cycles that are settled in one go, while the shortest of the motions goes on behind."""
@@ -314,12 +316,12 @@ class _Plan:
             each = "impact", "side", "state"
             found["impact_time"] = shaped(times, "time in the cycle", "impact", units=seconds)
             found["impact_state"] = shaped(states, "state at the impact", *each)
+            found["side"] = "side", ["before", "after"], {"long_name": "side of the impact"}
         coordinates = {
             **({} if names is None else names.coordinates()),
             **of_starts.coordinates(),
             "state": ("state", list(module.STATES), {"long_name": "name of the state"}),
             "state_unit": ("state", units, {"long_name": "unit of the state"}),
-            "side": ("side", ["before", "after"], {"long_name": "side of the impact"}),
         }
         for name, unit in zip(module.STATES, units, strict=True):
             if name in coordinates:
@@ -343,13 +345,19 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     maps = np.empty(len(found), dtype=object)
     for i, one in enumerate(found):
         if not isinstance(one, StroboscopicMap):
-            raise TypeError(f"stroboscope gave {told(one)}: give an analysis.StroboscopicMap")
+            raise TypeError(f"stroboscope is {told(one)}: give an analysis.StroboscopicMap")
+        if one.structure.module is not found[0].structure.module:
+            raise ValueError(
+                f"poincare_sections: {one.structure.model} comes after "
+                f"{found[0].structure.model}: follow each model by itself"
+            )
         maps[i] = one
     return maps
 
 
-def _states(starts: Cases, known: tuple[str, ...]) -> np.ndarray:
-    """(k, N) states at the start."""
+def _states(starts: Cases, structure: Structure) -> np.ndarray:
+    """(k, N) states at the start; of contacts that may open, heights follow from the rest."""
+    known = structure.states
     y = np.zeros((starts.total, len(known)))
     places = starts.places(np.arange(starts.total))
     for (name, values), place in zip(starts.values.items(), places, strict=True):
@@ -359,6 +367,8 @@ def _states(starts: Cases, known: tuple[str, ...]) -> np.ndarray:
             )
         (column,) = numbers("poincare_sections", **{f"starts[{name!r}]": values})
         y[:, known.index(name)] = column[place]
+    if structure.stands_on_points:
+        return np.array([structure.state(starts.named(row)) for row in range(starts.total)])
     return y
 
 

@@ -39,6 +39,7 @@ if TYPE_CHECKING:  # joined before this text, or of the printer
         N_PARTS,
         N_POINTS,
         N_STATES,
+        cannot_move,
         guards,
         jump,
         moving,
@@ -144,20 +145,23 @@ def carry(
         for j in range(N_STATES):
             start[j] = step_states[i, 0, j]
         put(y, start)
-        ax, ay = shaking(dual_gx, t), shaking(dual_gy, t)
-        rates(contact, y, dual_p, ax, ay, k)
+        still = stands_still(contact, t, gx, gy, p, floats)
+        if not still:
+            ax, ay = shaking(dual_gx, t), shaking(dual_gy, t)
+            rates(contact, y, dual_p, ax, ay, k)
         while q < len(times) and times[q] < t + h:
             part = times[q] - t
             for j in range(N_STATES):
                 y_new[j] = y[j]
-            if part > 0.0:
+            if part > 0.0 and not still:
                 take_step(contact, t, part, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new)
             for j in range(N_STATES):
                 found[q, j] = y_new[j]
             q += 1
-        take_step(contact, t, h, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new)
-        for j in range(N_STATES):
-            y[j] = y_new[j]
+        if not still:
+            take_step(contact, t, h, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new)
+            for j in range(N_STATES):
+                y[j] = y_new[j]
         length = h
         i += 1
     while q < len(times):
@@ -166,6 +170,16 @@ def carry(
         q += 1
     told[0] = e
     return 0
+
+
+def stands_still(contact, t, gx, gy, p, floats):
+    """Whether nothing can move in a step from the state floats[:N], nor its derivatives."""
+    start, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
+    for j in range(N_STATES // 2, N_STATES):
+        if start[j] != 0.0:
+            return False
+    rates(contact, start, p, shaking(gx, t), shaking(gy, t), rate_there)
+    return cannot_move(contact, rate_there, start, p)
 
 
 def with_derivatives(table, n, row):

@@ -139,9 +139,7 @@ def simulate_many(
     threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
     impact_times = whole_number("impact_times", impact_times, 0)
     if impact_states and not impact_times:
-        raise ValueError(
-            "impact_states is asked for and impact_times is 0: say of how many impacts"
-        )
+        raise ValueError("impact_states needs impact_times, the number of impacts to keep: it is 0")
     if chunk is not None:
         chunk = whole_number("chunk", chunk, 1)
 

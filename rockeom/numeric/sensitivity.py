@@ -256,7 +256,7 @@ def _of_time(case: Case) -> dict[str, _Knob]:
     }
 
 
-_TINY = 1e-200
+_TINY = 1e-100
 _FACTORS = {"amplitude": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
 """What is added to the factors of the ground's acceleration and time to derive by them: imaginary
 parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
@@ -267,7 +267,9 @@ def _along_ground(case: Case, along: ProblemTangents, j: int, name: str) -> None
     acceleration, time = _FACTORS[name]
     for motion, found in ((case.motion, along.horizontal), (case.vertical, along.vertical)):
         table = ground_table(motion)
-        found[..., j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
+        moved = scaled(table, 1.0 + acceleration, 1.0 + time).imag
+        for column in np.flatnonzero(moved.any(axis=0)):  # of a record few are
+            found[:, column, j] = moved[:, column] / _TINY
 
 
 # -- a number within what something was made of

@@ -744,7 +744,7 @@ class RigidBlock(Structure):
     @property
     def alpha(self) -> float:
         """Angle of the line from an edge to the centroid, from the vertical [rad]."""
-        return math.atan2(self.half_width, self.half_height)
+        return mathematics.atan2(self.half_width, self.half_height)
 
     @property
     def radius(self) -> float:
@@ -756,7 +756,7 @@ class RigidBlock(Structure):
         """p = sqrt(m g R/I_o) [rad/s]."""
         values = self.parameters()
         pivot_inertia = values["inertia"] + self.mass * self.radius**2
-        return math.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
+        return mathematics.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
 
     def hints(self) -> tuple[str, ...]:
         return _inertia_hints(self.mass, self.radius, self.inertia)

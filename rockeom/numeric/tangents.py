@@ -149,6 +149,20 @@ class _Motion:
         return self.along.y0.shape[1]
 
     @cached_property
+    def shakes(self) -> np.ndarray:
+        """(m,) whether the ground moves otherwise in a direction."""
+        horizontal, vertical = self.along.horizontal, self.along.vertical
+        return np.asarray(horizontal.any(axis=(0, 1)) | vertical.any(axis=(0, 1)))
+
+    @cached_property
+    def order(self) -> np.ndarray:
+        """(m,) the directions, those in which the ground moves otherwise last, and so together.
+
+        Records are long, and with all their derivatives longer.
+        """
+        return np.argsort(self.shakes, kind="stable")
+
+    @cached_property
     def last_time(self) -> float:
         """When the motion ends [s]."""
         return float(self.response.steps.span[-1].sum())
@@ -160,8 +174,10 @@ class _Motion:
             k, n = len(self.response.passages[0]), len(self.problem.y0)
             ends, found = np.empty((n, 0)), np.empty((len(times), n, 0))
             return _Carried(ends, found, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
+        back = np.argsort(self.order)
         whole = [
-            np.concatenate(some, axis=-1) for some in zip(*(p[:4] for p in parts), strict=True)
+            np.concatenate(some, axis=-1)[..., back]
+            for some in zip(*(p[:4] for p in parts), strict=True)
         ]
         return _Carried(whole[0], whole[1], whole[2], whole[3], parts[0].stopped, parts[0].at)
 
@@ -175,22 +191,22 @@ class _Motion:
         corners = any(x[:, :2].any() for x in (along.horizontal, along.vertical))
         floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
         for first in range(0, self.directions, WIDTH):
-            some = slice(first, first + WIDTH)
-            width = min(WIDTH, self.directions - first)
+            some = self.order[first : first + WIDTH]
+            rows = _rows if self.shakes[some].any() else _nothing_new
             y, told = _dual(q.y0, along.y0[:, some]), np.zeros(1, np.int64)
             found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
             stopped = program.carry(
                 steps.span, steps.contact, steps.powers, t, kinds, states, q.horizontal, q.vertical,
-                _dual_rows(q.horizontal, along.horizontal[..., some]),
-                _dual_rows(q.vertical, along.vertical[..., some]), corners, p,
+                rows(q.horizontal, along.horizontal, some),
+                rows(q.vertical, along.vertical, some), corners, p,
                 _dual(p, along.p[:, some]), q.law, _dual(q.ratio, along.ratio[some])[None],
                 r.options.rtol, atol, r.options.rest_tolerance, times, y, found, event_y, event_t,
                 floats, duals, told,
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan
-            told_of = slice(1, 1 + width)
+            told_of = slice(1, 1 + len(some))
             yield _Carried(
                 y[..., told_of], found[..., told_of], event_y[..., told_of],
                 event_t[..., told_of], stopped, int(told[0]),
@@ -201,7 +217,10 @@ class _Motion:
         if not found.stopped:
             return ""
         event = self.response.events[found.at]
-        return f"{event} at {event.time:.6g} s {_WHY[found.stopped]}"
+        what = (
+            f"the {event.kind} at {event.time:.6g} s, {event.phase_before} to {event.phase_after}"
+        )
+        return f"{what}, {_WHY[found.stopped]}"
 
 
 _WHY = {
@@ -218,9 +237,14 @@ def _dual(x: Any, along: np.ndarray) -> np.ndarray:
     return found
 
 
-def _dual_rows(table: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """The same of a table of the ground's motion; none where the ground does not change."""
-    return _dual(table, along) if along.any() else np.empty((0, 7, 1 + WIDTH))
+def _rows(table: np.ndarray, along: np.ndarray, some: np.ndarray) -> np.ndarray:
+    """The same of a motion's table, in some of the directions."""
+    return _dual(table, along[..., some])
+
+
+def _nothing_new(_table: np.ndarray, _along: np.ndarray, _some: np.ndarray) -> np.ndarray:
+    """The same of the rows of a motion that no direction changes: the program has them already."""
+    return np.empty((0, 7, 1 + WIDTH))
 
 
 def _end(case: Case, motion: _Motion, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

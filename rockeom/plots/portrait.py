@@ -89,17 +89,23 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
             "is no line in this plane: leave separatrix=True out"
         )
     name, rate = (m.STATES[i] for i in (m.ROTATION, m.ROTATION_RATE))
+
+    def potential(rotation: np.ndarray) -> np.ndarray:
+        energies = structure.energies({name: rotation})
+        return energies["gravitational_energy"] + energies["elastic_energy"]
+
     for side in (1.0, -1.0):
-        rotation = side * structure.overturning_rotation * np.linspace(1e-9, 1.0, _POINTS)
-        at_rest = structure.energies({name: rotation})
-        potential = at_rest["gravitational_energy"] + at_rest["elastic_energy"]
-        top = int(potential.argmax())
-        if not 0 < top < _POINTS - 1:
+        wide = side * structure.overturning_rotation * np.linspace(0.0, 1.0, _POINTS)[1:]
+        top = int(potential(wide).argmax())
+        if top in (0, len(wide) - 1):
             raise ValueError(
                 f"plot_phase_portrait: {structure.model} has no balance before it has fallen, and "
                 "no separatrix: leave separatrix=True out"
             )
-        rotation, lacking = rotation[: top + 1], potential[top] - potential[: top + 1]
+        near = np.linspace(wide[top - 1], wide[top + 1], _POINTS)
+        balance = near[potential(near).argmax()]
+        rotation = balance * np.linspace(1e-9, 1.0, _POINTS)
+        held = potential(rotation)
         kinetic = structure.energies({name: rotation, rate: 1.0})["kinetic_energy"]
-        speed = np.sqrt(lacking / kinetic)
+        speed = np.sqrt((held.max() - held) / kinetic)
         yield np.append(rotation, rotation[::-1]), np.append(speed, -speed[::-1])

@@ -8,6 +8,7 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.demo import COLUMN
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 PERIOD, RESTITUTION = 3.0, 0.5
@@ -28,15 +29,14 @@ def settled(beta, x=0.1, x_dot=0.0, cycles=2500):
     return found.strobe.values[0, 0, -1]
 
 
-def pair(beta, start, cycles, apart=1e-7):
+def pair(stroboscope, start, cycles, apart=1e-7):
     """(c,) logarithm of how much the distance of two motions grew in each cycle.
 
-    They begin with a distance in x, and the second is brought back to the first one's side each
-    time (Benettin, Galgani and Strelcyn 1976, Physical Review A 14, 2338-2345).
+    They begin with a distance in the first state, and the second is brought back to the first one's
+    side each time (Benettin, Galgani and Strelcyn 1976, Physical Review A 14, 2338-2345).
     """
-    stroboscope, found = hogan(beta), []
-    one = np.asarray(start)
-    other = one + np.array([apart, 0.0])
+    found, one = [], np.asarray(start)
+    other = one + apart * np.eye(len(one))[0]
     for _ in range(cycles):
         one, other = (stroboscope.points(at, 1)[1] for at in (one, other))
         distance = np.linalg.norm(other - one)
@@ -58,12 +58,21 @@ def test_sum_of_exponents_is_the_mean_contraction_of_the_impacts():
 
 def test_two_motions_part_as_the_largest_exponent_says():
     """In chaos, over the same cycles; the difference of two motions has an error of its length."""
-    start = settled(3.3, cycles=100)
-    cycles = 60
+    start, cycles = settled(3.3, cycles=100), 60
     spectrum = analysis.lyapunov_spectrum(hogan(3.3), start, cycles=cycles, settling=0)
-    grown = pair(3.3, start, cycles)
+    grown = pair(hogan(3.3), start, cycles)
     np.testing.assert_allclose(spectrum.growth[:, 0], grown, atol=2e-4)
     assert spectrum.exponents[0] == pytest.approx(grown.mean() / PERIOD, abs=1e-5)
+
+
+def test_two_motions_of_a_structure_that_bends_near_each_other_as_its_spectrum_says():
+    column = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
+    shaking = rk.GroundMotion.harmonic(4.0, period=0.5, duration=1.0)
+    stroboscope = analysis.StroboscopicMap(column, shaking, period=0.5)
+    start = stroboscope.points({"theta": 0.05}, 5)[-1]
+    spectrum = analysis.lyapunov_spectrum(stroboscope, start, cycles=20, settling=0)
+    np.testing.assert_allclose(spectrum.growth[:, 0], pair(stroboscope, start, 20), atol=1e-3)
+    assert spectrum.exponents.shape == (4,)
 
 
 def test_squat_block_is_chaotic_beside_a_cycle_of_three_periods():
@@ -74,6 +83,23 @@ def test_squat_block_is_chaotic_beside_a_cycle_of_three_periods():
     assert quiet.bounds()[1][0] < 0 < wild.bounds()[0][0]
     assert quiet.dimension == 0.0
     assert 1.0 < wild.dimension < 2.0
+
+
+def test_largest_exponent_is_positive_just_where_looks_do_not_repeat_themselves():
+    """Through the cascade, in windows of 16 and 10 cycles, and in the chaos between them."""
+    values = [3.22, 3.24, 3.25, 3.265, 3.3]
+    found = analysis.poincare_sections(
+        lambda beta: hogan(beta, 5002), over={"beta": values}, starts={"x": [0.1]},
+        settling=5000, cycles=64,
+    )  # fmt: skip
+    cycles = []
+    for beta in values:
+        one = analysis.basins(found.sel(beta=beta), tolerance=1e-6)
+        cycles.append(int(one.orbit_cycles[0]) if one.fate > 0 else 0)
+        at = found.strobe.sel(beta=beta).values[0, -1]
+        low, high = analysis.lyapunov_spectrum(hogan(beta), at, cycles=320, settling=5).bounds()
+        assert low[0] > 0 if cycles[-1] == 0 else high[0] < 0
+    assert cycles == [4, 0, 16, 10, 0]
 
 
 def test_exponents_of_a_cycle_are_the_logarithms_of_its_multipliers():

@@ -219,6 +219,14 @@ def test_what_cannot_be_followed_is_refused(change, error, message):
         analysis.poincare_sections(stroboscope, **how)
 
 
+def test_maps_of_several_models_are_refused():
+    slender = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
+    motion = rk.GroundMotion.harmonic(1.0, period=0.5, duration=1.0)
+    maps = {0: hogan(2.0), 1: analysis.StroboscopicMap(slender, motion, 0.5)}
+    with pytest.raises(ValueError, match="slender_block comes after nondimensional_block"):
+        analysis.poincare_sections(lambda key: maps[key], over={"key": [0, 1]}, starts={"x": [0.1]})
+
+
 def test_basins_of_several_maps_are_refused():
     several = made_up(np.ones((2, 5))).expand_dims(beta=[1.0, 2.0])
     with pytest.raises(ValueError, match=r"vary beta as well.*sections.isel\(beta=0\)"):

@@ -33,7 +33,9 @@ OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
 """What only those have of which several coordinates may fall."""
-OF_LOOP = {"shaking", "sine", "row_at", "row_of", "ratio_at", "time_to_rest", "stand"}
+OF_LOOP = {
+    "shaking", "sine", "row_at", "row_of", "ratio_at", "time_to_rest", "stand", "cannot_move",
+}  # fmt: skip
 """What contacts, and what carries derivatives, ask of the loop."""
 OF_PRINTER = {"value", "moving", "rate"}
 """What numbers with derivatives are asked by."""

@@ -482,6 +482,25 @@ def test_histories_and_peaks_of_named_quantities():
             assert np.isnan(of.history[len(within) :]).all()
 
 
+def test_states_at_impacts_are_those_of_the_response():
+    """Of the first three of each; nan where there are fewer."""
+    found = rk.simulate_many(
+        pulse, over={"frequency": FREQUENCY[:2], "amplitude": AMPLITUDE[::4]}, arrays=True,
+        impact_times=3, impact_states=True,
+    )  # fmt: skip
+    assert found.impact_state.dims == (*OVER, "impact", "side", "state")
+    for f, a in itertools.product(found.frequency.values, found.amplitude.values):
+        case = pulse(f, a)
+        impacts = rk.simulate(BLOCK, case.motion, impact=case.impact).impacts[:3]
+        here = found.impact_state.sel(frequency=f, amplitude=a)
+        assert np.isfinite(here).sum() == 4 * len(impacts)
+        for impact, states in zip(impacts, here, strict=False):
+            assert states.sel(side="before").values.tolist() == [*impact.before.values()]
+            assert states.sel(side="after").values.tolist() == [*impact.after.values()]
+    with pytest.raises(ValueError, match="impact_states needs impact_times"):
+        rk.simulate_many(pulse, over=OVER, impact_states=True)
+
+
 def test_peak_is_the_size_of_the_motion_to_either_side(reference):
     """What falls to the left has passed pi/2 there, and no signed extreme hides it."""
     lies = np.isclose(reference.peak.sel(state="theta"), np.pi / 2, rtol=1e-9)

@@ -36,6 +36,27 @@ def test_orbits_of_figure_2_11_and_doublings_of_2_12():
     assert found == [2, 4, 8]
 
 
+def test_figure_2_12_has_no_cascade_where_half_of_the_energy_is_left():
+    """As a ratio of energies 0.5 leaves one stable orbit of two mirror images from 3 to 3.26."""
+    symmetric, asymmetric = chapter_2_blocks.branches_by_energy()
+    assert not symmetric.orbits[-1].stable
+    assert [one.kind for one in symmetric.bifurcations] == ["symmetry breaking"]
+    assert symmetric.bifurcations[0].value < 3.0
+    assert asymmetric.values[-1] == 3.26
+    assert asymmetric.bifurcations == ()
+    assert np.all(asymmetric.stable[1:])
+    late = asymmetric.at(3.2)
+    run = rk.simulate(
+        chapter_2_blocks.SQUAT,
+        rk.GroundMotion.harmonic(
+            chapter_2_blocks.SQUAT.alpha * 3.2, period=3.0, phase=np.pi / 2, duration=150.0
+        ),
+        impact=rk.EnergyRatio(0.5),
+        initial=dict(zip(late.states, late.state + np.array([1e-3, -1e-3]), strict=True)),
+    )
+    assert run.end == pytest.approx(late.state, abs=1e-6)
+
+
 def test_pulses_of_figures_2_13_and_2_14():
     """Facts of the text: 0.172 g overturns, 0.454 g does not; 4.26 stands, 4.28 does not."""
     outcomes = [

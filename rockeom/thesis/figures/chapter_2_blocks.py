@@ -375,9 +375,10 @@ def figure_2_12() -> Drawn:
             ),
             Statement(
                 "Figure 2-12", "r = 0.5",
-                "as a ratio of energies, as in 2-4, no period doubles from 3 to 3.26: the symmetry "
-                f"breaks at {by_energy[0].bifurcations[0].value:.8f}, and the motion behind lasts"
-                if not flips and by_energy[1].stable.all() else f"also of energies {flips}",
+                "as a ratio of energies, as in 2-4, the (1,1) orbit does not double from 3 to "
+                f"3.26: its symmetry breaks at {by_energy[0].bifurcations[0].value:.8f}, and the "
+                "orbit behind lasts"
+                if not flips and by_energy[1].stable[1:].all() else f"also of energies {flips}",
                 bool(flips),
             ),
             Statement(
