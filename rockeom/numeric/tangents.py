@@ -214,9 +214,10 @@ class _Motion:
 
     def said_of(self, found: _Carried) -> str:
         """Why derivatives end before the motion does, or nothing."""
-        if not found.stopped:
+        lost = ~np.isfinite(found.event_states).all(axis=(1, 2, 3))
+        if not (found.stopped or lost.any()):
             return ""
-        event = self.response.events[found.at]
+        event = self.response.events[found.at if found.stopped else int(np.argmax(lost))]
         what = (
             f"the {event.kind} at {event.time:.6g} s, {event.phase_before} to {event.phase_after}"
         )
@@ -224,6 +225,7 @@ class _Motion:
 
 
 _WHY = {
+    0: "has no derivative: something is a root of what is zero there",
     GRAZES: "grazes: its guard falls so slowly that the time of it is not known",
     OTHER_WAY: "is one of several passages that fit as well: which, is not known",
 }

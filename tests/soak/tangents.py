@@ -20,7 +20,7 @@ from tests.differences import (
 from tests.soak.cases import Dice, Motion
 
 OPTIONS = dataclasses.replace(TIGHT, max_steps=20_000, max_impacts=400)
-TOLERANCE, DOUBT = 3e-8, 30.0
+TOLERANCE, DOUBT = 1e-7, 30.0
 """A derivative may be wrong by so much of its size, or by so many times what the reference may."""
 SHARE = 0.97
 """Of the motion that is looked at: at its end a law of the ground may end."""
