@@ -69,7 +69,7 @@ class LyapunovSpectrum:
 
     @property
     def exponents(self) -> np.ndarray:
-        """(n,) mean growth a second, the largest first [1/s]."""
+        """(n,) mean growth over time, the largest first [1/s, or 1 over the structure's time]."""
         return -np.sort(-self.growth.mean(axis=0)) / self.period
 
     @property
@@ -112,7 +112,7 @@ class LyapunovSpectrum:
     def __repr__(self) -> str:
         pairs = zip(self.exponents, self.standard_errors, strict=True)
         told_of = ", ".join(f"{value:.4g} +- {error:.2g}" for value, error in pairs)
-        return f"<LyapunovSpectrum: {told_of} 1/s, {self.cycles} cycles of {self.period:.6g} s>"
+        return f"<LyapunovSpectrum: {told_of}, {self.cycles} cycles of {self.period:.6g}>"
 
 
 def lyapunov_spectrum(

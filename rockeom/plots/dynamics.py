@@ -15,8 +15,7 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.sections import FALLEN, NOT_PERIODIC, UNKNOWN
-from rockeom.plots import style
-from rockeom.plots.sweeps import _edges, _known, _label, _only, _unit
+from rockeom.plots import coordinates, style
 
 if TYPE_CHECKING:
     from rockeom.analysis.branches import Bifurcation, OrbitBranch
@@ -84,7 +83,7 @@ def bifurcation_diagram(
     where they vary other parameters, and for branches that cannot be drawn so.
     """
     function = "bifurcation_diagram"
-    values = _looks(function, sections, y, at, _known(function, sections, x))
+    values = _looks(function, sections, y, at, coordinates.known(function, sections, x))
     if ax is None:
         ax = style.new_figure(6.6, 4.0).add_subplot()
     for i, look in enumerate(_looks_of_starts(sections, len(values))):
@@ -149,11 +148,13 @@ def _name_axes(ax: Axes, sections: xr.Dataset, x: str, y: str, at: str) -> None:
 def _label_of(sections: xr.Dataset, name: str, at: str) -> str:
     """Of a state, the time of impacts or a parameter."""
     if name == "impact_time":
-        return f"time of the impact in its cycle [{_unit(sections[name].attrs['units'])}]"
+        unit = coordinates.unit(sections[name].attrs["units"])
+        return f"time of the impact in its cycle [{unit}]"
     if name not in sections["state"].values:
-        return _label(sections, name)
+        return coordinates.label(sections, name)
+    unit = coordinates.unit(sections["state_unit"].sel(state=name).item())
     moment = "" if at == "period" else f" {at} an impact"
-    return f"{style.symbol(name)}{moment} [{_unit(sections['state_unit'].sel(state=name).item())}]"
+    return f"{style.symbol(name)}{moment} [{unit}]"
 
 
 # --- branches of orbits over the dots
@@ -228,7 +229,7 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
     function = "basins_of_attraction"
     if "fate" not in basins:
         raise ValueError(f"{function}: the sections have no fates: give analysis.basins(sections)")
-    fate = _only(function, basins["fate"], basins, x, y)
+    fate = coordinates.only(function, basins["fate"], basins, x, y)
     if ax is None:
         ax = style.new_figure(6.6, 4.0).add_subplot()
     present, places = np.unique(fate.values, return_inverse=True)
@@ -238,7 +239,7 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
                    linewidths=0.3)  # fmt: skip
     else:
         cells = fate.copy(data=places.reshape(fate.shape)).transpose(y, x).sortby([x, y])
-        edges = [_edges(cells[name].values) for name in (x, y)]
+        edges = [coordinates.edges(cells[name].values) for name in (x, y)]
         ax.pcolormesh(*edges, cells, cmap=ListedColormap(colours), vmin=-0.5,
                       vmax=len(colours) - 0.5, rasterized=True)  # fmt: skip
         ax.set_xlim(edges[0][0], edges[0][-1])

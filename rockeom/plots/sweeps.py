@@ -19,7 +19,7 @@ from matplotlib.patches import Patch
 from rockeom.analysis.fragility import Fragility, fragility_of
 from rockeom.analysis.overturning import impacts_before_overturning
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
-from rockeom.plots import style
+from rockeom.plots import coordinates, style
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
 _NAMED = len(style.LINES)
@@ -68,16 +68,16 @@ def overturning_map(
     Raises ValueError for names that the sweep or the boundaries do not have, where the sweep varies
     others as well, and for boundaries of a sweep that is no grid of numbers.
     """
-    kinds = _only("overturning_map", _classes(sweep), sweep, x, y)
+    kinds = coordinates.only("overturning_map", _classes(sweep), sweep, x, y)
     if ax is None:
         ax = style.new_figure(6.8, 4.2).add_subplot()
-    _name_axes(ax, sweep, x, y)
+    coordinates.name_axes(ax, sweep, x, y)
     if kinds.ndim == 1:
-        at = _places(sweep[x]), _places(sweep[y])
+        at = coordinates.places(sweep[x]), coordinates.places(sweep[y])
         colours = [_CLASSES[kind][1] for kind in kinds.values]
         ax.scatter(*at, c=colours, s=22, edgecolors="0.3", linewidths=0.5)
     else:
-        _cells(ax, kinds.transpose(y, x).sortby(_sortable(sweep, x, y)), x, y)
+        _cells(ax, kinds.transpose(y, x).sortby(coordinates.sortable(sweep, x, y)), x, y)
     present = [_CLASSES[kind] for kind in np.unique(kinds.values)]
     handles: list[Artist] = [
         Patch(facecolor=colour, edgecolor="0.3", lw=0.6, label=label,
@@ -101,7 +101,7 @@ def _classes(sweep: xr.Dataset) -> xr.DataArray:
 
 def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
     """A rectangle around each pair of values; those without an answer are crossed out."""
-    edges = [_edges(_places(kinds[name])) for name in (x, y)]
+    edges = [coordinates.edges(coordinates.places(kinds[name])) for name in (x, y)]
     colours = np.array([_rgb(colour) for _, colour in _CLASSES])
     ax.pcolormesh(*edges, colours[kinds.values], rasterized=True)
     unknown = np.ma.masked_not_equal(kinds.values, _NO_ANSWER)
@@ -174,15 +174,6 @@ def _rgb(colour: str) -> list[float]:
     return [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
 
 
-def _edges(centres: np.ndarray) -> np.ndarray:
-    """(n + 1,) edges half-way between (n,) centres, and as far beyond the first and the last."""
-    if len(centres) == 1:
-        return centres[0] + np.array([-0.5, 0.5])
-    between = (centres[1:] + centres[:-1]) / 2
-    first, last = 2 * centres[0] - between[0], 2 * centres[-1] - between[-1]
-    return np.concatenate([[first], between, [last]])
-
-
 # --- how far it rocks
 
 
@@ -219,12 +210,14 @@ def rocking_spectrum(
     """
     function = "rocking_spectrum"
     labels = outcome_labels(sweep)
-    slenderness = sweep[_known(function, sweep, alpha)] if isinstance(alpha, str) else alpha
+    slenderness = (
+        sweep[coordinates.known(function, sweep, alpha)] if isinstance(alpha, str) else alpha
+    )
     ratios = (peaks_of(sweep, state) / slenderness).where(labels.isin(STANDS))
     names = (x,) if by is None else (by, x)
-    ratios = _only(function, ratios, sweep, *names).transpose(*reversed(names))
-    fell = _only(function, labels == FALLS, sweep, *names).transpose(*reversed(names))
-    order = np.argsort(at := _places(sweep[x]))
+    ratios = coordinates.only(function, ratios, sweep, *names).transpose(*reversed(names))
+    fell = coordinates.only(function, labels == FALLS, sweep, *names).transpose(*reversed(names))
+    order = np.argsort(at := coordinates.places(sweep[x]))
     at = at[order]
     lines = ratios.values.reshape(len(at), -1)[order]
     down = fell.values.reshape(lines.shape)[order]
@@ -245,10 +238,10 @@ def rocking_spectrum(
         ax.set_yticks([tick for tick in ax.get_yticks() if tick <= top])
     ax.set_ylim(0.0, 1.2 * top if down.any() else top)
     ax.set_xlim(at[0], at[-1])
-    ax.set_xlabel(_label(sweep, x))
+    ax.set_xlabel(coordinates.label(sweep, x))
     ax.set_ylabel(rf"largest $|${style.symbol(state)}$|/\alpha$ [-]")
     if ax.get_legend_handles_labels()[0]:
-        title = None if by is None or lines.shape[1] > _NAMED else _label(sweep, by)
+        title = None if by is None or lines.shape[1] > _NAMED else coordinates.label(sweep, by)
         ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     _entitle(ax, sweep, lines.size)
     return style.parent_figure(ax)
@@ -270,7 +263,7 @@ def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str
     values = sweep[by].values
     if n <= _NAMED:
         return [
-            {"color": colour, "ls": dashes, "label": _said(value)}
+            {"color": colour, "ls": dashes, "label": coordinates.said(value)}
             for value, colour, dashes in zip(values, style.LINES, _STYLES, strict=False)
         ]
     if values.dtype.kind not in "iuf":
@@ -281,7 +274,7 @@ def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str
     from matplotlib.colors import Normalize
 
     scale = ScalarMappable(Normalize(values.min(), values.max()), colormaps["viridis"])
-    style.parent_figure(ax).colorbar(scale, ax=ax, label=_label(sweep, by))
+    style.parent_figure(ax).colorbar(scale, ax=ax, label=coordinates.label(sweep, by))
     return [{"color": scale.to_rgba(value), "lw": 0.9} for value in values]
 
 
@@ -316,7 +309,7 @@ def fragility_curve(
         curve, label = found, style.plain(intensity.replace("_", " "))
     else:
         curve = fragility_of(found, intensity=intensity, demand=demand, limit=limit)
-        label = _label(found, intensity)
+        label = coordinates.label(found, intensity)
     if ax is None:
         ax = style.new_figure(5.4, 3.8).add_subplot()
     levels, fractions = curve.fractions()
@@ -413,7 +406,7 @@ def incremental_dynamic_analysis(
         if len(names) <= _FEW_NAMES:
             _name_fallen(ax, curves, names, edge)
     ax.set_xlabel(_demand_label(sweep, demand))
-    ax.set_ylabel(_label(sweep, intensity))
+    ax.set_ylabel(coordinates.label(sweep, intensity))
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2)
     return style.parent_figure(ax)
 
@@ -425,7 +418,7 @@ def _by_record(
 
     Cases without an answer are nan.
     """
-    im = sweep[_known(function, sweep, intensity)]
+    im = sweep[coordinates.known(function, sweep, intensity)]
     labels = outcome_labels(sweep)
     found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
     others = [str(d) for d in labels.dims if d not in im.dims]
@@ -435,7 +428,7 @@ def _by_record(
             "give record=, the name of its coordinate that tells one"
         )
     keys = [record] if record is not None else others
-    columns = [sweep[_known(function, sweep, key)] for key in keys]
+    columns = [sweep[coordinates.known(function, sweep, key)] for key in keys]
     each = [a.values.ravel() for a in xr.broadcast(im, found, *columns)]
     of = np.array([", ".join(map(str, key)) for key in zip(*each[2:], strict=True)])
     curves, names = [], list(dict.fromkeys(of.tolist()))
@@ -473,75 +466,14 @@ def _name_fallen(
         if np.isposinf(d).any():
             first.setdefault(float(im[np.isposinf(d)][0]), []).append(name)
     for level, those in first.items():
-        text = _short(those[0]) + (f"\nand {len(those) - 1} more" if len(those) > 1 else "")
+        text = coordinates.short(those[0]) + (
+            f"\nand {len(those) - 1} more" if len(those) > 1 else ""
+        )
         ax.annotate(style.plain(text), (edge, level), xytext=(5, 0), textcoords="offset points",
                     fontsize=7, va="center", annotation_clip=False)  # fmt: skip
 
 
-def _short(name: str, letters: int = 24) -> str:
-    """Its beginning and its end: components of a record differ there."""
-    return name if len(name) <= letters else f"{name[: letters - 11]}…{name[-10:]}"
-
-
-# --- names and places
-
-
-def _known(function: str, sweep: xr.Dataset, name: str) -> str:
-    if name not in sweep.coords:
-        raise ValueError(
-            f"{function}: the sweep has no coordinate {name!r}; it has "
-            f"{', '.join(map(str, sweep.coords))}"
-        )
-    return name
-
-
-def _only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
-    """What is left of the dimensions when those of one value are dropped: those of the names."""
-    wanted = {d for name in names for d in sweep[_known(function, sweep, name)].dims}
-    others = {str(d): n for d, n in found.sizes.items() if d not in wanted and n > 1}
-    if others:
-        told = ", ".join(f"{name} ({n} values)" for name, n in others.items())
-        first = next(iter(others))
-        raise ValueError(
-            f"{function}: the sweep varies {told} as well: choose one, as in "
-            f"sweep.isel({first}=0), or name it"
-        )
-    return found.squeeze([d for d in found.dims if d not in wanted], drop=True)
-
-
-def _sortable(sweep: xr.Dataset, *names: str) -> list[str]:
-    return [name for name in names if sweep[name].dtype.kind in "iuf"]
-
-
-def _places(values: xr.DataArray) -> np.ndarray:
-    """Where values stand on an axis: numbers where they are, words one after the other."""
-    if values.dtype.kind in "iuf":
-        return values.values
-    words = _words(values)
-    return np.array([words.index(word) for word in values.values.tolist()])
-
-
-def _words(values: xr.DataArray) -> list[Any]:
-    """The different ones, in the order in which they come."""
-    return list(dict.fromkeys(values.values.tolist()))
-
-
-def _name_axes(ax: Axes, sweep: xr.Dataset, x: str, y: str) -> None:
-    ax.set_xlabel(_label(sweep, x))
-    ax.set_ylabel(_label(sweep, y))
-    for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
-        if sweep[name].dtype.kind not in "iuf":
-            words = [_said(value) for value in _words(sweep[name])]
-            turned = axis is ax.xaxis and max(map(len, words)) > 6
-            look: dict[str, Any] = {"rotation": 30, "ha": "right"} if turned else {}
-            axis.set_ticks(range(len(words)), words, **look)
-
-
-def _label(sweep: xr.Dataset, name: str) -> str:
-    """Name and unit of a coordinate."""
-    attrs = sweep[name].attrs
-    words = style.plain(str(attrs.get("long_name", name.replace("_", " "))))
-    return f"{words} [{_unit(attrs['units'])}]" if "units" in attrs else words
+# --- names
 
 
 def _demand_label(sweep: xr.Dataset, demand: str) -> str:
@@ -555,20 +487,8 @@ def _unit_of_demand(sweep: xr.Dataset, demand: str) -> str:
     found = peaks_of(sweep, demand)
     for name in ("state_unit", "quantity_unit"):
         if name in found.coords:
-            return _unit(found[name].values)
-    return _unit(found.attrs.get("units", ""))
-
-
-def _unit(unit: Any) -> str:
-    """As it is written on an axis: "1" is none."""
-    return "-" if str(unit) == "1" else style.plain(str(unit))
-
-
-def _said(value: Any) -> str:
-    """A coordinate's value in a figure."""
-    if isinstance(value, (int, float, np.number)):
-        return f"{value:.4g}"
-    return style.plain(_short(str(value)))
+            return coordinates.unit(found[name].values)
+    return coordinates.unit(found.attrs.get("units", ""))
 
 
 def _entitle(ax: Axes, sweep: xr.Dataset, n: int) -> None:
