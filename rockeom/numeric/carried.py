@@ -79,19 +79,20 @@ def carry(
     steps: Floats2, step_contact: Ints, step_states: Floats3, events: Floats, event_kinds: Ints2,
     event_states: Floats3, horizontal: Floats2, vertical: Floats2, dual_horizontal: Duals2,
     dual_vertical: Duals2, corners: bool, p: Floats, dual_p: Duals, law: int, dual_ratio: Duals,
-    rtol: float, atol: Floats, rest_tolerance: float, times: Floats, y: Duals, found: Duals2,
-    event_y: Duals3, event_t: Duals, floats: Floats, duals: Duals, told: Ints,
+    rtol: float, atol: Floats, rest_tolerance: float, longest: float, times: Floats, y: Duals,
+    found: Duals2, event_y: Duals3, event_t: Duals, floats: Floats, duals: Duals, told: Ints,
 ) -> int:  # fmt: skip
     """Carry y, the state at the start with its derivatives, to the end of a motion.
 
     steps to event_states : the record of the motion, see `integrate`, step_states that of dense
     outputs. horizontal to rest_tolerance : what it was integrated with; corners : whether ends of
-    laws of the ground move. found (q, N) : the state at the times (q,), which ascend. event_y
-    (k, 2, N), event_t (k,) : the states on both sides of each event, and its time, as they move.
-    floats, duals : scratch. told (1,) : the event to which it has come.
+    laws of the ground move. longest : of the steps of derivatives, see `go_on`. found (q, N) : the
+    state at the times (q,), which ascend. event_y (k, 2, N), event_t (k,) : the states on both
+    sides of each event, and its time, as they move. floats, duals : scratch. told (1,) : the event
+    to which it has come.
     Returns 0, GRAZES, or OTHER_WAY where a passage is not found again.
     """
-    k, y_new = duals[_STAGES:_NEW], duals[_NEW:_MOVED]
+    y_new = duals[_NEW:_MOVED]
     start = floats[:N_STATES]
     nx, gx = row_at(horizontal, 0, 0.0)
     ny, gy = row_at(vertical, 0, 0.0)
@@ -146,20 +147,19 @@ def carry(
             start[j] = step_states[i, 0, j]
         put(y, start)
         still = stands_still(contact, t, gx, gy, p, floats)
-        if not still:
-            ax, ay = shaking(dual_gx, t), shaking(dual_gy, t)
-            rates(contact, y, dual_p, ax, ay, k)
         while q < len(times) and times[q] < t + h:
             part = times[q] - t
             for j in range(N_STATES):
                 y_new[j] = y[j]
             if part > 0.0 and not still:
-                take_step(contact, t, part, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new)
+                go_on(
+                    contact, t, part, longest, y, dual_p, dual_gx, dual_gy, rtol, atol, duals, y_new
+                )
             for j in range(N_STATES):
                 found[q, j] = y_new[j]
             q += 1
         if not still:
-            take_step(contact, t, h, y, dual_p, dual_gx, dual_gy, rtol, atol, k, y_new)
+            go_on(contact, t, h, longest, y, dual_p, dual_gx, dual_gy, rtol, atol, duals, y_new)
             for j in range(N_STATES):
                 y[j] = y_new[j]
         length = h
@@ -170,6 +170,25 @@ def carry(
         q += 1
     told[0] = e
     return 0
+
+
+def go_on(contact, t, h, longest, y, p, gx, gy, rtol, atol, duals, y_new):
+    """A step of the motion with its derivatives, from y into y_new, in parts up to `longest`.
+
+    What does not vibrate errs in no step, however long; were it followed in such a step, what a
+    number changes would grow by as much as the step is longer than stability allows.
+    """
+    k, here = duals[_STAGES:_NEW], duals[_MOVED:_BEHIND]
+    parts = 1 + int(h / longest)
+    part = h / parts
+    for j in range(N_STATES):
+        y_new[j] = y[j]
+    for i in range(parts):
+        for j in range(N_STATES):
+            here[j] = y_new[j]
+        now = t + i * part
+        rates(contact, here, p, shaking(gx, now), shaking(gy, now), k)
+        take_step(contact, now, part, here, p, gx, gy, rtol, atol, k, y_new)
 
 
 def stands_still(contact, t, gx, gy, p, floats):

@@ -16,6 +16,7 @@ once more by the same texts, printed for numbers with derivatives; what happens 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -167,6 +168,13 @@ class _Motion:
         """When the motion ends [s]."""
         return float(self.response.steps.span[-1].sum())
 
+    @property
+    def longest_step(self) -> float:
+        """In which derivatives follow the fastest vibration that there may be [s]."""
+        of_method = _RADIANS.get(self.response.statistics["method"], math.inf)
+        fastest = max(self.response.structure.small_motion)
+        return of_method / fastest if fastest > 0.0 else math.inf
+
     def carried(self, times: np.ndarray) -> _Carried:
         """times (n,) ascend."""
         parts = list(self._parts(times))
@@ -201,8 +209,8 @@ class _Motion:
                 rows(q.horizontal, along.horizontal, some),
                 rows(q.vertical, along.vertical, some), corners, p,
                 _dual(p, along.p[:, some]), q.law, _dual(q.ratio, along.ratio[some])[None],
-                r.options.rtol, atol, r.options.rest_tolerance, times, y, found, event_y, event_t,
-                floats, duals, told,
+                r.options.rtol, atol, r.options.rest_tolerance, self.longest_step, times, y, found,
+                event_y, event_t, floats, duals, told,
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan
@@ -223,6 +231,10 @@ class _Motion:
         )
         return f"{what}, {_WHY[found.stopped]}"
 
+
+_RADIANS = {"DOP853": 0.6, "RK45": 0.2}
+"""Of a vibration, through which an explicit step goes without an error that counts; an implicit one
+is stable however long."""
 
 _WHY = {
     0: "has no derivative: something is a root of what is zero there",

@@ -249,6 +249,21 @@ def test_whatever_the_steps(options):
         assert error.max() < 1e-6, name
 
 
+def test_column_that_does_not_move_would_vibrate():
+    """Nothing errs in steps of any length while nothing moves; yet a small push would be felt."""
+    structure = column(damping=0.0)
+    case = rk.Case(structure, rk.GroundMotion.none(3.0), initial=rk.duals(u=0.0, u_dot=0.0))
+    found = rk.tangents(case)
+    assert found.response.steps.span[:, 1].max() > 0.1
+    times = np.linspace(0.0, 3.0, 7)
+    omega = np.sqrt(structure.stiffness / structure.mass)
+    cosine, sine = np.cos(omega * times), np.sin(omega * times)
+    expected = np.array([[cosine, sine / omega], [-omega * sine, cosine]])
+    place = [structure.states.index(name) for name in ("u", "u_dot")]
+    mine = np.moveaxis(found.at(times)[:, place], 0, -1)
+    np.testing.assert_allclose(mine, expected, rtol=0, atol=1e-8 * omega)
+
+
 # -- events that are no impacts at speed ---------------------------------------------------------
 
 
