@@ -273,7 +273,7 @@ print(*sorted(imported - hashed))
     # hooks come with the package; what contact states add to a text is in the text, and they read
     # points of many states, where nothing is compiled
     assert done.stdout.split() == [
-        "rockeom.generated", "rockeom.generated.rigid_block", "rockeom.hooks", "rockeom.many",
-        "rockeom.marks", "rockeom.mathematics", "rockeom.numeric",
+        "rockeom.arguments", "rockeom.dual", "rockeom.generated", "rockeom.generated.rigid_block",
+        "rockeom.hooks", "rockeom.many", "rockeom.marks", "rockeom.mathematics", "rockeom.numeric",
         "rockeom.numeric.contact_states", "rockeom.numeric.store",
     ]  # fmt: skip
