@@ -14,7 +14,7 @@ from rockeom.contract import IMPACT, LANDING, REST
 from rockeom.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.mathematics import mathematics, of_compounds
 from rockeom.motion.segments import KIND, scaled
-from rockeom.numeric.case import Case, ProblemTangents, ground_table, parted
+from rockeom.numeric.case import Case, ground_table, parted
 from rockeom.numeric.impact import EnergyRatio, VelocityRatio
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.quantities import OF_ELEMENT
@@ -25,6 +25,8 @@ from rockeom.numeric.units import time_unit
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from rockeom.motion import GroundMotion
 
 
 @dataclass(frozen=True, repr=False)
@@ -131,9 +133,12 @@ def sensitivity(
     for name, seed in zip(given, seeds.values(), strict=True):
         seeded = knobs[name].turn(seeded, seed)
     problem, along = parted(seeded.problem(), len(given))
-    for j, name in enumerate(given):
-        if name in _FACTORS:
-            _along_ground(case, along, j, name)
+    factors = {j: name for j, name in enumerate(given) if name in _FACTORS}
+    if factors:
+        along = along._replace(
+            horizontal=_of_ground(case.motion, factors, len(given)),
+            vertical=_of_ground(case.vertical, factors, len(given)),
+        )
     found = of_problem(seeded, problem, along, SolverOptions.of(options))
     answers = [answer(name, found) for name in wanted]
     return Sensitivity(
@@ -262,14 +267,14 @@ _FACTORS = {"amplitude": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
 parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
 
 
-def _along_ground(case: Case, along: ProblemTangents, j: int, name: str) -> None:
-    """Fill in derivatives of the ground's motions by a factor, the j-th direction."""
-    acceleration, time = _FACTORS[name]
-    for motion, found in ((case.motion, along.horizontal), (case.vertical, along.vertical)):
-        table = ground_table(motion)
-        moved = scaled(table, 1.0 + acceleration, 1.0 + time).imag
-        for column in np.flatnonzero(moved.any(axis=0)):  # of a record few are
-            found[:, column, j] = moved[:, column] / _TINY
+def _of_ground(motion: GroundMotion | None, factors: Mapping[int, str], m: int) -> np.ndarray:
+    """(rows, 7, m) derivatives of a motion's table by its factors, which are some directions."""
+    table = ground_table(motion)
+    found = np.zeros((m, *table.shape))
+    for j, name in factors.items():
+        acceleration, time = _FACTORS[name]
+        found[j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
+    return np.moveaxis(found, 0, -1)
 
 
 # -- a number within what something was made of

@@ -152,8 +152,9 @@ class _Motion:
     @cached_property
     def shakes(self) -> np.ndarray:
         """(m,) whether the ground moves otherwise in a direction."""
-        horizontal, vertical = self.along.horizontal, self.along.vertical
-        return np.asarray(horizontal.any(axis=(0, 1)) | vertical.any(axis=(0, 1)))
+        of_rows = self.along.horizontal, self.along.vertical
+        changed = [x.any(axis=(0, 1)) for x in of_rows if any(x.strides)]  # else it is one zero
+        return np.logical_or.reduce([np.zeros(self.directions, dtype=bool), *changed])
 
     @cached_property
     def order(self) -> np.ndarray:
@@ -168,11 +169,14 @@ class _Motion:
         """When the motion ends [s]."""
         return float(self.response.steps.span[-1].sum())
 
-    @property
+    @cached_property
     def longest_step(self) -> float:
         """In which derivatives follow the fastest vibration that there may be [s]."""
+        structure = self.response.structure
+        if structure.rocks_on_rigid_ground and len(structure.states) == 2:
+            return math.inf  # nothing vibrates
         of_method = _RADIANS.get(self.response.statistics["method"], math.inf)
-        fastest = max(self.response.structure.small_motion)
+        fastest = max(structure.small_motion)
         return of_method / fastest if fastest > 0.0 else math.inf
 
     def carried(self, times: np.ndarray) -> _Carried:
@@ -196,7 +200,8 @@ class _Motion:
         program = carrying(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
-        corners = any(x[:, :2].any() for x in (along.horizontal, along.vertical))
+        shaken = (along.horizontal, along.vertical) if self.shakes.any() else ()
+        corners = any(x[:, :2].any() for x in shaken)
         floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
