@@ -10,7 +10,7 @@ FLOAT, INT, BOOL = "double", "i64", "i1"
 DUAL = "dual"
 """A number with its derivatives in WIDTH directions: what is printed for it carries them along."""
 
-WIDTH = 8
+WIDTH = 16
 VECTOR = f"<{WIDTH} x double>"
 IN_MEMORY = {DUAL: f"[{1 + WIDTH} x double]"}
 """What stands in a place of an array, where it is not what the type is called."""

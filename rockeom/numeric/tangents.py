@@ -152,9 +152,15 @@ class _Motion:
     @cached_property
     def shakes(self) -> np.ndarray:
         """(m,) whether the ground moves otherwise in a direction."""
-        of_rows = self.along.horizontal, self.along.vertical
-        changed = [x.any(axis=(0, 1)) for x in of_rows if any(x.strides)]  # else it is one zero
-        return np.logical_or.reduce([np.zeros(self.directions, dtype=bool), *changed])
+        found = np.zeros(self.directions, dtype=bool)
+        for rows in self.grounds:
+            found |= [along.any() for along in np.moveaxis(rows, -1, 0)]
+        return found
+
+    @property
+    def grounds(self) -> list[np.ndarray]:
+        """Derivatives of the tables of the ground's motions that have some: others are one zero."""
+        return [x for x in (self.along.horizontal, self.along.vertical) if any(x.strides)]
 
     @cached_property
     def order(self) -> np.ndarray:
@@ -200,12 +206,12 @@ class _Motion:
         program = carrying(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
-        shaken = (along.horizontal, along.vertical) if self.shakes.any() else ()
-        corners = any(x[:, :2].any() for x in shaken)
         floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
-            rows = _rows if self.shakes[some].any() else _nothing_new
+            shaken = some[self.shakes[some]]
+            rows = _rows if shaken.size else _nothing_new
+            corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0[:, some]), np.zeros(1, np.int64)
             found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
@@ -257,8 +263,12 @@ def _dual(x: Any, along: np.ndarray) -> np.ndarray:
 
 
 def _rows(table: np.ndarray, along: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """The same of a motion's table, in some of the directions."""
-    return _dual(table, along[..., some])
+    """The same of a motion's table, in some of the directions: one after the other, it is long."""
+    found = np.zeros((table.size, 1 + WIDTH))
+    found[:, 0] = table.ravel()
+    for place, direction in enumerate(some, 1):
+        found[:, place] = along[..., direction].ravel()
+    return found.reshape(*table.shape, 1 + WIDTH)
 
 
 def _nothing_new(_table: np.ndarray, _along: np.ndarray, _some: np.ndarray) -> np.ndarray:
