@@ -163,9 +163,10 @@ plt.show()
 # *Figure 2. Two motions land. A difference of place before becomes one of time, and that becomes a
 # difference of rate after, because the accelerations on both sides differ.*
 #
-# To first order the neighbour lands when $\delta x + v_-\tau = 0$. Then its rate is $v_- + \delta v
-# + a_-\tau$; the impact multiplies it by $e$. Traced back to $t^*$ with the rate and the
-# acceleration $a_+$ of *after* the impact, this is where the neighbour would have come from.
+# To first order the neighbour lands when $\delta x + v_-\tau = 0$. Then its rate is
+# $v_- + \delta v + a_-\tau$; the impact multiplies it by $e$. Traced back to $t^*$ with the rate
+# and the acceleration $a_+$ of *after* the impact, this is where the neighbour would have come
+# from.
 
 # %%
 e, eps, dx, dv, v, before, after = sp.symbols("e epsilon delta_x delta_v v_- a_- a_+", real=True)

@@ -140,3 +140,14 @@ def test_numbered_equations_and_links(path):
     assert prose.count("$$") % 2 == 0
     for target in re.findall(r"\]\(([^)#]+)\)", prose):
         assert target.startswith("http") or (FOLDER / target).exists(), target
+
+
+@NOTEBOOKS
+def test_no_line_of_a_formula_is_taken_for_an_item_of_a_list(path):
+    """One that begins with a sign and a blank is one, and the formula is torn."""
+    for cell in jupytext.read(path).cells:
+        before = ""
+        for line in cell.source.splitlines() if cell.cell_type == "markdown" else ():
+            item = re.match(r"\s*[-+*] ", line)
+            assert not (item and before.count("$") % 2), line
+            before += line
