@@ -18,7 +18,7 @@ from rockeom.numeric.case import Case, ground_table, parted
 from rockeom.numeric.impact import EnergyRatio, VelocityRatio
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.quantities import OF_ELEMENT
-from rockeom.numeric.response import Outcome, Response
+from rockeom.numeric.response import Response
 from rockeom.numeric.structures import DeclaredStructure, Structure
 from rockeom.numeric.tangents import Tangents, of_problem
 from rockeom.numeric.units import time_unit
@@ -356,7 +356,8 @@ class _Moving:
     """A motion with its derivatives, asked for quantities at places of it."""
 
     def __init__(self, found: Tangents) -> None:
-        self.found, self.run, self.along = found, found.response, found.along
+        self.found, self.path = found, found.motion
+        self.run, self.along = found.response, found.along
         self.p = with_tangent(self.run.structure.vector, found.parameters)
         self.module = self.run.structure.module
         self.m = found.end.shape[-1]
@@ -380,40 +381,22 @@ class _Moving:
         """At a corner of the ground's motion, a time that moves."""
         t = float(np.nextafter(value_of(corner), 0.0))
         y, contact = self.run.steps.at(np.array([t]), "left")
-        along = self.found.at([t])[0] + np.outer(self.rates(t), tangent_of(corner, self.m))
+        along = self.found.at([t])[0] + np.outer(self.path.rates(t), tangent_of(corner, self.m))
         return self.of(name, int(contact[0]), y[0], along)
 
     def at_end(self, name: str) -> Dual:
         run = self.run
         along = self.found.end
-        if self.falls:
-            along = along + np.outer(self.rates(self.last), self.found.end_time)
-        contact = run.steps.at(np.array([self.last]), "left")[1]
+        last = self.path.last_time
+        if self.path.falls:
+            along = along + np.outer(self.path.rates(last), self.found.end_time)
+        contact = run.steps.at(np.array([last]), "left")[1]
         return self.of(name, int(contact[0]), run.end, along)
-
-    @property
-    def last(self) -> float:
-        """When the motion ends [s]."""
-        return float(self.run.steps.span[-1].sum())
-
-    @property
-    def falls(self) -> bool:
-        """Whether it ends because the structure has fallen over."""
-        return self.run.outcome is Outcome.OVERTURNED and self.last < self.run.duration
-
-    def rates(self, t: float) -> np.ndarray:
-        """(N,) rates of the states up to a time."""
-        run, (y, contact) = self.run, self.run.steps.at(np.array([t]), "left")
-        before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
-        ground = [0.0 if g is None else g.acceleration(before) for g in (run.motion, run.vertical)]
-        rates = np.empty(len(run.states))
-        self.module.rates(int(contact[0]), y[0], run.structure.vector, *map(float, ground), rates)
-        return rates
 
     def rate(self, name: str, t: float) -> float:
         """Rate of a quantity up to a time."""
         y, contact = self.run.steps.at(np.array([t]), "left")
-        moving = with_tangent(y[0], self.rates(t)[:, None])
+        moving = with_tangent(y[0], self.path.rates(t)[:, None])
         x = quantity_of(self.module, name, int(contact[0]), moving, self.run.structure.vector)
         return float(_dual(x, 1).tangent[0])
 
@@ -491,7 +474,7 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     tolerance = 1e-7 * float(np.max(motion.run.steps.span[:, 1]))
     there = np.flatnonzero(np.abs(motion.run.passages[0] - t) <= tolerance)
     places = [motion.at_event(name, k, after) for k in there.tolist() for after in (False, True)]
-    if motion.last - t <= tolerance:
+    if motion.path.last_time - t <= tolerance:
         places.append(motion.at_end(name))
     if places:
         found = min(places, key=lambda x: abs(float(x.value) - value))
@@ -505,7 +488,7 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
 def _where_it_turns(motion: _Moving, name: str, t: float, tolerance: float) -> float:
     """The time of an extreme, which its value tells to half of the digits, by that of its rate."""
     rate, h = motion.rate(name, t), 1e3 * tolerance
-    within = h < t < motion.last - h
+    within = h < t < motion.path.last_time - h
     bend = (motion.rate(name, t + h) - motion.rate(name, t - h)) / (2.0 * h) if within else 0.0
     moved = -rate / bend if bend else 0.0
     return t + moved if abs(moved) <= tolerance else t
@@ -513,8 +496,10 @@ def _where_it_turns(motion: _Moving, name: str, t: float, tolerance: float) -> f
 
 def _at_time(motion: _Moving, name: str, time: str) -> Dual:
     t = float(time)
-    if not 0.0 <= t <= motion.last:
-        raise ValueError(f"of: {name} at {time}: the motion is known from 0 to {motion.last:.6g} s")
+    if not 0.0 <= t <= motion.path.last_time:
+        raise ValueError(
+            f"of: {name} at {time}: the motion is known from 0 to {motion.path.last_time:.6g} s"
+        )
     return motion.at_time(name, t)
 
 
@@ -526,12 +511,12 @@ def _of_event(motion: _Moving, what: str, number: str, name: str, side: str | No
 
 
 def _overturning_time(motion: _Moving) -> Dual:
-    if not motion.falls:
+    if not motion.path.falls:
         raise ValueError(
             "of: there is no overturning time: within its duration the motion "
             f"{motion.run.outcome.label}"
         )
-    return Dual(motion.last, motion.found.end_time)
+    return Dual(motion.path.last_time, motion.found.end_time)
 
 
 def _rest_time(motion: _Moving) -> Dual:

@@ -59,12 +59,12 @@ class Tangents:
     end: np.ndarray
     end_time: np.ndarray
     grazing: str
-    _motion: _Motion
+    motion: Motion
 
     @property
     def along(self) -> ProblemTangents:
         """Of the numbers from which the motion follows."""
-        return self._motion.along
+        return self.motion.along
 
     @property
     def parameters(self) -> np.ndarray:
@@ -77,12 +77,12 @@ class Tangents:
         Raises ValueError for times outside of the motion.
         """
         given = np.atleast_1d(numbers("Tangents.at: times", times))
-        end = self._motion.last_time
+        end = self.motion.last_time
         if given.size and not (given.min() >= 0.0 and given.max() <= end):
             raise ValueError(f"Tangents.at: times are from 0 to {end:.6g} s, where the motion ends")
         order = np.argsort(given, kind="stable")
         found = np.empty((len(given), *self.end.shape))
-        found[order] = self._motion.carried(given[order]).found
+        found[order] = self.motion.carried(given[order]).found
         return found
 
 
@@ -114,7 +114,7 @@ def of_problem(
             "derivatives with it: give it one law for all speeds, or the speed of the last passage"
         )
     response = simulated(nominal(case), problem, options)
-    motion = _Motion(response, problem, along)
+    motion = Motion(response, problem, along)
     found = motion.carried(np.empty(0))
     end, end_time = _end(case, motion, found.end)
     return Tangents(
@@ -138,7 +138,7 @@ class _Carried(NamedTuple):
 
 
 @dataclass(frozen=True)
-class _Motion:
+class Motion:
     """A motion and what it is derived by."""
 
     response: Response
@@ -175,6 +175,23 @@ class _Motion:
         """When the motion ends [s]."""
         return float(self.response.steps.span[-1].sum())
 
+    @property
+    def falls(self) -> bool:
+        """Whether it ends because the structure has fallen over."""
+        fallen = self.response.outcome is Outcome.OVERTURNED
+        return fallen and self.last_time < self.response.duration
+
+    def rates(self, t: float) -> np.ndarray:
+        """(N,) rates of the states up to a time."""
+        r, (y, contact) = self.response, self.response.steps.at(np.array([t]), "left")
+        before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
+        ground = [0.0 if g is None else g.acceleration(before) for g in (r.motion, r.vertical)]
+        rates = np.empty(len(r.states))
+        r.structure.module.rates(
+            int(contact[0]), y[0], r.structure.vector, *map(float, ground), rates
+        )
+        return rates
+
     @cached_property
     def longest_step(self) -> float:
         """In which derivatives follow the fastest vibration that there may be [s]."""
@@ -210,16 +227,21 @@ class _Motion:
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
-            rows = _rows if shaken.size else _nothing_new
+            rows = [
+                _dual(table, of[..., some]) if shaken.size else _NO_ROWS
+                for table, of in (
+                    (q.horizontal, along.horizontal),
+                    (q.vertical, along.vertical),
+                )
+            ]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0[:, some]), np.zeros(1, np.int64)
             found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
             stopped = program.carry(
                 steps.span, steps.contact, steps.powers, t, kinds, states, q.horizontal, q.vertical,
-                rows(q.horizontal, along.horizontal, some),
-                rows(q.vertical, along.vertical, some), corners, p,
-                _dual(p, along.p[:, some]), q.law, _dual(q.ratio, along.ratio[some])[None],
+                *rows, corners, p, _dual(p, along.p[:, some]), q.law,
+                _dual(q.ratio, along.ratio[some])[None],
                 r.options.rtol, atol, r.options.rest_tolerance, self.longest_step, times, y, found,
                 event_y, event_t, floats, duals, told,
             )  # fmt: skip
@@ -256,48 +278,28 @@ _WHY = {
 
 def _dual(x: Any, along: np.ndarray) -> np.ndarray:
     """Numbers with their derivatives behind them, as the program takes them."""
-    found = np.zeros((*np.shape(x), 1 + WIDTH))
-    found[..., 0] = x
-    found[..., 1 : 1 + along.shape[-1]] = along
-    return found
+    found = np.zeros((np.size(x), 1 + WIDTH))
+    found[:, 0] = np.ravel(x)
+    for j in range(along.shape[-1]):  # one after the other: a record is long
+        found[:, 1 + j] = along[..., j].ravel()
+    return found.reshape(*np.shape(x), 1 + WIDTH)
 
 
-def _rows(table: np.ndarray, along: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """The same of a motion's table, in some of the directions: one after the other, it is long."""
-    found = np.zeros((table.size, 1 + WIDTH))
-    found[:, 0] = table.ravel()
-    for place, direction in enumerate(some, 1):
-        found[:, place] = along[..., direction].ravel()
-    return found.reshape(*table.shape, 1 + WIDTH)
+_NO_ROWS = np.empty((0, 7, 1 + WIDTH))
+"""For a motion's table that no direction changes: the program has its rows already."""
 
 
-def _nothing_new(_table: np.ndarray, _along: np.ndarray, _some: np.ndarray) -> np.ndarray:
-    """The same of the rows of a motion that no direction changes: the program has them already."""
-    return np.empty((0, 7, 1 + WIDTH))
-
-
-def _end(case: Case, motion: _Motion, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _end(case: Case, motion: Motion, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Derivatives of the state at the end, and of the time of the end, see `Tangents`."""
     r, m = motion.response, motion.directions
-    if r.outcome is not Outcome.OVERTURNED or motion.last_time >= motion.problem.end:
+    if not motion.falls:
         moves = motion.along.end
-        return (end + _rates(motion)[:, None] * moves if moves.any() else end), moves
+        return (
+            end + motion.rates(motion.last_time)[:, None] * moves if moves.any() else end
+        ), moves
     # it ends where a rotation reaches its bound
     y, falls = r.end, case.structure.falls
     name = min(falls, key=lambda s: abs(abs(y[r.states.index(s)]) / value_of(falls[s]) - 1.0))
     i = r.states.index(name)
-    speed = _rates(motion)[i]
+    speed = motion.rates(motion.last_time)[i]
     return end, (np.sign(y[i]) * tangent_of(falls[name], m) - end[i]) / speed
-
-
-def _rates(motion: _Motion) -> np.ndarray:
-    """The rates of the state at the end of a motion, on the side of the motion."""
-    r, q = motion.response, motion.problem
-    t, y = np.array([motion.last_time]), r.end
-    ground = [
-        g.acceleration(motion.last_time) if g is not None else 0.0 for g in (r.motion, r.vertical)
-    ]
-    rates = np.empty(len(y))
-    contact = int(r.steps.at(t, "left")[1][0])
-    r.structure.module.rates(contact, y, q.p(), *map(float, ground), rates)
-    return rates
