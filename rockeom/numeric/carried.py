@@ -94,10 +94,8 @@ def carry(
     """
     y_new = duals[_NEW:_MOVED]
     start = floats[:N_STATES]
-    nx, gx = row_at(horizontal, 0, 0.0)
-    ny, gy = row_at(vertical, 0, 0.0)
-    dual_gx = with_derivatives(dual_horizontal, nx, gx)
-    dual_gy = with_derivatives(dual_vertical, ny, gy)
+    nx, gx, dual_gx = row_behind(horizontal, dual_horizontal, 0, 0.0)
+    ny, gy, dual_gy = row_behind(vertical, dual_vertical, 0, 0.0)
     tau_x = tau_y = moving(0.0, 0.0)
     e = q = impacts = 0
     i = 0
@@ -110,22 +108,19 @@ def carry(
         t_event = events[e] if due else t
         lands = due and event_kinds[e, 0] in (IMPACT, LANDING)
         if not (lands or (last and not due)):
+            contact = event_kinds[e, 1] if due else step_contact[i]
             if t_event >= gx[1]:
-                nx, row = row_at(horizontal, nx, t_event)
-                dual_row = with_derivatives(dual_horizontal, nx, row)
                 tau_x = dual_gx[1] - value(dual_gx[1])
+                nx, row, dual_gx = row_behind(horizontal, dual_horizontal, nx, t_event)
                 if corners:
-                    contact = event_kinds[e, 1] if due else step_contact[i]
                     turn_corner(contact, t_event, gx, gy, row, gy, tau_x, p, y, floats)
-                gx, dual_gx = row, dual_row
+                gx = row
             if t_event >= gy[1]:
-                ny, row = row_at(vertical, ny, t_event)
-                dual_row = with_derivatives(dual_vertical, ny, row)
                 tau_y = dual_gy[1] - value(dual_gy[1])
+                ny, row, dual_gy = row_behind(vertical, dual_vertical, ny, t_event)
                 if corners:
-                    contact = event_kinds[e, 1] if due else step_contact[i]
                     turn_corner(contact, t_event, gx, gy, gx, row, tau_y, p, y, floats)
-                gy, dual_gy = row, dual_row
+                gy = row
         if due:
             told[0] = e
             code, e, impacts, rested = pass_through(
@@ -201,11 +196,15 @@ def stands_still(contact, t, gx, gy, p, floats):
     return cannot_move(contact, rate_there, start, p)
 
 
-def with_derivatives(table, n, row):
-    """Row n of a motion's table with its derivatives; as it is where the table is empty."""
-    if n < table.shape[0]:
-        return row_of(table, n)
-    return row
+def row_behind(table, dual_table, n, t):
+    """(n, row, row with its derivatives) of the law of the ground that holds at t and after it.
+
+    A dual table that is empty changes nothing.
+    """
+    n, row = row_at(table, n, t)
+    if n < dual_table.shape[0]:
+        return n, row, row_of(dual_table, n)
+    return n, row, row
 
 
 def pass_through(

@@ -354,10 +354,7 @@ class Lines:
             return self.number(INT, f"sub nsw i64 0, {value.operand}")
         if value.type == DUAL:
             number, rates = value.parts
-            return self.dual(
-                self.new(f"fneg {self.fast}double {number}"),
-                self.new(f"fneg {self.fast}{VECTOR} {rates}"),
-            )
+            return self.dual(self.new(f"fneg {self.fast}double {number}"), self.opposite(rates))
         return self.number(FLOAT, f"fneg {self.fast}double {value.operand}")
 
     def power(self, square: Value, n: int) -> Value:
@@ -461,6 +458,9 @@ class Lines:
         none = f"<{WIDTH} x i32> zeroinitializer"
         return self.new(f"shufflevector {VECTOR} {one}, {VECTOR} poison, {none}")
 
+    def opposite(self, rates: str) -> str:
+        return self.new(f"fneg {self.fast}{VECTOR} {rates}")
+
     def vectors(self, operation: str, a: str, b: str) -> str:
         return self.new(f"{operation} {self.fast}{VECTOR} {a}, {b}")
 
@@ -483,8 +483,7 @@ class Lines:
             if not db:
                 return self.dual(found.operand, da)
             if not da:
-                other = db if how == "fadd" else self.new(f"fneg {self.fast}{VECTOR} {db}")
-                return self.dual(found.operand, other)
+                return self.dual(found.operand, db if how == "fadd" else self.opposite(db))
             return self.dual(found.operand, self.vectors(how, da, db))
         if operation == "Mult":
             terms = [self.times(x, y.operand) for x, y in ((da, b), (db, a)) if x]
@@ -493,8 +492,7 @@ class Lines:
         inverse = self.arithmetic("Div", Value(FLOAT, (literal(1.0),)), b)
         if db:
             lost = self.times(db, found.operand)
-            zero = f"fneg {self.fast}{VECTOR} {lost}"
-            da = self.vectors("fsub", da, lost) if da else self.new(zero)
+            da = self.vectors("fsub", da, lost) if da else self.opposite(lost)
         return self.dual(found.operand, self.times(da, inverse.operand))
 
     # -- arrays

@@ -96,17 +96,13 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
     lanes : with `integrate_lanes`, too.
     """
     with _LOCK:
-        return _program(generated, method, lanes)
+        return _of_parts(generated, method, (LOOP, VECTORS, GLUE) if lanes else (LOOP,))
 
 
 def carrying(generated: ModuleType, method: str) -> Program:
     """The program that carries derivatives along the motions of a generated module."""
     with _LOCK:
         return _of_parts(generated, method, (TANGENTS,))
-
-
-def _program(generated: ModuleType, method: str, lanes: bool) -> Program:
-    return _of_parts(generated, method, (LOOP, VECTORS, GLUE) if lanes else (LOOP,))
 
 
 @cache
