@@ -15,6 +15,7 @@ from scipy.optimize import brentq
 
 import rockeom as rk
 from rockeom import analysis
+from tests.interrupts import interrupted_at
 
 SLENDER = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
 UNIT = SLENDER.alpha * SLENDER.gravity  # beta = 1
@@ -378,16 +379,7 @@ def test_where_two_branches_cross_both_are_followed():
 
 
 def test_interrupted_branch_is_kept_and_goes_on():
-    calls = 0
-
-    def interrupted(value):
-        nonlocal calls
-        calls += 1
-        if calls == 60:
-            raise KeyboardInterrupt
-        return bubble(value)
-
-    part = analysis.orbit_branch(interrupted, (-2.0, 2.0), [0.0])
+    part = analysis.orbit_branch(interrupted_at(60, bubble), (-2.0, 2.0), [0.0])
     assert part.ended == "it was interrupted"
     assert -2.0 < part.values[-1] < 2.0
     last = part.orbits[-1]

@@ -9,6 +9,7 @@ from hypothesis import given, settings, strategies as st
 import rockeom as rk
 from rockeom import analysis
 from rockeom.demo import COLUMN
+from tests.interrupts import interrupted_at
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 PERIOD, RESTITUTION = 3.0, 0.5
@@ -132,15 +133,7 @@ def test_interrupted_spectrum_is_that_of_the_cycles_done(monkeypatch):
     from rockeom.analysis import lyapunov
 
     whole = analysis.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
-    carried, calls = lyapunov.tangents, []
-
-    def stopped(*given):
-        calls.append(1)
-        if len(calls) == 24:
-            raise KeyboardInterrupt
-        return carried(*given)
-
-    monkeypatch.setattr(lyapunov, "tangents", stopped)
+    monkeypatch.setattr(lyapunov, "tangents", interrupted_at(24, lyapunov.tangents))
     part = analysis.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
     assert part.cycles == 23
     rest = analysis.lyapunov_spectrum(hogan(3.3), part, cycles=20)

@@ -6,6 +6,7 @@ import pytest
 import rockeom as rk
 from rockeom import analysis
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
+from tests.interrupts import interrupted_at
 
 from .exact_slender import exact_fates
 
@@ -83,18 +84,9 @@ def test_safe_window_is_found_between_two_fates_if_a_half_falls_into_it():
 
 
 def test_interrupted_search_goes_on_to_the_same_numbers():
-    calls = 0
-
-    def until_interrupted(amplitude):
-        nonlocal calls
-        calls += 1
-        if calls == 12:
-            raise KeyboardInterrupt
-        return tall(amplitude)
-
     sweep = coarse(0.1, 0.3, 0.453)
     whole = analysis.overturning_boundaries(tall, sweep)
-    part = analysis.overturning_boundaries(until_interrupted, sweep, threads=1)
+    part = analysis.overturning_boundaries(interrupted_at(12, tall), sweep, threads=1)
     assert part.attrs["interrupted"] == 1
     assert (part.high - part.low > 1e-3).all()
     rest = analysis.overturning_boundaries(tall, part)

@@ -17,6 +17,7 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.numeric.ensemble_cases import Cases, Source
+from tests.interrupts import interrupted_at
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 THRESHOLD = BLOCK.gravity * np.tan(0.25)
@@ -168,15 +169,7 @@ def test_every_argument_of_a_case_reaches_the_motion():
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_interrupt_keeps_what_was_done(reference, threads):
-    calls = 0
-
-    def interrupted(frequency, amplitude):
-        nonlocal calls
-        calls += 1
-        if calls == 40:
-            raise KeyboardInterrupt
-        return pulse(frequency, amplitude)
-
+    interrupted = interrupted_at(40, pulse)
     result = rk.simulate_many(interrupted, over=OVER, impact_times=20, threads=threads, chunk=4)
     assert result.attrs["interrupted"] == 1
     ran = result.outcome != "not run"

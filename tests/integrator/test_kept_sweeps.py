@@ -16,6 +16,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.numeric import ensemble_work
+from tests.interrupts import interrupted_at
 
 pytest.importorskip("zarr")
 
@@ -118,14 +119,7 @@ def test_a_sweep_that_is_killed_loses_only_the_chunks_under_way(whole, store):
 
 
 def test_an_interrupt_keeps_whole_chunks(whole, store):
-    calls = []
-
-    def interrupted(frequency, amplitude):
-        calls.append(1)
-        if len(calls) == 17 + 120:
-            raise KeyboardInterrupt
-        return pulse(frequency, amplitude)
-
+    interrupted = interrupted_at(17 + 120, pulse)
     found = swept(interrupted, store=store, threads=1)
     assert found.attrs["interrupted"] == 1
     assert int((found.outcome_flag == 0).sum()) == 500 - 100
@@ -193,14 +187,7 @@ OTHERS = {
 def begun(tmp_path_factory):
     """A store of which two chunks are there."""
     store = tmp_path_factory.mktemp("begun") / "map.zarr"
-    calls = []
-
-    def interrupted(frequency, amplitude):
-        calls.append(1)
-        if len(calls) == 17 + 120:
-            raise KeyboardInterrupt
-        return pulse(frequency, amplitude)
-
+    interrupted = interrupted_at(17 + 120, pulse)
     swept(interrupted, store=store, threads=1)
     return store
 

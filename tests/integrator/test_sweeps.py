@@ -15,6 +15,7 @@ from rockeom.mathematics import mathematics
 from rockeom.numeric.case import Case, Problems
 from rockeom.numeric.ensemble_cases import Cases, Source
 from rockeom.numeric.structures import SHIPPED
+from tests.interrupts import interrupted_at
 from tests.numeric.structures import S1
 from tests.shipped import plain
 
@@ -370,15 +371,7 @@ def test_lanes_take_cases_made_at_once():
 
 
 def test_interrupt_of_a_sweep_of_arrays():
-    calls = 0
-
-    def interrupted(frequency, amplitude):
-        nonlocal calls
-        calls += 1
-        if calls == 4:
-            raise KeyboardInterrupt
-        return shaken(frequency, amplitude)
-
+    interrupted = interrupted_at(4, shaken)
     found = rk.simulate_many(interrupted, OVER, arrays=True, chunk=22, threads=1)
     assert found.attrs["interrupted"] == 1
     assert int((found.outcome != "not run").sum()) == 44
