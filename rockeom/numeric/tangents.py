@@ -228,20 +228,20 @@ class Motion:
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
             rows = [
-                _dual(table, of[..., some]) if shaken.size else _NO_ROWS
+                _dual(table, of, some) if shaken.size else _NO_ROWS
                 for table, of in (
                     (q.horizontal, along.horizontal),
                     (q.vertical, along.vertical),
                 )
             ]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
-            y, told = _dual(q.y0, along.y0[:, some]), np.zeros(1, np.int64)
+            y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
             found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
             stopped = program.carry(
                 steps.span, steps.contact, steps.powers, t, kinds, states, q.horizontal, q.vertical,
-                *rows, corners, p, _dual(p, along.p[:, some]), q.law,
-                _dual(q.ratio, along.ratio[some])[None],
+                *rows, corners, p, _dual(p, along.p, some), q.law,
+                _dual(q.ratio, along.ratio, some)[None],
                 r.options.rtol, atol, r.options.rest_tolerance, self.longest_step, times, y, found,
                 event_y, event_t, floats, duals, told,
             )  # fmt: skip
@@ -276,12 +276,12 @@ _WHY = {
 }
 
 
-def _dual(x: Any, along: np.ndarray) -> np.ndarray:
-    """Numbers with their derivatives behind them, as the program takes them."""
+def _dual(x: Any, along: np.ndarray, some: np.ndarray) -> np.ndarray:
+    """Numbers with their derivatives in some directions behind them, as the program takes them."""
     found = np.zeros((np.size(x), 1 + WIDTH))
     found[:, 0] = np.ravel(x)
-    for j in range(along.shape[-1]):  # one after the other: a record is long
-        found[:, 1 + j] = along[..., j].ravel()
+    for place, direction in enumerate(some, 1):  # one after the other: a record is long
+        found[:, place] = along[..., direction].ravel()
     return found.reshape(*np.shape(x), 1 + WIDTH)
 
 
