@@ -35,7 +35,7 @@ linker does not know all.
 def _machine(level: int = 2) -> llvm.TargetMachine:
     """What compiles for this processor; a linker that it is given to owns it, and frees it.
 
-    level : of LLVM's code generator, up to 3, which takes longer for a loop that is no faster.
+    level : of LLVM's code generator, up to 3; above 1 it takes longer for a loop that is no faster.
     """
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
@@ -81,7 +81,7 @@ def compiled(ir: str, lanes: bool = False) -> bytes:
 
     Straight lines are not: it would change the order of additions.
     """
-    machine = _machine(3 if lanes else 2)
+    machine = _machine(3 if lanes else 1)
     module = llvm.parse_assembly(ir)
     module.triple = llvm.get_process_triple()
     module.data_layout = str(machine.target_data)

@@ -90,7 +90,7 @@ class Text:
     elsewhere: bool = False
 
 
-GROWTH = 3000.0
+GROWTH = 5000.0
 """Lines; beyond it compiling takes much longer, and calls cost less than code that is far apart."""
 
 
@@ -389,6 +389,9 @@ class _Function:
                 return self._of_known(_KNOWN[type(node.op)], node.operand)
             case ast.Compare(ops=[op]) if type(op) in _KNOWN:
                 return self._of_known(_KNOWN[type(op)], node.left, *node.comparators)
+            case ast.BoolOp(op=ast.And()):
+                if any(self._known(part) is False for part in node.values):
+                    return False
             case ast.Attribute(value=ast.Name(id="math" | "np" as library)):
                 value = getattr(self.program.names[library], node.attr, None)
                 if isinstance(value, float):

@@ -17,7 +17,7 @@ import pytest
 from rockeom.numeric import machine_lines, printer
 from rockeom.numeric.machine import Loaded, compiled
 from rockeom.numeric.machine_lines import Lines
-from rockeom.numeric.printer import Program, Refused, Text
+from rockeom.numeric.printer import GROWTH, Program, Refused, Text
 from tests.machine_code import HEAD, functions
 
 GREATEST_DIVISOR = """
@@ -254,11 +254,20 @@ def test_text_runs_as_in_python_to_the_last_bit(source):
 
 def test_what_would_make_a_program_long_is_called():
     """A short function is written out wherever it is called, a long one where that is once."""
-    long = HORNER.replace("    return", "    total += x\n" * 1000 + "    return")
+    long = HORNER.replace("    return", "    total += x\n" * int(GROWTH) + "    return")
     once = long.replace("out[i] -= value(-x[i])[0] / 3", "pass")
     for source, written_out in ((HORNER, True), (long, False), (once, True)):
         ir = Program([Text("some file.py", HEAD + source)]).ir()
         assert ("alwaysinline" in ir) == written_out
+
+
+def test_what_a_constant_rules_out_is_not_printed():
+    """Not even where the rest of the condition is known only when the program runs."""
+    lines = "    if COEFFICIENTS[3] > 0.0 and x > 0.0:\n        total = absent(x)\n    return"
+    unused = HORNER.replace("    return", lines, 1)
+    assert not differences(unused)
+    with pytest.raises(Refused, match="no function absent"):
+        Program([Text("some file.py", HEAD + unused.replace("COEFFICIENTS[3]", "x"))])
 
 
 def test_loops_of_what_is_seldom_called_stay_loops():
