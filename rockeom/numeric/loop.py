@@ -556,10 +556,8 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
 
     They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
     """
-    if HELD >= 0:
-        quiet = gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
-        if contact == HELD and gx[2] == 0.0 and quiet:
-            return stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics)
+    if HELD >= 0 and contact == HELD and straight(gx, gy):
+        return stays_on_both_feet(t, h, y, y_new, k, p, gx)
     n = N_STATES // 2
     quintics_through_ends(h, y, y_new, k, quintics)
     for m in range(8):
@@ -585,28 +583,28 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
     return True
 
 
-def stays_on_both_feet(t, h, y, y_new, k, p, gx, w, g, quintics):
+def stays_on_both_feet(t, h, y, y_new, k, p, gx):
     """The same for guards that are sums of the state and of ground that moves in a straight line.
 
     The coefficients of such a sum are the sums of those of the quintics, and of their slopes.
     """
     n = N_STATES // 2
+    quintics, w, g = np.empty(8 * (N_STATES // 2)), np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS)
     quintics_through_ends(h, y, y_new, k, quintics)
     rate, ground, change = 1.0 / h, shaking(gx, t), 0.2 * h * gx[4]
-    least, most = np.inf, 0.0
-    past, left = 0.0, 5.0
+    least, most, total = np.inf, 0.0, 0.0
+    w[ROTATION] = w[ROTATION_RATE] = 0.0
     for j in range(6):
         for i in range(n):
-            at = 8 * i + j
-            before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
-            w[i], w[n + i] = here, rate * (past * (here - before) + left * (behind - here))
-        held_guards(w, p, ground + past * change, g)
-        past, left = past + 1.0, left - 1.0
+            if i != ROTATION:
+                at = 8 * i + j
+                before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
+                w[i] = here
+                w[n + i] = rate * (j * (here - before) + (5 - j) * (behind - here))
+        held_guards(w, p, ground + j * change, g)
         for n_g in range(N_GUARDS):
-            if not g[n_g] > 0.0:
-                return False
-            least, most = min(least, g[n_g]), max(most, g[n_g])
-    return 1e-3 * most < least
+            least, most, total = min(least, g[n_g]), max(most, g[n_g]), total + g[n_g]
+    return 1e-3 * most < least and math.isfinite(total)
 
 
 @inlined
@@ -1108,6 +1106,82 @@ def record_event(
         event_states[row, 1, i] = after[i]
 
 
+def uneventful_steps(
+    contact, t, h_next, last_error, taken, turn, nx, ny, horizontal, vertical, t_end, fixed,
+    refined_to, coarse, h_max, fallen, p, rtol, atol, y, k, y_new, peaks, coefficients,
+):  # fmt: skip
+    """Take steps in which nothing happens, one after the other, as the loop itself would.
+
+    Nearly all steps of a motion are such; here nothing is asked that concerns others. Returns the
+    loop's own variables behind them, with the error of a step that was taken and is left for the
+    loop to judge, or -1, and whether the ground's acceleration has jumped.
+    """
+    rocks = rocking(contact)
+    side = SIDES[contact]
+    nx, gx = row_at(horizontal, nx, t)
+    ny, gy = row_at(vertical, ny, t)
+    while taken <= turn:
+        if t >= gx[1]:
+            before_x = shaking(gx, t)
+            nx, gx = row_at(horizontal, nx, t)
+            if jumps(before_x, shaking(gx, t)):
+                return t, h_next, last_error, taken, -1.0, True, nx, gx, ny, gy
+        if t >= gy[1]:
+            before_y = shaking(gy, t)
+            ny, gy = row_at(vertical, ny, t)
+            if jumps(before_y, shaking(gy, t)):
+                return t, h_next, last_error, taken, -1.0, True, nx, gx, ny, gy
+        if not t < t_end or not (rocks or straight(gx, gy)):
+            break
+        last = min(gx[1], gy[1], t_end)
+        span = min(gx[1] - gx[0], gy[1] - gy[0])
+        equal = fixed > 0 and t >= refined_to and span < np.inf
+        proposed = span / fixed if equal else h_next
+        h = min(proposed, h_max)
+        cut = t + 1.1 * h >= last
+        if cut:
+            h = last - t
+        taken += 1
+        error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+        gap = gap_at_ends(side, h, y, y_new, k)
+        open_ = stays_open(gap, -1)
+        if HELD >= 0 and contact == HELD:
+            open_ = stays_on_both_feet(t, h, y, y_new, k, p, gx)
+        ordinary = error <= (coarse if equal else 1.0) and finite_end(k) and open_
+        if not ordinary or may_fall(fallen, gap, h, y, y_new, k, p):
+            return t, h_next, last_error, taken, error, False, nx, gx, ny, gy
+        if peaks.shape[0] > 0:
+            if widens(peaks, h, y, y_new, k):
+                dense_output(contact, t, h, y, p, gx, gy, k, coefficients)
+                widen_within(peaks, coefficients)
+            widen(peaks, y_new)
+        h_next = proposed
+        if not cut:
+            h_next, last_error = controlled(h, error, last_error)
+        t = last if cut or t + h > last else t + h
+        for i in range(N_STATES):
+            y[i] = y_new[i]
+            k[i] = k[N_STAGES * N_STATES + i]
+    return t, h_next, last_error, taken, -1.0, False, nx, gx, ny, gy
+
+
+@inlined
+def straight(gx, gy):
+    """Whether the ground moves by a straight line, and not up or down: see `held_guards`."""
+    return gx[2] == 0.0 and gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
+
+
+@inlined
+def controlled(h, error, last_error):
+    """(step to come, error to remember), by proportional-integral control.
+
+    The last error damps the answer to this one.
+    """
+    error = max(error, 1e-10)
+    factor = power(error, 0.7 * ERROR_EXPONENT) * power(last_error, -0.4 * ERROR_EXPONENT)
+    return h * min(5.0, max(0.2, 0.9 * factor)), error
+
+
 @entry
 def integrate(
     status: Ints, clock: Floats, y: Floats, rate: Floats, t_end: float, horizontal: Floats2,
@@ -1181,6 +1255,18 @@ def integrate(
             before_y = shaking(gy, t)
             ny, gy = row_at(vertical, ny, t)
             if jumps(before_y, shaking(gy, t)):
+                fresh = news = 1
+        unjudged = -1.0  # the error of a step that is already taken
+        uneventful = fresh == 0 and touching < 0 and not keep and (rocks or contact == HELD)
+        if N_POINTS == 0 and not NARROW and uneventful:
+            t, h_next, last_error, taken, unjudged, jumped, nx, gx, ny, gy = uneventful_steps(
+                contact, t, h_next, last_error, taken, turn, nx, ny, horizontal, vertical, t_end,
+                fixed, refined_to, coarse, h_max, fallen, p, rtol, atol, y, k, y_new, peaks,
+                coefficients,
+            )  # fmt: skip
+            if t >= gx[1] or t >= gy[1]:
+                continue
+            if jumped:
                 fresh = news = 1
         if not t < t_end:
             break
@@ -1258,10 +1344,13 @@ def integrate(
                     h = flight
                     hops = True
             while not stands:
-                taken += 1
                 error = 0.0
-                if not still:
-                    error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+                if unjudged != -1.0:
+                    error, unjudged = unjudged, -1.0
+                else:
+                    taken += 1
+                    if not still:
+                        error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
                 finite = math.isfinite(error) and finite_end(k)
                 if not finite or error > bound:
                     # refused: too inaccurate, or not finite
@@ -1335,12 +1424,7 @@ def integrate(
                         continue
                     landed = target
                 elif not (cut or still):
-                    # proportional-integral control: the last error damps the answer to this one
-                    error = max(error, 1e-10)
-                    factor = power(error, 0.7 * ERROR_EXPONENT)
-                    factor *= power(last_error, -0.4 * ERROR_EXPONENT)
-                    last_error = error
-                    h_next = h * min(5.0, max(0.2, 0.9 * factor))
+                    h_next, last_error = controlled(h, error, last_error)
                 open_ = False
                 if rocks and landed < 0:
                     open_ = stays_open(gap, touching)

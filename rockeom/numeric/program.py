@@ -159,7 +159,7 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
 
     started = time.monotonic()
     # a loop over lanes becomes one of vectors only where it calls nothing
-    growth = GROWTH / 2 if has_points(generated) else GROWTH  # they have many mechanisms
+    growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many mechanisms
     growth = math.inf if part == VECTORS else growth
     with _nothing_collected():
         printed = Printed(joined_texts(generated, method, part), growth=growth)
@@ -213,7 +213,8 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
 
         step = implicit_step_text(n)
     else:
-        step = step_text(tableau(method), n, getattr(generated, "QUICK", ()))
+        quick = getattr(generated, "QUICK", ())
+        step = step_text(tableau(method), n, generated.ROTATION, quick)
     parts = [
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),

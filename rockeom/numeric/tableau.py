@@ -210,15 +210,17 @@ def _stage(
     ground: str,
     accelerations: str = "accelerations",
     contact: str = "contact",
+    still: Sequence[int] = (),
 ) -> str:
     """Positions q, velocities v and accelerations a of a stage.
 
     ground : accelerations of the ground, found before the step. accelerations : what finds those
-    of the coordinates.
+    of the coordinates. still : coordinates that do not move.
     Positions follow from the accelerations of all stages but the one just before, whose weight is
     zero (Nystrom's form): so the sines of a stage are found while that one is still worked on.
     """
-    text = "".join(_moves(method, j, f"_{i}", "    ") for i in range(n))
+    text = "".join(_moves(method, j, f"_{i}", "    ") for i in range(n) if i not in still)
+    text += "".join(f"    q{j}_{i}, v{j}_{i} = q0_{i}, v0_{i}\n" for i in still)
     states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
     found = ", ".join(f"a{j}_{i}" for i in range(n))
     return f"""{text}    ({found},) = {accelerations}(
@@ -246,10 +248,13 @@ QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by 
 '''
 
 
-def error_text(method: Tableau, n: int, of: Sequence[int] | None = None) -> str:
+def error_text(
+    method: Tableau, n: int, of: Sequence[int] | None = None, still: Sequence[int] = ()
+) -> str:
     """Lines that find `error`, the norm of the estimates of the error.
 
-    of : the coordinates that have one; None for all n.
+    of : the coordinates that have one; None for all n. still : those of them that do not move, and
+    whose error is none.
 
     Both estimates of DOP853 make one (Hairer's combination of the fifth and the third order). The
     fifth has a zero of its own: for a mode that decays with h lambda = -5.65, well within the
@@ -264,7 +269,8 @@ def error_text(method: Tableau, n: int, of: Sequence[int] | None = None) -> str:
     by_accelerations = [product(e[None], method.a[: s + 1, : s + 1])[0] for e in method.errors]
     chosen = range(n) if of is None else of
     size = "N_STATES" if of is None else str(2.0 * len(of))
-    for i in [*chosen, *(n + i for i in chosen)]:
+    moving = [i for i in chosen if i not in still]
+    for i in [*moving, *(n + i for i in moving)]:
         place, rate = (
             (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
         )
@@ -288,12 +294,15 @@ def error_text(method: Tableau, n: int, of: Sequence[int] | None = None) -> str:
 """
 
 
-def step_text(method: Tableau, n: int, quick: Sequence[tuple[int, int]] = ()) -> str:
+def step_text(
+    method: Tableau, n: int, rotation: int = 0, quick: Sequence[tuple[int, int]] = ()
+) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
 
     Everything stands in plain numbers, stage by stage, each written out; the rates of all stages
     are left in an array only for the dense output.
 
+    rotation : the coordinate that stands still on both feet.
     quick : mechanisms of the structure that have steps of their own, each with the coordinate that
     the others follow: nothing is worked out that its acceleration does not ask for, and the error
     is that of this coordinate.
@@ -302,9 +311,9 @@ def step_text(method: Tableau, n: int, quick: Sequence[tuple[int, int]] = ()) ->
     start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
     known = "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
 
-    def stage(j: int, contact: str = "contact", function: str = "accelerations") -> str:
+    def stage(j: int, contact: str, function: str, still: Sequence[int]) -> str:
         ground = f"k[GROUND_X + {j}], k[GROUND_Y + {j}]"
-        return _stage(method, j, n, ground, function, contact)
+        return _stage(method, j, n, ground, function, contact, still)
 
     kept = "".join(
         f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
@@ -314,8 +323,13 @@ def step_text(method: Tableau, n: int, quick: Sequence[tuple[int, int]] = ()) ->
     errors = error_text(method, n)
     header = method_header(method, s, len(method.c))
 
-    def step(contact: str, function: str = "accelerations", errors: str = errors) -> str:
-        stages = "".join(stage(j, contact, function) for j in range(1, s + 1))
+    def step(
+        contact: str,
+        function: str = "accelerations",
+        errors: str = errors,
+        still: Sequence[int] = (),
+    ) -> str:
+        stages = "".join(stage(j, contact, function, still) for j in range(1, s + 1))
         return f"""    shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
     shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
     hh = h * h
@@ -342,7 +356,7 @@ def quick_step_{m}(contact, {arguments}):
 
 def standing_step({arguments}):
     """`take_step` on both feet, where little of the equations is left."""
-{step("HELD")}'''
+{step("HELD", errors=error_text(method, n, still=[rotation]), still=[rotation])}'''
     return f'''{header}
 # places behind the rates: the ground at each stage
 GROUND_X = N_ALL_STAGES * N_STATES
