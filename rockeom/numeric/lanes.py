@@ -184,8 +184,8 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, 
     c4 = -15.0 * (q1 - q0) + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1
     c5 = 6.0 * (q1 - q0) - 3.0 * (v0 + v1) - 0.5 * a0 + 0.5 * a1
     bend = q1 - q0 - v0
-    x = 2.0 * q0 / (math.sqrt(max(v0 * v0 - 4.0 * q0 * bend, 0.0)) - v0)
-    x = -v0 / bend if touching else x
+    above, below = 2.0 * q0, math.sqrt(max(v0 * v0 - 4.0 * q0 * bend, 0.0)) - v0
+    x = (-v0 if touching else above) / (bend if touching else below)
     e0, e1, e2 = v0 if touching else q0, 0.5 * a0 if touching else v0, c3 if touching else 0.5 * a0
     e3, e4, e5 = c4 if touching else c3, c5 if touching else c4, 0.0 if touching else c5
     move = 0.0
@@ -199,10 +199,10 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, 
 
     # by what a step that is to end at the impact misses it
     first, hop = landing <= 0.0, landing == HOP
-    miss = abs(h * q1 / v1)
-    falls = (v1 < 0.0) & (miss < (0.1 * h if hop else 0.01 * h))
+    miss, speed = abs(h * q1), abs(v1)
+    falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
     falls &= ~touching | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
-    landed = falls & (miss <= max(NEAR * h, 2.0 * EPS * (t + h))) & upright
+    landed = falls & (miss <= max(NEAR * h, 2.0 * EPS * (t + h)) * speed) & upright
     again = falls & (landing < 4.0) & found & (x * h < left)
 
     repeated = closes & ~open_ if first else again & ~landed
@@ -520,6 +520,25 @@ def next_laws(lane, z, w, case, ground, fixed):
     return jumped
 
 
+@inlined
+def straight_on(lane, z, w, case, ground, fixed):
+    """Pass to the next segment of a record where nothing else changes; whether it is so."""
+    rows, n, t = ground[0], w[W_NX + lane] + 1, z[Z_T + lane]
+    until = min(z[Z_END_Y + lane], ground[4][case])
+    if n >= ground[1][case, 1] or not t < until or z[Z_KIND_X + lane] != 0.0:
+        return False
+    start, end, x0, x1 = rows[n, 0], rows[n, 1], rows[n, 3], rows[n, 4]
+    before = z[Z_X0 + lane] + z[Z_X1 + lane] * (t - z[Z_START_X + lane])
+    if rows[n, 2] != 0.0 or not t < end or jumps(before, x0 + x1 * (t - start)):
+        return False
+    w[W_NX + lane] = n
+    z[Z_START_X + lane], z[Z_END_X + lane], z[Z_X0 + lane], z[Z_X1 + lane] = start, end, x0, x1
+    z[Z_LAST + lane] = min(end, until)
+    span = min(end - start, z[Z_END_Y + lane] - z[Z_START_Y + lane])
+    z[Z_EQUAL + lane] = span / fixed if fixed > 0 else 0.0
+    return True
+
+
 def skip_laws(lane, z, w, case, home, ground, up, down, doubt):
     """Pass laws of the horizontal ground in which no foot lifts, while the vertical one is none."""
     rows, n = ground[0], w[W_NX + lane] + 1
@@ -673,7 +692,12 @@ def run_lanes(first, z, w, home, ground, data, how, work):
                 ):
                     verdict = REPEATED
             steps = verdict in (REPEATED, REFUSED)
-            steps = steps or (verdict == STANDS and z[Z_T + lane] < z[Z_LAST + lane])
+            if w[W_CASE + lane] >= 0 and verdict == STANDS:
+                # on both feet a structure of one coordinate passes many segments at once
+                steps = z[Z_T + lane] < z[Z_LAST + lane] or (
+                    (N_STATES > 2 or z[Z_SIDE + lane] != 0.0)
+                    and straight_on(lane, z, w, w[W_CASE + lane], ground, how[3])
+                )
             if steps and w[W_CASE + lane] >= 0 and z[Z_TAKEN + lane] < how[6]:
                 running += 1
                 held = held or z[Z_SIDE + lane] == 0.0

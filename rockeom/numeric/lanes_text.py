@@ -231,7 +231,7 @@ def lanes_text(method: Tableau, generated: ModuleType) -> str:
         return _stage(method, j, n, ground, "accelerations_of_lanes")
 
     stages = "".join(stage(j) for j in range(1, s + 1))
-    errors = indent(error_text(method, n), "    ")
+    errors = indent(error_text(method, n, in_lanes=True), "    ")
     gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
 
     held = _held(generated)

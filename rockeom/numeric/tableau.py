@@ -249,12 +249,17 @@ QUARTIC = np.array({bernstein_at(NODES, 4).tolist()!r})  # and of its slope, by 
 
 
 def error_text(
-    method: Tableau, n: int, of: Sequence[int] | None = None, still: Sequence[int] = ()
+    method: Tableau,
+    n: int,
+    of: Sequence[int] | None = None,
+    still: Sequence[int] = (),
+    in_lanes: bool = False,
 ) -> str:
     """Lines that find `error`, the norm of the estimates of the error.
 
     of : the coordinates that have one; None for all n. still : those of them that do not move, and
-    whose error is none.
+    whose error is none. in_lanes : divide and take roots as seldom as can be, which is most of the
+    work where vectors do all else; tolerances may then not be below 1e-150.
 
     Both estimates of DOP853 make one (Hairer's combination of the fifth and the third order). The
     fifth has a zero of its own: for a mode that decays with h lambda = -5.65, well within the
@@ -270,12 +275,20 @@ def error_text(
     chosen = range(n) if of is None else of
     size = "N_STATES" if of is None else str(2.0 * len(of))
     moving = [i for i in chosen if i not in still]
+    if in_lanes:
+        for i in moving:
+            of_place = f"atol[{i}] + rtol * max(abs(q0_{i}), abs(q{s}_{i}))"
+            of_rate = f"atol[{n + i}] + rtol * max(abs(v0_{i}), abs(v{s}_{i}))"
+            lines += f"    scale_{n + i}, scale_{i} = {of_place}, {of_rate}\n"
+            lines += f"    inverse = 1.0 / (scale_{i} * scale_{n + i})\n"
+            lines += f"    scale_{i} *= inverse\n    scale_{n + i} *= inverse\n"
     for i in [*moving, *(n + i for i in moving)]:
         place, rate = (
             (f"q{{}}_{i}", f"v{{}}_{i}") if i < n else (f"v{{}}_{i - n}", f"a{{}}_{i - n}")
         )
         largest = f"max(abs({place.format(0)}), abs({place.format(s)}))"
-        lines += f"    scale = 1.0 / (atol[{i}] + rtol * {largest})\n"
+        scale = f"scale_{i}" if in_lanes else f"1.0 / (atol[{i}] + rtol * {largest})"
+        lines += f"    scale = {scale}\n"
         for m, e in enumerate(by_accelerations if i < n else method.errors):
             unit = "h * scale" if i < n else "scale"
             found = _sum(e, f"a{{}}_{i % n}", " " * 8)
@@ -287,9 +300,15 @@ def error_text(
                 lines += f"    {name} += e * e\n"
     if not two:
         return lines + f"    error = abs(h) * math.sqrt(s0 / {size})\n"
-    return f"""{lines}    both = (s0 + 0.01 * s1) * {size}
-    error = abs(h) * s0 / math.sqrt(both) if s0 != 0.0 else 0.0
+    lines += f"""    both = (s0 + 0.01 * s1) * {size}
     stiff = h * h * d_rate > {5.3**2!r} * d_state and d_state > 0.01 * h * h * s1
+"""
+    if in_lanes:
+        return f"""{lines}    square = s0 * s0 / both if s0 != 0.0 else 0.0
+    square = max(square, 0.25 / {size} * s1) if stiff else square
+    error = abs(h) * math.sqrt(square)
+"""
+    return f"""{lines}    error = abs(h) * s0 / math.sqrt(both) if s0 != 0.0 else 0.0
     error = max(error, 0.5 * abs(h) * math.sqrt(s1 / {size})) if stiff else error
 """
 
