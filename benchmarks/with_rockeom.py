@@ -196,8 +196,8 @@ RUNS = {
 """Workload -> options -> what runs it."""
 
 REPEATED = 64
-"""So many times one record is given to simulate_many, which is meant for many: as lanes that are left
-empty by the last of few take as long as full ones, 20 cost a third more each."""
+"""So many times one record is given to simulate_many, which is meant for many: lanes that the last
+of few leave empty take as long as full ones, so that of 20 each takes half as long again."""
 
 MANY = {
     "W1": sweep("release", w.decay, w.RELEASES, max_impacts=w.N_IMPACTS - 1),
