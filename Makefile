@@ -18,8 +18,9 @@ run: $(VENV)/.test ## derive, generate and simulate the flexible structure under
 	$(BIN)/rockeom generate
 	$(BIN)/python -m rockeom.demo --out $(OUT)
 
+# with bytecode: both workers, and the processes that tests start, read the same files
 test: $(VENV)/.test ## run the tests
-	$(BIN)/python -m pytest -n 2 --dist loadfile
+	PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -n 2 --dist loadfile
 
 soak: $(VENV)/.test ## check random motions, RUNS=20000 of them from seed FIRST=0 on (minutes, and compiling)
 	$(BIN)/python -m tests.soak --runs $(RUNS) --first $(FIRST)
