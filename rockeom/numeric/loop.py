@@ -5,7 +5,7 @@ defines rates, guards, jump, opening_acceleration and the tables) and to the tex
 (take_step, dense_output), so that the compiler sees one self-contained program.
 
 It reads in the order of the work: settle what is due, step, find the first event, land on it,
-jump, go on.
+jump, go on. Ahead of all that, steps in which nothing happens are taken by `uneventful_steps`.
 """
 
 import math
