@@ -23,8 +23,8 @@ PARTS = 8  # of a step
 CHUNK = 1024  # steps looked at together, so that memory is bounded
 MOST_HELD = 16 * CHUNK  # of which extremes are found before the rest of the steps is looked at
 MOST_PIECES = 64  # of them that are held, before it is asked which still may have an extreme
-GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
-NARROWINGS = 36  # 0.25 * GOLDEN**36 of a step is 8e-9: of the value its square is lost
+FINER = np.linspace(0.0, 1.0, 17)  # places that are looked at between two, each time anew
+NARROWINGS = 8  # 0.25 / 8**8 of a step is 1.5e-8: of the value its square is lost
 _SIGNS = np.array([-1.0, 1.0])
 
 
@@ -94,27 +94,27 @@ class Search:
         return x, t.reshape(x.shape), values.reshape(*x.shape, -1)
 
     def narrowed(
-        self, index: np.ndarray, low: np.ndarray, high: np.ndarray, column: np.ndarray, sign
+        self,
+        index: np.ndarray,
+        low: np.ndarray,
+        high: np.ndarray,
+        column: np.ndarray,
+        sign: np.ndarray,
     ) -> tuple[np.ndarray, np.ndarray]:
         """(times, values of sign * quantity) (n,) of the maxima between low and high.
 
-        By golden sections, all at once.
+        All at once: what is slow is not how many places are looked at, but how often.
         """
-
-        def of(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-            t, values = self.at(index, x)
-            return t, sign * values[np.arange(len(x)), column]
-
-        inner, outer = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        f_inner, f_outer = of(inner)[1], of(outer)[1]
+        rows, of = np.arange(len(index)), np.repeat(np.arange(len(index)), len(FINER))
         for _ in range(NARROWINGS):
-            left = f_inner > f_outer
-            high, low = np.where(left, outer, high), np.where(left, low, inner)
-            x = np.where(left, high - GOLDEN * (high - low), low + GOLDEN * (high - low))
-            f = of(x)[1]
-            inner, outer = np.where(left, x, outer), np.where(left, inner, x)
-            f_inner, f_outer = np.where(left, f, f_outer), np.where(left, f_inner, f)
-        return of(np.where(f_inner > f_outer, inner, outer))
+            x = low[:, None] + (high - low)[:, None] * FINER
+            t, values = self.at(index[of], x.ravel())
+            f = sign[of] * values[np.arange(len(of)), column[of]]
+            f = np.where(np.isnan(f), -np.inf, f).reshape(x.shape)
+            best = f.argmax(axis=1)
+            low = x[rows, np.maximum(best - 1, 0)]
+            high = x[rows, np.minimum(best + 1, len(FINER) - 1)]
+        return t.reshape(x.shape)[rows, best], f[rows, best]
 
 
 class Running:
@@ -238,6 +238,6 @@ def last_crest(steps: Steps, evaluate: Evaluate) -> float:
             i, k = step[-1], place[-1]
             column = np.zeros(1, dtype=int)
             low, high = x[i, k : k + 1], x[i, min(k + 2, PARTS)][None]
-            t, _ = search.narrowed(np.array([first + i]), low, high, column, 1.0)
+            t, _ = search.narrowed(np.array([first + i]), low, high, column, np.ones(1))
             return float(t[0])
     return float(steps.span[0, 0])
