@@ -464,13 +464,13 @@ assert sp.simplify(sp.diff(Phi, X) - sp.exp(-((X / n) ** 2)) / (n * sp.sqrt(sp.p
 
 # %%
 width = wall.rotation_centre.epsilon
+nodes, weights = np.polynomial.legendre.leggauss(60)
 
 
-def gain(first, second, ratio, nodes=60):
+def gain(first, second, ratio):
     """The integral of (8), from -first to 0 and on to second [J], by Gauss and Legendre."""
-    x, weights = np.polynomial.legendre.leggauss(nodes)
     spans = np.array([[first], [second]])
-    at = np.array([[-1.0], [1.0]]) * spans * (1 + x) / 2
+    at = np.array([[-1.0], [1.0]]) * spans * (1 + nodes) / 2
     loss = ratio ** (-(1 + erf(at / width)) / 2)
     return np.sum(wall.restoring_force(at) * loss * weights * spans / 2)
 
