@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "f1322402b6ac08af"
+SOURCE_HASH = "b0db1239f85bd242"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -464,7 +464,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -55,7 +55,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "48f6cedc8a72fc96"
+SOURCE_HASH = "b767bfa612a63d86"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -598,7 +598,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "054d92f26c35f0c3"
+SOURCE_HASH = "6677cce7e87ae3d2"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -209,7 +209,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

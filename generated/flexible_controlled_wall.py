@@ -47,7 +47,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "4bc6c8d69717bacc"
+SOURCE_HASH = "aaaad7125d94b095"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -581,7 +581,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

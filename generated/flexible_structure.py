@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "5dc2d8dcbdde9ce1"
+SOURCE_HASH = "fb5b14a871e428da"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -244,7 +244,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

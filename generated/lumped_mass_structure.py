@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "99479a2f0dcb3d12"
+SOURCE_HASH = "32f02a309fb12de5"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"
@@ -208,7 +208,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

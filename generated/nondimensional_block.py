@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "da4477b79895f7bb"
+SOURCE_HASH = "6ebdffb74d7ac03e"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -188,7 +188,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "a04e9e95ce0d895c"
+SOURCE_HASH = "8d795a5c416b551a"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"
@@ -193,7 +193,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "c14c20e3c089ae98"
+SOURCE_HASH = "4ad52f81c8c07245"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"
@@ -195,7 +195,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -43,7 +43,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "c1205353fe5b4199"
+SOURCE_HASH = "22a66524e0aad4a5"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -338,7 +338,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "64b1f2cfdfc3ecf2"
+SOURCE_HASH = "e36cb45a4bcd9ac3"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -191,7 +191,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

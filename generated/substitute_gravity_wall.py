@@ -43,7 +43,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "28c6dd8d8f9302de"
+SOURCE_HASH = "6ebb764c54195994"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"
@@ -299,7 +299,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

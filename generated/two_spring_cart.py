@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "6f8b2efc97a3dcb6"
+SOURCE_HASH = "f1d8860af341c7d6"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -212,7 +212,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -40,7 +40,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "9c7037456a56d9c9"
+SOURCE_HASH = "ce67cea6feb76745"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -303,7 +303,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

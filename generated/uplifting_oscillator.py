@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "7e29a732767c95d2"
+SOURCE_HASH = "852eb040bb71289e"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -209,7 +209,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

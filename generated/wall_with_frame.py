@@ -42,7 +42,7 @@ import math
 import numpy as np
 from rockeom.marks import fused, inlined
 
-SOURCE_HASH = "fe100f50d2179aee"
+SOURCE_HASH = "b105be1f85129602"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"
@@ -254,7 +254,6 @@ def opening_acceleration(contact, y, p, ax, ay):
     return SIDES[contact] * found[0]
 
 
-@inlined
 def guards(contact, y, p, ax, ay, g):
     """Guards of a contact state into g: all positive inside it; the first to fall ends it.
 

@@ -40,7 +40,6 @@ def guards(text: Text) -> None:
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.""",
         body or ["    pass"],
-        "@inlined",
     )
 
 

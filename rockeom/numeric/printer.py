@@ -34,7 +34,8 @@ from __future__ import annotations
 
 import ast
 import operator
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import CodeType
@@ -137,7 +138,8 @@ class Program:
         self.names: dict[str, Any] = {"__name__": "rockeom.numeric.program"}
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
-        self.bodies: list[str] = []
+        self.bodies: dict[str, str] = {}  # of each function, by its symbol
+        self.of_text: dict[str, Text] = {}  # in which it stands
         self.sizes: dict[str, int] = {}  # lines of each function that is marked @inlined
         self.written_out: set[str] = set()  # those of them that are written out at every call
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
@@ -182,7 +184,8 @@ class Program:
             else:
                 lines.append(f"store {returns} %r, ptr %place")
         body = "\n".join(f"  {line}" for line in [*lines, "ret void"])
-        self.bodies.append(f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}")
+        self.bodies[name] = f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}"
+        self.of_text[name] = definition.text
         self.entries[name] = Entry(arguments, returns)
 
     def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
@@ -207,9 +210,10 @@ class Program:
             lines += [f"%r = load {returns}, ptr %place", f"ret {returns} %r"]
         operands = ", ".join(f"{part} %x{i}" for i, part in enumerate(parts))
         body = "\n".join(f"  {line}" for line in lines)
-        self.bodies.append(
+        self.bodies[symbol] = (
             f"define internal {returned(returns)} @{symbol}({operands}) {{\n{body}\n}}"
         )
+        self.of_text[symbol] = definition.text
         self.declared[name] = f"void @{name}(ptr)"
         return returns
 
@@ -224,7 +228,7 @@ class Program:
             if name not in self.definitions:
                 caller.refuse(node, f"no function {name} is known")
             self.printed[key] = None
-            symbol = f"{name}.{len(self.printed)}"
+            symbol = f"{name}.{sum(of == name for of, _ in self.printed)}"
             definition = self.definitions[name]
             if "entry" in definition.marks and definition.text.elsewhere:
                 if tuple(type_ for _, type_ in definition.arguments()) != types:
@@ -237,7 +241,8 @@ class Program:
                 grows = function.size * (self.calls(name) - 1)
                 if grows <= self.growth or "everywhere" in definition.marks:
                     self.written_out.add(symbol)
-            self.bodies.append(function.body(symbol))
+            self.bodies[symbol] = function.body(symbol)
+            self.of_text[symbol] = definition.text
             self.printed[key] = symbol, function.returns
         found = self.printed[key]
         if found is None:
@@ -264,17 +269,77 @@ class Program:
 
     def ir(self) -> str:
         """All that is printed so far."""
-        tables = []
-        for (element, _, data), name in self.constants.items():
-            numbers = np.frombuffer(data, np.float64 if element == FLOAT else np.int64).tolist()
-            items = ", ".join(f"{element} {literal(x) if element == FLOAT else x}" for x in numbers)
-            tables.append(
-                f"{name} = private unnamed_addr constant [{len(numbers)} x {element}] [{items}]"
-            )
-        declared = [f"declare {text}" for text in self.declared.values()]
-        return "\n".join([*tables, *declared, *self.bodies, _ROLLED]) + "\n"
+        return _joined(self.constants, self.declared.values(), self.bodies.values())
+
+    def halves(self, own: Sequence[Text]) -> tuple[str, str]:
+        """The same as two programs that call one another: of the texts `own`, and of the others.
+
+        Where something of `own` is written out in a function of the others, that one is in the
+        first, too. The second is the same, to the letter, for all programs that have the same
+        other texts and the same constants in them.
+        """
+        ours = {s for s, text in self.of_text.items() if any(text is one for one in own)}
+        calls = {
+            symbol: [(m[1], bool(m[2])) for m in _CALLS.finditer(body) if m[1] in self.bodies]
+            for symbol, body in self.bodies.items()
+        }
+
+        def grown(symbols: set[str], by: Callable[[set[str]], set[str]]) -> set[str]:
+            while not (more := by(symbols)) <= symbols:
+                symbols = symbols | more
+            return symbols
+
+        def writers(symbols: set[str]) -> set[str]:
+            return {s for s, all_ in calls.items() if any(out and c in symbols for c, out in all_)}
+
+        def written_out(symbols: set[str]) -> set[str]:
+            return {called for s in symbols for called, out in calls[s] if out}
+
+        ours = grown(ours, writers)
+        first, second = grown(ours, written_out), grown({*self.bodies} - ours, written_out)
+        of_second = {called for s in first for called, _ in calls[s]} - first
+        of_first = {called for s in second for called, _ in calls[s]} - second
+        return self._half(first, of_first, of_second), self._half(second, of_second, of_first)
+
+    def _half(self, symbols: set[str], shown: set[str], asked: set[str]) -> str:
+        """Functions in the order of their names, and the tables that they want.
+
+        shown : those of them that the other half calls. asked : those of the other that they call.
+        """
+        heads = (_HEAD.match(self.bodies[symbol]) for symbol in sorted(asked))
+        declared = [_NAMES.sub("", head[1]) for head in heads if head]
+        bodies = [
+            self.bodies[s].replace("define internal", "define", s in shown) for s in sorted(symbols)
+        ]
+        text = "\n".join(bodies)
+        declared += [d for name, d in sorted(self.declared.items()) if f"@{name}(" in text]
+        tables = dict(zip(self.constants.values(), self.constants, strict=True))
+        used = {name: f"@table_{i}" for i, name in enumerate(dict.fromkeys(_TABLE.findall(text)))}
+        renamed = {tables[name]: new for name, new in used.items()}
+        return _joined(renamed, declared, [_TABLE.sub(lambda name: used[name[0]], text)])
 
 
+def _joined(
+    constants: Mapping[tuple[str, tuple[int, ...], bytes], str],
+    declared: Iterable[str],
+    bodies: Iterable[str],
+) -> str:
+    """A whole program: tables by their places, what others have, and functions."""
+    tables = []
+    for (element, _, data), name in constants.items():
+        numbers = np.frombuffer(data, np.float64 if element == FLOAT else np.int64).tolist()
+        items = ", ".join(f"{element} {literal(x) if element == FLOAT else x}" for x in numbers)
+        tables.append(
+            f"{name} = private unnamed_addr constant [{len(numbers)} x {element}] [{items}]"
+        )
+    return "\n".join([*tables, *(f"declare {d}" for d in declared), *bodies, _ROLLED]) + "\n"
+
+
+# of what is printed: calls, and whether they are written out; heads of functions; names in them
+_CALLS = re.compile(r"call [^@\n]*@([\w.]+)\(.*\)( alwaysinline)?$", re.MULTILINE)
+_HEAD = re.compile(r"define internal (.*?\)) \S")
+_NAMES = re.compile(r" %[\w.]+(?=[,)])")
+_TABLE = re.compile(r"@table\.\d+")
 _ROLLED = """!0 = distinct !{!0, !1}
 !1 = !{!"llvm.loop.unroll.disable"}"""
 """What is said of the loops of a function that is marked @rolled."""

@@ -16,7 +16,7 @@ import math
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -30,7 +30,7 @@ from rockeom.numeric.machine_types import NOTHING, Array, Entry
 from rockeom.numeric.store import kept
 
 if TYPE_CHECKING:
-    from rockeom.numeric.printer import Text
+    from rockeom.numeric.printer import Program as Printed, Text
 
 _OF_POINTS = ("landings.py", "bounces.py")
 _SLOPES, _CARRIED = "slopes.py", "carried.py"
@@ -112,7 +112,29 @@ def _of_parts(generated: ModuleType, method: str, parts: tuple[str, ...]) -> Pro
         kept(*key, lambda part=part: _made(generated, method, part))  # type: ignore[misc]
         for key, part in zip(keys, parts, strict=True)
     ]
+    if (shared := json.loads(codes[0].partition(b"\n")[0]).get("shared")) is not None:
+        codes.append(_shared(shared, lambda: _halves(_printed(generated, method, LOOP))[1]))
     return Program("_".join(keys[-1]), generated, *codes)
+
+
+_SHARED: dict[str, bytes] = {}
+
+
+def _shared(digest: str, ir: Callable[[], str]) -> bytes:
+    """The half of a loop that structures have in common, made and kept once for all of them."""
+    if digest not in _SHARED:
+        made = json.dumps({"entries": {}, "sizes": {}}).encode() + b"\n"
+        _SHARED[digest] = kept("loop", digest, lambda: made + compiled(ir(), False))
+    return _SHARED[digest]
+
+
+def _halves(printed: Printed) -> tuple[str, str]:
+    """A loop in two: what is the structure's own, with its step, and what others have, too.
+
+    Most of a loop is in the second, and it follows from a few numbers: how many states there are,
+    which contact states follow which. All blocks have the same.
+    """
+    return printed.halves(printed.texts[:2])
 
 
 LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
@@ -154,24 +176,35 @@ def _sources(generated: ModuleType, method: str, part: str) -> tuple[str, ...]:
 
 def _made(generated: ModuleType, method: str, part: str) -> bytes:
     """A line that describes a part of a program, and its machine code."""
-    # only where something is compiled
-    from rockeom.numeric.printer import GROWTH, Program as Printed
-
     started = time.monotonic()
-    # a loop over lanes becomes one of vectors only where it calls nothing
-    growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many mechanisms
-    growth = math.inf if part == VECTORS else growth
-    with _nothing_collected():
-        printed = Printed(joined_texts(generated, method, part), growth=growth)
-    code = compiled(printed.ir(), part == VECTORS)
+    printed = _printed(generated, method, part)
     sizes = {name: int(printed.names[name]) for name in _SIZES if name in printed.names}
-    described = {"entries": printed.entries, "sizes": sizes}
+    described: dict[str, Any] = {"entries": printed.entries, "sizes": sizes}
+    if part == LOOP:
+        own, rest = _halves(printed)
+        described["shared"] = _digest(rest, target(), _own("machine.py"))
+        _shared(described["shared"], lambda: rest)
+        code = compiled(own, False)
+    else:
+        code = compiled(printed.ir(), part == VECTORS)
     took = time.monotonic() - started
     if took > 1.0 and sys.stderr is not None:  # None: a program without a console
         what = f"{generated.NAME} with {method}{_SAID.get(part, '')}"
         sys.stderr.write(f"rockeom: compiled {what} in {took:.1f} s, once on this machine\n")
         sys.stderr.flush()
     return json.dumps(described).encode() + b"\n" + code
+
+
+def _printed(generated: ModuleType, method: str, part: str) -> Printed:
+    """A part of a program as LLVM is given it."""
+    # only where something is compiled
+    from rockeom.numeric.printer import GROWTH, Program as Printed
+
+    # a loop over lanes becomes one of vectors only where it calls nothing
+    growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many mechanisms
+    growth = math.inf if part == VECTORS else growth
+    with _nothing_collected():
+        return Printed(joined_texts(generated, method, part), growth=growth)
 
 
 @contextmanager

@@ -20,8 +20,10 @@ import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.numeric import program as programs
 from rockeom.numeric.program import load_text
+from rockeom.numeric.structures import SHIPPED
 from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
 from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION, rigid_block
+from tests.shipped import plain
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -118,7 +120,8 @@ def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
 
     time, made, name = result(start(package, cache))
     assert (time, made, name) == (first[0], 0, first[2])
-    assert [path.stem for path in cache.iterdir()] == [f"rockeom_{name}"]
+    (loop,) = (path for path in cache.iterdir() if path.stem != f"rockeom_{name}")
+    assert re.fullmatch(r"rockeom_loop_[0-9a-f]{20}", loop.stem)
 
     # the model is derived anew, with twice the weight
     assert generate(package, rigid_block()) == 0  # what is in the package is what is derived
@@ -128,14 +131,19 @@ def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
     assert made == 1
     assert other != name
 
-    # and back: both programs are there, but one file is cut off, and made again
+    # and back: both programs are there, with one loop, but files are cut off, and made again
     (path,) = (path for path in cache.iterdir() if path.stem == f"rockeom_{name}")
     whole = path.read_bytes()
     path.write_bytes(whole[: len(whole) // 2])
     assert generate(package, rigid_block()) == 1
     assert result(start(package, cache)) == (first[0], 1, name)
     assert path.read_bytes() == whole
-    assert {path.stem for path in cache.iterdir()} == {f"rockeom_{n}" for n in (name, other)}
+    names = {loop.stem, *(f"rockeom_{n}" for n in (name, other))}
+    assert {path.stem for path in cache.iterdir()} == names
+    whole = loop.read_bytes()
+    loop.write_bytes(whole[: len(whole) // 2])
+    assert result(start(package, cache)) == (first[0], 0, name)
+    assert loop.read_bytes() == whole
 
 
 def test_threads_that_want_one_program_compile_it_once(tmp_path, monkeypatch):
@@ -172,7 +180,33 @@ def test_lanes_compile_no_loop_that_is_there(tmp_path, monkeypatch):
     assert made == [programs.LOOP, programs.VECTORS, programs.GLUE]
 
 
-def test_compiling_is_told_where_it_takes_more_than_a_second(monkeypatch, capsys):
+def test_structures_of_a_kind_share_a_loop(tmp_path, monkeypatch):
+    """Not a step, nor what is the structure's own; nor the loop of another method or kind."""
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(programs, "_SHARED", {})
+    monkeypatch.setattr(programs, "compiled", lambda ir, lanes: ir.encode())
+    monkeypatch.setattr(programs, "Loaded", lambda *codes: SimpleNamespace(functions={}))
+    programs._of_parts.cache_clear()
+    try:
+        loops = []
+        for name, method in (
+            ("rigid_block", "RK45"), ("slender_block", "RK45"), ("rigid_block", "DOP853"),
+            ("flexible_structure", "RK45"), ("wall_with_frame", "RK45"),
+        ):  # fmt: skip
+            programs.program(SHIPPED[name](**plain(name)).module, method)
+            loops.append(len([*tmp_path.glob("rockeom_loop_*.compiled")]))
+        assert loops == [1, 1, 2, 3, 3]
+        assert len([*tmp_path.iterdir()]) == 5 + 3
+        (own,) = (path.read_text() for path in tmp_path.glob("rockeom_slender_block_*"))
+        assert "define double @take_step.1" in own
+        assert "@first_fall" not in own
+    finally:
+        programs._of_parts.cache_clear()
+
+
+def test_compiling_is_told_where_it_takes_more_than_a_second(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(programs, "_SHARED", {})
     module = rk.RigidBlock(half_width=0.1, half_height=0.4).module
     monkeypatch.setattr(programs, "compiled", lambda ir, lanes: b"")
     started = programs.time.monotonic()
