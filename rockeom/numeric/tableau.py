@@ -188,19 +188,29 @@ def _sum(weights: np.ndarray, name: str, indent: str) -> str:
 
 def _moved(weights: np.ndarray, of: str, indent: str) -> str:
     """The velocity of a coordinate, by its accelerations in the stages before."""
-    more = indent + "    "
-    return f"v0{of} + h * (\n{more}{_sum(weights, f'a{{}}{of}', more)}\n{indent})\n"
+    return _onwards(f"v0{of}", "h", weights, of, indent) + "\n"
+
+
+def _onwards(start: str, unit: str, weights: np.ndarray, of: str, indent: str) -> str:
+    """start + unit * sum_j weights[j] * a_j: a product and a sum behind the latest stage.
+
+    All else is found while that one is still worked on.
+    """
+    last = int(np.flatnonzero(weights)[-1])
+    text = start
+    if weights[:last].any():
+        more = indent + "    "
+        text += f" + {unit} * (\n{more}{_sum(weights[:last], f'a{{}}{of}', more)}\n{indent})"
+    return f"({text}) + ({unit} * {weights.tolist()[last]!r}) * a{last}{of}"
 
 
 def _moves(method: Tableau, j: int, of: str, indent: str) -> str:
     """Velocity v and position q of one coordinate at a stage; `of` stands behind their names."""
-    text = f"{indent}v{j}{of} = " + _moved(method.a[j, :j], of, indent)
-    text += f"{indent}q{j}{of} = (q0{of} + {float(method.c[j])!r} * (h * v0{of}))"
+    moved = f"{indent}v{j}{of} = " + _moved(method.a[j, :j], of, indent)
+    place = f"(q0{of} + {float(method.c[j])!r} * (h * v0{of}))"
     if method.twice[j].any():
-        more = indent + "    "
-        terms = _sum(method.twice[j], f"a{{}}{of}", more)
-        text += f" + hh * (\n{more}{terms}\n{indent})"
-    return text + "\n"
+        place = _onwards(place, "hh", method.twice[j], of, indent)
+    return f"{moved}{indent}q{j}{of} = {place}\n"
 
 
 def _stage(
