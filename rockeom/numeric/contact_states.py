@@ -67,6 +67,10 @@ class Points:
         """(..., m) whether the gap of each point is none, but for rounding."""
         return np.abs(self.gap) <= _CLOSED * self.size
 
+    def closed_beside(self, places: np.ndarray) -> np.ndarray:
+        """(..., m) the same in a motion whose coordinates are as large as places (n,)."""
+        return np.abs(self.gap) <= _CLOSED * np.maximum(self.size, np.abs(self.normal) @ places)
+
     def touching(self) -> tuple[np.ndarray, np.ndarray]:
         """(m,) whether each point touches, and (m,) the sign of its slip, 0 where it has none."""
         near, slides = np.zeros(len(self.gap), np.int64), np.zeros(len(self.gap))

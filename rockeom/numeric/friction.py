@@ -104,9 +104,11 @@ def of_point_impulses(run: Response, groups: Sequence[tuple[int, ...]]) -> list[
     if not len(landings):
         return largest
     points = Points(module, landings[:, 0], p)
+    # beside where the motion goes: at a landing all coordinates may be none, but for rounding
+    closed = points.closed_beside(np.fmax.reduce(np.abs(run.y[:, :n])))
     matrix, forces = np.empty(n * n), np.empty(n)
     for (arriving, leaving), near, normal, along, contact in zip(
-        landings, points.closed, points.normal, points.tangential, kinds[landed, 1], strict=True
+        landings, closed, points.normal, points.tangential, kinds[landed, 1], strict=True
     ):
         module.free_motion(arriving, p, 0.0, 0.0, contact, matrix, forces)
         gained = matrix.reshape(n, n) @ (leaving[n:] - arriving[n:])

@@ -99,6 +99,15 @@ def test_friction_between_the_blocks_is_told_beside_that_on_the_ground():
     assert f"{max(between):.3g} at upper_left+upper_right" in run.summary()
 
 
+@pytest.mark.parametrize("tilt", [0.1, 0.0999999999, 0.09, 0.07, 0.05, 0.04, 0.03])
+def test_friction_at_a_landing_does_not_depend_on_the_rounding_of_its_place(tilt):
+    """All coordinates are some 1e-15 there, and so is each gap: which is closed?"""
+    squat = Stack(0.3, 0.4, 0.15, 0.6, 1.0, 1.0)
+    run = rk.simulate(structure(squat), STILL, initial={"phi": tilt}, duration=1.5)
+    demands = run.friction_demands["upper_left+upper_right"]
+    assert demands[1] == pytest.approx(3 * 0.25 / 1.0625 / (4 - 3 * 0.0625 / 1.0625), rel=1e-9)
+
+
 def test_rotations_that_are_not_named_are_zero():
     """Heights and places follow from which corners touch; a rotation does not."""
     start = structure(STACK).state({"phi": 0.02, "phi_dot": -0.5})
