@@ -7,6 +7,7 @@ own header and nowhere else.
 from __future__ import annotations
 
 import re
+from copy import deepcopy
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -39,9 +40,12 @@ def sources() -> dict[str, Path]:
     return {p.stem: p for p in sorted(SOURCES.glob("*.py")) if p.name[0] != "_"}
 
 
+read = cache(jupytext.read)
+
+
 @cache
 def told(name: str) -> Told:
-    notebook = jupytext.read(sources()[name])
+    notebook = read(sources()[name])
     first, about = notebook.cells[0].source.split("\n\n")[:2]
     about = re.sub(r"\[([^\]]+)\]\([^)]+\)", r"\1", about)  # links, which lead from that page
     return Told(first.removeprefix("# "), " ".join(about.split()), **notebook.metadata["rockeom"])
@@ -70,7 +74,7 @@ def headed(name: str) -> str:
 
 
 def for_jupyter(source: Path) -> str:
-    notebook = jupytext.read(source)
+    notebook = deepcopy(read(source))
     for number, cell in enumerate(notebook.cells):
         cell["id"] = f"cell-{number}"  # the same each time
     return jupytext.writes(notebook, fmt="ipynb")

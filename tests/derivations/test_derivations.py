@@ -1,6 +1,7 @@
 """The notebooks of derivations/: each runs, its assertions hold, and Jupyter can open it."""
 
 import ast
+import functools
 import re
 import runpy
 from pathlib import Path
@@ -13,6 +14,8 @@ import pytest
 
 FOLDER = Path(__file__).parents[2] / "derivations"
 NOTEBOOKS = pytest.mark.parametrize("path", sorted(FOLDER.glob("*.py")), ids=lambda path: path.stem)
+
+read = functools.cache(jupytext.read)  # tests do not change it
 
 
 def test_there_are_notebooks():
@@ -49,7 +52,7 @@ def test_runs_and_draws(path, monkeypatch, capsys):
 
 @NOTEBOOKS
 def test_jupyter_can_open_it(path):
-    notebook = jupytext.read(path)
+    notebook = read(path)
     nbformat.validate(notebook)
     kinds = {cell.cell_type for cell in notebook.cells}
     assert kinds == {"markdown", "code"}
@@ -62,7 +65,7 @@ def test_jupyter_can_open_it(path):
 @NOTEBOOKS
 def test_teaches(path):
     """A title, aims, exercises with hints, captions, and a check of its own."""
-    notebook = jupytext.read(path)
+    notebook = read(path)
     prose = [cell.source for cell in notebook.cells if cell.cell_type == "markdown"]
     headings = re.findall(r"^(#+ .+)$", "\n".join(prose), re.MULTILINE)
     assert headings[0].startswith("# ")
@@ -87,7 +90,7 @@ LEVELS = ("first course", "graduate", "research")
 @NOTEBOOKS
 def test_header_says_for_whom_and_how_long_it_is(path):
     """The list of notebooks is made of it; but for it, all headers are the same."""
-    told = jupytext.read(path).metadata["rockeom"]
+    told = read(path).metadata["rockeom"]
     assert set(told) == {"figure", "level", "minutes"}
     assert told["level"] in LEVELS
     assert 10 <= told["minutes"] <= 120
@@ -117,7 +120,7 @@ HEADER = """\
 
 @NOTEBOOKS
 def test_every_exercise_has_a_solution_that_is_closed_and_checked(path):
-    notebook = jupytext.read(path)
+    notebook = read(path)
     cells = notebook.cells
     (last,) = (n for n, cell in enumerate(cells) if "## Exercises" in cell.source)
     exercises = re.findall(r"^(\d+)\. ", cells[last].source.split("## Exercises")[1], re.MULTILINE)
@@ -133,7 +136,7 @@ def test_every_exercise_has_a_solution_that_is_closed_and_checked(path):
 @NOTEBOOKS
 def test_numbered_equations_and_links(path):
     """Numbers rise from 1 without gaps, and every link leads to a notebook that exists."""
-    notebook = jupytext.read(path)
+    notebook = read(path)
     prose = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     tags = re.findall(r"\\tag\{(\d+)\}", prose)
     assert tags == [str(n + 1) for n in range(len(tags))]
@@ -145,7 +148,7 @@ def test_numbered_equations_and_links(path):
 @NOTEBOOKS
 def test_no_line_of_a_formula_is_taken_for_an_item_of_a_list(path):
     """One that begins with a sign and a blank is one, and the formula is torn."""
-    for cell in jupytext.read(path).cells:
+    for cell in read(path).cells:
         before = ""
         for line in cell.source.splitlines() if cell.cell_type == "markdown" else ():
             item = re.match(r"\s*[-+*] ", line)

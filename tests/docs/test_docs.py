@@ -318,13 +318,13 @@ def test_notebooks_are_headed_and_listed_by_what_their_headers_say():
     listed = notebooks.cards()
     jupytext = importlib.import_module("jupytext")
     for name, source in notebooks.sources().items():
-        header = jupytext.read(source).metadata["rockeom"]
+        header = notebooks.read(source).metadata["rockeom"]
         line = f"{header['level'].capitalize()}, about {header['minutes']} minutes."
         assert line in notebooks.headed(name).split("## Aims")[0]
         assert f"_build/notebooks/{name}.ipynb" in notebooks.headed(name)
         assert f"(derivations/{name}.py)**\n\n*{line}*" in listed
         kept = jupytext.reads(notebooks.for_jupyter(source), fmt="ipynb")
-        assert [c.source for c in kept.cells] == [c.source for c in jupytext.read(source).cells]
+        assert [c.source for c in kept.cells] == [c.source for c in notebooks.read(source).cells]
 
 
 def test_every_place_in_a_page_has_a_writer(catalogue, monkeypatch):
