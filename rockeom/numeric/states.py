@@ -95,5 +95,8 @@ def by_contact(contact: np.ndarray, fill: Callable[[int, np.ndarray], None]) -> 
             for part in ways.parts:
                 each(number, rows[part])
 
+    if len(contact) == 1:  # sooner
+        fill(int(contact[0]), np.zeros(1, int))
+        return
     for number in np.unique(contact):
         each(int(number), np.flatnonzero(contact == number))

@@ -458,14 +458,11 @@ def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
         mass = structure.parameters()["effective_mass"]
         return History(run.t, run["u"], run["u_dot"], run["horizontal_reaction"] / mass)
     theta, rate = run["theta"], run["theta_dot"]
-    turning = np.array(
-        [
-            structure.accelerations({n: float(run[n][i]) for n in run.states}, phase=run.phase[i])[
-                "theta"
-            ]
-            for i in range(len(run.t))
-        ]
-    )
+    turning = np.empty(len(run.t))
+    for phase in np.unique(run.phase):
+        rows = run.phase == phase
+        state = {name: run[name][rows] for name in run.states}
+        turning[rows] = structure.accelerations(state, phase=str(phase))["theta"]
     h, sin, cos = WALL.height, np.sin(theta), np.cos(theta)  # 4-33 to 4-35
     return History(run.t, h * sin, h * cos * rate, h * (turning * cos - rate**2 * sin))
 
