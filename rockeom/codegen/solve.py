@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import sympy as sp
 
@@ -176,13 +176,29 @@ def _collected(text: Text, expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
     moving = (f for f in expr.atoms(sp.sin, sp.cos) if not text.fixed(f))
 
     def by_side(e: sp.Expr) -> sp.Expr:
-        e = sp.expand(e)
-        return sp.factor_terms(sp.collect(e, SIDE) if e.has(SIDE) else e)
+        return sp.factor_terms(_collect(e, [SIDE]))
 
     def by_ground(e: sp.Expr) -> sp.Expr:
-        return sp.collect(sp.expand(e), [TOTAL_GRAVITY, GROUND_X], func=by_side)
+        return _collect(e, [TOTAL_GRAVITY, GROUND_X], by_side)
 
-    return sp.collect(expr, sorted(moving, key=sp.default_sort_key), func=by_ground)
+    return _collect(expr, sorted(moving, key=sp.default_sort_key), by_ground)
+
+
+def _collect(
+    expr: sp.Expr, factors: Sequence[sp.Expr], then: Callable[[sp.Expr], sp.Expr] | None = None
+) -> sp.Expr:
+    """A sum of products by the power of the first of these factors that each has.
+
+    then : what becomes of what each power is multiplied by. As `sympy.collect`, which looks for
+    more than factors and takes a third of the time of a large structure.
+    """
+    by: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in sp.Add.make_args(expr):
+        powers = term.as_powers_dict()
+        factor = next((f**powers[f] for f in factors if f in powers), sp.S.One)
+        by.setdefault(factor, []).append(term / factor)
+    shares = ((factor, sp.Add(*terms)) for factor, terms in by.items())
+    return sp.Add(*(factor * (then(e) if then else e) for factor, e in shares))
 
 
 def _symmetric(n: int, out: Sequence[str], indent: str, known: bool = False) -> list[str]:
