@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 from sympy import cos, sign
@@ -300,6 +301,7 @@ APPROXIMATIONS |= {
 }
 
 
+@lru_cache(maxsize=64)  # the exact expression is compared with many a wrong one
 def taylor(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> list[sp.Expr]:
     """Terms of total order 0 to `order` in the small symbols."""
     scale = sp.Dummy("scale", positive=True)
@@ -324,7 +326,8 @@ def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
             yield close(what, size, case.size, 0.05 * case.size)
         if LIFT_OFF in case.small:
             stated, exact, error = map(stiff, (stated, exact, error))
-        *below, leading = taylor(exact - stated, case.small, case.order)
+        ours, theirs = (taylor(e, case.small, case.order) for e in (exact, stated))
+        *below, leading = (a - b for a, b in zip(ours, theirs, strict=True))
         for n, term in enumerate(below):
             yield vanishes(f"term of order {n} of exact minus thesis", term, normal_form)
         what = f"its term of order {case.order} minus the stated error"
