@@ -195,7 +195,7 @@ def _collect(
     by: dict[sp.Expr, list[sp.Expr]] = {}
     for term in sp.Add.make_args(expr):
         powers = term.as_powers_dict()
-        factor = next((f**powers[f] for f in factors if f in powers), sp.S.One)
+        factor = next((f ** powers[f] for f in factors if f in powers), sp.S.One)
         by.setdefault(factor, []).append(term / factor)
     shares = ((factor, sp.Add(*terms)) for factor, terms in by.items())
     return sp.Add(*(factor * (then(e) if then else e) for factor, e in shares))

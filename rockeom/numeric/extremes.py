@@ -24,6 +24,7 @@ CHUNK = 1024  # steps looked at together, so that memory is bounded
 MOST_HELD = 16 * CHUNK  # of which extremes are found before the rest of the steps is looked at
 MOST_PIECES = 64  # of them that are held, before it is asked which still may have an extreme
 FINER = np.linspace(0.0, 1.0, 17)  # places that are looked at between two, each time anew
+BRACKETS = PARTS * CHUNK // len(FINER)  # narrowed together: as many places as steps have
 NARROWINGS = 8  # 0.25 / 8**8 of a step is 1.5e-8: of the value its square is lost
 _SIGNS = np.array([-1.0, 1.0])
 
@@ -175,7 +176,7 @@ class Running:
         assert best is not None
         for search, (index, low, high, side, column, _) in self.pieces:
             brackets = (index, low, high, column, _SIGNS[side])
-            some = [slice(i, i + PARTS * CHUNK) for i in range(0, len(index), PARTS * CHUNK)]
+            some = [slice(i, i + BRACKETS) for i in range(0, len(index), BRACKETS)]
             parts = [search.narrowed(*(a[part] for a in brackets)) for part in some]
             t, value = map(np.concatenate, zip(*parts, strict=True))
             for i in np.flatnonzero(value > best[side, column]):

@@ -7,6 +7,7 @@ the works and losses since the motion began.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -84,7 +85,7 @@ def _word(place: str) -> str:
 def evaluated(run: Response, family: str, rows: Rows) -> dict[str, np.ndarray]:
     """All of a family, (n,) each by name."""
     t, y, contact = rows
-    ground = _ground(run, t)
+    ground = _ground(run)(t)
     if family == WORKS:
         return run.works.at(rows)
     if family == ELEMENTS:
@@ -93,9 +94,15 @@ def evaluated(run: Response, family: str, rows: Rows) -> dict[str, np.ndarray]:
     return of(run.structure, contact, y, *ground)
 
 
-def _ground(run: Response, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    across = np.asarray(run.motion.acceleration(t))
-    return across, np.zeros(len(t)) if run.vertical is None else run.vertical.acceleration(t)
+def _ground(run: Response) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
+    """The accelerations of the ground at times (n,), across and up."""
+    motion, vertical = run.motion, run.vertical
+
+    def at(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        across = np.asarray(motion.acceleration(t))
+        return across, np.zeros(len(t)) if vertical is None else vertical.acceleration(t)
+
+    return at
 
 
 # -- places -------------------------------------------------------------------------------------
@@ -254,7 +261,8 @@ class Works:
     """
 
     def __init__(self, run: Response) -> None:
-        self.run, self.steps = run, run.steps
+        # not the response, which keeps these: what holds one another waits for the garbage
+        self.structure, self.ground, self.steps = run.structure, _ground(run), run.steps
         self.names = _works(run.structure.module)
         starts, lengths = self.steps.span.T
         n = len(starts)
@@ -287,7 +295,7 @@ class Works:
         self.impacts = np.cumsum(lost + inside)
 
     def _energy(self, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
-        return filled(self.run.structure, "energies", 3, contact, y).sum(axis=0)
+        return filled(self.structure, "energies", 3, contact, y).sum(axis=0)
 
     @staticmethod
     def _unexplained(work: np.ndarray, gained: np.ndarray) -> np.ndarray:
@@ -308,7 +316,7 @@ class Works:
 
     def _powers(self, t: np.ndarray, y: np.ndarray, contact: np.ndarray) -> np.ndarray:
         """(m, n), in the order of the names."""
-        structure, ground = self.run.structure, _ground(self.run, t)
+        structure, ground = self.structure, self.ground(t)
         module, n = structure.module, len(structure.module.ELEMENT_NAMES)
         told = filled(structure, "powers", 3, contact, y, *ground)
         lost = filled(structure, "elements", 4 * n, contact, y).reshape(n, 4, len(t))[:, 3]
@@ -358,7 +366,7 @@ class Works:
         lost = damping - force
         left = ground - lost - friction - impacts - gained
         kinetic = filled(
-            self.run.structure, "energies", 3, self.steps.contact, self.steps.powers[:, 0]
+            self.structure, "energies", 3, self.steps.contact, self.steps.powers[:, 0]
         )[0]
         largest = max(*map(abs, (ground, lost, friction, impacts, gained)), float(kinetic.max()))
         error = abs(left) / largest if largest else 0.0

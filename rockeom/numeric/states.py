@@ -87,16 +87,13 @@ def jets(
 
 def by_contact(contact: np.ndarray, fill: Callable[[int, np.ndarray], None]) -> None:
     """Call fill(contact state, rows) for all rows of each, of those that go the same way."""
-
-    def each(number: int, rows: np.ndarray) -> None:
-        try:
-            fill(number, rows)
-        except Differs as ways:
-            for part in ways.parts:
-                each(number, rows[part])
-
     if len(contact) == 1:  # sooner
         fill(int(contact[0]), np.zeros(1, int))
         return
-    for number in np.unique(contact):
-        each(int(number), np.flatnonzero(contact == number))
+    left = [(int(number), np.flatnonzero(contact == number)) for number in np.unique(contact)]
+    while left:  # a function that calls itself would hold all these arrays until garbage is sought
+        number, rows = left.pop()
+        try:
+            fill(number, rows)
+        except Differs as ways:
+            left += [(number, rows[part]) for part in ways.parts]

@@ -1,5 +1,6 @@
 """What the ground had to give: forces found within the steps, impulses at impacts, uplift."""
 
+import gc
 import math
 
 import numpy as np
@@ -46,6 +47,26 @@ def test_extremes_are_those_of_ever_finer_samples_and_do_not_know_the_samples(na
         assert abs(found.peak) == max(found.maximum, -found.minimum)
     assert coarse.friction_demand == fine.friction_demand
     assert coarse.lost_contact == fine.lost_contact
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_memory_of_what_is_evaluated_is_free_at_once(name):
+    """Not when Python next looks for garbage in cycles: it may be hundreds of megabytes."""
+    names = RUNS[name](0.05).names
+
+    def all_of_another():
+        run = RUNS[name](0.05)
+        return [(run[quantity], run.extremes(quantity)) for quantity in names]
+
+    all_of_another()
+    gc.collect()
+    gc.disable()
+    try:
+        found = all_of_another()
+        assert gc.collect() == 0
+    finally:
+        gc.enable()
+    assert len(found) == len(names)
 
 
 def test_extremes_stand_where_they_are():
