@@ -2,6 +2,7 @@
 
 import ast
 import functools
+import gc
 import re
 import runpy
 from pathlib import Path
@@ -48,6 +49,8 @@ def test_runs_and_draws(path, monkeypatch, capsys):
         plt.switch_backend(backend)
     assert shown
     assert all(figure.axes for figure in shown)
+    shown.clear()
+    gc.collect()  # a notebook's figures and what it simulated hold one another: 10 to 20 MB each
 
 
 @NOTEBOOKS
