@@ -1,6 +1,6 @@
 """Figures: what they show is what the response says, and nothing hides anything."""
 
-import functools
+import gc
 import warnings
 from dataclasses import replace
 from itertools import pairwise
@@ -61,10 +61,12 @@ def run_of():
     return run
 
 
-@pytest.fixture(scope="module")
-def figure_of(run_of):
-    """The runs' figures by name, each drawn at its first use; to be looked at only."""
-    return functools.cache(lambda name: drawn(plot_response(run_of(name))))
+@pytest.fixture(scope="module", params=RUNS)
+def shown(request, run_of):
+    """Each run and its figure, to be looked at only; one after the other, a figure is 40 MB."""
+    run = run_of(request.param)
+    yield run, drawn(plot_response(run))
+    gc.collect()
 
 
 def drawn(figure: Figure) -> Figure:
@@ -87,9 +89,8 @@ def values(line) -> np.ndarray:
 # --- what is shown
 
 
-@pytest.mark.parametrize("name", RUNS)
-def test_figure_draws_and_names_structure_motion_and_outcome(name, run_of, figure_of):
-    run, figure = run_of(name), figure_of(name)
+def test_figure_draws_and_names_structure_motion_and_outcome(shown):
+    run, figure = shown
     title = " ".join(figure.get_suptitle().split())
     assert run.motion.name in title
     assert run.outcome.sentence in title
@@ -135,8 +136,8 @@ def test_every_impact_stands_at_its_instant_as_high_as_its_speed(run_of):
     np.testing.assert_allclose(ends[:, 1], speeds)
 
 
-def test_rotation_over_alpha_has_an_axis_of_its_own(figure_of):
-    figure = figure_of("rigid block")
+def test_rotation_over_alpha_has_an_axis_of_its_own(run_of):
+    figure = drawn(plot_response(run_of("rigid block")))
     (right,) = row(figure, "rotation").child_axes
     left_limits = np.array(row(figure, "rotation").get_ylim())
     np.testing.assert_allclose(right.get_ylim(), left_limits / BLOCK.alpha)
@@ -193,17 +194,16 @@ def test_part_of_the_time_axis_on_request(run_of):
 # --- nothing hides anything
 
 
-@pytest.mark.parametrize("name", RUNS)
-def test_no_legend_covers_a_curve(name, figure_of):
-    for ax in figure_of(name).axes:
+def test_no_legend_covers_a_curve(shown):
+    _, figure = shown
+    for ax in figure.axes:
         legend = ax.get_legend()
         if legend is not None:
             assert legend.get_window_extent().y0 >= ax.get_window_extent().y1 - 2.0
 
 
-@pytest.mark.parametrize("name", RUNS)
-def test_everything_stands_inside_the_figure(name, figure_of):
-    figure = figure_of(name)
+def test_everything_stands_inside_the_figure(shown):
+    _, figure = shown
     page = figure.bbox
     for ax in figure.axes:
         box = ax.get_tightbbox()
