@@ -22,6 +22,7 @@ class _Printer(PythonCodePrinter):
 _PRINTER = _Printer({"fully_qualified_modules": True})
 
 
+@lru_cache(maxsize=4096)  # what a constant stands for is said wherever it is read
 def python(expr: sp.Expr) -> str:
     return _PRINTER.doprint(expr)
 

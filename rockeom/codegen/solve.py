@@ -154,10 +154,11 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
     """
     states = [x for c in text.model.coordinates for x in (c.position, c.velocity)]
     variables = [*states, GROUND_X]
+    if any(not part.free_symbols.isdisjoint(states) for part in expr.atoms(sp.Function, sp.Pow)):
+        return None  # as of most
     factors = []
     for x in variables:
         factor = sp.expand(sp.diff(expr, x))
-        # most are no such sums, which the first state tells
         if factor.has(*variables) or not text.fixed(factor):
             return None
         factors.append(sp.factor_terms(factor))
