@@ -87,6 +87,13 @@ def pytest_collection_finish() -> None:
     gc.freeze()
 
 
+@pytest.fixture(scope="module")
+def garbage_of_its_own() -> None:
+    """Tests that look for garbage do not look through what SymPy remembers, each time anew."""
+    gc.collect()
+    gc.freeze()
+
+
 def pytest_unconfigure() -> None:
     """Nor need it be looked through once more at the end of a process: that takes seconds."""
     gc.freeze()

@@ -125,7 +125,7 @@ def facts(run: Response) -> dict[str, str]:
     found = {name: value for name, value in found.items() if not callable(value)}
     del found["program"], found["works"]  # which `run[...]` tells
     found |= {f"run[{name}]": run[name] for name in run.names}
-    found |= {f"extremes of {name}": run.extremes(name) for name in run.names}
+    found |= {f"extremes of {name}": e for name, e in run.extremes_of(run.names).items()}
     found["at"] = run.at([0.0, 0.5, 1.0], names=run.names)
     found |= {"vector": run.structure.vector, "motion": run.motion.segments}
     found |= {"record": run.motion.samples, "name": run.motion.name, "options": run.options}

@@ -37,9 +37,9 @@ def options(step):
 @pytest.mark.parametrize("name", RUNS)
 def test_extremes_are_those_of_ever_finer_samples_and_do_not_know_the_samples(name):
     coarse, fine = (RUNS[name](step) for step in (0.05, 2e-5))
-    for quantity in coarse.names:
-        found, again = coarse.extremes(quantity), fine.extremes(quantity)
-        assert found == again
+    same = fine.extremes_of(fine.names)
+    for quantity, found in coarse.extremes_of(coarse.names).items():
+        assert found == same[quantity]
         values = fine[quantity]
         size = np.abs(values).max()
         assert -1e-12 * size <= found.maximum - values.max() <= 1e-6 * size, quantity
@@ -49,6 +49,7 @@ def test_extremes_are_those_of_ever_finer_samples_and_do_not_know_the_samples(na
     assert coarse.lost_contact == fine.lost_contact
 
 
+@pytest.mark.usefixtures("garbage_of_its_own")
 @pytest.mark.parametrize("name", RUNS)
 def test_memory_of_what_is_evaluated_is_free_at_once(name):
     """Not when Python next looks for garbage in cycles: it may be hundreds of megabytes."""
@@ -56,7 +57,7 @@ def test_memory_of_what_is_evaluated_is_free_at_once(name):
 
     def all_of_another():
         run = RUNS[name](0.05)
-        return [(run[quantity], run.extremes(quantity)) for quantity in names]
+        return [run[quantity] for quantity in names], run.extremes_of(names)
 
     all_of_another()
     gc.collect()
@@ -66,7 +67,7 @@ def test_memory_of_what_is_evaluated_is_free_at_once(name):
         assert gc.collect() == 0
     finally:
         gc.enable()
-    assert len(found) == len(names)
+    assert all(len(of_each) == len(names) for of_each in found)
 
 
 def test_extremes_stand_where_they_are():

@@ -62,7 +62,7 @@ def run_of():
 
 
 @pytest.fixture(scope="module", params=RUNS)
-def shown(request, run_of):
+def shown(request, run_of, garbage_of_its_own):
     """Each run and its figure, to be looked at only; one after the other, a figure is 40 MB."""
     run = run_of(request.param)
     yield run, drawn(plot_response(run))
