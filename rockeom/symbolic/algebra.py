@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 
 import sympy as sp
@@ -52,6 +53,24 @@ def tidy(expr: sp.Expr) -> sp.Expr:
         ]
         expr = min(ways, key=sp.count_ops)
     return square_is(expr, SIDE, sp.Integer(1))
+
+
+@lru_cache(maxsize=4096)  # minors are minors of minors
+def determinant(matrix: sp.ImmutableMatrix, short: Callable[[sp.Expr], sp.Expr] = tidy) -> sp.Expr:
+    """By the row with the fewest entries: constraints, and storeys, have few.
+
+    short : what is done with each minor; left as they come, they grow with every row.
+    """
+    n = matrix.rows
+    if n == 0:
+        return sp.S.One
+    row = min(range(n), key=lambda i: sum(e != 0 for e in matrix[i, :]))
+    total = sp.S.Zero
+    for j in range(n):
+        if matrix[row, j] != 0:
+            minor = determinant(matrix.minor_submatrix(row, j), short)
+            total += (-1) ** (row + j) * matrix[row, j] * minor
+    return short(total)
 
 
 def truncated(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> sp.Expr:

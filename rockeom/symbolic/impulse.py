@@ -19,7 +19,7 @@ from functools import lru_cache
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE, at_side, tidy
+from rockeom.symbolic.algebra import SIDE, at_side, determinant, tidy
 from rockeom.symbolic.lagrange import body_velocity
 from rockeom.symbolic.model import Coordinate, Mechanism, RockingModel, Transition
 
@@ -36,8 +36,20 @@ class ImpulseMap:
     momentum: sp.Matrix
 
     def velocities(self) -> sp.Matrix:
-        """Velocities after the change in closed form, (n, 1)."""
-        return self.mass_matrix.LUsolve(self.momentum).applyfunc(sp.factor)
+        """Velocities after the change in closed form, (n, 1), by Cramer's rule.
+
+        Raises ValueError if the mass matrix is singular: a direction without mass.
+        """
+
+        def of(column: int, by: sp.Matrix) -> sp.Expr:
+            left, right = self.mass_matrix[:, :column], self.mass_matrix[:, column + 1 :]
+            return determinant(sp.Matrix.hstack(left, by, right).as_immutable())
+
+        whole = determinant(self.mass_matrix.as_immutable())
+        if whole == 0:
+            raise ValueError(f"the mass matrix after the change is singular: {self.mass_matrix}")
+        n = len(self.coordinates)
+        return sp.Matrix(n, 1, lambda i, _: sp.factor(of(i, self.momentum) / whole))
 
     def at_side(self, side: int) -> ImpulseMap:
         def put(m: sp.Matrix) -> sp.Matrix:

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import combinations, product
 from math import prod
 from typing import NamedTuple
@@ -28,7 +28,7 @@ import numpy as np
 import sympy as sp
 
 from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
-from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
+from rockeom.symbolic.algebra import SIDE, angles_in, determinant, square_is, tidy
 from rockeom.symbolic.check import repeated
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.elements import switch_of
@@ -286,7 +286,7 @@ class DerivedMechanism:
         used = [j for j in self._order if any(e != 0 for e in matrix[:, j])]
         best: tuple[tuple[int, int, int], list[int]] | None = None
         for columns in combinations(used, matrix.rows):
-            divisor = _determinant(matrix[:, list(columns)].as_immutable())
+            divisor = determinant(matrix[:, list(columns)].as_immutable(), brief)
             if self._same(divisor):
                 continue
             known = sum(self.q[j] in self.place or self.q[j] in self.leaning for j in columns)
@@ -527,13 +527,13 @@ class DerivedMechanism:
         )
         motions = self.motions.applyfunc(lambda e: brief(e.subs(still)))
         m = matrix.rows
-        divisor = _determinant(matrix.as_immutable())
+        divisor = determinant(matrix.as_immutable(), brief)
         above = sp.Matrix(
             m, 1,
             lambda i, _: brief(
                 sum(
                     (-1) ** (i + j)
-                    * _determinant(matrix.minor_submatrix(j, i).as_immutable())
+                    * determinant(matrix.minor_submatrix(j, i).as_immutable(), brief)
                     * forcing[j]
                     for j in range(m)
                 )
@@ -822,10 +822,10 @@ def _inverse(matrix: sp.Matrix) -> sp.Matrix:
     """By determinants: entries are short."""
     if matrix.rows == 0:
         return matrix
-    n, divisor = matrix.rows, _determinant(matrix.as_immutable())
+    n, divisor = matrix.rows, determinant(matrix.as_immutable(), brief)
 
     def entry(i: int, j: int) -> sp.Expr:
-        minor = _determinant(matrix.minor_submatrix(j, i).as_immutable())
+        minor = determinant(matrix.minor_submatrix(j, i).as_immutable(), brief)
         return _quotient((-1) ** (i + j) * minor, divisor)
 
     return sp.Matrix(n, n, entry)
@@ -851,21 +851,6 @@ def _positive_below(expr: sp.Expr) -> sp.Expr:
     slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
     sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
     return sp.factor(sign * above) / sp.expand(sign * below)
-
-
-@lru_cache(maxsize=4096)
-def _determinant(matrix: sp.ImmutableMatrix) -> sp.Expr:
-    """By the row with the fewest entries: constraints have few."""
-    n = matrix.rows
-    if n == 0:
-        return sp.S.One
-    row = min(range(n), key=lambda i: sum(e != 0 for e in matrix[i, :]))
-    total = sp.S.Zero
-    for j in range(n):
-        if matrix[row, j] != 0:
-            minor = _determinant(matrix.minor_submatrix(row, j))
-            total += (-1) ** (row + j) * matrix[row, j] * minor
-    return brief(total)
 
 
 def _vanishes(expr: sp.Expr) -> bool:

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import sympy as sp
 from scipy.linalg import eigh
 
 import rockeom as rk
+from rockeom.symbolic.polar import polar_model
 
 from .structures import DAMPING, S1, STIFFNESS, column
 
@@ -149,6 +151,24 @@ def test_landing_out_of_the_derived_impact(storeys):
     tall = whole + m_b * h_b**2 + sum(mi * hi**2 for mi, hi in zip(m, h, strict=True))
     wide = (m_b + sum(m)) * b**2
     assert sp.cancel(model.velocity_ratio - (tall - wide) / (tall + wide)) == 0  # taken as rigid
+
+
+def test_closed_forms_of_the_velocities_after_a_landing_solve_the_balance_of_momenta():
+    """Also in polar form, in whose sines an elimination without sin^2 + cos^2 = 1 drowns."""
+    law = polar_model(rk.derive("shear_frame", storeys=2)).impulse_map("right", "left")
+    symbols = sorted(law.mass_matrix.free_symbols | law.momentum.free_symbols, key=str)
+    numbers = np.random.default_rng(5).uniform(0.5, 1.5, len(symbols))
+    mass_matrix, momentum, closed = (
+        np.array(m.subs(dict(zip(symbols, numbers, strict=True))), dtype=float)
+        for m in (law.mass_matrix, law.momentum, law.velocities())
+    )
+    np.testing.assert_allclose(closed, np.linalg.solve(mass_matrix, momentum), rtol=1e-11)
+
+
+def test_a_direction_without_mass_has_no_velocity_after_a_landing():
+    law = rk.derive("shear_frame", storeys=1).impulse_map("right", "left")
+    with pytest.raises(ValueError, match="singular"):
+        replace(law, mass_matrix=sp.zeros(2)).velocities()
 
 
 def test_point_floors_on_a_flat_base_always_land_in_full_contact():
