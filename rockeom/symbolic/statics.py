@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import sympy as sp
+from sympy.simplify.fu import TR10i
 from sympy.solvers.solveset import NonlinearError
 
-from rockeom.symbolic.algebra import at_side
+from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.model import Mechanism, RockingModel
 
 LOAD = sp.Symbol("P", real=True)
@@ -30,16 +29,18 @@ def equilibrium(phase: Mechanism) -> sp.Matrix:
 
 
 def pushover(model: RockingModel, contact: str) -> sp.Expr:
-    """The force P that holds the structure at a rotation, as short as SymPy can write it.
+    """The force P that holds the structure at a rotation, as a quotient in lowest terms.
 
     See `holding_force`, of which laws are left as they are: of functions nothing is known that
     could make it simpler.
     """
-    force = holding_force(model, contact)
-    return sp.together(force) if model.functions else _simple(force)
-
-
-_simple = lru_cache(maxsize=256)(sp.simplify)  # slow, and asked for again by pages and checks
+    force = sp.together(holding_force(model, contact))
+    if model.functions:
+        return force
+    above, below = map(tidy, sp.fraction(force))
+    # sin(a) cos(b) + cos(a) sin(b) = sin(a + b), and its like
+    above, below = map(TR10i, sp.fraction(sp.factor(above / below)))
+    return above / below
 
 
 def holding_force(model: RockingModel, contact: str) -> sp.Expr:

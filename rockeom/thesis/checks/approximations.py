@@ -137,7 +137,8 @@ def spring_force(foot: str) -> sp.Expr:
 def stiff(expr: sp.Expr) -> sp.Expr:
     """`expr` in terms of the rotation at lift-off instead of the springs' stiffness."""
     weight = in_engine_notation(th.W, 1)
-    return expr.subs(STIFFNESS, weight / (2 * PIER["half_width"] * LIFT_OFF))
+    of_rotation = weight / (2 * PIER["half_width"] * LIFT_OFF)  # what it is multiplied by vanishes
+    return sp.expand(expr).subs(STIFFNESS, of_rotation)
 
 
 def on_lifting(contact: str) -> sp.Expr:
