@@ -219,7 +219,9 @@ def array_function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr
     # where `dummify` would go through the expressions for each symbol again
     names = {symbol: sp.Symbol(f"a{i:04}") for i, symbol in enumerate(arguments)}
     renamed = [sp.sympify(e).xreplace(names) for e in expressions]
-    compiled = sp.lambdify(list(names.values()), renamed, modules="numpy", cse=True)
+    compiled = sp.lambdify(
+        list(names.values()), renamed, modules="numpy", cse=True, docstring_limit=0
+    )
 
     def evaluate(values: Sequence) -> np.ndarray:
         found = compiled(*values)

@@ -8,6 +8,7 @@ accelerations, velocities, ground acceleration and gravity; within each, mass by
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -126,8 +127,7 @@ class Notation(LatexPrinter):
         if not leaders:
             return self._grouped(expr, sp.Integer(1))
         found = []
-        for powers, part in sp.Poly(expr, *leaders).terms():
-            lead = sp.Mul(*(x**n for x, n in zip(leaders, powers, strict=True)))
+        for lead, part in _by_powers(expr, leaders):
             one_bracket = lead.free_symbols & set(self.dotted)
             found += self._joined(part, lead) if one_bracket else self._grouped(part, lead)
         return found
@@ -160,8 +160,7 @@ class Notation(LatexPrinter):
     def _factored(self, expr: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """(common factor, bracket with as few s and minus signs as it can)."""
         if any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow)):
-            above, below = sp.fraction(sp.together(expr))
-            expr = sp.expand(above) / below
+            expr = _together(expr)
         number, factors = product(_gcd_terms(expr))
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
         outer = number * sp.Mul(*(f for f in factors if f is not bracket))
@@ -327,6 +326,34 @@ def product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
         else:
             factors.append(factor)
     return number, factors
+
+
+def _by_powers(expr: sp.Expr, leaders: Sequence[sp.Symbol]) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Products of powers of the leaders, the highest first, and what each is multiplied by.
+
+    As `sp.Poly(expr, *leaders).terms()` gives them, which seeks a field for the coefficients first.
+    """
+    parts: dict[tuple[int, ...], list[sp.Expr]] = {}
+    for term in sp.Add.make_args(expr):
+        held = term.as_powers_dict()
+        powers = tuple(int(held.get(x, 0)) for x in leaders)
+        alone = sp.Mul(*(base**n for base, n in held.items() if base not in leaders))
+        parts.setdefault(powers, []).append(alone)
+    return [
+        (
+            sp.Mul(*(x**n for x, n in zip(leaders, powers, strict=True))),
+            _together(sp.Add(*parts[powers])),
+        )
+        for powers in sorted(parts, reverse=True)
+    ]
+
+
+def _together(expr: sp.Expr) -> sp.Expr:
+    """A sum of quotients over one denominator, and the numerator as a sum again."""
+    if not any(p.exp.is_negative for p in expr.atoms(sp.Pow)):
+        return expr
+    above, below = sp.fraction(sp.together(expr))
+    return sp.expand(above) / below
 
 
 def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:

@@ -13,6 +13,8 @@ from rockeom.cli import models as command_line
 from rockeom.cli.errors import UsageError
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.modes import free_motion
+from rockeom.symbolic.page import to_latex, to_markdown
+from rockeom.symbolic.typeset import content
 
 from .structures import FOUNDATION_STIFFNESS, S1, STIFFNESS, TOTAL_MASS, column, on_springs
 
@@ -456,7 +458,8 @@ def test_a_structure_that_takes_no_support_says_so():
 def test_each_has_a_page_and_a_document(name, arguments):
     """With every coordinate's acceleration, and every parameter by its name."""
     model = rk.derive(name, **arguments)
-    page, document = model.markdown(), model.latex()
+    said = content(model, "width")
+    page, document = to_markdown(said), to_latex(said)
     assert f"# {model.title}" in page
     for c in model.coordinates:
         shown = re.sub(r"_\{(\d)\}", r"_\1", sp.latex(c.acceleration))
