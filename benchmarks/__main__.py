@@ -84,17 +84,12 @@ def one_motion(workload: str) -> w.Case | None:
 
 
 def same_steps(workload: str) -> tuple[int, int, float]:
-    """Steps of rockeom and of C in one motion, and the largest difference of an impact time.
-
-    Impacts closer than 1e-5 s to the one before are left out: where a series of them comes to rest
-    within that time, the two give up stepping from one to the next at different ones.
-    """
+    """Steps of rockeom and of C in one motion, and how far the times of firm impacts differ."""
     case, solver = one_motion(workload), with_rockeom.options(1e-10)
     problem = with_c.Problem(case, solver)
-    mine, theirs = (
-        times[np.diff(times, prepend=-np.inf) > 1e-5]
-        for times in (with_rockeom.loop(case, solver)().times, problem.impacts().times)
-    )
+    least = w.FIRM.get(workload, 0.0)
+    mine = with_rockeom.loop(case, solver)().firm(least).times
+    theirs = problem.impacts().firm(least).times
     apart = float(np.abs(mine - theirs).max()) if len(mine) == len(theirs) else np.inf
     return with_rockeom.steps(case, solver), problem.run()[3], apart
 
