@@ -34,33 +34,59 @@ if TYPE_CHECKING:  # joined before this text
         put_on,
         rate_of,
         rates,
+        without_forces,
     )
 
-LEAST_HOP = 1e-11  # relative to the terms of a gap: lower flights are summed up
-SLOWEST = 1e4  # s: what is slower has no end of its bounces that needs to be found at once
+LOW_HOP = 1e-11  # relative to the terms of a gap: lower flights suffer from rounding errors
+LOST_HOP = 1e-13  # and these are lost among them
+NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
+LONGEST_LOW = 1e-4  # the time of low flights that is summed, in units of sqrt(l/a)
 
 
 def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
-    From a landing after which points leave what they touched: close to the end flights are
-    parabolas, each from the rates of the state in which it begins, and the impacts between are
-    those of any landing. They are followed until one is like another before it but for its speed:
-    what is left is a geometric series then. out (N,) : the state after it, all these points closed.
-    Returns (inf, contact) while the time is longer than `tolerance` times sqrt(l/a), a the
-    acceleration that closes the gap and l the radius of gyration.
+    From a landing after which points leave what they touched. out (N,) : the state after that time,
+    with these points closed. Returns (inf, contact) while the time is longer than `tolerance` times
+    sqrt(l/a), a the acceleration of a point in free motion and l the radius of gyration. Low
+    flights may take LONGEST_LOW of it; where they take longer, those that are lost end at once.
     """
-    n = N_COORDINATES
-    dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
-    met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
-    heights = np.zeros(N_POINTS)  # by themselves: they are lost among the last digits of a state
+    w, dy = np.empty(N_STATES), np.empty(N_STATES)
+    bouncing, heights = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
+    near, lost = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     rates(contact, y, p, ax, ay, dy)
-    start, limit = slow_bounces(contact, y, tolerance, known, dy, bouncing, heights)
+    start, limit = slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing, lost)
     if start == 0.0:
         return np.inf, contact
-    for i in range(N_STATES):
-        w[i] = y[i]
+    total, follows = np.inf, contact
+    if limit > 0.0:
+        for i in range(N_STATES):
+            w[i] = y[i]
+        beside_bounces(contact, limit, known, dy, bouncing, heights)
+        total, follows = sum_of_flights(
+            contact, w, p, ax, ay, start, limit, known, dy, bouncing, heights, near, out
+        )
+    end_at_once = False
+    for i in range(N_POINTS):
+        end_at_once = end_at_once or lost[i] == 1
+    if not total < np.inf and end_at_once:
+        total, follows = 0.0, all_closed(contact, lost, start, p, ax, ay, known, near, y, out)
+    return (total, follows) if follows >= 0 else (np.inf, contact)
+
+
+def sum_of_flights(
+    contact, w, p, ax, ay, start, limit, known, dy, bouncing, heights, near, out
+):  # fmt: skip
+    """(time, contact) of bounces from a state w (N,), which moves on to their end.
+
+    Close to the end flights are parabolas, each from the rates of the state in which it begins, and
+    the impacts between are those of any landing. They are followed until one is like another before
+    it but for its speed: what is left is a geometric series then. heights (N_POINTS,) : gaps of the
+    points of bouncing (N_POINTS,), apart since they are lost among the last digits of a state.
+    limit : the longest time, see `time_of_bounces`. dy : the rates of w; near : scratch.
+    """
+    n = N_COORDINATES
+    met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     total = last = 0.0
     here = contact
     # a flight before, with which others are compared
@@ -71,13 +97,11 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
         if _turn > 0:
             rates(here, w, p, ax, ay, dy)
         flight, which = next_landing(here, bouncing, heights, known, dy)
-        if flight < 0.0:
-            return np.inf, contact
-        if which < 0 or is_slow(here, bouncing, start, known, w):
+        if have_ended(here, bouncing, heights, start, known, w, dy):
             break
-        if total + flight > limit:
+        if not total + flight <= limit:
             # where the last flights were nothing, some have come to their end and others fly on
-            if not (last < 1e-6 * total and some_ended(here, bouncing)):
+            if not (last <= 1e-6 * total and some_ended(here, bouncing)):
                 return np.inf, contact
             break
         rate = known[which * POINT + 1]
@@ -128,68 +152,77 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
-def slow_bounces(contact, y, tolerance, known, dy, bouncing, heights):
-    """(start, limit): the fastest rate at which points leave, and the longest time of bounces.
+def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing, lost):
+    """(start, limit): the fastest rate of points that leave, or land, and the longest time.
 
-    dy (N,) : rates of the state. bouncing (N_POINTS,) : set to 1 for these points, and
-    for others in flight that land as soon, from their heights (N_POINTS,). Zero where no point
-    leaves, or where one is too fast for such a time.
+    dy (N,) : rates of the state. bouncing (N_POINTS,) : set to 1 for these points; lost
+    (N_POINTS,) : for those whose flights are lost. Zeros where no point leaves and comes back; no
+    time where one is too fast for it.
     """
-    longest = start = 0.0
-    lost = True
+    start = 0.0
+    low, returns, fast = True, False, False
+    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
         _, size = rate_of(known, 2 * i, y, 0)
-        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate <= 0.0:
+        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate == 0.0:
             continue
         a = -acceleration_of(known, 2 * i, dy)
-        low = 0.5 * rate * rate < LEAST_HOP * size * abs(a)
-        if not (a > 0.0 or low) or 2.0 * rate > tolerance * SLOWEST * abs(a):
-            return 0.0, 0.0
+        radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
+        hop = 0.5 * rate * rate  # its height times its acceleration
+        is_low = hop < max(LOW_HOP * size, NO_HOP * radius) * a
+        if hop < max(LOST_HOP * size, NO_HOP * radius) * a:
+            lost[i] = 1
         bouncing[i] = 1
-        start = max(start, rate)
-        longest = max(longest, 2.0 * rate / abs(a))
-        lost = lost and low
-    if start == 0.0:
+        start = max(start, abs(rate))
+        low, returns = low and is_low, returns or a > 0.0 or rate < 0.0
+        fast = fast or (a > 0.0 and not is_low and 8.0 * hop > tolerance * tolerance * radius * a)
+    if not returns:
         return 0.0, 0.0
-    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    limit = np.inf
+    if fast:
+        return start, 0.0
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    most, limit = max(tolerance, LONGEST_LOW) if low else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
             radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
-            limit = min(
-                limit, tolerance * math.sqrt(radius / abs(acceleration_of(known, 2 * i, dy)))
-            )
-    if lost:
-        limit = SLOWEST * longest  # flights so low end among rounding errors
-    if longest > limit:
-        return 0.0, 0.0
+            limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and known[i * POINT + 1] < -limit * sizes[2 * i]:
+            return start, 0.0  # it lands at once, and not among slow bounces
+    return start, limit
+
+
+def beside_bounces(contact, limit, known, dy, bouncing, heights):
+    """Set bouncing for points in flight that land within the time of the bounces, and heights."""
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
         if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
             a = -acceleration_of(known, 2 * i, dy)
             if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bouncing[i], heights[i] = 1, gap
-    return start, limit
 
 
 def next_landing(here, bouncing, heights, told, dy):
-    """(time, point) of the next landing of those that bounce: negative where none lands again.
+    """(time, point) of the next landing of those that bounce: (inf, -1) where none lands by itself.
 
-    A gap that opens faster waits for the landing of another.
+    A gap that opens faster and faster waits for the landing of another.
     """
-    flight, which, waits = np.inf, -1, False
+    flight, which = np.inf, -1
     for i in range(N_POINTS):
         if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
             continue
         rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
-        if not a > 0.0:
-            waits = True
-            continue
-        lasts = (rate + math.sqrt(rate * rate + 2.0 * a * heights[i])) / a
+        square = rate * rate + 2.0 * a * heights[i]
+        lasts = np.inf
+        if rate < 0.0 and square >= 0.0:
+            lasts = 2.0 * heights[i] / (math.sqrt(square) - rate)
+        elif a > 0.0:
+            lasts = (rate + math.sqrt(square)) / a
         if lasts < flight:
             flight, which = lasts, i
-    return (-1.0, which) if waits and which < 0 else (flight, which)
+    return flight, which
 
 
 def landing_of(contact, point):
@@ -201,12 +234,13 @@ def landing_of(contact, point):
     return guard
 
 
-def is_slow(here, bouncing, start, told, w):
+def have_ended(here, bouncing, heights, start, told, w, dy):
     """Whether nothing but the digits of other velocities is left of those of the bounces."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            fastest = max(fastest, told[i * POINT + 1])
+            rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
+            fastest = max(fastest, math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[i]))
         _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
     return fastest <= max(1e-7 * start, 1e-8 * whole)
@@ -285,8 +319,4 @@ def all_closed(here, bouncing, start, p, ax, ay, known, near, w, out):
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
-    follows = go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, known, sizes)
-    for i in range(N_POINTS):
-        if bouncing[i] == 1 and follows >= 0 and POINT_STATES[follows][i] == OPEN:
-            return IMPOSSIBLE
-    return follows
+    return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, known, sizes)

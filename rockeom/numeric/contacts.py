@@ -81,26 +81,29 @@ def is_closed(touching, i):
     return touching > 0 and n - 2 * int(n * 0.5) == 1
 
 
-def guard_noise(contact, index, y, p, b, stride):
-    """Size of the rounding errors of a guard.
+def guard_noise(contact, index, y, p, ax, ay, h, b, stride):
+    """Size of the rounding errors of a guard in a step h.
 
-    Of a gap, by the terms whose difference it is; of a force, by how large forces are: b holds of
-    each guard `stride` numbers, in a step or at an instant.
+    For a gap, by the terms whose difference it is, and by what acts on it; for a force, by the
+    largest of them and by what would hold the structure: b holds `stride` numbers of each guard,
+    in a step or at an instant.
     """
     kind = KINDS[contact][index]
-    if kind == LANDING:
-        told = np.empty(POINT * N_POINTS)
-        points(y, p, told)
-        _, size = rate_of(told, 2 * SUBJECTS[contact][index], y, 0)
-        return GRAIN * size
-    if kind != LIFTING and kind != SLIPPING:
+    if kind != LANDING and kind != LIFTING and kind != SLIPPING:
         return 0.0
+    known, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    point = SUBJECTS[contact][index]
+    all_known(y, p, contact, known)
+    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    if kind == LANDING:
+        _, size = rate_of(known, 2 * point, y, 0)
+        return GRAIN * size + 1e-13 * sizes[2 * point] * h * h
     largest = 0.0
     for i in range(GUARDS[contact]):
         if KINDS[contact][i] == LIFTING or KINDS[contact][i] == SLIPPING:
             for j in range(stride * i, stride * i + stride):
                 largest = max(largest, abs(b[j]))
-    return 1e-13 * largest
+    return max(1e-13 * largest, FITS * sizes[ROWS + point])
 
 
 # -- linear equations ----------------------------------------------------------------------------
@@ -747,20 +750,20 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave
-    leaving = np.zeros(N_POINTS, np.int64)
+    leaving, sizes = np.zeros(N_POINTS, np.int64), np.empty(ROWS + N_POINTS)
+    sizes_of(squared(known, y[n:]), known, sizes)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state = POINT_STATES[as_said][i]
         rate, size = rate_of(known, 2 * i, out, n)
-        _before, size_before = rate_of(known, 2 * i, y, n)
-        leaves = rate > FITS * max(size, size_before)
+        leaves = rate > FITS * max(size, sizes[2 * i])
         if leaves and (state == OPEN or known[LAWS + 2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
             continue
         rows[2 * i], wanted[2 * i] = 1, -rate
         slip, size = rate_of(known, 2 * i + 1, out, n)
-        still = state == STICK or abs(slip) <= FITS * size
+        still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
         if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:
             still = True
         if still:
@@ -770,7 +773,6 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
     ends = kind in (LIFTING, SLIPPING)
-    sizes = np.empty(ROWS + N_POINTS)
     follows = go_on_as(
         contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, known, sizes
     )

@@ -99,8 +99,9 @@ GRAIN: float
 FITS: float
 
 def guard_noise(
-    contact: Int, index: Int, y: Floats, p: Floats, b: Floats, stride: Int
-) -> float: ...
+    contact: Int, index: Int, y: Floats, p: Floats, ax: Float, ay: Float, h: Float, b: Floats,
+    stride: Int,
+) -> float: ...  # fmt: skip
 def longest_turn(y: Floats) -> float: ...
 def fall_within(
     contact: Int, t: Float, h: Float, y: Floats, y_new: Floats, k: Floats, end: Int, p: Floats,

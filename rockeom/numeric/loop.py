@@ -754,14 +754,14 @@ def noise_of(contact, index, p, fallen, noise, w, g):
 
 
 @inlined
-def grain_of(contact, index, y, p, fallen, noise, w, g, b, stride):
+def grain_of(contact, index, y, p, ax, ay, h, fallen, noise, w, g, b, stride):
     """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
     return (
         noise_of(contact, index, p, fallen, noise, w, g)
         if N_POINTS == 0
         else noise_of(contact, index, p, fallen, noise, w, g)
         if KINDS[contact][index] == SWITCH
-        else guard_noise(contact, index, y, p, b, stride)
+        else guard_noise(contact, index, y, p, ax, ay, h, b, stride)
     )
 
 
@@ -805,6 +805,7 @@ def first_event(
     place, target, slope = NEVER, -1, 0.0
     from_closed = unclear = False
     rocks = rocking(contact)
+    ax, ay = shaking(gx, t), shaking(gy, t)
     for i in range(GUARDS[contact]):
         known = is_known(touching, i)
         if i == landed or (landed >= 0 and known):
@@ -813,15 +814,15 @@ def first_event(
         whole = N_PARTS == 0 or PARTS[contact][i] < 0
         if b[8 * i] < 0.0 and whole and not rocks and not closed:
             # beside zero but for rounding, by an event before this one, is closed, too
-            near = grain_of(contact, i, y, p, fallen, noises, w, g, b, 8)
+            near = grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8)
             if KINDS[contact][i] == IMPACT:
                 near = CLOSED_GAP * fallen
             closed = b[8 * i] >= -near
         noise = 0.0
         if closed:
-            ax, ay = shaking(gx, t), shaking(gy, t)
             noise = rounding(contact, i, h, y, p, ax, ay, b)
-            noise = max(noise, grain_of(contact, i, y, p, fallen, noises, w, g, b, 8))
+            grain = grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8)
+            noise = max(noise, grain)
         row = i
         if not whole:
             x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
@@ -834,7 +835,7 @@ def first_event(
             continue
         if x < place:
             hover = size(b, 8 * row)
-            if hover <= grain_of(contact, i, y, p, fallen, noises, w, g, b, 8):
+            if hover <= grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8):
                 continue  # nothing but rounding errors
             place = x
             target = i
@@ -1066,8 +1067,8 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
         if g[i] < 0.0 and (due < 0 or g[i] < g[due]):
             due = i
     if due >= 0:
-        value = g[due]
-        if value >= -grain_of(contact, due, y, p, fallen, noise, w, g, g, 1):
+        value, ax, ay = g[due], shaking(gx, t), shaking(gy, t)
+        if value >= -grain_of(contact, due, y, p, ax, ay, 0.0, fallen, noise, w, g, g, 1):
             return -1
     return due
 
