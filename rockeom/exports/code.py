@@ -68,7 +68,7 @@ def impact(contact, guard, y, p, ax, ay, out):
     none fits, -2 where several do that move differently.
     """
     known = np.empty(N_KNOWN)
-    follows, _ = pass_on(contact, guard, 1e-3, y, p, ax, ay, ax, ay, 1e-9, known, out)
+    follows, _ = pass_on(contact, guard, 1e-3, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, out)
     return follows
 '''
 

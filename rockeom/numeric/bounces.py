@@ -43,7 +43,7 @@ NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no
 LONGEST_LOW = 1e-4  # the time of low flights that is summed, in units of sqrt(l/a)
 
 
-def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
+def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
     From a landing after which points leave what they touched. out (N,) : the state after that time,
@@ -64,18 +64,21 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, known, out):
             w[i] = y[i]
         beside_bounces(contact, limit, known, dy, bouncing, heights)
         total, follows = sum_of_flights(
-            contact, w, p, ax, ay, start, limit, known, dy, bouncing, heights, near, out
+            contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
         )
     end_at_once = False
     for i in range(N_POINTS):
         end_at_once = end_at_once or lost[i] == 1
     if not total < np.inf and end_at_once:
-        total, follows = 0.0, all_closed(contact, lost, start, p, ax, ay, known, near, y, out)
+        total = 0.0
+        follows = all_closed(
+            contact, lost, start, p, ax, ay, rtol, known, near, y, out
+        )
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
 def sum_of_flights(
-    contact, w, p, ax, ay, start, limit, known, dy, bouncing, heights, near, out
+    contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
 ):  # fmt: skip
     """(time, contact) of bounces from a state w (N,), which moves on to their end.
 
@@ -138,8 +141,9 @@ def sum_of_flights(
             out[i] = w[i]
         points(w, p, known)
         here, _ = meet(
-            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, known, out
-        )
+            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known,
+            out,
+        )  # fmt: skip
         if here < 0:
             return np.inf, contact
         for i in range(n, N_STATES):
@@ -148,7 +152,7 @@ def sum_of_flights(
         for i in range(N_POINTS):
             if met[i] == 1 and POINT_STATES[here][i] == OPEN and known[i * POINT + 1] > 0.0:
                 bouncing[i] = 1
-    follows = all_closed(here, bouncing, start, p, ax, ay, known, near, w, out)
+    follows = all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out)
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
@@ -287,7 +291,7 @@ def to_the_end(ratio, period, w_then, w):
         w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
 
 
-def all_closed(here, bouncing, start, p, ax, ay, known, near, w, out):
+def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
     """The contact state that follows once all points that bounce are closed, or a negative number.
 
     w : the state until then; out : with them closed. known, near : scratch.
@@ -319,4 +323,6 @@ def all_closed(here, bouncing, start, p, ax, ay, known, near, w, out):
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
-    return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, known, sizes)
+    return go_on_as(
+        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes
+    )

@@ -245,7 +245,7 @@ def pass_through(
         else:
             follows = passed(
                 contact, guard, length, t, impacts, moved, dual_p, law, dual_ratio, ax, ay, dual_gx,
-                dual_gy, behind, duals,
+                dual_gy, rtol, behind, duals,
             )  # fmt: skip
         if follows != event_kinds[e, 2]:
             return OTHER_WAY, e, impacts, rested
@@ -344,7 +344,7 @@ def goes_on(e, t, gx, gy, p, event_kinds, event_states, floats):
 
 @inlined
 def passed(
-    contact, guard, length, t, impacts, y, p, law, dual_ratio, ax, ay, gx, gy, out, duals
+    contact, guard, length, t, impacts, y, p, law, dual_ratio, ax, ay, gx, gy, rtol, out, duals
 ):  # fmt: skip
     """The contact state behind a passage, as in the loop; the state there into out."""
     if N_POINTS == 0:
@@ -354,7 +354,7 @@ def passed(
         ahead = 1e-5 * length
         later_x, later_y = shaking(gx, t + ahead), shaking(gy, t + ahead)
         follows, _ = pass_on(
-            contact, guard, length, y, p, ax, ay, later_x, later_y, ahead, duals[_TOLD:], out
+            contact, guard, length, y, p, ax, ay, later_x, later_y, ahead, rtol, duals[_TOLD:], out
         )
     return follows
 
@@ -369,7 +369,9 @@ def comes_to_rest(
     y : that at the last one that is told of; changed into the one before they have ended.
     """
     if N_POINTS > 0:
-        rests, follows = time_of_bounces(contact, y, p, ax, ay, tolerance, duals[_TOLD:], out)
+        rests, follows = time_of_bounces(
+            contact, y, p, ax, ay, tolerance, rtol, duals[_TOLD:], out
+        )
     else:
         w, stands, kick = duals[_STATE:_KICK], duals[_NEW:_MOVED], duals[_KICK:_GUARD]
         rests, follows = time_to_rest(

@@ -67,9 +67,10 @@ N_KNOWN = COUPLING + ROWS * ROWS
 
 GRAIN = 4e-15  # relative rounding error of a gap
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
-NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off
+NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
 NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
-ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
+STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
+ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
 HALVES = 0.5 ** np.arange(32.0)
 
@@ -619,7 +620,7 @@ def fits_by_forces(contact, y, p, ax, ay):
     for i in range(N_POINTS):
         if POINT_STATES[contact][i] != OPEN:
             near[i] = 1
-    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, known, sizes)
+    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, sizes)
 
 
 def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
@@ -649,25 +650,35 @@ def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
 
 
 def go_on_as(
-    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, known, sizes
+    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
 ):  # fmt: skip
     """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `contact` has come to its end, so that it follows only where nothing else does.
     later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
-    move alike decide between them. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
+    move alike decide between them. rtol : the relative tolerance of the motion, by whose error a
+    contact state must fit where none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found
+    here.
     """
     wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
     fitting = np.empty(len(POINT_STATES), np.int64)
     whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
-    found, several = fitting_states(
-        contact, near, sliding, wanted, known, sizes, NEARLY, ALIKE * ALIKE * whole, fitting, change
-    )
-    if found < 0 or (several == 1 and not (ends and found == contact)):
-        return found
-    return best_later(
-        contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
-    )
+    follows = IMPOSSIBLE
+    for turn in range(2):
+        nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
+        if follows != IMPOSSIBLE or nearly < NEARLY:
+            break
+        alike = ALIKE * nearly
+        follows, several = fitting_states(
+            contact, near, sliding, wanted, known, sizes, nearly, alike * alike * whole, fitting,
+            change,
+        )  # fmt: skip
+        if follows >= 0 and (several > 1 or (ends and follows == contact)):
+            follows = best_later(
+                contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau,
+                sizes,
+            )  # fmt: skip
+    return follows
 
 
 @rolled
@@ -704,7 +715,7 @@ def best_later(
 # -- passages ------------------------------------------------------------------------------------
 
 
-def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, known, out):
+def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
     """The end of a contact state by a guard: state after into out (N,).
 
     Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
@@ -734,10 +745,10 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, known, out):
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
-    return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out)
+    return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out)
 
 
-def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
+def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
     """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
@@ -774,7 +785,7 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, known, out):
     points(out, p, known)
     ends = kind in (LIFTING, SLIPPING)
     follows = go_on_as(
-        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, known, sizes
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
     )
     if follows < 0:
         return follows, -1

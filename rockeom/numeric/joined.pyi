@@ -116,15 +116,16 @@ def end_closed(contact: Int, samples: Floats) -> bool: ...
 def shaking(row: Row, t: Float) -> float: ...
 def pass_on(
     contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
-    later_x: Float, later_y: Float, tau: Float, known: Floats, out: Floats,
+    later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats, out: Floats,
 ) -> tuple[Int, Int]: ...  # fmt: skip
 def meet(
     contact: Int, guard: Int, near: Ints, y: Floats, p: Floats, ax: Float, ay: Float,
-    later_x: Float, later_y: Float, tau: Float, known: Floats, out: Floats,
+    later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats, out: Floats,
 ) -> tuple[Int, Int]: ...  # fmt: skip
 def go_on_as(
     contact: Int, ends: bool, near: Ints, sliding: Floats, y: Floats, p: Floats, ax: Float,
-    ay: Float, later_x: Float, later_y: Float, tau: Float, known: Floats, sizes: Floats,
+    ay: Float, later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats,
+    sizes: Floats,
 ) -> Int: ...  # fmt: skip
 def all_known(y: Floats, p: Floats, contact: Int, known: Floats) -> None: ...
 def put_on(rows: Ints, wanted: Floats, first: Int, known: Floats, y: Floats) -> None: ...
@@ -143,6 +144,7 @@ def time_of_bounces(
     ax: Float,
     ay: Float,
     tolerance: Float,
+    rtol: Float,
     known: Floats,
     out: Floats,
 ) -> tuple[Float, Int]: ...

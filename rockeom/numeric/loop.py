@@ -1563,7 +1563,7 @@ def integrate(
             tau = 1e-5 * length
             contact, touching = pass_on(
                 before, landed, length, y, p, shaking(gx, t), shaking(gy, t),
-                shaking(gx, t + tau), shaking(gy, t + tau), tau, known, after,
+                shaking(gx, t + tau), shaking(gy, t + tau), tau, rtol, known, after,
             )  # fmt: skip
             if contact < 0:
                 outcome = NO_SOLUTION if contact == IMPOSSIBLE else SEVERAL_SOLUTIONS
@@ -1597,7 +1597,9 @@ def integrate(
         ax, ay = shaking(gx, t), shaking(gy, t)
         # -- the rest of infinitely many impacts at once
         if N_POINTS > 0:
-            rests, follows = time_of_bounces(contact, y, p, ax, ay, rest_tolerance, known, y_new)
+            rests, follows = time_of_bounces(
+                contact, y, p, ax, ay, rest_tolerance, rtol, known, y_new
+            )
         elif SIDES[contact] == 0.0:
             continue
         else:
