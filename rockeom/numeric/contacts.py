@@ -396,33 +396,34 @@ def held_by(candidate, wanted, known, fractions, impulse):
     These are the parts of the normal impulse that it is; not a number where it is to be found.
     """
     a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
-    ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
+    ties, tied = np.zeros(ROWS), np.zeros(ROWS, np.int64)  # friction in parts of a normal impulse
     order = 0
     for i in range(N_POINTS):
         state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
             continue
-        unknown[order], ties[order] = normal, 0.0
+        unknown[order] = normal
         order += 1
         if state != STICK:
-            ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
+            tied[order - 1], ties[order - 1] = 1, -known[LAWS + normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
-            ties[order - 1] = fractions[i]
+            tied[order - 1], ties[order - 1] = 1, fractions[i]
         elif SHARED[candidate][i] == i:
-            unknown[order], ties[order] = normal + 1, 0.0
+            unknown[order] = normal + 1
             order += 1
     width = order + 1
     for m in range(order):
         row = COUPLING + unknown[m] * ROWS
         for s in range(order):
             value = known[row + unknown[s]]
-            value += ties[s] * known[row + unknown[s] + 1]
+            if tied[s] == 1:  # a dual may be 0 and its derivative not
+                value += ties[s] * known[row + unknown[s] + 1]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
     for m in range(order):
         impulse[unknown[m]] = a[m * width + order]
-        if ties[m] != 0.0:
+        if tied[m] == 1:
             impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
 
 
