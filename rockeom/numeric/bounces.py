@@ -53,9 +53,9 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
     """
     w, dy = np.empty(N_STATES), np.empty(N_STATES)
     bouncing, heights = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    near, lost = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    near = np.zeros(N_POINTS, np.int64)
     rates(contact, y, p, ax, ay, dy)
-    start, limit = slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing, lost)
+    start, limit, lost = slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing)
     if start == 0.0:
         return np.inf, contact
     total, follows = np.inf, contact
@@ -66,15 +66,32 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
         total, follows = sum_of_flights(
             contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
         )
-    end_at_once = False
-    for i in range(N_POINTS):
-        end_at_once = end_at_once or lost[i] == 1
-    if not total < np.inf and end_at_once:
+    if lost and not total < np.inf:
         total = 0.0
-        follows = all_closed(
-            contact, lost, start, p, ax, ay, rtol, known, near, y, out
-        )
+        for i in range(N_POINTS):
+            bouncing[i] = 0
+        follows = all_closed(contact, bouncing, start, p, ax, ay, rtol, known, near, y, out)
+    for _ in range(N_POINTS):
+        if not (total < np.inf and follows >= 0 and any_lost(follows, out, p, ax, ay, known, dy)):
+            break
+        # what follows may bring back a point that left: it has no time to
+        for i in range(N_STATES):
+            w[i] = out[i]
+        for i in range(N_POINTS):
+            bouncing[i] = 0
+        follows = all_closed(follows, bouncing, start, p, ax, ay, rtol, known, near, w, out)
     return (total, follows) if follows >= 0 else (np.inf, contact)
+
+
+def any_lost(contact, y, p, ax, ay, known, dy):
+    """Whether a flight that begins in a state is lost. known, dy : scratch."""
+    lost = False
+    rates(contact, y, p, ax, ay, dy)
+    points(y, p, known)
+    for i in range(N_POINTS):
+        _, _, _, _, is_lost = hop_of(i, contact, y, known, dy)
+        lost = lost or is_lost
+    return lost
 
 
 def sum_of_flights(
@@ -156,46 +173,57 @@ def sum_of_flights(
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
-def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing, lost):
-    """(start, limit): the fastest rate of points that leave, or land, and the longest time.
+def hop_of(point, contact, y, known, dy):
+    """(height, a, radius, low, lost) of the flight that begins where an open gap is closed.
 
-    dy (N,) : rates of the state. bouncing (N_POINTS,) : set to 1 for these points; lost
-    (N_POINTS,) : for those whose flights are lost. Zeros where no point leaves and comes back; no
-    time where one is too fast for it.
+    a : the acceleration that closes the gap; the height is multiplied by it, and zero where there
+    is no such flight. radius : of gyration, of what the point moves. low, lost : whether it is
+    lower than LOW_HOP and LOST_HOP. dy (N,) : rates of the state.
+    """
+    gap, rate = known[point * POINT], known[point * POINT + 1]
+    _, size = rate_of(known, 2 * point, y, 0)
+    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
+    radius = math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
+    a = -acceleration_of(known, 2 * point, dy)
+    if POINT_STATES[contact][point] != OPEN or gap > GRAIN * size:
+        return 0.0, a, radius, False, False
+    height, none = 0.5 * rate * rate, NO_HOP * radius
+    low, lost = height < max(LOW_HOP * size, none) * a, height < max(LOST_HOP * size, none) * a
+    return height, a, radius, low and rate > 0.0, lost and rate > 0.0
+
+
+def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
+    """(start, limit, lost): the fastest rate of points that leave, or land, and the longest time.
+
+    bouncing (N_POINTS,) : set to 1 for these points. lost : whether a flight of theirs is. Zeros
+    where no point leaves and comes back; no time where one is too fast for it.
     """
     start = 0.0
-    low, returns, fast = True, False, False
-    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
+    low, returns, fast, lost = True, False, False, False
     for i in range(N_POINTS):
-        gap, rate = known[i * POINT], known[i * POINT + 1]
-        _, size = rate_of(known, 2 * i, y, 0)
-        if POINT_STATES[contact][i] != OPEN or gap > GRAIN * size or rate == 0.0:
+        height, a, radius, is_low, is_lost = hop_of(i, contact, y, known, dy)
+        if height == 0.0:
             continue
-        a = -acceleration_of(known, 2 * i, dy)
-        radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
-        hop = 0.5 * rate * rate  # its height times its acceleration
-        is_low = hop < max(LOW_HOP * size, NO_HOP * radius) * a
-        if hop < max(LOST_HOP * size, NO_HOP * radius) * a:
-            lost[i] = 1
+        rate = known[i * POINT + 1]
         bouncing[i] = 1
         start = max(start, abs(rate))
-        low, returns = low and is_low, returns or a > 0.0 or rate < 0.0
-        fast = fast or (a > 0.0 and not is_low and 8.0 * hop > tolerance * tolerance * radius * a)
+        low, lost, returns = low and is_low, lost or is_lost, returns or a > 0.0 or rate < 0.0
+        fast = fast or (not is_low and 8.0 * height > tolerance * tolerance * radius * a > 0.0)
     if not returns:
-        return 0.0, 0.0
+        return 0.0, 0.0, False
     if fast:
-        return start, 0.0
+        return start, 0.0, lost
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     without_forces(y, p, ax, ay, contact, known, wanted, sizes)
     most, limit = max(tolerance, LONGEST_LOW) if low else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            radius = math.sqrt(inertia * known[COUPLING + 2 * i * ROWS + 2 * i])
+            _, _, radius, _, _ = hop_of(i, contact, y, known, dy)
             limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
     for i in range(N_POINTS):
         if bouncing[i] == 1 and known[i * POINT + 1] < -limit * sizes[2 * i]:
-            return start, 0.0  # it lands at once, and not among slow bounces
-    return start, limit
+            return start, 0.0, lost  # it lands at once, and not among slow bounces
+    return start, limit, lost
 
 
 def beside_bounces(contact, limit, known, dy, bouncing, heights):
@@ -294,16 +322,19 @@ def to_the_end(ratio, period, w_then, w):
 def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
     """The contact state that follows once all points that bounce are closed, or a negative number.
 
-    w : the state until then; out : with them closed. known, near : scratch.
+    So are others whose flights are lost. w : the state until then; out : with them closed.
+    known, near : scratch.
     """
     n = N_COORDINATES
-    sizes = np.empty(ROWS + N_POINTS)
+    sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     for i in range(N_STATES):
         out[i] = w[i]
     all_known(out, p, here, known)
+    rates(here, w, p, ax, ay, dy)
     for i in range(N_POINTS):
-        closed = bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
+        _, _, _, _, lost = hop_of(i, here, w, known, dy)
+        closed = lost or bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
         if closed:
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
