@@ -37,10 +37,9 @@ if TYPE_CHECKING:  # joined before this text
         without_forces,
     )
 
-LOW_HOP = 1e-11  # relative to the terms of a gap: lower flights suffer from rounding errors
-LOST_HOP = 1e-13  # and these are lost among them
+LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
-LONGEST_LOW = 1e-4  # the time of low flights that is summed, in units of sqrt(l/a)
+LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
 def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
@@ -48,8 +47,8 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
 
     From a landing after which points leave what they touched. out (N,) : the state after that time,
     with these points closed. Returns (inf, contact) while the time is longer than `tolerance` times
-    sqrt(l/a), a the acceleration of a point in free motion and l the radius of gyration. Low
-    flights may take LONGEST_LOW of it; where they take longer, those that are lost end at once.
+    sqrt(l/a), a the acceleration of a point in free motion and l the radius of gyration. Lost
+    flights may take LONGEST_LOST of it, and where they take longer, they end at once.
     """
     w, dy = np.empty(N_STATES), np.empty(N_STATES)
     bouncing, heights = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
@@ -89,7 +88,7 @@ def any_lost(contact, y, p, ax, ay, known, dy):
     rates(contact, y, p, ax, ay, dy)
     points(y, p, known)
     for i in range(N_POINTS):
-        _, _, _, _, is_lost = hop_of(i, contact, y, known, dy)
+        _, _, _, is_lost = hop_of(i, contact, y, known, dy)
         lost = lost or is_lost
     return lost
 
@@ -174,11 +173,11 @@ def sum_of_flights(
 
 
 def hop_of(point, contact, y, known, dy):
-    """(height, a, radius, low, lost) of the flight that begins where an open gap is closed.
+    """(height, a, radius, lost) of the flight that begins where an open gap is closed.
 
     a : the acceleration that closes the gap; the height is multiplied by it, and zero where there
-    is no such flight. radius : of gyration, of what the point moves. low, lost : whether it is
-    lower than LOW_HOP and LOST_HOP. dy (N,) : rates of the state.
+    is no such flight. radius : of gyration, of what the point moves. lost : whether the point
+    leaves, and does not rise above rounding errors. dy (N,) : rates of the state.
     """
     gap, rate = known[point * POINT], known[point * POINT + 1]
     _, size = rate_of(known, 2 * point, y, 0)
@@ -186,10 +185,10 @@ def hop_of(point, contact, y, known, dy):
     radius = math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
     a = -acceleration_of(known, 2 * point, dy)
     if POINT_STATES[contact][point] != OPEN or gap > GRAIN * size:
-        return 0.0, a, radius, False, False
-    height, none = 0.5 * rate * rate, NO_HOP * radius
-    low, lost = height < max(LOW_HOP * size, none) * a, height < max(LOST_HOP * size, none) * a
-    return height, a, radius, low and rate > 0.0, lost and rate > 0.0
+        return 0.0, a, radius, False
+    height = 0.5 * rate * rate
+    lost = rate > 0.0 and height < max(LOST_HOP * size, NO_HOP * radius) * a
+    return height, a, radius, lost
 
 
 def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
@@ -199,31 +198,32 @@ def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
     where no point leaves and comes back; no time where one is too fast for it.
     """
     start = 0.0
-    low, returns, fast, lost = True, False, False, False
+    all_lost, any_is_lost, returns, fast = True, False, False, False
     for i in range(N_POINTS):
-        height, a, radius, is_low, is_lost = hop_of(i, contact, y, known, dy)
+        height, a, radius, lost = hop_of(i, contact, y, known, dy)
         if height == 0.0:
             continue
         rate = known[i * POINT + 1]
         bouncing[i] = 1
         start = max(start, abs(rate))
-        low, lost, returns = low and is_low, lost or is_lost, returns or a > 0.0 or rate < 0.0
-        fast = fast or (not is_low and 8.0 * height > tolerance * tolerance * radius * a > 0.0)
+        all_lost, any_is_lost = all_lost and lost, any_is_lost or lost
+        returns = returns or a > 0.0 or rate < 0.0
+        fast = fast or (not lost and 8.0 * height > tolerance * tolerance * radius * a > 0.0)
     if not returns:
         return 0.0, 0.0, False
     if fast:
-        return start, 0.0, lost
+        return start, 0.0, any_is_lost
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     without_forces(y, p, ax, ay, contact, known, wanted, sizes)
-    most, limit = max(tolerance, LONGEST_LOW) if low else tolerance, np.inf
+    most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            _, _, radius, _, _ = hop_of(i, contact, y, known, dy)
+            _, _, radius, _ = hop_of(i, contact, y, known, dy)
             limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
     for i in range(N_POINTS):
         if bouncing[i] == 1 and known[i * POINT + 1] < -limit * sizes[2 * i]:
-            return start, 0.0, lost  # it lands at once, and not among slow bounces
-    return start, limit, lost
+            return start, 0.0, any_is_lost  # it lands at once, and not among slow bounces
+    return start, limit, any_is_lost
 
 
 def beside_bounces(contact, limit, known, dy, bouncing, heights):
@@ -333,7 +333,7 @@ def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
     all_known(out, p, here, known)
     rates(here, w, p, ax, ay, dy)
     for i in range(N_POINTS):
-        _, _, _, _, lost = hop_of(i, here, w, known, dy)
+        _, _, _, lost = hop_of(i, here, w, known, dy)
         closed = lost or bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
         if closed:
