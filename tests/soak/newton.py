@@ -420,11 +420,7 @@ def rested(r: Told) -> Found:
         return
     size, tolerance = r.by_hand.size, r.motion.options.rest_tolerance
     before, after = r.at(r.before[rests]), r.at(r.after[rests])
-    began = r.times[rests].copy()
-    for i, end in enumerate(r.times[rests]):
-        steps = np.flatnonzero(r.rests & (r.stop == end))
-        if len(steps):
-            began[i] = r.start[steps[0]]
+    began = r.times[rests - 1]  # each follows a landing at once
     ax, ay = r.shaking(began)
     lasts = r.times[rests] - began
     for i, e in enumerate(rests):
@@ -597,7 +593,8 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     margin = max(1e-6, 1e-2 * r.loose)
     distinct: list[Fit] = []
     for near in (1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
-        distinct = _distinct(modes_that_fit(at, ax, ay, near, r.speed, margin))
+        fits = modes_that_fit(at, ax, ay, near, r.speed, margin)
+        distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
         if len(distinct) != 1:
             return
     if distinct:
@@ -605,6 +602,16 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         words = ("open", "sticks", "slips to the right", "slips to the left")
         states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
         yield f"{word}: at {last:.9g} s, where one mode fits: {', '.join(states)}"
+
+
+def _lasts(at: At, fit: Fit, ax: float, ay: float) -> bool:
+    """Whether the points of a pattern still press a little later, as they move by it."""
+    tau = 1e-4 * math.sqrt(at.of.size / at.of.gravity)
+    q, v = at.states.q, at.states.v
+    later = at.of.at(q + tau * v + 0.5 * tau**2 * fit.motion, v + tau * fit.motion)
+    solved = later.solve(fit.pattern, later.forces(ax, ay))
+    scale = 1e-9 * float(_scale(later, np.array([ax]), np.array([ay]))[0])
+    return not (solved.pressed < -scale).any()
 
 
 def _distinct(fits: Sequence[Fit]) -> list[Fit]:
