@@ -506,9 +506,9 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
 
 
 def fitting_states(
-    contact, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
+    contact, left_out, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
 ):  # fmt: skip
-    """(best, several): of all contact states those whose impulses, or forces, fit.
+    """(best, several): of all contact states but one those whose impulses, or forces, fit.
 
     They fit by `tolerance`, and what they change of the velocities, or accelerations,
     differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
@@ -519,7 +519,7 @@ def fitting_states(
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
-        if not may_follow(candidate, contact, near, sliding):
+        if candidate == left_out or not may_follow(candidate, contact, near, sliding):
             continue
         impulses_of(candidate, wanted, known, impulse)
         margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -tolerance)
@@ -586,7 +586,7 @@ def collide(contact, near, known, y):
         if 2 * int(r * 0.5) == r:
             wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
     found, _ = fitting_states(
-        contact, near, sliding, wanted, known, sizes, FITS, 1e-18 * whole, fitting, change
+        contact, -1, near, sliding, wanted, known, sizes, FITS, 1e-18 * whole, fitting, change
     )
     if found >= 0:
         for i in range(n):
@@ -669,16 +669,28 @@ def go_on_as(
         nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
         if follows != IMPOSSIBLE or nearly < NEARLY:
             break
-        alike = ALIKE * nearly
+        alike = ALIKE * ALIKE * nearly * nearly * whole
         follows, several = fitting_states(
-            contact, near, sliding, wanted, known, sizes, nearly, alike * alike * whole, fitting,
-            change,
-        )  # fmt: skip
-        if follows >= 0 and (several > 1 or (ends and follows == contact)):
+            contact, -1, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
+        )
+        apart = ends and follows == AMBIGUOUS
+        if apart:  # what has come to its end and another: only one of them lasts
+            fitting[0], several = contact, 1
+        if apart or (follows >= 0 and (several > 1 or (ends and follows == contact))):
             follows = best_later(
                 contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau,
                 sizes,
             )  # fmt: skip
+        if apart and follows == IMPOSSIBLE:
+            follows, several = fitting_states(
+                contact, contact, near, sliding, wanted, known, sizes, nearly, alike, fitting,
+                change,
+            )  # fmt: skip
+            if follows >= 0 and several > 1:
+                follows = best_later(
+                    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y,
+                    tau, sizes,
+                )  # fmt: skip
     return follows
 
 
