@@ -69,7 +69,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
         total = 0.0
         for i in range(N_POINTS):
             bouncing[i] = 0
-        follows = all_closed(contact, bouncing, start, p, ax, ay, rtol, known, near, y, out)
+        follows = all_closed(contact, bouncing, 0.0, p, ax, ay, rtol, known, near, y, out)
     for _ in range(N_POINTS):
         if not (total < np.inf and follows >= 0 and any_lost(follows, out, p, ax, ay, known, dy)):
             break
@@ -78,7 +78,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
             w[i] = out[i]
         for i in range(N_POINTS):
             bouncing[i] = 0
-        follows = all_closed(follows, bouncing, start, p, ax, ay, rtol, known, near, w, out)
+        follows = all_closed(follows, bouncing, 0.0, p, ax, ay, rtol, known, near, w, out)
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
