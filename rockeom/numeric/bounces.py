@@ -48,7 +48,8 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
     From a landing after which points leave what they touched. out (N,) : the state after that time,
     with these points closed. Returns (inf, contact) while the time is longer than `tolerance` times
     sqrt(l/a), a the acceleration of a point in free motion and l the radius of gyration. Lost
-    flights may take LONGEST_LOST of it, and where they take longer, they end at once.
+    flights may take LONGEST_LOST of it, and where they take longer, they end at once. The contact
+    state is IMPOSSIBLE or AMBIGUOUS, and the time inf, where none or several may follow that.
     """
     w, dy = np.empty(N_STATES), np.empty(N_STATES)
     bouncing, heights = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
@@ -65,6 +66,8 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
         total, follows = sum_of_flights(
             contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
         )
+    if follows < 0:
+        total, follows = np.inf, contact
     if lost and not total < np.inf:
         total = 0.0
         for i in range(N_POINTS):
@@ -79,7 +82,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
         for i in range(N_POINTS):
             bouncing[i] = 0
         follows = all_closed(follows, bouncing, 0.0, p, ax, ay, rtol, known, near, w, out)
-    return (total, follows) if follows >= 0 else (np.inf, contact)
+    return (total, follows) if follows >= 0 else (np.inf, follows)
 
 
 def any_lost(contact, y, p, ax, ay, known, dy):

@@ -1233,6 +1233,7 @@ def integrate(
     rocks = rocking(contact)
     side = SIDES[contact]
     outcome = COMPLETED
+    follows = 0  # the contact state behind the bounces that a landing begins
     h = 0.0
     turn = taken + TURN
     sampled = False  # whether the guards at the end of the step before are known
@@ -1538,7 +1539,7 @@ def integrate(
                     y[i] = y_new[i]
                     k[i] = k[N_STAGES * N_STATES + i]
                 touching = -1
-                idle = 0
+                idle = follows = 0
             if outcome != COMPLETED:
                 break
             if taken >= max_steps:
@@ -1552,6 +1553,8 @@ def integrate(
         idle += 1
         if idle > 100:
             outcome = CHATTER
+            if follows < 0:  # the bounces have an end, but nothing that may follow it
+                outcome = NO_SOLUTION if follows == IMPOSSIBLE else SEVERAL_SOLUTIONS
             break
         before = contact
         kind = KINDS[contact][landed]

@@ -44,6 +44,8 @@ GENTLE = 20.0
 gaps that all close within it, and what these do to other velocities."""
 LOWEST = 1e-11
 """Hops lower than this part of the size of a structure may be summed, however long they take."""
+LOST = 1e-13
+"""Hops lower than this part of it are lost among rounding errors of a gap, and may end at once."""
 STEPS = 120
 """So many steps of a motion are looked at, drawn by its seed."""
 EVENTS, RESTS = 150, 40
@@ -473,6 +475,7 @@ def _rested(
     rounding = (1e-7 + 1e-3 * r.loose) * (speed + r.speed)
     falls = float(np.maximum(-one.rates[0, landed, 1], 0.0).max(initial=0.0))
     most = GENTLE * (hard * lasts + falls) + rounding
+    most += GENTLE * math.sqrt(2.0 * LOST * size * hard)  # of hops that end among rounding errors
     gap_room = 1e-9 * size + 1e-3 * r.loose * size
     reach = lasts * float(np.abs(one.rates[0, landed, 1]).max(initial=0.0))
     reach += GENTLE * hard * lasts**2 + gap_room
@@ -499,7 +502,7 @@ def _rested(
         STICK if target[i] != OPEN or source[i] != OPEN or one.gaps[0, i] <= reach else OPEN
         for i in range(len(names))
     ]
-    yield from _pushed_in_rest(r, one, two, solved, near, lasts, hard * lasts, rounding, where)
+    yield from _pushed_in_rest(r, one, two, solved, near, lasts, most, where)
     # -- what bounces comes back within it, and what is closed stays so
     fast = one.rates[0, landed, 1] - most  # others that come down may bring it back
     for i in np.flatnonzero(fast > 0)[:1]:
@@ -522,12 +525,11 @@ def _rested(
 
 
 def _pushed_in_rest(
-    r: Told, one: At, two: At, solved: Solved, near, lasts: float, faster: float,
-    rounding: float, where: str,
-) -> Found:  # fmt: skip
+    r: Told, one: At, two: At, solved: Solved, near, lasts: float, most: float, where: str
+) -> Found:
     """The momentum that a rest gives is that of forces, and of impulses at points that were near.
 
-    faster : a velocity that is gained within it [m/s].
+    most : a velocity that may be gained within it [m/s].
     """
     normal, along = one.held(near)
     mass = one.whole
@@ -539,14 +541,14 @@ def _pushed_in_rest(
     impulse = np.linalg.pinv(j @ mobility @ j.T, rcond=1e-11) @ (j @ mobility @ given)
     left = given - j.T @ impulse
     strange = math.sqrt(max(float(left @ mobility @ left), 0.0))
-    room = math.sqrt(mass) * (0.1 * faster + rounding)
+    room = 0.01 * math.sqrt(mass) * most
     if strange > room:
         yield (
             f"rest momentum: {where}: velocities change by no impulses of what touches: "
             f"{strange / math.sqrt(mass):.3g} m/s, {room / math.sqrt(mass):.3g} may be"
         )
     pulls = -float(impulse[: len(normal)].min(initial=0.0))
-    hold = mass * (GENTLE * faster + 10 * rounding)
+    hold = mass * most
     if pulls > hold:
         yield f"rest momentum: {where}: a point pulls with {pulls:.3g} N s, {hold:.3g} may be"
 
@@ -600,8 +602,11 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     ax, ay = (float(a[0]) for a in r.shaking(np.array([last])))
     margin = max(1e-6, 1e-2 * r.loose)
     distinct: list[Fit] = []
-    for near in (1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
-        fits = modes_that_fit(at, ax, ay, near, r.speed, margin)
+    last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
+    closed = np.array(r.pattern(last_mode)) != OPEN
+    for near in (1e-14, 1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
+        touching = closed | (at.gaps[0] <= near * r.by_hand.size)
+        fits = modes_that_fit(at, ax, ay, touching, r.speed, margin)
         distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
         if len(distinct) != 1:
             return
@@ -632,16 +637,15 @@ def _distinct(fits: Sequence[Fit]) -> list[Fit]:
 
 
 def modes_that_fit(
-    at: At, ax: float, ay: float, touches: float, speed: float, margin: float
+    at: At, ax: float, ay: float, touching: np.ndarray, speed: float, margin: float
 ) -> list[Fit]:
     """Patterns of one state whose forces fit; none where velocities after a landing are not one.
 
-    touches : gaps below this part of the size are closed. margin : of forces and accelerations, by
-    which a pattern may miss.
+    touching : of each point, whether it does. margin : of forces and accelerations, by which a
+    pattern may miss.
     """
     size = at.of.size
     small = 1e-7 * (speed + math.sqrt(at.of.gravity * size) * 1e-6)
-    touching = at.gaps[0] <= touches * size
     closing = touching & (at.rates[0, :, 1] < -small)
     if closing.any():
         after = _after_landing(at, touching, small)
