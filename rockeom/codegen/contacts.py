@@ -15,7 +15,7 @@ from rockeom.codegen.outputs import Columns
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.text import Text
 from rockeom.contract import LANDING, LIFTING, NEVER_SLIPS, SLIPPING, STICKING, SWITCH
-from rockeom.symbolic.algebra import tidy
+from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.elements import Passage
@@ -29,6 +29,7 @@ from rockeom.symbolic.modes import (
     Arrangement,
     DerivedMechanism,
     Modes,
+    brief,
     force_of,
     free_motion,
     sign_of_slip,
@@ -388,10 +389,21 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             cone = sum(mechanism.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
     switches = _Switches(model)
-    targets |= switches.values
+    targets |= {name: _here(e, arrangement, mechanism) for name, e in switches.values.items()}
     lines += text.evaluate("guards", targets, indent, hoist=True, states=False)
     first = len(guards_of(model, arrangement)) - len(_of_elements(model))
     return [*lines, *(f"{indent}{line}" for line in switches.lines(first))]
+
+
+def _here(expr: sp.Expr, arrangement: Arrangement, mechanism: DerivedMechanism) -> sp.Expr:
+    """An expression where the arrangement's points are closed.
+
+    The place and the rate of a point that is closed are zero then, not what rounding leaves: a bar
+    at a foot that stands would begin and cease to act without end.
+    """
+    if not mechanism.closed:
+        return expr
+    return brief(mechanism.here(expr).subs(SIDE, arrangement.side))
 
 
 class _Switches:
