@@ -194,7 +194,7 @@ def drawn_out(
     places = {name: z for name, z in places.items() if z in module.STATES}
     if not places:
         return y
-    free = [c for c, row in enumerate(module.POINT_STATES) if not any(row)]  # holds anywhere
+    free = (OPEN,) * len(module.POINTS)  # its guards hold anywhere
     contact = _with_elements(module, free, value_of(y), value_of(p))
     y = y.astype(np.result_type(y, p))
     m = for_arrays(module, y)
@@ -241,13 +241,12 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
             states.append(STICK)
         else:
             states.append(SLIP_RIGHT if slides[i] > 0.0 else SLIP_LEFT)
-    fits = [c for c, row in enumerate(module.POINT_STATES) if list(row) == states]
-    if not fits:
+    if tuple(states) not in module.POINT_STATES:
         told = ", ".join(
             f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
         )
         raise ValueError(f"{model} has no contact state in which {told}: correct the state")
-    return _with_elements(module, fits, y, p)
+    return _with_elements(module, tuple(states), y, p)
 
 
 _WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}
@@ -288,14 +287,16 @@ def angles(module: ModuleType) -> tuple[float, ...]:
     return tuple(1.0 if unit == "rad" else 0.0 for unit in units)
 
 
-def _with_elements(module: ModuleType, fits: list[int], y: np.ndarray, p: np.ndarray) -> int:
-    """The contact state among `fits` (alike in their points) whose elements are as in a motion.
+def _with_elements(
+    module: ModuleType, points: tuple[int, ...], y: np.ndarray, p: np.ndarray
+) -> int:
+    """The contact state with these states of points whose elements are as in a motion.
 
     An element is open, or elastic, as long as the guard of that state is positive: only its fall
     closes it, or makes it yield. A damper alone holds no spring closed above its ground: its force
     would have fallen to zero before the gap opened.
     """
-    elements = module.ELEMENT_STATES
+    fits, each = _by_elements(module, points)
     values: dict[int, np.ndarray] = {}
 
     def margin(contact: int, element: int) -> float:
@@ -307,14 +308,33 @@ def _with_elements(module: ModuleType, fits: list[int], y: np.ndarray, p: np.nda
         return min((g for g, of in guards if of == subject), default=0.0)
 
     wanted = []
-    for i in range(len(module.ELEMENTS)):
-        margins: dict[int, float] = {}
-        for c in (fits[0], fits[-1], *fits):
-            if elements[c][i] not in margins:
-                margins[elements[c][i]] = margin(c, i)
+    for i, contacts in enumerate(each):
+        margins = {state: margin(contact, i) for state, contact in contacts.items()}
         best = max(margins, key=lambda state: min(margins[state], 0.0))
         wanted.append(0 if margins.get(0, 0.0) > 0.0 else best)
-    return next(c for c in fits if elements[c] == tuple(wanted))
+    if tuple(wanted) in fits:
+        return fits[tuple(wanted)]
+    # springs of a row at the same instant of closing, but for rounding
+    nearest = min(fits, key=lambda states: sum(a != b for a, b in zip(states, wanted, strict=True)))
+    return fits[nearest]
+
+
+@cache
+def _by_elements(
+    module: ModuleType, points: tuple[int, ...]
+) -> tuple[dict[tuple[int, ...], int], tuple[dict[int, int], ...]]:
+    """Contact states by the states of their elements, and of each element one for each state.
+
+    First those where all have their first states, and their last: two whose guards tell all.
+    """
+    every = zip(module.POINT_STATES, module.ELEMENT_STATES, strict=True)
+    fits = {states: c for c, (of, states) in enumerate(every) if of == points}
+    each: tuple[dict[int, int], ...] = tuple({} for _ in module.ELEMENTS)
+    rows = [*fits]
+    for states in (rows[0], rows[-1], *rows):
+        for of, state in zip(each, states, strict=True):
+            of.setdefault(state, fits[states])
+    return fits, each
 
 
 def named(module: ModuleType, phase: Any) -> int:

@@ -19,6 +19,7 @@ from rockeom.contract import (
     IMPOSSIBLE,
     LANDING,
     LIFTING,
+    MOST_DIGITS,
     NEVER_SLIPS,
     OPEN,
     SLIPPING,
@@ -71,7 +72,7 @@ NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may b
 NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
 ALIKE = 1e-7  # relative difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
-HALVES = 0.5 ** np.arange(32.0)
+HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
 
 @inlined

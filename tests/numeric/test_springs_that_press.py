@@ -6,12 +6,14 @@ fast it comes down.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import given, settings, strategies as st
+from scipy.optimize import brentq
 
 import rockeom as rk
 from rockeom.symbolic import Model, Unilateral
@@ -50,12 +52,10 @@ def on_rubber() -> Model:
     )  # fmt: skip
 
 
-def bed(n: int) -> tuple:
+def bed(n: int, softer: float = 1.0) -> tuple:
     """(place across, height when heave is zero, stiffness, damping) of each spring of a bed."""
-    return tuple(
-        (x, -WEIGHT / (n * STIFFNESS), STIFFNESS, DAMPING)
-        for x in np.linspace(-HALF_WIDTH, HALF_WIDTH, n)
-    )
+    k, c = STIFFNESS / softer, DAMPING / softer
+    return tuple((x, -WEIGHT / (n * k), k, c) for x in np.linspace(-HALF_WIDTH, HALF_WIDTH, n))
 
 
 def two_spring_structure() -> rk.TwoSpringStructure:
@@ -80,7 +80,10 @@ CASES = {
     "two springs, guided at the foot": (
         lambda: lumped(rk.TwoSprings(**SPRINGS, guided="foot")), bed(2),
     ),
-    "a bed of four": (lambda: lumped(rk.Winkler(**SPRINGS, springs=4)), bed(4)),
+    "a bed of twelve": (
+        lambda: lumped(rk.Winkler(stiffness=STIFFNESS / 6, damping=DAMPING / 6, springs=12)),
+        bed(12, 6.0),
+    ),
     "the shipped structure": (two_spring_structure, bed(2)),
     "declared pads": (
         rubber,
@@ -147,3 +150,47 @@ def test_a_motion_starts_and_goes_on_with_the_springs_that_press(case):
     assert (wanted[between] == 0.0).any()
     assert (wanted[between] > 0.0).any()
     assert found[between] == pytest.approx(wanted[between], rel=1e-7, abs=1e-3)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 1e-15, 1e-9])
+def test_a_bed_that_falls_flat_is_pressed_and_left_by_all_springs_at_once(tilt):
+    """Free fall, then a damped oscillator on all springs until the bed would have to pull."""
+    n = 12
+    k, c, m = n * STIFFNESS / 6, n * 1e4 / 6, MASS + BASE_MASS
+    of = made("a bed of twelve")
+    structure = replace(of, support=replace(of.support, damping=1e4 / 6))
+    touch = WEIGHT / k  # above the settled position
+    height = touch + 0.04
+    run = rk.simulate(
+        structure, rk.GroundMotion.none(0.4), initial={"theta": tilt, "heave": height}
+    )
+    lands = np.sqrt(2.0 * 0.04 / GRAVITY)
+    decay, frequency = c / (2.0 * m), np.sqrt(k / m - (c / (2.0 * m)) ** 2)
+    a, b = touch, (decay * touch - GRAVITY * lands) / frequency
+
+    def heave(t):
+        return np.exp(-decay * t) * (a * np.cos(frequency * t) + b * np.sin(frequency * t))
+
+    def rate(t):
+        turned = -a * np.sin(frequency * t) + b * np.cos(frequency * t)
+        return frequency * np.exp(-decay * t) * turned - decay * heave(t)
+
+    def force(t):
+        return k * (touch - heave(t)) - c * rate(t)
+
+    leaves = lands + brentq(force, np.pi / (2.0 * frequency), 1.4 * np.pi / frequency, xtol=1e-15)
+    times = np.array([e.time for e in run.events])
+    assert times[:n] == pytest.approx(np.full(n, lands), rel=1e-7)
+    assert times[n : 2 * n] == pytest.approx(np.full(n, leaves), rel=1e-7)
+    left = heave(leaves - lands) + rate(leaves - lands) * (0.4 - leaves)
+    if len(times) == 2 * n:
+        assert run.final["heave"] == pytest.approx(left - GRAVITY / 2 * (0.4 - leaves) ** 2)
+    assert run.final["theta"] == pytest.approx(0.0, abs=10 * tilt + 1e-15)
+
+
+def test_more_springs_than_there_are_sets_for_are_refused_when_the_bed_is_named():
+    assert rk.Winkler(springs=90, **SPRINGS).springs == 90
+    with pytest.raises(ValueError, match=r"springs is 91, which press in 4187 sets .* 90 or fewer"):
+        rk.Winkler(springs=91, **SPRINGS)
+    with pytest.raises(ValueError, match="100 elements have 5051 combinations"):
+        rk.derive("lumped_mass_structure", support="winkler", springs=100)
