@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import Any, ClassVar
 
 from rockeom.arguments import number, told, whole_number
+from rockeom.contract import MOST_CONTACT_STATES
 from rockeom.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numeric.fixed_base import rayleigh_damping
@@ -88,13 +89,23 @@ class Winkler(_Springs):
 
     springs : how many, two or more, the outer two at the feet; stiffness [N/m] and damping [N s/m]
     of each. The base's centre is guided vertically; `heave` [m] counts from the settled position.
+    As many as 40 are derived and compiled in seconds, once on a machine.
+
+    Raises ValueError for more than 90: those that press are neighbours, in n (n + 1)/2 + 1 sets.
     """
 
     springs: int
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "springs", whole_number("Winkler: springs", self.springs, 2))
+        n = whole_number("Winkler: springs", self.springs, 2)
+        sets = n * (n + 1) // 2 + 1
+        if sets > MOST_CONTACT_STATES:
+            raise ValueError(
+                f"Winkler: springs is {n}, which press in {sets} sets of neighbours, more than the "
+                f"{MOST_CONTACT_STATES} contact states of a structure: give 90 or fewer"
+            )
+        object.__setattr__(self, "springs", n)
 
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments, support="winkler", springs=self.springs)

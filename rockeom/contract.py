@@ -33,6 +33,12 @@ IMPOSSIBLE, AMBIGUOUS = -1, -2
 # What is said of a step in which no guard is known to fall
 STAYS_OPEN, UNCLEAR = -1, -2
 
+MOST_DIGITS = 52
+"""Of a number that says which guards of a contact state are closed: as a float it is exact."""
+
+MOST_CONTACT_STATES = 4096
+"""Of a structure whose contacts may open, slide and bounce, or whose elements switch."""
+
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never does."""
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import copyreg
 import pickle
 import sys
+import time
 from collections.abc import Callable
 from functools import cache, partial
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from rockeom.numeric.program import load_text
+from rockeom.numeric.program import announce, load_text
 from rockeom.numeric.store import kept
 from rockeom.numeric.structures import SHIPPED, DeclaredStructure, Structure, class_of
 from rockeom.sources import digest
@@ -71,6 +72,10 @@ def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> M
     def text() -> bytes:
         from rockeom.codegen import module_text
 
-        return module_text(model()).encode()
+        started = time.monotonic()
+        of = model()
+        found = module_text(of).encode()
+        announce(f"derived {of.name}", started)
+        return found
 
     return load_text(name, kept(f"{name}_module", digest, text).decode())

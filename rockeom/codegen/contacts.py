@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from math import prod
 
 import sympy as sp
 
@@ -15,7 +16,8 @@ from rockeom.codegen.outputs import Columns
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.text import Text
 from rockeom.contract import LANDING, LIFTING, NEVER_SLIPS, SLIPPING, STICKING, SWITCH
-from rockeom.symbolic.algebra import tidy
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.elements import Passage
@@ -29,6 +31,7 @@ from rockeom.symbolic.modes import (
     Arrangement,
     DerivedMechanism,
     Modes,
+    brief,
     force_of,
     free_motion,
     sign_of_slip,
@@ -327,23 +330,22 @@ def _of_elements(model: Model) -> list[Guard]:
     points = len(model.contacts)
     return [
         Guard(SWITCH, points + i, place=place)
-        for i, element in enumerate(model.switching)
-        for place in range(len(element.passages(model.coordinates)[element.states[0]]))
+        for i, passages in enumerate(model.passages)
+        for place in range(len(passages[model.switching[i].states[0]]))
     ]
 
 
 def passage_of(model: Model, guard: Guard, state: int) -> Passage:
     """The passage that ends a state of an element by a guard."""
-    element = model.switching[guard.subject - len(model.contacts)]
-    return element.passages(model.coordinates)[state][guard.place]
+    return model.passages[guard.subject - len(model.contacts)][state][guard.place]
 
 
 def pairs_of(model: Model) -> list[tuple[int, int, int]]:
     """(element, state, place) of each guard that is the larger of two."""
     return [
         (i, state, place)
-        for i, element in enumerate(model.switching)
-        for state, passages in element.passages(model.coordinates).items()
+        for i, of in enumerate(model.passages)
+        for state, passages in of.items()
         for place, passage in enumerate(passages)
         if len(passage.guard) == 2
     ]
@@ -388,10 +390,21 @@ def _guards_of(written: Written, arrangement: Arrangement) -> list[str]:
             cone = sum(mechanism.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
     switches = _Switches(model)
-    targets |= switches.values
+    targets |= {name: _here(e, arrangement, mechanism) for name, e in switches.values.items()}
     lines += text.evaluate("guards", targets, indent, hoist=True, states=False)
     first = len(guards_of(model, arrangement)) - len(_of_elements(model))
     return [*lines, *(f"{indent}{line}" for line in switches.lines(first))]
+
+
+def _here(expr: sp.Expr, arrangement: Arrangement, mechanism: DerivedMechanism) -> sp.Expr:
+    """An expression where the arrangement's points are closed.
+
+    The place and the rate of a point that is closed are zero then, not what rounding leaves: a bar
+    at a foot that stands would begin and cease to act without end.
+    """
+    if not mechanism.closed:
+        return expr
+    return brief(mechanism.here(expr).subs(SIDE, arrangement.side))
 
 
 class _Switches:
@@ -402,10 +415,12 @@ class _Switches:
 
     def __init__(self, model: Model) -> None:
         self.model = model
+        every = prod(len(e.states) for e in model.switching)
+        self.waits = number_of_combinations(model.switching) < every  # others switch before some
         self.values: dict[str, sp.Expr] = {}
         self._names: dict[sp.Expr, str] = {}
-        for element in model.switching:
-            for passages in element.passages(model.coordinates).values():
+        for of in model.passages:
+            for passages in of.values():
                 for e in (e for passage in passages for e in passage.guard):
                     self._add(sp.sympify(e))
 
@@ -424,7 +439,7 @@ class _Switches:
         model = self.model
         found: list[str] = []
         for i, state, place in pairs_of(model):
-            for e in model.switching[i].passages(model.coordinates)[state][place].guard:
+            for e in model.passages[i][state][place].guard:
                 found.append(f"g[N_GUARDS + {len(found)}] = {self._names[sp.sympify(e)]}")
         for k, guard in enumerate(_of_elements(model)):
             i = guard.subject - len(model.contacts)
@@ -432,7 +447,8 @@ class _Switches:
             values = {s: self._written(passage_of(model, guard, s)) for s in states}
             *others, last = values.items()
             tests = [f"{value} if ELEMENT_STATES[contact][{i}] == {s} else" for s, value in others]
-            found.append(f"g[{first + k}] = {' '.join([*tests, last[1]])}")
+            waits = [f"1.0 if TARGETS[contact][{first + k}] == contact else"] if self.waits else []
+            found.append(f"g[{first + k}] = {' '.join([*waits, *tests, last[1]])}")
         return found
 
 

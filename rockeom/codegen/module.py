@@ -74,7 +74,8 @@ def module_text(model: RockingModel | Model) -> str:
         if isinstance(model, Model)
         else tables(text, columns, on_both_feet)
     )
-    check_names("\n".join(head + text.lines), text.given)
+    of_tables = [line for line in head if not line.startswith(" ")]  # their rows hold no names
+    check_names("\n".join(of_tables + text.lines), text.given)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
     body = "\n".join(lines) + "\n"
     return _header(text, body) + body

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from rockeom.codegen.contacts import Guard, guards_of, pairs_of, passage_of, quick
 from rockeom.codegen.guards import longest, outgoing, parts
@@ -12,7 +12,7 @@ from rockeom.codegen.names import string
 from rockeom.codegen.parameters import sizes_to_check
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.text import Text
-from rockeom.contract import IMPULSIVE, KIND_OF, RATIO, SWITCH
+from rockeom.contract import IMPULSIVE, KIND_OF, MOST_DIGITS, RATIO, SWITCH
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import Parameter, RockingModel
 from rockeom.symbolic.modes import Modes
@@ -39,8 +39,14 @@ def contact_tables(text: Text, columns: Mapping[str, Iterable[str]]) -> list[str
     """All tables of a structure whose contacts are declared."""
     model, modes = text.model, text.model.modes
     written = {state.name: modes.arrangements[state.arrangement] for state in modes.states}
-    rows = {name: guards_of(model, arrangement) for name, arrangement in written.items()}
+    guards = [guards_of(model, arrangement) for arrangement in modes.arrangements]
+    rows = {state.name: guards[state.arrangement] for state in modes.states}
     longest_row = max(1, *map(len, rows.values()))
+    if model.contacts and longest_row > MOST_DIGITS:
+        raise ValueError(
+            f"{model.name}: its contacts and elements have {longest_row} guards in one contact "
+            f"state, more than {MOST_DIGITS}: declare fewer of them"
+        )
     slips = max(len(mechanism.slipping) for mechanism in modes.mechanisms)
     return [
         "",
@@ -123,56 +129,62 @@ def _legend(model: Model) -> str:
     return "0 elastic or off, 1 yields or on, -1 yields back or slack" if yields else "0 off, 1 on"
 
 
+class _Row(NamedTuple):
+    """A guard of a contact state in the tables; -1 is none."""
+
+    kind: int
+    subject: int
+    target: int = -1
+    back: int = -1
+    part: int = -1
+
+
 def _of_derived_guards(
     model: Model, modes: Modes, rows: Mapping[str, list[Guard]], longest_row: int
 ) -> list[str]:
     numbers = {(state.points, state.elements): i for i, state in enumerate(modes.states)}
-    points, pairs = len(model.contacts), pairs_of(model)
+    places = {
+        state.arrangement: {guard: k for k, guard in enumerate(rows[state.name])}
+        for state in modes.states
+    }
+    points = len(model.contacts)
+    parts = {pair: longest_row + 2 * k for k, pair in enumerate(pairs_of(model))}
 
-    def state_of(number: int, guard: Guard) -> int:
-        return modes.states[number].elements[guard.subject - points]
-
-    def switched(number: int, guard: Guard) -> int:
-        """The contact state in which the element of a guard has switched, -1 of a point."""
+    def row(number: int, guard: Guard) -> _Row:
+        found = _Row(guard.kind, guard.subject)
         if guard.kind != SWITCH:
-            return -1
-        state, elements = modes.states[number], list(modes.states[number].elements)
-        passage = passage_of(model, guard, state_of(number, guard))
-        elements[guard.subject - points] = passage.target
-        return numbers[state.points, tuple(elements)]
+            return found
+        state, i = modes.states[number], guard.subject - points
+        passage = passage_of(model, guard, state.elements[i])
+        switched = (*state.elements[:i], passage.target, *state.elements[i + 1 :])
+        target = numbers.get((state.points, switched))
+        if target is None:  # others switch before it
+            return found._replace(target=number)
+        back, pair = guard.of(passage.back), (i, state.elements[i], guard.place)
+        return found._replace(
+            target=target,
+            back=-1 if back is None else places[state.arrangement].get(back, -1),
+            part=parts.get(pair, -1),
+        )
 
-    def back(number: int, guard: Guard) -> int:
-        """The guard that is zero as the other state begins, -1 where none is."""
-        if guard.kind != SWITCH:
-            return -1
-        passage = passage_of(model, guard, state_of(number, guard))
-        there = rows[modes.states[switched(number, guard)].name]
-        return next((i for i, g in enumerate(there) if g == guard.of(passage.back)), -1)
+    every = {name: [row(i, g) for g in of] for i, (name, of) in enumerate(rows.items())}
 
-    def part(number: int, guard: Guard) -> int:
-        if guard.kind != SWITCH:
-            return -1
-        pair = guard.subject - points, state_of(number, guard), guard.place
-        return longest_row + 2 * pairs.index(pair) if pair in pairs else -1
-
-    def table(first: str, of: Callable[[int, Guard], int], filler: int = -1) -> list[str]:
-        found = {name: [of(i, g) for g in row] for i, (name, row) in enumerate(rows.items())}
+    def table(first: str, of: Callable[[_Row], int], filler: int = -1) -> list[str]:
+        found = {name: [*map(of, row)] for name, row in every.items()}
         return _rows(first, found, filler, longest_row)
 
     legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
     return [
         *table(
-            f"KINDS = (  # of each guard of each contact state; {legend}",
-            lambda i, g: g.kind,
-            SWITCH,
+            f"KINDS = (  # of each guard of each contact state; {legend}", lambda r: r.kind, SWITCH
         ),
         *table(
             "SUBJECTS = (  # the point of each guard, or the element, numbered behind the points",
-            lambda i, g: g.subject,
+            lambda r: r.subject,
         ),
-        *table("TARGETS = (  # contact state to which a switch leads", switched),
-        *table("CLOSED = (  # guard of it that leads back", back),
-        *table("PARTS = (  # place in g of the two parts of a guard, or -1", part),
+        *table("TARGETS = (  # contact state to which a switch leads", lambda r: r.target),
+        *table("CLOSED = (  # guard of it that leads back", lambda r: r.back),
+        *table("PARTS = (  # place in g of the two parts of a guard, or -1", lambda r: r.part),
     ]
 
 

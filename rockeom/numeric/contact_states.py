@@ -194,8 +194,8 @@ def drawn_out(
     places = {name: z for name, z in places.items() if z in module.STATES}
     if not places:
         return y
-    alike = [c for c, row in enumerate(module.POINT_STATES) if row == module.POINT_STATES[0]]
-    contact = max(alike, key=lambda c: _switch_margin(module, c, value_of(y), value_of(p)))
+    free = (OPEN,) * len(module.POINTS)  # its guards hold anywhere
+    contact = _with_elements(module, free, value_of(y), value_of(p))
     y = y.astype(np.result_type(y, p))
     m = for_arrays(module, y)
     drawn, told = y.copy(), np.zeros(len(module.KINEMATICS), y.dtype)
@@ -241,13 +241,12 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
             states.append(STICK)
         else:
             states.append(SLIP_RIGHT if slides[i] > 0.0 else SLIP_LEFT)
-    fits = [c for c, row in enumerate(module.POINT_STATES) if list(row) == states]
-    if not fits:
+    if tuple(states) not in module.POINT_STATES:
         told = ", ".join(
             f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
         )
         raise ValueError(f"{model} has no contact state in which {told}: correct the state")
-    return max(fits, key=lambda c: _switch_margin(module, c, y, p))
+    return _with_elements(module, tuple(states), y, p)
 
 
 _WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}
@@ -288,13 +287,54 @@ def angles(module: ModuleType) -> tuple[float, ...]:
     return tuple(1.0 if unit == "rad" else 0.0 for unit in units)
 
 
-def _switch_margin(module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray) -> float:
-    """The least guard of an element; not negative where all are as the state says."""
-    g = np.zeros(module.N_GUARDS + module.N_PARTS)
-    module.guards(contact, y, p, 0.0, 0.0, g)
-    kinds = module.KINDS[contact][: module.GUARDS[contact]]
-    margin = min((v for v, kind in zip(g, kinds, strict=False) if kind == SWITCH), default=0.0)
-    return min(margin, 0.0)
+def _with_elements(
+    module: ModuleType, points: tuple[int, ...], y: np.ndarray, p: np.ndarray
+) -> int:
+    """The contact state with these states of points whose elements are as in a motion.
+
+    An element is open, or elastic, as long as the guard of that state is positive: only its fall
+    closes it, or makes it yield. A damper alone holds no spring closed above its ground: its force
+    would have fallen to zero before the gap opened.
+    """
+    fits, each = _by_elements(module, points)
+    values: dict[int, np.ndarray] = {}
+
+    def margin(contact: int, element: int) -> float:
+        if contact not in values:
+            values[contact] = np.zeros(module.N_GUARDS + module.N_PARTS)
+            module.guards(contact, y, p, 0.0, 0.0, values[contact])
+        subject = len(module.POINTS) + element
+        guards = zip(values[contact], module.SUBJECTS[contact], strict=False)
+        return min((g for g, of in guards if of == subject), default=0.0)
+
+    wanted = []
+    for i, contacts in enumerate(each):
+        margins = {state: margin(contact, i) for state, contact in contacts.items()}
+        best = max(margins, key=lambda state: min(margins[state], 0.0))
+        wanted.append(0 if margins.get(0, 0.0) > 0.0 else best)
+    if tuple(wanted) in fits:
+        return fits[tuple(wanted)]
+    # springs of a row at the same instant of closing, but for rounding
+    nearest = min(fits, key=lambda states: sum(a != b for a, b in zip(states, wanted, strict=True)))
+    return fits[nearest]
+
+
+@cache
+def _by_elements(
+    module: ModuleType, points: tuple[int, ...]
+) -> tuple[dict[tuple[int, ...], int], tuple[dict[int, int], ...]]:
+    """Contact states by the states of their elements, and of each element one for each state.
+
+    First those where all have their first states, and their last: two whose guards tell all.
+    """
+    every = zip(module.POINT_STATES, module.ELEMENT_STATES, strict=True)
+    fits = {states: c for c, (of, states) in enumerate(every) if of == points}
+    each: tuple[dict[int, int], ...] = tuple({} for _ in module.ELEMENTS)
+    rows = [*fits]
+    for states in (rows[0], rows[-1], *rows):
+        for of, state in zip(each, states, strict=True):
+            of.setdefault(state, fits[states])
+    return fits, each
 
 
 def named(module: ModuleType, phase: Any) -> int:

@@ -19,6 +19,7 @@ from rockeom.contract import (
     IMPOSSIBLE,
     LANDING,
     LIFTING,
+    MOST_DIGITS,
     NEVER_SLIPS,
     OPEN,
     SLIPPING,
@@ -72,7 +73,7 @@ NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is give
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
-HALVES = 0.5 ** np.arange(32.0)
+HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
 
 @inlined

@@ -187,12 +187,19 @@ def _made(generated: ModuleType, method: str, part: str) -> bytes:
         code = compiled(own, False)
     else:
         code = compiled(printed.ir(), part == VECTORS)
+    announce(f"compiled {generated.NAME} with {method}{_SAID.get(part, '')}", started)
+    return json.dumps(described).encode() + b"\n" + code
+
+
+def announce(done: str, started: float) -> None:
+    """Tell on stderr of work that took more than a second, and that is stored for the next time.
+
+    started : by time.monotonic().
+    """
     took = time.monotonic() - started
     if took > 1.0 and sys.stderr is not None:  # None: a program without a console
-        what = f"{generated.NAME} with {method}{_SAID.get(part, '')}"
-        sys.stderr.write(f"rockeom: compiled {what} in {took:.1f} s, once on this machine\n")
+        sys.stderr.write(f"rockeom: {done} in {took:.1f} s, once on this machine\n")
         sys.stderr.flush()
-    return json.dumps(described).encode() + b"\n" + code
 
 
 def _printed(generated: ModuleType, method: str, part: str) -> Printed:

@@ -238,12 +238,15 @@ class Structure:
                 return fits[0]
         else:
             direction = direction or towards
-            fits = [c for c, side in enumerate(m.SIDES) if side * direction >= 0.0]
+            # springs on both sides may press whichever way it leans, unless all end upright
+            away = [c for c, side in enumerate(m.SIDES) if side * direction < 0.0]
+            fits = [c for c in range(len(m.SIDES)) if c not in away]
             fits.sort(key=lambda c: abs(m.SIDES[c]))  # the same order on both sides
+            fits += [] if all(m.SIDES) else away
         leaning = y.copy()
         if rotation == 0.0:  # on the border of both sides: where it is about to go decides
             leaning[m.ROTATION] = mathematics.copysign(1e-200, direction) if direction else 0.0
-        margins = {c: self._margin(c, leaning) for c in fits}
+        margins = {c: self._margin(c, leaning) for c in fits if not self._is_open(c, leaning)}
         for least in (0.0, -1.0):  # as it is, or where a rounding error hides that it is
             for number, margin in margins.items():
                 if margin >= least:
@@ -260,6 +263,19 @@ class Structure:
         if phase is not None or not self.stands_on_points:
             return contact
         return by_forces(self.module, contact, y, self.vector, ground)
+
+    def _is_open(self, contact: int, y: np.ndarray) -> bool:
+        """Whether a spring that a contact state closes is open in a state.
+
+        The guard that closes it is the larger of two, of a gap and of a force, and positive then. A
+        damper alone holds no spring closed above its ground: its force would have fallen to zero
+        before the gap opened.
+        """
+        m = self.module
+        for target, back in zip(m.TARGETS[contact], m.CLOSED[contact], strict=True):
+            if back >= 0 and m.PARTS[target][back] >= 0 and self._margins(target, y)[back] > 0.0:
+                return True
+        return False
 
     def _margin(self, contact: int, y: np.ndarray) -> float:
         """The lowest margin of a contact state, but for uplift, which is up to the ground.

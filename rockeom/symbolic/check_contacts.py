@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from rockeom.contract import MOST_CONTACT_STATES
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.check import (
@@ -60,10 +61,25 @@ def check(model: Model) -> None:
     for item, expr, kinds in _expressions(model):
         contents(model, known, item, sp.sympify(expr), kinds)
     _moves(model)
+    _are_few(model)
     _turns(model)
     for contact in model.contacts:
         for body in model.bodies:
             _turns_with(model, contact, body)
+
+
+def _are_few(model: Model) -> None:
+    """Refuse more combinations of states of elements than a structure may have contact states."""
+    from rockeom.symbolic.beds import number_of_combinations
+
+    ways, most = number_of_combinations(model.switching), MOST_CONTACT_STATES
+    if ways > most:
+        fail(
+            model,
+            f"its {len(model.switching)} elements have {ways} combinations of states, more than "
+            f"{most}: declare fewer of them; n springs in a straight row whose damping is in one "
+            "proportion to the stiffness have n (n + 1)/2 + 1, others 2^n",
+        )
 
 
 def check_derived(model: Model) -> None:

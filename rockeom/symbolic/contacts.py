@@ -19,6 +19,7 @@ from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import (
     Element,
+    Passage,
     Spring,
     Switching,
     Unilateral as Unilateral,
@@ -243,6 +244,11 @@ class Model:
     def switching(self) -> tuple[Switching, ...]:
         """Those of `elements` that have states, of which contact states are made."""
         return tuple(e for e in self.elements if not isinstance(e, Spring))
+
+    @cached_property
+    def passages(self) -> tuple[Mapping[int, tuple[Passage, ...]], ...]:
+        """Those that end the states of each of `switching`."""
+        return tuple(e.passages(self.coordinates) for e in self.switching)
 
     @property
     def _generalised_forces(self) -> tuple[sp.Expr, ...]:

@@ -44,6 +44,9 @@ class Unilateral:
 
     compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
     place : where it presses on the structure, (x, y); a sketch shows it there, above the ground.
+
+    It closes where both have become positive, and opens where the sum falls to zero: it never
+    presses above its ground, however fast the structure comes down.
     """
 
     name: str

@@ -21,14 +21,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, product
-from math import prod
 from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
 
-from rockeom.contract import OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
+from rockeom.contract import MOST_CONTACT_STATES, OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
 from rockeom.symbolic.algebra import SIDE, angles_in, determinant, square_is, tidy
+from rockeom.symbolic.beds import Combination, both, combinations_of
 from rockeom.symbolic.check import repeated
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.elements import switch_of
@@ -36,9 +36,6 @@ from rockeom.symbolic.lagrange import rate
 
 SLIP = SLIP_RIGHT
 """In an arrangement, which does not tell the signs of slips."""
-
-MOST = 4096
-"""Contact states of a structure."""
 
 
 def sign_of_slip(group: int) -> sp.Symbol:
@@ -622,15 +619,14 @@ def derive_modes(model: Model) -> Modes:
     """All contact states of a model.
 
     Raises ValueError where statics does not tell how closed points share their forces, and where
-    there are more than MOST.
+    there are more than MOST_CONTACT_STATES.
     """
     arrangements: list[Arrangement] = []
     mechanisms: list[DerivedMechanism] = []
     states: list[ContactState] = []
     known: dict[tuple[int, ...], int] = {}
     mirror = _mirror(model)
-    ways = prod(len(e.states) for e in model.switching)
-    _are_few(model, ways)
+    every = combinations_of(model.switching)
     for closed in _closed_sets(model):
         groups = DerivedMechanism(model, _stuck(model, closed), False).groups
         for kinds in product((STICK, SLIP), repeat=len(groups)):
@@ -647,8 +643,8 @@ def derive_modes(model: Model) -> Modes:
             arrangements.append(arrangement)
             mechanism = mechanisms[arrangement.mechanism]
             _ = mechanism.dependent  # raises where it cannot move or stand so
-            _are_few(model, len(states) + 2 ** len(mechanism.slipping) * ways)
-            states += _states(model, arrangement, mechanism, len(arrangements) - 1)
+            _are_few(model, len(states) + 2 ** len(mechanism.slipping) * len(every))
+            states += _states(model, arrangement, mechanism, len(arrangements) - 1, every)
     twice = repeated(state.name for state in states)
     if twice:
         raise ValueError(
@@ -659,10 +655,10 @@ def derive_modes(model: Model) -> Modes:
 
 
 def _are_few(model: Model, contact_states: int) -> None:
-    if contact_states > MOST:
+    if contact_states > MOST_CONTACT_STATES:
         raise ValueError(
             f"{model.name}: its {len(model.contacts)} contacts and {len(model.switching)} elements "
-            f"have more than {MOST} contact states: declare fewer of them"
+            f"have more than {MOST_CONTACT_STATES} contact states: declare fewer of them"
         )
 
 
@@ -765,7 +761,11 @@ def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> in
 
 
 def _states(
-    model: Model, arrangement: Arrangement, mechanism: DerivedMechanism, number: int
+    model: Model,
+    arrangement: Arrangement,
+    mechanism: DerivedMechanism,
+    number: int,
+    of_elements: Mapping[Combination, list[str]],
 ) -> Iterator[ContactState]:
     groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
     slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
@@ -775,35 +775,19 @@ def _states(
         for group, sign in ways.items():
             for i in group:
                 points[i] = sign
-        for elements in product(*(e.states for e in model.switching)):
-            name = _name(model, {g: ways.get(g, STICK) for g in sorted(groups)}, elements)
+        of_points = _words(model, {g: ways.get(g, STICK) for g in sorted(groups)})
+        for elements, words in of_elements.items():
+            name = "_".join([*of_points, *words]) or "flight"
             yield ContactState(name, tuple(points), elements, number)
 
 
-def _name(model: Model, groups: Mapping[tuple[int, ...], int], elements: tuple[int, ...]) -> str:
-    """What a contact state is called: by what touches, and what slips where."""
+def _words(model: Model, groups: Mapping[tuple[int, ...], int]) -> list[str]:
+    """Of which the name of a contact state is made: what touches, and what slips where."""
     slides = {STICK: "", SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
-    words = [
-        _both([model.contacts[i].name for i in group]) + slides[state]
+    return [
+        both([model.contacts[i].name for i in group]) + slides[state]
         for group, state in groups.items()
     ]
-    told: dict[str, list[str]] = {}
-    for element, state in zip(model.switching, elements, strict=True):
-        word = element.word(state)
-        if word is not None:
-            told.setdefault(word, []).append(element.name)
-    words += [_both(names) + word for word, names in told.items()]
-    return "_".join(words) or "flight"
-
-
-def _both(names: list[str]) -> str:
-    """The names of points in one word, a left and a right one of one kind as both."""
-    if len(names) == 2:
-        left, right = names
-        kind = left.removesuffix("left")
-        if (left, right) == (f"{kind}left", f"{kind}right"):
-            return f"{kind}both"
-    return "_".join(names)
 
 
 # --- algebra

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 from functools import cache
-from itertools import product
 
 import numpy as np
 import pytest
@@ -101,8 +100,11 @@ def test_the_guard_that_leads_back_is_that_of_the_same_element():
             assert m.SUBJECTS[target][back] == m.SUBJECTS[contact][k]
 
 
-def bed(springs: int) -> Model:
-    """A block on a row of equal springs and dampers, the outer two at its feet."""
+def bed(springs: int, uneven: tuple[int, ...] = (), bent: tuple[int, ...] = ()) -> Model:
+    """A block on a row of equal springs and dampers, the outer two at its feet.
+
+    uneven : those with another damper. bent : those with other heights.
+    """
     of = declared.two_springs()
     k, c, b = (p.symbol for p in of.parameters[-3:])
     theta = of.rotation.position
@@ -113,23 +115,71 @@ def bed(springs: int) -> Model:
         elements=[
             Unilateral(
                 f"spring_{i}",
-                -centre + (sp.Rational(2 * i, springs - 1) - 1) * b * sp.sin(theta), k, c,
+                -centre
+                + (sp.Rational(2 * i, springs - 1) - 1) * b * sp.sin(theta)
+                - (sp.Rational(i * i, 10) * sp.cos(theta) if i in bent else 0),
+                k, (2 if i in uneven else 1) * c,
             )
             for i in range(springs)
         ],
     )  # fmt: skip
 
 
-def test_a_bed_of_springs_has_every_combination():
-    states = bed(4).modes.states
-    assert {s.elements for s in states} == set(product((0, 1), repeat=4))
-    assert len(bed(4).modes.mechanisms) == 1  # elements add forces, and no mechanism
+def one_after_the_other(n: int, ratio: np.ndarray, rng) -> set[tuple[int, ...]]:
+    """Sets of springs of a straight row that press in random states: closed, and not pulled."""
+    x = np.linspace(-1.0, 1.0, n)
+    line, moves = rng.normal(size=(2, 20_000, 1)), rng.normal(size=(2, 20_000, 1))
+    depth, rate = line[0] + line[1] * x, moves[0] + moves[1] * x
+    return {tuple(row) for row in ((depth > 0) & (depth + ratio * rate > 0)).astype(int).tolist()}
 
 
-def test_too_many_elements_are_refused():
-    for many in (13, 40):
-        with pytest.raises(ValueError, match=f"{many} elements have more than 4096 contact states"):
-            _ = bed(many).modes
+@pytest.mark.parametrize("n", [2, 3, 5, 7])
+def test_a_bed_of_springs_has_the_sets_of_neighbours_that_a_straight_base_presses(n):
+    states = {s.elements for s in bed(n).modes.states}
+    assert states == one_after_the_other(n, np.ones(n), np.random.default_rng(n))
+    assert len(states) == n * (n + 1) // 2 + 1
+    assert len(bed(n).modes.mechanisms) == 1  # elements add forces, and no mechanism
+
+
+@pytest.mark.parametrize("changes", [{"uneven": (1,)}, {"uneven": (0, 3)}, {"bent": (3,)}])
+def test_springs_that_differ_have_every_combination_that_may_be(changes):
+    """A damper of another proportion, or a place beside the row: any of them may press alone."""
+    apart = len(next(iter(changes.values())))
+    row = 4 - apart  # those that are alike; two of anything make a row of their own
+    alike = row * (row + 1) // 2 + 1
+    assert len({s.elements for s in bed(4, **changes).modes.states}) == alike * 2**apart
+
+
+def test_random_states_of_an_uneven_bed_are_among_its_combinations():
+    ratio = np.array([1.0, 3.0, 1.0, 3.0])
+    found = one_after_the_other(4, ratio, np.random.default_rng(1))
+    assert any("101" in "".join(map(str, states)) for states in found)  # no neighbours
+    assert found <= {s.elements for s in bed(4, uneven=(1, 3)).modes.states}
+
+
+def test_each_guard_leads_to_the_set_with_one_neighbour_more_or_less():
+    """And a spring between two that press, or beyond one that does not, has none that falls."""
+    m = load_text("bed", module_text(bed(5)))
+    rng = np.random.default_rng(3)
+    p = m.prepare(rng.uniform(0.5, 2.0, len(m.PARAMETERS)))
+    for contact, states in enumerate(m.ELEMENT_STATES):
+        g = np.zeros(m.N_GUARDS + m.N_PARTS)
+        m.guards(contact, rng.normal(0.0, 0.3, 4), p, 0.0, 0.0, g)
+        leads = {m.ELEMENT_STATES[t] for t in m.TARGETS[contact]} - {states}
+        turned = {(*states[:i], 1 - states[i], *states[i + 1 :]) for i in range(5)}
+        assert leads == turned & set(m.ELEMENT_STATES)
+        for k, target in enumerate(m.TARGETS[contact]):
+            if target == contact:
+                assert g[k] > 0.0
+                assert m.PARTS[contact][k] == m.CLOSED[contact][k] == -1
+
+
+def test_too_many_elements_are_refused_when_they_are_declared():
+    assert len(bed(40).modes.states) == 821
+    with pytest.raises(ValueError, match=r"100 elements have 5051 combinations .* than 4096"):
+        bed(100)
+    with pytest.raises(ValueError, match=r"13 elements have \d+ combinations .* than 4096"):
+        bed(13, bent=tuple(range(13)))
 
 
 def test_a_motion_on_springs_is_that_of_the_shipped_structure():

@@ -17,6 +17,7 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
+from rockeom import declared
 from rockeom.codegen import module_text
 from rockeom.numeric import program as programs
 from rockeom.numeric.program import load_text
@@ -217,6 +218,20 @@ def test_compiling_is_told_where_it_takes_more_than_a_second(tmp_path, monkeypat
         times = iter([started, started + seconds])
         monkeypatch.setattr(programs.time, "monotonic", lambda times=times: next(times))
         programs._made(module, "RK45", programs.LOOP)
+        assert capsys.readouterr() == ("", line)
+
+
+def test_deriving_is_told_where_it_takes_more_than_a_second(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr("rockeom.codegen.module_text", lambda model: "A = 1\n")
+    started = programs.time.monotonic()
+    for seconds, line in (
+        (0.5, ""),
+        (75.0, "rockeom: derived tall_block in 75.0 s, once on this machine\n"),
+    ):
+        times = iter([started, started + seconds])
+        monkeypatch.setattr(declared.time, "monotonic", lambda times=times: next(times))
+        declared._kept_module("tall_block", f"of_{seconds:.0f}", lambda: tall_block(1))
         assert capsys.readouterr() == ("", line)
 
 
