@@ -263,7 +263,13 @@ def _definition(run: Response) -> dict[str, Any]:
         "statistics": {name: _told(name, value) for name, value in run.statistics.items()},
         "quantities": None if isinstance(run.record, Steps) else list(run.record.extremes),
         **{
-            name: motion and {"name": motion.name, "source": motion.source, "dt": motion.dt}
+            name: motion
+            and {
+                "name": motion.name,
+                "source": motion.source,
+                "dt": motion.dt,
+                "is_vertical": motion.is_vertical,
+            }
             for name, motion in (("motion", run.motion), ("vertical", run.vertical))
         },
     }
@@ -422,7 +428,10 @@ class _File:
             return None
         samples = self.array(f"{name}_samples", None) if about["dt"] is not None else None
         segments = self.array(f"{name}_segments", None, 7)
-        return GroundMotion(segments, about["name"], about["source"], about["dt"], samples)
+        is_vertical = bool(about.get("is_vertical", False))  # files before it was known
+        return GroundMotion(
+            segments, about["name"], about["source"], about["dt"], samples, is_vertical
+        )
 
     def record(self, n: int, contacts: int, quantities: list[str] | None) -> Steps | Samples:
         if quantities is None:

@@ -26,6 +26,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.arguments import is_number, told
+from rockeom.motion import components
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
 
@@ -42,12 +43,16 @@ class Channels(NamedTuple):
 
 
 class Record(NamedTuple):
-    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], with name and source."""
+    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], with name and source.
+
+    is_vertical : whether the file says so, see `components`.
+    """
 
     acceleration: np.ndarray
     dt: float
     name: str
     source: str
+    is_vertical: bool = False
 
 
 def read(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
@@ -372,7 +377,10 @@ def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Re
     titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
     title = " ".join(header[1].split()) if titled else Path(path).stem
     source = f"{Path(path).name}, line 2: {title}" if titled else Path(path).name
-    return Record(np.array(samples) * to_si, dt, name or title, source)
+    is_vertical = components.is_vertical(
+        components.name_of(Path(path)), title if titled else "", header
+    )
+    return Record(np.array(samples) * to_si, dt, name or title, source, is_vertical)
 
 
 def _glued(fields: Sequence[str], path: FilePath, line: int, before: int) -> list[float]:
@@ -577,7 +585,13 @@ def _record(
     source = Path(path).name
     if start != 0.0:
         source += f", whose time {start:g} s is the start of the motion"
-    return Record(a * to_si, dt, name or Path(path).stem, source)
+    header = [line for _, line in islice(table.text.lines(), table.first_line - 1)]
+    if len(table.names) == len(table.first):
+        heading = _BRACKETED.sub("", table.names[acceleration]).strip()
+        header.insert(0, f"component: {components.split(heading)[1]}")
+    file_name = components.name_of(Path(path))
+    is_vertical = components.is_vertical(file_name, header=header)
+    return Record(a * to_si, dt, name or file_name, source, is_vertical)
 
 
 def _sampled(

@@ -681,9 +681,14 @@ class Response:
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """What about the structure and its start is allowed and hardly meant, a sentence each."""
+        """What about the structure, its start and the ground motion is allowed and hardly meant."""
         start, p = self.y[0], self.structure.module
         found = self.structure.hints()
+        if self.motion.is_vertical:
+            name = self.motion.name
+            found += (
+                f"The horizontal ground motion is the vertical component of a record, {name}.",
+            )
         if not (self.structure.rocks_on_rigid_ground and start[p.ROTATION]):
             return found
         around = np.array([start, start])
