@@ -63,6 +63,8 @@ LAWS = {
 _OTHERS = {"fixed_base": FixedBase, "options": SolverOptions, **SUPPORTS, **LAWS}
 _DECLARED = "declared"
 _TEMPORARY = ".rockeom.{}.tmp"
+_MOST_COMPRESSED = 1032
+"""The most bytes that one byte of a compressed file stands for (deflate)."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -333,6 +335,8 @@ def load(
     file = _File(Path(path), structure)
     try:
         return file.response()
+    except RecursionError:
+        raise file.error("its description is nested deeper than any that was saved") from None
     except (KeyError, TypeError, AttributeError, IndexError) as error:
         raise file.error(f"it is not as files of responses are: {error!r}") from error
     except ValueError as error:
@@ -477,8 +481,13 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Attributes and arrays of a netCDF file; raises ValueError for what is none."""
     import xarray as xr
 
+    if path.exists() and not path.is_file():  # a pipe is waited for
+        raise ValueError(f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file")
     try:
         with xr.open_dataset(path, engine="h5netcdf", decode_cf=False) as found:
+            size = path.stat().st_size
+            if found.nbytes > _MOST_COMPRESSED * size:
+                raise ValueError(f"{found.nbytes} bytes of arrays cannot lie in {size} bytes")
             return dict(found.attrs), {str(n): v.values for n, v in found.variables.items()}
     except (FileNotFoundError, PermissionError, MemoryError):
         raise

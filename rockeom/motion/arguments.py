@@ -9,7 +9,7 @@ from rockeom.mathematics import isfinite
 from rockeom.motion.errors import MotionError
 
 COMPONENTS = ("horizontal", "vertical", "all")
-"""Of the records that a set may hold."""
+"""Components of records that a set may hold."""
 
 
 def finite(name: str, value: Any) -> float:

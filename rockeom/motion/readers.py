@@ -15,6 +15,7 @@ import io
 import math
 import os
 import re
+import stat
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -225,11 +226,13 @@ def _open(path: FilePath) -> _Text:
 
 
 def _bytes(path: FilePath) -> bytes:
-    """What a file holds; raises MotionError where it cannot be read, or has no end."""
+    """What a file holds; raises MotionError where it cannot be read, is too long or no file."""
     most = _LARGEST_FILE // _BLOCK
     try:
-        with open(path, "rb") as file:
-            blocks = list(islice(iter(lambda: file.read(_BLOCK), b""), most + 1))
+        with open(path, "rb", opener=_open_at_once) as file:
+            is_file = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
+            if is_file:
+                blocks = list(islice(iter(lambda: file.read(_BLOCK), b""), most + 1))
     except FileNotFoundError:
         remedy = f"check the path (relative paths start at {Path.cwd()})"
         raise MotionError.at(path, None, "there is no such file", remedy) from None
@@ -239,10 +242,18 @@ def _bytes(path: FilePath) -> bytes:
     except ValueError as error:  # a zero byte in the path, or half of a letter
         remedy = "give the path as the file system has it"
         raise MotionError.at(path, None, f"no file has such a name ({error})", remedy) from None
+    if not is_file:
+        what = "this is a pipe or a device, not a file"
+        raise MotionError.at(path, None, what, "write the record to a file, and give that")
     if len(blocks) > most:
         what = f"the file holds more than {_LARGEST_FILE} bytes"
         raise MotionError.at(path, None, what, "cut it into records of one earthquake each")
     return b"".join(blocks)
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Opened without waiting: a pipe would wait for a program that writes to it."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _encoding(raw: bytes) -> str:

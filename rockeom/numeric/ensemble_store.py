@@ -52,6 +52,12 @@ class Store:
         self.path, self.kept = path, kept
         self.arrays = _not_empty(kept)
         self.on_disk = {name: group[name] for name in self.arrays}
+        for name, array in self.arrays.items():
+            if self.on_disk[name].shape != array.shape:
+                raise ValueError(
+                    f"{str(path / name)!r} has the shape {self.on_disk[name].shape}, not "
+                    f"{array.shape}: the store is damaged, give another one"
+                )
         self.size: int = self.on_disk["outcome"].chunks[0]
         self.written = np.zeros(-(-len(kept.results.outcome) // self.size), dtype=bool)
 

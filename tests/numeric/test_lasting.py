@@ -25,6 +25,7 @@ from rockeom.numeric.response import KINDS, Response
 from rockeom.numeric.structures import SHIPPED
 from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
 from tests.numeric.structures import S1, column
+from tests.pipes import pipe
 from tests.shipped import plain
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
@@ -340,6 +341,34 @@ def test_files_of_others_are_refused(file):
     refused(file, "no file of a response")
     with pytest.raises(FileNotFoundError, match="nowhere"):
         rk.load(file.with_name("nowhere.nc"))
+
+
+def test_a_pipe_is_refused_at_once(tmp_path):
+    with pipe(tmp_path / "run.nc") as path:
+        refused(path, "a pipe")
+
+
+def test_a_small_file_of_huge_arrays_is_refused_before_they_are_made(file):
+    import h5py
+
+    with h5py.File(file, "r+") as opened:  # no chunk is written: 8 GB of zeros in 8 kB
+        opened.create_dataset("zeros", (1000, 1000, 1000), chunks=(100, 100, 100), dtype=float)
+    tracemalloc.start()
+    refused(file, "8000", "bytes of arrays")
+    assert tracemalloc.get_traced_memory()[1] < 1e8
+    tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    "text", ["[" * 50_000 + "]" * 50_000, '{"of":' * 50_000 + "1" + "}" * 50_000]
+)
+def test_a_description_that_is_nested_deep_is_refused(file, monkeypatch, text):
+    attrs, found = saved._read(file)
+    del found["definition"]
+    checksum = {"checksum": saved._checksum(text, found)}
+    held = found | {"definition": np.array(text)}
+    monkeypatch.setattr(saved, "_read", lambda path: (attrs | checksum, held))
+    refused(file, "nested deeper")
 
 
 def test_a_file_of_a_newer_format_is_refused(file, change):
