@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom import __version__
-from rockeom.arguments import is_number, told
+from rockeom.arguments import installed_by, is_number, told
 from rockeom.declared import class_of_model
 from rockeom.motion import GroundMotion
 from rockeom.named import FAMILIES, SUPPORTS
@@ -303,8 +303,8 @@ def _written_whole(path: Path) -> Iterator[Path]:
 def _check_engine() -> None:
     if find_spec("h5netcdf") is None or find_spec("h5py") is None:
         raise ModuleNotFoundError(
-            "responses are saved and loaded with h5netcdf, which is not installed: "
-            'pip install "rockeom[files]"'
+            "responses are saved and loaded with h5netcdf, which is not installed. Remedy: "
+            f"{installed_by('files')}."
         )
 
 
@@ -322,7 +322,7 @@ def load(
 
     Raises FileNotFoundError where there is no file; ValueError, with its name, for a file that is
     no response, is damaged or of a newer format, and for a declaration that is missing or another;
-    and ModuleNotFoundError without the extra `rockeom[files]`.
+    and ModuleNotFoundError without the extra `files`.
 
         run = rk.load("block.nc")
         run.extremes("theta"), run.impacts, run.at([1.0, 2.0])

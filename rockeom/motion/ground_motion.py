@@ -442,7 +442,7 @@ class GroundMotion:
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
-        """A real record of the extras rockeom[records] and rockeom[fema], by words of its name.
+        """A real record of the extras `records` and `fema`, by words of its name.
 
         words : enough of them to tell it apart, such as "El Centro 1940 180"; `library` lists the
         names. In g, converted with 9.81 m/s2.

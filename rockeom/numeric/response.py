@@ -758,7 +758,7 @@ class Response:
         """Write all of the response to a file, from which `rk.load` makes the same one again.
 
         path : of a netCDF-4 file, which is written whole or not at all; one that is there is
-        replaced. It takes the extra `pip install "rockeom[files]"`.
+        replaced. It takes the extra `files`, see the README.
 
         Files hold numbers and names, no code. Of a structure that you declared the file has the
         parameters and a hash: `rk.load` is given the declaration again. Of a law of impact of your

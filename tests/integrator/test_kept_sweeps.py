@@ -270,7 +270,7 @@ def test_what_is_no_store_is_left_alone(tmp_path, monkeypatch):
     with pytest.raises(TypeError, match=r"store is 3.*map\.zarr"):
         swept(store=3)
     monkeypatch.setitem(sys.modules, "zarr", None)
-    with pytest.raises(ModuleNotFoundError, match=r"pip install rockeom\[store\]"):
+    with pytest.raises(ModuleNotFoundError, match=r"pip install -e \"\.\[store\]\""):
         swept(store=tmp_path / "map.zarr")
 
 

@@ -488,7 +488,7 @@ def test_without_the_extra_the_remedy_is_named(package, file, monkeypatch):
     find = saved.find_spec
     monkeypatch.setattr(saved, "find_spec", lambda name: None if name == package else find(name))
     for call in (lambda: rk.load(file), lambda: made_up(BLOCK).save(file)):
-        with pytest.raises(ModuleNotFoundError, match=r"rockeom\[files\]"):
+        with pytest.raises(ModuleNotFoundError, match=r"pip install -e \"\.\[files\]\""):
             call()
 
 
