@@ -54,7 +54,8 @@ _PEER = re.compile(r"(?:RSN_?\d+|NGA_?(?:no_)?\d+)[^_]*(?:_(?=[^_]*_)[^_]+)?", r
 """The number of a record of PEER, which its three components share, and its earthquake."""
 
 _SET = re.compile(r"(.+)_fema_p695_(.+)")
-_UP_OF_A_VERB = re.compile(r"(?:scaled?|ramp(?:ed)?|warm|run|start|step|speed)", re.IGNORECASE)
+_VERB = re.compile(r"scaled?|ramp(?:ed)?|warm|run|start|step|speed|slow|cool", re.IGNORECASE)
+"""Words with which "up" and "down" are no direction of the ground."""
 
 
 def is_vertical(file_name: str, title: str = "", header: Iterable[str] = ()) -> bool:
@@ -130,7 +131,7 @@ def _split_words(name: str, of_peer: bool = False) -> tuple[str, str]:
     if found := _KIK_NET.fullmatch(word):
         return without(last, found[2]), found[1]
     is_number = word.isdigit() and len(word) < 3  # of a record; an azimuth has three digits
-    if not is_number and not (word.lower() == "up" and _UP_OF_A_VERB.fullmatch(before)):
+    if not is_number and not (word.lower() in ("up", "down") and _VERB.fullmatch(before)):
         if _direction(word) is not None:
             return without(last), word
         if of_peer and re.fullmatch(r"v\d", word, re.IGNORECASE):

@@ -42,6 +42,7 @@ HORIZONTAL = """
     IT.AQV.00.HNE.D.20090406.013240.C.ACC.ASC IT.AQV..HN2.D.20090406.013240.Z.ACC CE.24436.HNN
     UPLAND UPLAND-090 UP-EW DEVIL DEVIL-NS Z-NS V-090 DENVER VANCOUVER CLOUD STUDUP Zurich pizza
     Vertical_array_EW lotung_vertical_array_3 scaled_up ramp-up record_V1 record_1 V2 Z0 first H2
+    scaled_down record_ver_2
     HNE_UPPER Avezzano Vrancea1977 Kobe1995 Chile2010 zone-5 ELC_FN ELC_FP motion
 """
 """Stations and words that begin, end or go on as a vertical component does; ambiguous names."""
