@@ -41,6 +41,11 @@ def near(name: str, known: Iterable[str]) -> str:
     return f" (did you mean {found[0]}?)" if found else ""
 
 
+def installed_by(extra: str) -> str:
+    """The command that installs an extra of the package, quoted for every shell."""
+    return f'pip install -e ".[{extra}]" in a clone of the repository of rockeom'
+
+
 def is_number(value: Any) -> bool:
     """Whether a value is one real number: of Python, of NumPy, or an array without dimensions.
 

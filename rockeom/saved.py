@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom import __version__
-from rockeom.arguments import is_number, told
+from rockeom.arguments import installed_by, is_number, told
 from rockeom.declared import class_of_model
 from rockeom.motion import GroundMotion
 from rockeom.named import FAMILIES, SUPPORTS
@@ -63,6 +63,8 @@ LAWS = {
 _OTHERS = {"fixed_base": FixedBase, "options": SolverOptions, **SUPPORTS, **LAWS}
 _DECLARED = "declared"
 _TEMPORARY = ".rockeom.{}.tmp"
+_MOST_COMPRESSED = 1032
+"""The most bytes that one byte of a compressed file stands for (deflate)."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -263,7 +265,13 @@ def _definition(run: Response) -> dict[str, Any]:
         "statistics": {name: _told(name, value) for name, value in run.statistics.items()},
         "quantities": None if isinstance(run.record, Steps) else list(run.record.extremes),
         **{
-            name: motion and {"name": motion.name, "source": motion.source, "dt": motion.dt}
+            name: motion
+            and {
+                "name": motion.name,
+                "source": motion.source,
+                "dt": motion.dt,
+                "is_vertical": motion.is_vertical,
+            }
             for name, motion in (("motion", run.motion), ("vertical", run.vertical))
         },
     }
@@ -295,8 +303,8 @@ def _written_whole(path: Path) -> Iterator[Path]:
 def _check_engine() -> None:
     if find_spec("h5netcdf") is None or find_spec("h5py") is None:
         raise ModuleNotFoundError(
-            "responses are saved and loaded with h5netcdf, which is not installed: "
-            'pip install "rockeom[files]"'
+            "responses are saved and loaded with h5netcdf, which is not installed. Remedy: "
+            f"{installed_by('files')}."
         )
 
 
@@ -314,7 +322,7 @@ def load(
 
     Raises FileNotFoundError where there is no file; ValueError, with its name, for a file that is
     no response, is damaged or of a newer format, and for a declaration that is missing or another;
-    and ModuleNotFoundError without the extra `rockeom[files]`.
+    and ModuleNotFoundError without the extra `files`.
 
         run = rk.load("block.nc")
         run.extremes("theta"), run.impacts, run.at([1.0, 2.0])
@@ -327,6 +335,8 @@ def load(
     file = _File(Path(path), structure)
     try:
         return file.response()
+    except RecursionError:
+        raise file.error("its description is nested deeper than any that was saved") from None
     except (KeyError, TypeError, AttributeError, IndexError) as error:
         raise file.error(f"it is not as files of responses are: {error!r}") from error
     except ValueError as error:
@@ -422,7 +432,10 @@ class _File:
             return None
         samples = self.array(f"{name}_samples", None) if about["dt"] is not None else None
         segments = self.array(f"{name}_segments", None, 7)
-        return GroundMotion(segments, about["name"], about["source"], about["dt"], samples)
+        is_vertical = bool(about.get("is_vertical", False))  # files before it was known
+        return GroundMotion(
+            segments, about["name"], about["source"], about["dt"], samples, is_vertical
+        )
 
     def record(self, n: int, contacts: int, quantities: list[str] | None) -> Steps | Samples:
         if quantities is None:
@@ -468,8 +481,13 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Attributes and arrays of a netCDF file; raises ValueError for what is none."""
     import xarray as xr
 
+    if path.exists() and not path.is_file():  # a pipe is waited for
+        raise ValueError(f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file")
     try:
         with xr.open_dataset(path, engine="h5netcdf", decode_cf=False) as found:
+            size = path.stat().st_size
+            if found.nbytes > _MOST_COMPRESSED * size:
+                raise ValueError(f"{found.nbytes} bytes of arrays cannot lie in {size} bytes")
             return dict(found.attrs), {str(n): v.values for n, v in found.variables.items()}
     except (FileNotFoundError, PermissionError, MemoryError):
         raise

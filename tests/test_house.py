@@ -3,10 +3,12 @@
 import ast
 import importlib.metadata
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tarfile
+import tomllib
 import zipfile
 from pathlib import Path
 
@@ -341,3 +343,36 @@ def test_what_is_released_says_what_it_is(released):
 def test_generated_folder_stays_a_plain_folder():
     # An __init__.py there would take the place of the search-path shim in the wheel.
     assert not (ROOT / "generated" / "__init__.py").exists()
+
+
+# --- extras
+
+
+def test_extras_are_one_table_of_the_readme_and_all_has_them():
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
+        "optional-dependencies"
+    ]
+    (all_of,) = extras["all"]
+    of_users = all_of.removeprefix("rockeom[").removesuffix("]").split(",")
+    of_developers = {"test", "crosscheck", "dev", "docs"}
+    assert {*of_users, "all"} == extras.keys() - of_developers
+    install = (ROOT / "README.md").read_text().split("## Install")[1].split("\n## ")[0]
+    assert re.findall(r"^\| `(\w+)` \|", install, re.MULTILINE) == [*of_users, "all"]
+
+
+def test_commands_that_install_an_extra_work_in_a_clone_and_in_zsh():
+    """The package is on no index, and zsh takes brackets without quotes for a pattern."""
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
+        "optional-dependencies"
+    ]
+    texts = {
+        path: path.read_text(encoding="utf-8")
+        for folder, kind in (("rockeom", "*.py"), ("docs", "*.md"), (".", "*.md"))
+        for path in (ROOT.glob(kind) if folder == "." else (ROOT / folder).rglob(kind))
+    }
+    for path, text in texts.items():
+        for command, after in re.findall(r"(pip install[^\n`]*?)(\[[^\]]*\]\S?)", text):
+            assert command.endswith('-e ".'), f"{path}: {command}{after}"
+            assert after.endswith('"'), f"{path}: {command}{after}"
+            named = after.strip('[]"').split(",")
+            assert named == ["{extra}"] or {*named} <= extras.keys(), f"{path}: {command}{after}"

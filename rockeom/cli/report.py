@@ -10,6 +10,7 @@ from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.simulate import add_scale, impact_law, scaled
 from rockeom.motion import GroundMotion
+from rockeom.motion.arguments import COMPONENTS
 
 HELP = "write one page on a structure under a set of records"
 DESCRIPTION = """\
@@ -25,6 +26,7 @@ rockeom report NAME --set PARAMETER=VALUE ... (--records WORD ... | --motion FIL
 EPILOG = """\
 sets of records (extras records and fema), by words that all their names have:
   far field, near field pulse, near field no pulse: those of FEMA P695
+  El Centro 1940: both horizontal components; a line names the vertical one, which is left out
   El Centro 1940 180: the one record, as for rockeom simulate
 
 examples:
@@ -57,6 +59,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     one.add_argument("--motion", nargs="+", metavar="FILE", help="recorded accelerations")
     group.add_argument(
+        "--components",
+        choices=COMPONENTS,
+        help="of the records by words; horizontal if not given",
+    )
+    group.add_argument(
         "--units", metavar="UNITS", help="of files that do not say their own, as g or m/s2"
     )
     add_scale(group)
@@ -86,5 +93,10 @@ def _motions(args: argparse.Namespace) -> list[GroundMotion]:
     if args.records is not None:
         if args.units is not None:
             raise UsageError(f"--units {args.units} is for files: leave it out")
-        return [GroundMotion.from_library(n) for n in GroundMotion.library(" ".join(args.records))]
+        from rockeom.motion import MotionSet  # no other command needs it
+
+        words, components = " ".join(args.records), args.components or "horizontal"
+        return list(MotionSet.from_library(words, components=components))
+    if args.components is not None:
+        raise UsageError(f"--components {args.components} is for --records: leave it out")
     return [GroundMotion.read(path, units=args.units) for path in args.motion]

@@ -14,6 +14,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
     from rockeom.motion.intensity import Measures
     from rockeom.motion.motion_set import MotionSet
+    from rockeom.motion.recordings import Recording
     from rockeom.motion.synthetic import JenningsEnvelope, ShinozukaSatoEnvelope
 
 __all__ = [
@@ -23,6 +24,7 @@ __all__ = [
     "Measures",
     "MotionError",
     "MotionSet",
+    "Recording",
     "SegmentKind",
     "ShinozukaSatoEnvelope",
 ]
@@ -31,6 +33,7 @@ _HOMES = {
     "JenningsEnvelope": "synthetic",
     "Measures": "intensity",
     "MotionSet": "motion_set",
+    "Recording": "recordings",
     "ShinozukaSatoEnvelope": "synthetic",
 }
 

@@ -8,6 +8,9 @@ from rockeom.arguments import number, whole_number
 from rockeom.mathematics import isfinite
 from rockeom.motion.errors import MotionError
 
+COMPONENTS = ("horizontal", "vertical", "all")
+"""Components of records that a set may hold."""
+
 
 def finite(name: str, value: Any) -> float:
     """The number given for what is named; many at once stay so."""

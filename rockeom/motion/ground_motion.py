@@ -72,6 +72,8 @@ class GroundMotion:
     source : where it comes from.
     dt, samples : time step [s] and accelerations (m,) [m/s2] of a record, which is linear between
         its samples; None for an analytic motion.
+    is_vertical : whether it is the vertical component of a recording, as its file says; another
+        verdict is `dataclasses.replace(motion, is_vertical=...)`.
 
     Two motions are equal if their names, sources and tables are.
 
@@ -83,6 +85,7 @@ class GroundMotion:
     source: str = ""
     dt: float | None = None
     samples: np.ndarray | None = None
+    is_vertical: bool = False
 
     def __post_init__(self) -> None:
         # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
@@ -439,7 +442,7 @@ class GroundMotion:
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
-        """A real record of the extras rockeom[records] and rockeom[fema], by words of its name.
+        """A real record of the extras `records` and `fema`, by words of its name.
 
         words : enough of them to tell it apart, such as "El Centro 1940 180"; `library` lists the
         names. In g, converted with 9.81 m/s2.
@@ -601,6 +604,7 @@ class GroundMotion:
             self.source,
             None if self.dt is None else self.dt * s,
             None if self.samples is None else self.samples * a,
+            self.is_vertical,
         )
 
     def scaled_to(self, peak: float) -> GroundMotion:
@@ -764,7 +768,8 @@ class GroundMotion:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.
-        return GroundMotion, (self.segments, self.name, self.source, self.dt, self.samples)
+        fields = self.segments, self.name, self.source, self.dt, self.samples, self.is_vertical
+        return GroundMotion, fields
 
 
 _PRINTED = r"(-?\d+\.?\d*(?:e[+-]\d+)?)"
@@ -850,7 +855,9 @@ def _library() -> ModuleType:
     return library
 
 
-def _from_record(a: np.ndarray, dt: float, name: str, source: str) -> GroundMotion:
+def _from_record(
+    a: np.ndarray, dt: float, name: str, source: str, is_vertical: bool = False
+) -> GroundMotion:
     """A record as linear segments from sample to sample."""
     dt = _positive("dt", dt)
     if len(a) < 2:
@@ -866,7 +873,7 @@ def _from_record(a: np.ndarray, dt: float, name: str, source: str) -> GroundMoti
     segments = np.zeros((len(a) - 1, COLUMNS), np.result_type(a, t))
     segments[:, START], segments[:, END] = t[:-1], t[1:]
     segments[:, C0], segments[:, C1] = a[:-1], np.diff(a) / np.diff(t)
-    return GroundMotion(segments, name, source, dt, a)
+    return GroundMotion(segments, name, source, dt, a, is_vertical)
 
 
 # -- checks --------------------------------------------------------------------------------------

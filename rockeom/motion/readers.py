@@ -15,6 +15,7 @@ import io
 import math
 import os
 import re
+import stat
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -26,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.arguments import is_number, told
+from rockeom.motion import components
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
 
@@ -42,12 +44,16 @@ class Channels(NamedTuple):
 
 
 class Record(NamedTuple):
-    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], with name and source."""
+    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], with name and source.
+
+    is_vertical : whether the file says so, see `components`.
+    """
 
     acceleration: np.ndarray
     dt: float
     name: str
     source: str
+    is_vertical: bool = False
 
 
 def read(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
@@ -220,11 +226,13 @@ def _open(path: FilePath) -> _Text:
 
 
 def _bytes(path: FilePath) -> bytes:
-    """What a file holds; raises MotionError where it cannot be read, or has no end."""
+    """What a file holds; raises MotionError where it cannot be read, is too long or no file."""
     most = _LARGEST_FILE // _BLOCK
     try:
-        with open(path, "rb") as file:
-            blocks = list(islice(iter(lambda: file.read(_BLOCK), b""), most + 1))
+        with open(path, "rb", opener=_open_at_once) as file:
+            is_file = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
+            if is_file:
+                blocks = list(islice(iter(lambda: file.read(_BLOCK), b""), most + 1))
     except FileNotFoundError:
         remedy = f"check the path (relative paths start at {Path.cwd()})"
         raise MotionError.at(path, None, "there is no such file", remedy) from None
@@ -234,10 +242,18 @@ def _bytes(path: FilePath) -> bytes:
     except ValueError as error:  # a zero byte in the path, or half of a letter
         remedy = "give the path as the file system has it"
         raise MotionError.at(path, None, f"no file has such a name ({error})", remedy) from None
+    if not is_file:
+        what = "this is a pipe or a device, not a file"
+        raise MotionError.at(path, None, what, "write the record to a file, and give that")
     if len(blocks) > most:
         what = f"the file holds more than {_LARGEST_FILE} bytes"
         raise MotionError.at(path, None, what, "cut it into records of one earthquake each")
     return b"".join(blocks)
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Opened without waiting: a pipe would wait for a program that writes to it."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _encoding(raw: bytes) -> str:
@@ -372,7 +388,10 @@ def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Re
     titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
     title = " ".join(header[1].split()) if titled else Path(path).stem
     source = f"{Path(path).name}, line 2: {title}" if titled else Path(path).name
-    return Record(np.array(samples) * to_si, dt, name or title, source)
+    is_vertical = components.is_vertical(
+        components.name_of(Path(path)), title if titled else "", header
+    )
+    return Record(np.array(samples) * to_si, dt, name or title, source, is_vertical)
 
 
 def _glued(fields: Sequence[str], path: FilePath, line: int, before: int) -> list[float]:
@@ -577,7 +596,13 @@ def _record(
     source = Path(path).name
     if start != 0.0:
         source += f", whose time {start:g} s is the start of the motion"
-    return Record(a * to_si, dt, name or Path(path).stem, source)
+    header = [line for _, line in islice(table.text.lines(), table.first_line - 1)]
+    if len(table.names) == len(table.first):
+        heading = _BRACKETED.sub("", table.names[acceleration]).strip()
+        header.insert(0, f"component: {components.split(heading)[1]}")
+    file_name = components.name_of(Path(path))
+    is_vertical = components.is_vertical(file_name, header=header)
+    return Record(a * to_si, dt, name or file_name, source, is_vertical)
 
 
 def _sampled(

@@ -98,7 +98,7 @@ def simulate_many(
         Each case is then also made and simulated by itself, with its whole response, which takes
         much longer.
     store : a folder, such as "map.zarr", that keeps each chunk when it is done, of the package zarr
-        (`pip install rockeom[store]`). The same call finds there what is done and does the rest;
+        (the extra `store`). The same call finds there what is done and does the rest;
         the result is that of a call that was never stopped, to the last bit. What is killed loses
         no more than the chunks under way. `threads`, `arrays`, `chunk` and `executor` may change
         from call to call; the chunks remain those of the first. The sweep must be the same: its

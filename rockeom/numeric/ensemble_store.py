@@ -23,7 +23,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from rockeom.arguments import is_number, told
+from rockeom.arguments import installed_by, is_number, told
 from rockeom.numeric.ensemble_cases import Cases, Source, labels
 from rockeom.numeric.ensemble_dataset import FLAGS, PENDING, flags_of, outcomes_of
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
@@ -52,6 +52,12 @@ class Store:
         self.path, self.kept = path, kept
         self.arrays = _not_empty(kept)
         self.on_disk = {name: group[name] for name in self.arrays}
+        for name, array in self.arrays.items():
+            if self.on_disk[name].shape != array.shape:
+                raise ValueError(
+                    f"{str(path / name)!r} has the shape {self.on_disk[name].shape}, not "
+                    f"{array.shape}: the store is damaged, give another one"
+                )
         self.size: int = self.on_disk["outcome"].chunks[0]
         self.written = np.zeros(-(-len(kept.results.outcome) // self.size), dtype=bool)
 
@@ -112,7 +118,8 @@ def opened(path: Any, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
         import zarr
     except ModuleNotFoundError:
         raise ModuleNotFoundError(
-            "a sweep is kept on disk by zarr, which is not installed: `pip install rockeom[store]`"
+            "a sweep is kept on disk by zarr, which is not installed. Remedy: "
+            f"{installed_by('store')}."
         ) from None
     path = Path(path)
     if not path.exists():

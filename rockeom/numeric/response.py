@@ -681,9 +681,14 @@ class Response:
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """What about the structure and its start is allowed and hardly meant, a sentence each."""
+        """What about the structure, its start and the ground motion is allowed and hardly meant."""
         start, p = self.y[0], self.structure.module
         found = self.structure.hints()
+        if self.motion.is_vertical:
+            name = self.motion.name
+            found += (
+                f"The horizontal ground motion is the vertical component of a record, {name}.",
+            )
         if not (self.structure.rocks_on_rigid_ground and start[p.ROTATION]):
             return found
         around = np.array([start, start])
@@ -753,7 +758,7 @@ class Response:
         """Write all of the response to a file, from which `rk.load` makes the same one again.
 
         path : of a netCDF-4 file, which is written whole or not at all; one that is there is
-        replaced. It takes the extra `pip install "rockeom[files]"`.
+        replaced. It takes the extra `files`, see the README.
 
         Files hold numbers and names, no code. Of a structure that you declared the file has the
         parameters and a hash: `rk.load` is given the declaration again. Of a law of impact of your

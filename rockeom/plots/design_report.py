@@ -201,6 +201,9 @@ class DesignReport:
             f"Rigid ground, motion in one plane, no vertical shaking; {body}, and the energy of an "
             "impact is lost as the law says: of these the responses tell nothing."
         )
+        vertical = [one.run.motion.name for one in self.results if one.run.motion.is_vertical]
+        if vertical:
+            said.append(f"Vertical components shake it horizontally: {'; '.join(vertical)}.")
         if self._held is not None and self._held.rocking == self.structure:  # no tendon helps
             pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
             said.append(f"Fixed base: a foot has to be held down by up to {pull / 1e3:.3g} kN.")

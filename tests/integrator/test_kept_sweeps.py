@@ -1,5 +1,6 @@
 """Sweeps on disk and on executors: killed, resumed, refused, and the bits of one that never was."""
 
+import json
 import os
 import signal
 import subprocess
@@ -269,8 +270,18 @@ def test_what_is_no_store_is_left_alone(tmp_path, monkeypatch):
     with pytest.raises(TypeError, match=r"store is 3.*map\.zarr"):
         swept(store=3)
     monkeypatch.setitem(sys.modules, "zarr", None)
-    with pytest.raises(ModuleNotFoundError, match=r"pip install rockeom\[store\]"):
+    with pytest.raises(ModuleNotFoundError, match=r"pip install -e \"\.\[store\]\""):
         swept(store=tmp_path / "map.zarr")
+
+
+def test_store_whose_arrays_have_another_size_is_refused_before_they_are_read(store):
+    swept(arrays=True, store=store)
+    path = store / "final" / "zarr.json"
+    about = json.loads(path.read_text())
+    about["shape"][0] = 10**9  # 16 GB
+    path.write_text(json.dumps(about))
+    with pytest.raises(ValueError, match=r"final' has the shape \(1000000000, 2\)"):
+        swept(arrays=True, store=store)
 
 
 def test_two_that_make_a_store_at_once_make_one(store):

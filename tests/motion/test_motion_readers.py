@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from rockeom.motion import GroundMotion, MotionError
+from tests.pipes import pipe
 
 TITLE = "Somewhere-01, 1/2/1999, Old Station #3, 45"
 STEP_LINES = {
@@ -625,6 +626,15 @@ def test_path_that_no_file_can_have(reader, path):
 def test_what_is_no_path(reader, path):
     with pytest.raises(TypeError, match=r"path is .*: give the path of a file.*from_array"):
         getattr(GroundMotion, reader)(path)
+
+
+@pytest.mark.parametrize("suffix", ["at2", "txt"])
+def test_pipe_is_refused_at_once(tmp_path, suffix):
+    with (
+        pipe(tmp_path / f"record.{suffix}") as path,
+        pytest.raises(MotionError, match="a pipe or a device"),
+    ):
+        GroundMotion.read(path, units="g")
 
 
 def test_file_without_an_end_is_given_up(tmp_path, monkeypatch):

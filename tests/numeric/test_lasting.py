@@ -25,6 +25,7 @@ from rockeom.numeric.response import KINDS, Response
 from rockeom.numeric.structures import SHIPPED
 from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
 from tests.numeric.structures import S1, column
+from tests.pipes import pipe
 from tests.shipped import plain
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
@@ -342,6 +343,34 @@ def test_files_of_others_are_refused(file):
         rk.load(file.with_name("nowhere.nc"))
 
 
+def test_a_pipe_is_refused_at_once(tmp_path):
+    with pipe(tmp_path / "run.nc") as path:
+        refused(path, "a pipe")
+
+
+def test_a_small_file_of_huge_arrays_is_refused_before_they_are_made(file):
+    import h5py
+
+    with h5py.File(file, "r+") as opened:  # no chunk is written: 8 GB of zeros in 8 kB
+        opened.create_dataset("zeros", (1000, 1000, 1000), chunks=(100, 100, 100), dtype=float)
+    tracemalloc.start()
+    refused(file, "8000", "bytes of arrays")
+    assert tracemalloc.get_traced_memory()[1] < 1e8
+    tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    "text", ["[" * 50_000 + "]" * 50_000, '{"of":' * 50_000 + "1" + "}" * 50_000]
+)
+def test_a_description_that_is_nested_deep_is_refused(file, monkeypatch, text):
+    attrs, found = saved._read(file)
+    del found["definition"]
+    checksum = {"checksum": saved._checksum(text, found)}
+    held = found | {"definition": np.array(text)}
+    monkeypatch.setattr(saved, "_read", lambda path: (attrs | checksum, held))
+    refused(file, "nested deeper")
+
+
 def test_a_file_of_a_newer_format_is_refused(file, change):
     change(rockeom_format=saved.FORMAT + 1, rockeom_version="9.1")
     refused(file, "9.1", f"up to {saved.FORMAT}", "install")
@@ -459,7 +488,7 @@ def test_without_the_extra_the_remedy_is_named(package, file, monkeypatch):
     find = saved.find_spec
     monkeypatch.setattr(saved, "find_spec", lambda name: None if name == package else find(name))
     for call in (lambda: rk.load(file), lambda: made_up(BLOCK).save(file)):
-        with pytest.raises(ModuleNotFoundError, match=r"rockeom\[files\]"):
+        with pytest.raises(ModuleNotFoundError, match=r"pip install -e \"\.\[files\]\""):
             call()
 
 

@@ -1,0 +1,145 @@
+"""Components of a recording: which are vertical, and which belong together, by the conventions of
+databases (PEER, COSMOS, ESM, K-NET).
+
+The header decides, and the name of the file where the header says nothing. An ambiguous name counts
+as horizontal.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+_DOWN = r"up|ud|u-d|dwn|down|dn|ver|vrt|vert|vertical"
+_VERTICAL = re.compile(
+    rf"(?:{_DOWN}|v|z|[bcdefhlms][hnlg]z)(?:\W*(?:and|&)?\W*down)?", re.IGNORECASE
+)
+"""A vertical component. The last of the alternatives is a SEED code, such as HNZ."""
+
+_HORIZONTAL = re.compile(
+    r"\d{1,3}(?:\W*deg\w*)?|[ns]\W?\d{1,2}\W?[ew]|[news]|ns|ew|n-s|e-w|north|east|south|west|"
+    r"[lthxy]\d?|ln|lng|long\w*|tr|trn|tran\w*|hor\w*|fn|fp|[bcdefhlms][hnlg][xyne12]",
+    re.IGNORECASE,
+)
+"""A horizontal component: an azimuth in degrees, a direction, a SEED code."""
+
+_LABEL = re.compile(
+    r"\b(?:stream|chan(?:nel)?|comp(?:onent)?|dir(?:ection)?|orientation)\b[.:= ]*(?:\d+ *: *)?"
+    r"([a-z0-9][^,;|:=]*)",
+    re.IGNORECASE,
+)
+"""The component in a line of a header: "STREAM: HNZ", "Dir.  U-D", "Chan  2:  Up"."""
+
+_NO_COMPONENT = re.compile(
+    r"acc\w*|asc|at2|cor(?:r\w*)?|csv|dat|filt\w*|g|gal|raw|scaled|txt|unscaled", re.IGNORECASE
+)
+"""Words behind the component in the name of a file."""
+
+_STATION_CODE = re.compile(
+    r"([^.]*\.[^.]*\.[^.]*)\.([bcdefhlms][hnlg][xyzne12])(\..*)?", re.IGNORECASE
+)
+"""Network, station, place and SEED code: IT.AQV.00.HNZ, with a date behind it."""
+
+_NAMED_BY_ENDING = re.compile(r"\.(?:(?:ns|ew|ud)[12]?|[bcdefhlms][hnlg][xyzne12])", re.IGNORECASE)
+_KIK_NET = re.compile(r"(ns|ew|ud)([12])", re.IGNORECASE)  # 1 in the borehole, 2 at the surface
+_AZIMUTH = r"(?!.*(?:19|20)\d\d$)(.*\D\d{0,3})([0-3]\d\d)"  # of a word that ends in no year
+_GLUED = re.compile(rf"{_AZIMUTH}|(.{{2,}})(dwn)", re.IGNORECASE)
+_GLUED_OF_PEER = re.compile(
+    rf"{_AZIMUTH}|(.{{2,}}?)({_DOWN}|[ns]\d\d[ew]|ns|ew|[lt])", re.IGNORECASE
+)
+"""A station and its component without a mark between them: ELC180, PULDWN, HECVER."""
+
+_PEER = re.compile(r"(?:RSN_?\d+|NGA_?(?:no_)?\d+)[^_]*(?:_(?=[^_]*_)[^_]+)?", re.IGNORECASE)
+"""The number of a record of PEER, which its three components share, and its earthquake."""
+
+_SET = re.compile(r"(.+)_fema_p695_(.+)")
+_VERB = re.compile(r"scaled?|ramp(?:ed)?|warm|run|start|step|speed|slow|cool", re.IGNORECASE)
+"""Words with which "up" and "down" are no direction of the ground."""
+
+
+def is_vertical(file_name: str, title: str = "", header: Iterable[str] = ()) -> bool:
+    """Whether a record is the vertical component of its recording.
+
+    file_name : as of `name_of`. title : of a PEER record; its last field is the component.
+    header : other lines, of which one may name the component.
+    """
+    stated = [_last_field(title)[1], *map(_labelled, header), split(file_name)[1]]
+    return bool(next((d for text in stated if (d := _direction(text)) is not None), False))
+
+
+def split(name: str) -> tuple[str, str]:
+    """The recording of a record, which its components have in common, and the component.
+
+    The component is empty where the name has none that is known.
+
+    >>> split("RSN6_IMPVALL.I_I-ELC180"), split("RSN6_IMPVALL.I_I-ELC-UP")
+    (('RSN6_IMPVALL.I', '180'), ('RSN6_IMPVALL.I', 'UP'))
+    """
+    if of_peer := _PEER.match(name):
+        return of_peer[0], _split_words(name, of_peer=True)[1]
+    if in_set := _SET.fullmatch(name):
+        recording, component = _split_words(in_set[1])
+        return f"{recording}, FEMA P695 {in_set[2].replace('_', ' ')}", component
+    before, component = _last_field(name)
+    if _direction(component) is not None:
+        return before, component
+    before, comma, last = name.rpartition(",")
+    recording, component = _split_words(last.strip())
+    return (f"{before}, {recording}" if comma else recording), component
+
+
+def name_of(path: Path) -> str:
+    """The name of a file without its ending, but with one that names a component: .UD2, .HNZ."""
+    return path.name if _NAMED_BY_ENDING.fullmatch(path.suffix) else path.stem
+
+
+def _last_field(title: str) -> tuple[str, str]:
+    """A title in front of its last comma, and the field behind it without what is in brackets."""
+    before, comma, last = re.sub(r"\s*\([^()]*\)\s*$", "", title).rpartition(",")
+    return before.strip(), last.strip() if comma else ""
+
+
+def _labelled(line: str) -> str:
+    """The component that a line of a header names, or an empty text."""
+    if not (found := _LABEL.search(line)):
+        return ""
+    text = found[1].strip()
+    return text if _direction(text) is not None else text.split()[0]
+
+
+def _direction(component: str) -> bool | None:
+    """Whether a component is vertical; None for a text that is no component."""
+    if _VERTICAL.fullmatch(component):
+        return True
+    return False if _HORIZONTAL.fullmatch(component) else None
+
+
+def _split_words(name: str, of_peer: bool = False) -> tuple[str, str]:
+    """See `split`; of a name in which marks separate the component."""
+    if found := _STATION_CODE.fullmatch(name):
+        return f"{found[1]}{found[3] or ''}", found[2]
+    parts = re.split(r"([-_. ]+)", name)
+    words = range(0, len(parts), 2)
+    last = next((n for n in reversed(words) if not _NO_COMPONENT.fullmatch(parts[n])), 0)
+    word, before = parts[last], parts[max(last - 2, 0)]
+
+    def without(n: int, rest: str = "") -> str:
+        end = n if rest else max(n - 1, 0)  # the mark before an empty word goes with it
+        return "".join([*parts[:end], rest, *parts[n + 1 :]]).strip("-_. ")
+
+    if found := _KIK_NET.fullmatch(word):
+        return without(last, found[2]), found[1]
+    is_number = word.isdigit() and len(word) < 3  # of a record; an azimuth has three digits
+    if not is_number and not (word.lower() in ("up", "down") and _VERB.fullmatch(before)):
+        if _direction(word) is not None:
+            return without(last), word
+        if of_peer and re.fullmatch(r"v\d", word, re.IGNORECASE):
+            return without(last), word[0]
+    if found := (_GLUED_OF_PEER if of_peer else _GLUED).fullmatch(word):
+        rest, component = (part for part in found.groups() if part is not None)
+        return without(last, rest), component
+    for n in words:
+        if parts[n].lower() in ("vertical", "vert") and parts[n + 2 : n + 3] != ["array"]:
+            return without(n), parts[n]
+    return name, ""

@@ -1,0 +1,96 @@
+"""`Recording`: the components of one recording; and which components a set of motions has."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from rockeom.arguments import told
+from rockeom.motion.arguments import COMPONENTS
+from rockeom.motion.components import split
+from rockeom.motion.errors import MotionError
+from rockeom.motion.ground_motion import GroundMotion
+
+_RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
+_SHOWN = 5
+
+
+@dataclass(frozen=True)
+class Recording:
+    """The components that one station recorded in one earthquake.
+
+    name : of the records, without their components. horizontal : one motion or two. vertical : None
+    where the set has no such component.
+
+        rk.Case(block, recording.horizontal[0], vertical=recording.vertical)
+    """
+
+    name: str
+    horizontal: tuple[GroundMotion, ...]
+    vertical: GroundMotion | None
+
+
+def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recording, ...]:
+    """See `MotionSet.recordings`; set_name : for records named by their component alone."""
+    groups: dict[str, list[GroundMotion]] = {}
+    for motion in motions:
+        groups.setdefault(split(motion.name)[0] or set_name, []).append(motion)
+    return tuple(_recording(name, group) for name, group in groups.items())
+
+
+def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
+    """The recording with these components; raises MotionError for what is none."""
+    horizontal = tuple(motion for motion in group if not motion.is_vertical)
+    vertical = [motion for motion in group if motion.is_vertical]
+    members = ", ".join(motion.name for motion in group)
+    if not horizontal:
+        raise MotionError(
+            f"{members} has no horizontal component in this set: read the set with "
+            'components="all", or leave it out'
+        )
+    azimuths = [int(at) for motion in horizontal if (at := split(motion.name)[1]).isdigit()]
+    skew = len(azimuths) == 2 and abs((azimuths[0] - azimuths[1]) % 180 - 90) > _RIGHT_ANGLE
+    if len(horizontal) > 2 or len(vertical) > 1 or skew:
+        what = "two components at no right angle" if skew else "more than three components"
+        raise MotionError(
+            f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
+            'component, as in "ELC-180", by dataclasses.replace(motion, name=...)'
+        )
+    return Recording(name, horizontal, vertical[0] if vertical else None)
+
+
+def chosen(
+    motions: Mapping[str, GroundMotion], components: str, where: str
+) -> dict[str, GroundMotion]:
+    """The motions of these components by their names; a warning names the vertical ones left out.
+
+    where : what an error calls the set. Raises MotionError where none is left, and for a word that
+    is none of COMPONENTS.
+    """
+    if components not in COMPONENTS:
+        raise MotionError(f"components is {told(components)}: choose {', '.join(COMPONENTS)}")
+    if components == "all":
+        return dict(motions)
+    wanted = components == "vertical"
+    kept = {name: motion for name, motion in motions.items() if motion.is_vertical == wanted}
+    if not kept:
+        other = "horizontal" if wanted else "vertical"
+        raise MotionError(
+            f"{where} holds {other} components only, {_shortened(motions)}: give "
+            f'components="{other}" for them'
+        )
+    if not wanted and len(kept) < len(motions):
+        warnings.warn(
+            f"{len(motions) - len(kept)} of {len(motions)} records of {where} are vertical "
+            f"components and left out: {_shortened(motions.keys() - kept.keys())}; "
+            'components="vertical" or "all" takes them',
+            stacklevel=3,
+        )
+    return kept
+
+
+def _shortened(names: Iterable[str]) -> str:
+    listed = sorted(names)
+    more = f" and {len(listed) - _SHOWN} more" if len(listed) > _SHOWN else ""
+    return "; ".join(listed[:_SHOWN]) + more
