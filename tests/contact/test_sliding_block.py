@@ -449,4 +449,4 @@ def test_a_landing_that_gains_energy_under_this_law_is_told():
     start["y"] = block.b * math.sin(0.3) + 1e-9
     run = rk.simulate(structure(block), STILL, initial=start, duration=0.01)
     assert run.impact_energy_gains[0] == pytest.approx(gained, rel=1e-6)
-    assert "1 of its landings gave energy" in run.summary()
+    assert "1 of 1 impacts gained kinetic energy" in run.summary()
