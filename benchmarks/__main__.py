@@ -76,8 +76,8 @@ def one_motion(workload: str) -> w.Case | None:
     """The case of which C and rockeom must take the same steps."""
     return {
         "W1": w.decay(w.RELEASE),
-        "W2": w.Case(w.BLOCK, w.record()),
-        "W3": w.Case(w.COLUMN, w.record()),
+        "W2": w.shaken(w.BLOCK),
+        "W3": w.shaken(w.COLUMN),
         "W4": w.Case(w.BLOCK, w.pulses(w.PULSE_STRIDE)[50]),
         "W5": w.driven(w.REFERENCE_AMPLITUDES[2]),
     }[workload]

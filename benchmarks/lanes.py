@@ -32,7 +32,7 @@ WIDTHS, STIFFNESSES = np.linspace(0.16, 0.36, 10), np.linspace(2e5, 1e6, 10)  # 
 
 def blocks() -> list[w.Case]:
     return [
-        w.Case(rk.RigidBlock(half_width=h * np.tan(alpha), half_height=h), w.record())
+        w.shaken(rk.RigidBlock(half_width=h * np.tan(alpha), half_height=h))
         for h in HEIGHTS
         for alpha in SLENDERNESSES
     ]
@@ -41,7 +41,7 @@ def blocks() -> list[w.Case]:
 def columns() -> list[w.Case]:
     values = w.COLUMN.parameters()
     return [
-        w.Case(rk.FlexibleStructure(**values | {"half_width": b, "stiffness": k}), w.record())
+        w.shaken(rk.FlexibleStructure(**values | {"half_width": b, "stiffness": k}))
         for b in WIDTHS
         for k in STIFFNESSES
     ]

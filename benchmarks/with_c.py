@@ -248,7 +248,7 @@ def runs(problem: Callable, decays: Callable) -> dict[str, Callable]:
     """Workload -> what a problem takes besides its case -> what runs it."""
 
     def under_record(structure: rk.Structure) -> Callable:
-        return lambda *how: problem(w.Case(structure, w.record()), *how).impacts
+        return lambda *how: problem(w.shaken(structure), *how).impacts
 
     def pulses(*how, stride: int = 1) -> Callable:
         motions = w.pulses(stride)

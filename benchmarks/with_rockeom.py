@@ -96,7 +96,7 @@ def decays(solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
 
 def under_record(structure) -> Callable:
     def made(solver: rk.SolverOptions, entry=loop) -> Callable[[], w.Impacts]:
-        return entry(Case(structure, w.record()), solver)
+        return entry(w.shaken(structure), solver)
 
     return made
 
@@ -201,8 +201,8 @@ of few leave empty take as long as full ones, so that of 20 each takes half as l
 
 MANY = {
     "W1": sweep("release", w.decay, w.RELEASES, max_impacts=w.N_IMPACTS - 1),
-    "W2": sweep("copy", lambda _: Case(w.BLOCK, w.record()), np.arange(REPEATED)),
-    "W3": sweep("copy", lambda _: Case(w.COLUMN, w.record()), np.arange(REPEATED)),
+    "W2": sweep("copy", lambda _: w.shaken(w.BLOCK), np.arange(REPEATED)),
+    "W3": sweep("copy", lambda _: w.shaken(w.COLUMN), np.arange(REPEATED)),
     "W4": pulse_map,
     "W5": sweep("amplitude", w.driven, w.AMPLITUDES),
 }

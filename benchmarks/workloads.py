@@ -76,6 +76,12 @@ def record() -> rk.GroundMotion:
     return rk.GroundMotion.from_array(np.round(shaking, 6), TIME_STEP, name="filtered noise")
 
 
+def shaken(structure: rk.Structure) -> Case:
+    """A structure under the record, by the impact law of all programs that are compared."""
+    law = rk.AngularMomentum() if structure.has_impacts else None
+    return Case(structure, record(), law)
+
+
 def _oscillator(force: np.ndarray, frequency: float, damping: float) -> np.ndarray:
     """Absolute acceleration of an oscillator whose base shakes with -force."""
     x = v = 0.0

@@ -742,7 +742,7 @@ assert wedge[0.005] < wedge[0.0] < wedge[-0.005]
 added = []
 for factor in (1, 10, 100):
     damped = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4 * factor)
-    run = rk.simulate(damped, still_ground, initial=release)
+    run = rk.simulate(damped, still_ground, impact=rk.AngularMomentum(), initial=release)
     found = np.array([
         sum(damped.energies(impact.after, phase=impact.phase_after).values())
         - sum(damped.energies(impact.before, phase=impact.phase_before).values())

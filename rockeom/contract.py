@@ -42,6 +42,9 @@ MOST_CONTACT_STATES = 4096
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never does."""
 
+ENERGY_ROUNDING = 1e-9
+"""An impact gains energy where the kinetic energy grows by more than this part of itself."""
+
 # Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
 # momentum is conserved; the ratio of the energies, by the speed, or by the foot that lands and the
 # speed; the ratio of the rates, by that foot and the number of the impact

@@ -18,6 +18,7 @@ from rockeom.named import (
     structure,
     takes_support,
 )
+from rockeom.numeric.impact import Impulsive, default_law
 from rockeom.numeric.structures import SHIPPED, Structure
 
 HELP = "list the structures, or explain one of them"
@@ -143,9 +144,11 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
     module = _module(of, arguments)
     half = len(module.STATES) // 2
     units = zip(module.STATES[:half], module.STATE_UNITS, strict=False)
-    laws = "angular-momentum (if not given), energy-ratio=R, velocity-ratio=E"
+    laws = "angular-momentum, energy-ratio=R, velocity-ratio=E"
     if module.HAS_IMPULSIVE:
         laws += ", impulsive"
+    default = "impulsive" if isinstance(default_law(module), Impulsive) else "angular-momentum"
+    laws += f"; if not given, {default}"
     facts = [
         ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),

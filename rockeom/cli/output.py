@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom import __version__
 from rockeom.motion import GroundMotion
-from rockeom.numeric.impact import AngularMomentum, ImpactLaw
+from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.labelled import units
 from rockeom.numeric.response import MEASURABLE, Response
 
@@ -84,7 +84,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "structure": {"name": run.structure.model, "parameters": run.structure.parameters()},
         "motion": _motion(run.motion),
         "vertical": None if run.vertical is None else _motion(run.vertical),
-        "impact": repr(law or AngularMomentum()) if _has_impacts(run) else None,
+        "impact": repr(law or run.structure.default_impact) if run.structure.has_impacts else None,
         "initial": dict(initial),
         "outcome": run.outcome.label,
         "sentence": run.outcome.sentence,
@@ -113,10 +113,6 @@ def _motion(motion: GroundMotion) -> dict[str, Any]:
         "duration": motion.duration,
         "peak": motion.peak,
     }
-
-
-def _has_impacts(run: Response) -> bool:
-    return any(kind == "impact" for _, _, kind in run.program.TRANSITIONS)
 
 
 def _number(value: float | None) -> float | None:

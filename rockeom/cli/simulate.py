@@ -45,8 +45,9 @@ pulses (accelerations in m/s2, times in s; what stands in brackets may be left o
                        frequency= (Hz), angular_frequency= (rad/s), period= (s)
 
 impact laws:
-  angular-momentum     conserved about the new pivot, the structure taken as rigid; if not given
-  impulsive            the exact law, also for a flexible structure
+  angular-momentum     conserved about the new pivot, the structure taken as rigid; default of
+                       rigid structures
+  impulsive            the exact law, also for a flexible structure, whose default it is
   energy-ratio=R       kinetic energies after and before, between 0 and 1
   energy-ratio=R,R     of impacts of the left foot and of the right one
   velocity-ratio=E     rates of rotation after and before, between 0 and 1; E squared is R

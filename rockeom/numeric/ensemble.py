@@ -85,7 +85,8 @@ def simulate_many(
         store keeps and an executor is given at a time: if not given, a 64th of the cases, at most
         4096.
     options : as of `simulate`. Where they name no method, the first case chooses that of all, and
-        `attrs` has it under "method", and why under "chosen".
+        `attrs` has it under "method", and why under "chosen"; the impact law of the first case is
+        under "impact_law".
     progress : a line on stderr; if not given, where stderr is a terminal.
     lanes : many motions at once in the vectors of the processor, up to several times as fast: if
         not given, with explicit methods for all structures on rigid ground and on two springs, as
@@ -115,13 +116,14 @@ def simulate_many(
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
     outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for not
-    run), final_time [s], final_phase, impacts, refined (segments of the ground in which equal steps
-    would have been too long), peak, maximum, minimum and final value of each state, impact_time and
-    impact_state (nan where there was none). maximum and minimum have a sign, peak is the larger of
-    their sizes; they are found within the steps. Every variable has a long_name and, where it has
-    one unit, units; state_unit and quantity_unit tell those of each state and quantity. Memory is
-    bounded by the dataset. A keyboard interrupt ends the work early: what is done is returned,
-    `attrs["interrupted"]` is 1.
+    run), final_time [s], final_phase, impacts, impact_gains and impact_energy_gained [J] (how many
+    of them gained kinetic energy, and how much in all), refined (segments of the ground in which
+    equal steps would have been too long), peak, maximum, minimum and final value of each state,
+    impact_time and impact_state (nan where there was none). maximum and minimum have a sign, peak
+    is the larger of their sizes; they are found within the steps. Every variable has a long_name
+    and, where it has one unit, units; state_unit and quantity_unit tell those of each state and
+    quantity. Memory is bounded by the dataset. A keyboard interrupt ends the work early: what is
+    done is returned, `attrs["interrupted"]` is 1.
 
     Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all, and for
     a store that holds another sweep; RuntimeError for one that is in use, ModuleNotFoundError
@@ -192,6 +194,9 @@ def simulate_many(
     found.attrs.update(
         model=module.NAME, method=method, chosen=because, interrupted=int(interrupted)
     )
+    law = first.structure.describe_impact(first.impact)
+    if law:
+        found.attrs["impact_law"] = f"{law}, of the first case"
     return found
 
 

@@ -136,6 +136,14 @@ def _variables(
         "final_time": shaped(r.final_time, "time at the end", units=seconds),
         "final_phase": shaped(phases[np.where(ran, r.contact, -1)], "contact state at the end"),
         "impacts": shaped(r.impacts, "number of impacts", units="1"),
+        "impact_gains": shaped(
+            r.gains[:, 0].astype(np.int64), "number of impacts that gained energy", units="1"
+        ),
+        "impact_energy_gained": shaped(
+            np.where(ran, r.gains[:, 1], np.nan),
+            "kinetic energy gained at impacts",
+            units=units["kinetic_energy"],
+        ),
         "refined": shaped(r.refined, "number of segments with refined steps", units="1"),
         "peak": of_states(_largest(r.peaks), "largest absolute value"),
         "maximum": of_states(r.peaks[:, 1], "maximum"),

@@ -33,6 +33,7 @@ class Results:
 
     outcome (n,) : a number of the contract, or NOT_RUN; it is written last.
     peaks (n, 2, N) : minimum and maximum of each state; times (n, k) : of the first impacts [s].
+    gains (n, 2) : number of impacts that gained energy, and the sum of what they gained [J].
     """
 
     outcome: np.ndarray
@@ -43,6 +44,7 @@ class Results:
     peaks: np.ndarray
     final: np.ndarray
     times: np.ndarray
+    gains: np.ndarray
 
     @classmethod
     def empty(cls, n: int, states: int, times: int) -> Results:
@@ -55,6 +57,7 @@ class Results:
             np.full((n, 2, states), np.nan),
             np.full((n, states), np.nan),
             np.full((n, times), np.nan),
+            np.zeros((n, 2)),
         )
 
     def run(
@@ -69,7 +72,7 @@ class Results:
         q, rows = part.problems, part.rows
         n, width = q.y0.shape
         final, peaks = q.y0.copy(), np.empty((n, 2, width))
-        times = np.full((n, self.times.shape[1]), np.nan)
+        times, gains = np.full((n, self.times.shape[1]), np.nan), np.zeros((n, 2))
         status = np.empty((n, len(AT_THE_START)), np.int64)
         peaks[:], status[:], status[:, CONTACT] = q.y0[:, None], AT_THE_START, q.contact
         clock = np.zeros((n, 4))
@@ -79,6 +82,7 @@ class Results:
             q.horizontal, q.h_rows, q.vertical, q.v_rows, q.p, q.law, q.ratio, options.rtol,
             np.full(width, options.atol), options.max_step, options.steps_per_segment, q.fallen,
             options.rest_tolerance, options.max_impacts, options.max_steps, outcome, peaks, times,
+            gains,
         )  # fmt: skip
         in_lanes = ended = 0
         try:
@@ -101,7 +105,7 @@ class Results:
                 compiled.integrate_many(0, *state, ends, quiet, *others)
             there = rows[ran]
             self.final[rows], self.peaks[rows] = final, peaks
-            self.times[there] = times[ran]
+            self.times[there], self.gains[there] = times[ran], gains[ran]
             self.final_time[there] = clock[ran, TIME]
             self.contact[there] = status[ran, CONTACT]
             self.impacts[there] = status[ran, IMPACTS]

@@ -38,7 +38,7 @@ SPREAD = 16
 _DIMS = {
     "peaks": ("case", "side", "state"), "final": ("case", "state"), "times": ("case", "impact"),
     "extremes": ("case", "side", "quantity"), "histories": ("case", "quantity", "time"),
-    "impact_states": ("case", "impact", "side", "state"),
+    "impact_states": ("case", "impact", "side", "state"), "gains": ("case", "gain"),
 }  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from types import ModuleType
 from typing import Any, Protocol
 
 import numpy as np
@@ -141,8 +142,9 @@ class VelocityRatio:
 class AngularMomentum:
     """Angular momentum of the structure, taken as rigid, about the new pivot is conserved.
 
-    Housner (1963), thesis 2-6 and 5-14. For a flexible structure this is the thesis's rule:
-    the deformation's rate is left unchanged. `Impulsive` is the exact law there.
+    Housner (1963), thesis 2-6 and 5-14; the default of structures that rotate and do nothing else.
+    For a flexible structure this is the thesis's rule: the deformation's rate is left unchanged,
+    and an impact may gain energy. `Impulsive` is the exact law there, and the default.
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
@@ -153,7 +155,7 @@ class AngularMomentum:
 class Impulsive:
     """The impulsive form of Lagrange's equations: exact for a flexible structure as well.
 
-    Where the old foot cannot lift, full contact follows.
+    It is the default of a flexible structure. Where the old foot cannot lift, full contact follows.
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
@@ -493,6 +495,17 @@ class RandomEnergyRatio(TabledLaw):
 
     def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
         return math.sqrt(self.drawn[landing_foot(rate)][impact % DRAWS])
+
+
+def default_law(module: ModuleType) -> ImpactLaw:
+    """The impact law of a structure whose impacts have none named, by what its module declares.
+
+    The impulse at the new foot changes the rates of all coordinates. AngularMomentum changes that
+    of the rotation alone: exact for a rigid body; with further coordinates, such as the bending of
+    a column, it violates their conservation laws, and an impact may gain energy.
+    """
+    bends = module.HAS_IMPULSIVE and module.N_STATES > 2
+    return Impulsive() if bends else AngularMomentum()
 
 
 _LAWS = (VelocityRatio, AngularMomentum, Impulsive, TabledLaw)

@@ -60,6 +60,7 @@ def _about(run: Response) -> dict[str, Any]:
         "outcome": run.outcome.label,
         "duration": run.duration,
         "method": run.statistics["method"],
+        **{name: run.statistics[name] for name in ("impact_law",) if name in run.statistics},
     }
 
 

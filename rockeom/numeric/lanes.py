@@ -78,6 +78,7 @@ if TYPE_CHECKING:  # joined before this text
         EPS,
         SCRATCH,
         TURN,
+        add_gain,
         first_step,
         integrate,
         jumps,
@@ -314,7 +315,7 @@ def turn(lane, z):
 
 def take_in(lane, z, w, home, fallen):
     """A case's own state into its lane."""
-    status, clock, states, rates_, peaks, _, _ = home
+    status, clock, states, rates_, peaks, _, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
     z[Z_T + lane], z[Z_NEXT + lane] = clock[case, TIME], clock[case, NEXT_STEP]
     last_error = clock[case, LAST_ERROR]
@@ -336,7 +337,7 @@ def take_in(lane, z, w, home, fallen):
 
 def take_out(lane, z, w, home):
     """A lane's state back into its case's own arrays."""
-    status, clock, states, rates_, peaks, _, _ = home
+    status, clock, states, rates_, peaks, _, _, _ = home
     case, n = w[W_CASE + lane], N_STATES // 2
     if z[Z_T + lane] > clock[case, TIME]:
         status[case, IDLE] = 0
@@ -356,7 +357,7 @@ def take_out(lane, z, w, home):
 
 def alone(lane, z, w, home, ground, data, how, work, until):
     """Carry a lane by the scalar loop until a time; where the error is controlled, to an event."""
-    status, clock, states, rates_, peaks, outcome, impact_times = home
+    status, clock, states, rates_, peaks, outcome, impact_times, gains = home
     horizontal, h_rows, vertical, v_rows, _ = ground
     p, law, ratio, fallen = data
     rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps = how
@@ -378,9 +379,20 @@ def alone(lane, z, w, home, ground, data, how, work, until):
             peaks[case], scratch,
         )  # fmt: skip
         for e in range(status[case, EVENTS_KEPT]):
-            if event_kinds[e, 0] == IMPACT and noted < impact_times.shape[1]:
+            if event_kinds[e, 0] != IMPACT:
+                continue
+            if noted < impact_times.shape[1]:
                 impact_times[case, noted] = events[e]
                 noted += 1
+            add_gain(
+                event_kinds[e, 1],
+                event_kinds[e, 2],
+                event_states[e, 0],
+                event_states[e, 1],
+                p[case],
+                scratch[_POWERS:_GUARDS],
+                gains[case],
+            )
         if controlled:
             break
     if code != COMPLETED and code != FULL:
@@ -407,7 +419,7 @@ def hop(lane, z, t, flight):
 
 def impact(lane, z, w, home, stop, data, how, work):
     """Pass a lane that has landed into the contact state that follows, as the loop does."""
-    status, _, states, rates_, _, outcome, impact_times = home
+    status, _, states, rates_, _, outcome, impact_times, gains = home
     p, law, ratio, _ = data
     rtol, atol, rest_tolerance, max_impacts, scratch = how[0], how[1], how[4], how[5], work[6]
     case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
@@ -425,6 +437,7 @@ def impact(lane, z, w, home, stop, data, how, work):
     before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
     passed = ratio_at(law[case], ratio[case], status[case, IMPACTS], y, p[case])
     contact = jump(before, 0, law[case], passed, y, p[case], after)
+    add_gain(before, contact, y, after, p[case], scratch[_POWERS:_GUARDS], gains[case])
     touching = -1
     status[case, IMPACTS] += 1
     status[case, NEWS] = status[case, FRESH] = 1
@@ -757,7 +770,7 @@ def integrate_lanes(
     rates: Floats2, stop: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2,
     v_rows: Ints2, p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float,
     fixed: int, fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int,
-    outcome: Ints, peaks: Floats3, impact_times: Floats2,
+    outcome: Ints, peaks: Floats3, impact_times: Floats2, gains: Floats2,
 ) -> int:  # fmt: skip
     """Integrate n motions, each to its time `stop`.
 
@@ -774,7 +787,7 @@ def integrate_lanes(
     event_states = np.empty((64, 2, N_STATES))
     return run_lanes(
         first, z, w,
-        (status, clock, states, rates, peaks, outcome, impact_times),
+        (status, clock, states, rates, peaks, outcome, impact_times, gains),
         (horizontal, h_rows, vertical, v_rows, stop),
         (p, law, ratio, fallen),
         (rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps),

@@ -23,6 +23,7 @@ from rockeom.contract import (
     CHATTER,
     COMPLETED,
     CONTACT,
+    ENERGY_ROUNDING,
     EVENTS_KEPT,
     FRESH,
     FULL,
@@ -1940,7 +1941,7 @@ def integrate_many(
     quiet_from: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2,
     p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int,
     fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints,
-    peaks: Floats3, impact_times: Floats2,
+    peaks: Floats3, impact_times: Floats2, gains: Floats2,
 ) -> int:  # fmt: skip
     """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
 
@@ -1950,6 +1951,7 @@ def integrate_many(
     return at the end. horizontal, vertical : the rows of all motions, those of motion i from
     h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from, law, ratio, fallen (n,), p (n, m). outcome
     (n,): FULL, or that of a motion that has ended. impact_times (n, k): the first k of each.
+    gains (n, 2): see `add_gain`.
     """
     steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
@@ -1977,10 +1979,20 @@ def integrate_many(
             )  # fmt: skip
             left -= status[n, TAKEN]
             for e in range(status[n, EVENTS_KEPT]):
-                landing = event_kinds[e, 0] == IMPACT or event_kinds[e, 0] == LANDING
-                if landing and noted < impact_times.shape[1]:
+                if event_kinds[e, 0] != IMPACT and event_kinds[e, 0] != LANDING:
+                    continue
+                if noted < impact_times.shape[1]:
                     impact_times[n, noted] = events[e]
                     noted += 1
+                add_gain(
+                    event_kinds[e, 1],
+                    event_kinds[e, 2],
+                    event_states[e, 0],
+                    event_states[e, 1],
+                    p[n],
+                    scratch[_POWERS:_GUARDS],
+                    gains[n],
+                )
         if code == COMPLETED and quiet_from[n] <= t_end[n]:
             reach = 0.1 * t_end[n]
             if falls(
@@ -1992,6 +2004,24 @@ def integrate_many(
                 code = CAME_TO_REST
         outcome[n] = code
     return len(states)
+
+
+@inlined
+def add_gain(before, after, arriving, leaving, p, energy, gains):
+    """Count an impact that gains kinetic energy beyond rounding, and add what it gains.
+
+    before, after : contact states; arriving, leaving (N,) : the states. energy : scratch.
+    gains (2,) : number of such impacts, and the sum of what they gain [J].
+    """
+    # a single coordinate has one inertia on both feet: its speed says it, sooner
+    if N_STATES == 2 and not abs(leaving[ROTATION_RATE]) > abs(arriving[ROTATION_RATE]):
+        return
+    energies(before, arriving, p, energy)
+    kinetic = energy[0]
+    energies(after, leaving, p, energy)
+    if energy[0] > kinetic * (1.0 + ENERGY_ROUNDING):
+        gains[0] += 1.0
+        gains[1] += energy[0] - kinetic
 
 
 def row_for(table, n, t):

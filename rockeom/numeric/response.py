@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom import hooks
-from rockeom.contract import KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
+from rockeom.contract import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.case import ground_table
 from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
@@ -25,6 +25,7 @@ from rockeom.numeric.friction import (
     of_point_impulses,
     surfaces,
 )
+from rockeom.numeric.impact import Impulsive
 from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import places, positions_of, rotations_of
 from rockeom.numeric.program import Program, program
@@ -595,27 +596,32 @@ class Response:
 
     @cached_property
     def impact_energy_gains(self) -> np.ndarray:
-        """(k,) kinetic energy that landings gave instead of taking it [J]; of most motions empty.
+        """(k,) kinetic energy gained at each impact that gained some [J]; of most motions empty.
 
-        With friction and a restitution above zero the algebraic law of impact can do so: a motion
-        that depends on such a landing is not to be trusted.
+        An impact gains energy where the kinetic energy grows by more than 1e-9 of itself. On a
+        structure that bends every impact law but `Impulsive` can do so; on feet that slide the
+        algebraic law, with friction and a restitution above zero. A motion that depends on such
+        impacts is not to be trusted.
         """
-        _, kinds, states = self.passages
-        landed = kinds[:, 0] == LANDING
-        energies, p = self.program.energies, self.structure.vector
-        found = []
-        before, after = (
-            np.zeros(len(self.structure.module.ENERGIES)),
-            np.zeros(len(self.structure.module.ENERGIES)),
+        before, after = self._impact_energies
+        return (after - before)[after > before * (1.0 + ENERGY_ROUNDING)]
+
+    @cached_property
+    def impact_energy_loss(self) -> float:
+        """Kinetic energy lost at all `impacts` together [J]; gains at others are not deducted."""
+        before, after = self._impact_energies
+        return float(np.maximum(before - after, 0.0).sum())
+
+    @cached_property
+    def _impact_energies(self) -> np.ndarray:
+        """(2, k) kinetic energy before and after each of `impacts` [J]."""
+        times, kinds, states = self.passages
+        hits = np.isin(kinds[:, 0], (IMPACT, LANDING))
+        sides = (
+            self._evaluated(times[hits], np.ascontiguousarray(states[hits, i]), kinds[hits, 1 + i])
+            for i in (0, 1)
         )
-        for (_, old, new, _), (arriving, leaving) in zip(
-            kinds[landed], states[landed], strict=True
-        ):
-            energies(old, arriving, p, before)
-            energies(new, leaving, p, after)
-            if after[0] > before[0] * (1.0 + 1e-9):
-                found.append(after[0] - before[0])
-        return np.array(found)
+        return np.stack([side["kinetic_energy"] for side in sides])
 
     @cached_property
     def lost_contact(self) -> bool:
@@ -643,8 +649,8 @@ class Response:
         return text + " No foot's vertical reaction turned negative."
 
     def _slides(self) -> str:
-        """Of contacts that may slide: for how long they did, and what their landings did wrong."""
-        spans, gains = self.sliding, self.impact_energy_gains
+        """Of contacts that may slide: for how long they did."""
+        spans = self.sliding
         slid = np.diff(spans).sum()
         if slid > 1e-12 * self.duration:
             text = f"It slid for {slid:.4g} s, the first time at {spans[0, 0]:.4g} s."
@@ -656,11 +662,6 @@ class Response:
             ] or [f"{max(self.friction_demand, self.impact_friction_demand):.3g}"]
             text = (
                 f"It did not slide: that needed a friction coefficient of {' and '.join(needed)}."
-            )
-        if len(gains):
-            text += (
-                f" {len(gains)} of its landings gave energy, at most {gains.max():.3g} J: so can "
-                "the algebraic law of impact, with friction and a restitution above zero."
             )
         return text
 
@@ -681,9 +682,9 @@ class Response:
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """What about the structure, its start and the ground motion is allowed and hardly meant."""
+        """Plausible mistakes in the structure, its start, its ground motion and its impacts."""
         start, p = self.y[0], self.structure.module
-        found = self.structure.hints()
+        found = (*self.structure.hints(), *self._gained())
         if self.motion.is_vertical:
             name = self.motion.name
             found += (
@@ -703,6 +704,25 @@ class Response:
         text += "" if alpha is None else f", alpha = {alpha:.4g} rad"
         return (*found, f"{text}: released at rest it falls over.")
 
+    def _gained(self) -> list[str]:
+        """Of impacts that gained energy: how many, how much, and which law gains none."""
+        gains = self.impact_energy_gains
+        if not len(gains):
+            return []
+        text = (
+            f"{len(gains)} of {len(self.impacts)} impacts gained kinetic energy, "
+            f"{self._energy(gains.sum())} in all"
+        )
+        if self.structure.stands_on_points:
+            return [f"{text}, which friction with a restitution above zero can cause."]
+        text += f", by {self.statistics.get('impact_law', 'their law')}."
+        exact = isinstance(self.structure.default_impact, Impulsive)
+        return [text + " Impulsive() conserves the momenta, and gains none." * exact]
+
+    def _energy(self, value: float) -> str:
+        """With its unit, where it has one."""
+        return f"{value:.4g}" + " J" * (not is_dimensionless(self.structure.module))
+
     @property
     def never_lifted(self) -> bool:
         """Whether both feet stood on rigid ground all the time."""
@@ -719,6 +739,14 @@ class Response:
             f"It never lifted off. A ground acceleration that grows slowly lifts it at "
             f"{threshold:.4g} {unit}; here the largest was {self.motion.peak:.4g} {unit}."
         ]
+
+    def _impact_law(self) -> list[str]:
+        """By which law the structure landed, and what all impacts took."""
+        law = self.statistics.get("impact_law")
+        if not law or not len(self.impacts):
+            return []
+        lost = self._energy(self.impact_energy_loss)
+        return [f"Impact law: {law}. The impacts lost {lost} of kinetic energy in all."]
 
     def _which(self) -> str:
         """What fell, where several coordinates may."""
@@ -747,6 +775,7 @@ class Response:
             f"Largest |{rotation}|: {abs(largest.peak):.4g} {unit} at {largest.peak_time:.4g} s; "
             f"{self.impacts_in_words()}.",
         ]
+        lines += self._impact_law()
         lines += self._uplift()
         if self.rest_time is not None:
             lines.append(f"Infinitely many impacts came to an end at {self.rest_time:.9g} s.")

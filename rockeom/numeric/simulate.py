@@ -50,7 +50,8 @@ def simulate(
 ) -> Response:
     """Response of a structure to a horizontal (and a vertical) ground motion.
 
-    impact : AngularMomentum() if not given; EnergyRatio(r), VelocityRatio(e) or Impulsive().
+    impact : Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another impact law;
+        `structure.default_impact` if not given. `statistics["impact_law"]` of the response has it.
     initial : states by name; what is not named is zero.
     duration : [s]; the motion's own if not given. After the motion the ground stands still.
     phase : contact state at the start, where the state leaves it open.
@@ -75,6 +76,8 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     choice = chosen(structure, problem, options)
     compiled = program(structure.module, choice.method)
     said: dict[str, Any] = {"method": choice.method, "chosen": choice.because}
+    if law := structure.describe_impact(case.impact):
+        said["impact_law"] = law
 
     def response(record: Steps | Samples, of: Ran) -> Response:
         return Response(

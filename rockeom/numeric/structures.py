@@ -37,11 +37,11 @@ from rockeom.numeric.contact_states import (
     standing,
 )
 from rockeom.numeric.impact import (
-    AngularMomentum,
     EnergyRatioAtSpeed,
     ImpactLaw,
     TabledLaw,
     check_law,
+    default_law,
 )
 from rockeom.numeric.pickled import made_of
 from rockeom.numeric.positions import Shapes, places, positions_of, rotations_of, shapes
@@ -374,7 +374,8 @@ class Structure:
     ) -> tuple[dict[str, float], str]:
         """State after the impact that closes `phase`, and the phase that follows.
 
-        impact_number : of the impact in its motion, from 0 on, for a law that draws.
+        impact : `default_impact` if not given. impact_number : of the impact in its motion, from 0
+        on, for a law that draws.
         Raises ValueError where the model has no impact in that phase.
         """
         m = self.module
@@ -395,7 +396,7 @@ class Structure:
         return dict(zip(self.states, out.tolist(), strict=True)), m.CONTACTS[follows]
 
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
-        """(law, ratio) for the compiled functions; None is AngularMomentum where there are impacts.
+        """(law, ratio) for the compiled functions; None is `default_impact`.
 
         Raises ValueError where a law is given to a model without impacts, and TypeError for what
         is no law.
@@ -412,9 +413,24 @@ class Structure:
                     f"{self.model} has no impacts, forces take their place; leave `impact` out"
                 )
             return 0, 1.0
-        chosen = AngularMomentum() if impact is None else impact
+        chosen = default_law(m) if impact is None else impact
         check_law(chosen)
         return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
+
+    @property
+    def default_impact(self) -> ImpactLaw | None:
+        """The impact law where none is named; None for a structure that takes no law.
+
+        `Impulsive` where something besides the rotation moves at an impact, such as a column that
+        bends, and the masses determine the impulses; `AngularMomentum` otherwise.
+        """
+        return default_law(self.module) if self.has_impacts else None
+
+    def describe_impact(self, impact: ImpactLaw | None) -> str:
+        """The impact law in words, and whether it is the default; empty where none applies."""
+        if not self.has_impacts:
+            return ""
+        return repr(impact) if impact is not None else f"{self.default_impact!r}, by default"
 
     @property
     def speed_height(self) -> float | None:

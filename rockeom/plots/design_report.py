@@ -25,7 +25,7 @@ from matplotlib.figure import Figure
 from rockeom.analysis.isolation import Demands, demands, energy_balance
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numeric.fixed_base import FixedBase
-from rockeom.numeric.impact import AngularMomentum, ImpactLaw
+from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import Structure
@@ -126,7 +126,7 @@ class DesignReport:
         if threshold is not None and math.isfinite(threshold):
             found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
         if self.structure.has_impacts:
-            found.append(("law of impact", repr(self.impact or AngularMomentum())))
+            found.append(("law of impact", self.structure.describe_impact(self.impact)))
         held = self._held
         if held is not None:
             periods = ", ".join(f"{p:.4g}" for p in held.periods)
@@ -204,6 +204,12 @@ class DesignReport:
         vertical = [one.run.motion.name for one in self.results if one.run.motion.is_vertical]
         if vertical:
             said.append(f"Vertical components shake it horizontally: {'; '.join(vertical)}.")
+        gains = [one.run.impact_energy_gains for one in self.results]
+        if gaining := [of_run for of_run in gains if len(of_run)]:
+            said.append(
+                f"Impacts gained energy under {len(gaining)} of {len(gains)} records: "
+                f"{sum(map(len, gaining))} impacts, {sum(map(sum, gaining)):.3g} J in all."
+            )
         if self._held is not None and self._held.rocking == self.structure:  # no tendon helps
             pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
             said.append(f"Fixed base: a foot has to be held down by up to {pull / 1e3:.3g} kN.")

@@ -449,4 +449,8 @@ def test_a_landing_that_gains_energy_under_this_law_is_told():
     start["y"] = block.b * math.sin(0.3) + 1e-9
     run = rk.simulate(structure(block), STILL, initial=start, duration=0.01)
     assert run.impact_energy_gains[0] == pytest.approx(gained, rel=1e-6)
-    assert "1 of its landings gave energy" in run.summary()
+    assert "1 of 1 impacts gained kinetic energy" in run.summary()
+    case = rk.Case(run.structure, STILL, initial=start, duration=0.01)
+    sweep = rk.simulate_many(lambda row: case, over={"row": [0]})
+    assert sweep.impact_gains.item() == 1
+    assert sweep.impact_energy_gained.item() == pytest.approx(gained, rel=1e-6)

@@ -112,7 +112,8 @@ def test_labels_and_what_is_kept(reference):
     assert reference.state.values.tolist() == ["theta", "theta_dot"]
     assert reference.final_time.attrs["units"] == "s"
     chosen = {"method": "DOP853", "chosen": "suits most work, by the first case"}
-    assert reference.attrs == {"model": "rigid_block", **chosen, "interrupted": 0}
+    law = {"impact_law": "VelocityRatio(e=0.9), of the first case"}
+    assert reference.attrs == {"model": "rigid_block", **chosen, **law, "interrupted": 0}
     # below the threshold nothing moves
     still = reference.sel(amplitude=0.8)
     assert set(still.outcome.values.tolist()) == {"came to rest"}

@@ -10,6 +10,7 @@ import warnings
 from tests.soak.cases import METHODS, MODELS, draw
 from tests.soak.checks import COMPARED
 from tests.soak.families import FAMILIES, drawn, family_of, method_of, model_of, spread
+from tests.soak.energy import gains_of
 from tests.soak.faults import FAULTS, planted
 from tests.soak.run import DECLARED, Checks, checked, soaked
 
@@ -33,7 +34,14 @@ def main(arguments: list[str] | None = None) -> int:
         help="make this one, of the checks that are drawn, for every seed, and no other of them",
     )
     parser.add_argument("--fault", choices=FAULTS, help="plant this fault; the soak must find it")
+    parser.add_argument(
+        "--energy", type=int, metavar="RUNS", help="elastic structures: do impacts gain energy?"
+    )
     given = parser.parse_args(arguments)
+    if given.energy is not None:
+        gains = gains_of(range(given.first, given.first + given.energy))
+        print(gains)
+        return bool(gains.gained)
     checks = Checks(drawn=()) if given.check == "none" else Checks(always=given.check)
     if given.fault is not None:
         return planted(given.fault)
