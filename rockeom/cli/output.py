@@ -86,7 +86,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "vertical": None if run.vertical is None else _motion(run.vertical),
         "impact": repr(law or AngularMomentum()) if _has_impacts(run) else None,
         "initial": dict(initial),
-        "outcome": run.outcome.label,
+        "outcome": str(run.outcome),
         "sentence": run.outcome.sentence,
         "duration": run.duration,
         "end": float(run.t[-1]),

@@ -6,15 +6,15 @@ import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from enum import Enum
+from enum import StrEnum
 from functools import cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
-from rockeom import hooks
-from rockeom.contract import KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
+from rockeom import contract, hooks
+from rockeom.contract import KIND_OF, LANDING, OUTCOMES, REST, SLIP_LEFT, SLIP_RIGHT
 from rockeom.numeric.case import ground_table
 from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
@@ -42,34 +42,44 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
-class Outcome(Enum):
-    """How a motion ended; `sentence` says it to a reader."""
+class Outcome(StrEnum):
+    """How a motion ended: the word that sweeps hold, and a `sentence` that explains it."""
 
-    COMPLETED = ("completed", "The motion was followed to the end of the duration.")
-    CAME_TO_REST = ("came to rest", "The structure stands at rest in full contact.")
-    OVERTURNED = ("overturned", "The structure fell over.")
-    TOO_MANY_IMPACTS = ("too many impacts", "More impacts happened than max_impacts allows.")
+    sentence: str
+
+    def __new__(cls, word: str, sentence: str = "") -> Self:
+        outcome = str.__new__(cls, word)
+        outcome._value_ = word
+        outcome.sentence = sentence
+        return outcome
+
+    COMPLETED = OUTCOMES[contract.COMPLETED], "The motion was followed to the end of the duration."
+    CAME_TO_REST = OUTCOMES[contract.CAME_TO_REST], "The structure stands at rest in full contact."
+    OVERTURNED = OUTCOMES[contract.OVERTURNED], "The structure fell over."
+    TOO_MANY_IMPACTS = (
+        OUTCOMES[contract.TOO_MANY_IMPACTS],
+        "More impacts happened than max_impacts allows.",
+    )
     STALLED = (
-        "stalled",
+        OUTCOMES[contract.STALLED],
         "The step became too small or the steps too many: loosen rtol, or look for a stiff part.",
     )
-    CHATTER = ("chatter", "Contact states followed one another without time going on.")
-    NOT_FINITE = ("not finite", "The state became infinite or not a number: check the parameters.")
+    CHATTER = (
+        OUTCOMES[contract.CHATTER],
+        "Contact states followed one another without time going on.",
+    )
+    NOT_FINITE = (
+        OUTCOMES[contract.NOT_FINITE],
+        "The state became infinite or not a number: check the parameters.",
+    )
     NO_SOLUTION = (
-        "no solution",
+        OUTCOMES[contract.NO_SOLUTION],
         "No contact state fits the forces: rigid bodies with so much friction jam (Painleve).",
     )
     SEVERAL_SOLUTIONS = (
-        "several solutions",
+        OUTCOMES[contract.SEVERAL_SOLUTIONS],
         "Several contact states fit the forces, with different motions (Painleve).",
     )
-
-    def __init__(self, label: str, sentence: str) -> None:
-        self.label = label
-        self.sentence = sentence
-
-    def __str__(self) -> str:
-        return self.label
 
 
 @dataclass(frozen=True)
