@@ -23,7 +23,7 @@ from typing import (
 import numpy as np
 
 from rockeom import hooks
-from rockeom.arguments import near, number, numbers, told
+from rockeom.arguments import UnknownAttributeError, near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.dual import directions, value_of
 from rockeom.mathematics import for_arrays, isfinite, mathematics
@@ -87,6 +87,11 @@ class Structure:
 
     def _repr_html_(self) -> str:
         return hooks.html_of(self)
+
+    if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
+
+        def __getattr__(self, name: str) -> Any:
+            return _missing(self, name)
 
     # -- what follows -----------------------------------------------------------------------
 
@@ -578,6 +583,41 @@ class Structure:
         from rockeom.numeric.statics import pushover
 
         return pushover(self, rotations)
+
+
+_SYNONYMS = {
+    "p": "frequency_parameter",
+    "R": "radius",
+    "r": "velocity_ratio",
+    "e": "velocity_ratio",
+    "m": "mass",
+    "g": "gravity",
+    "b": "half_width",
+    "B": "half_width",
+    "h": "half_height",
+    "H": "half_height",
+    "width": "2 * half_width",
+    "height": "2 * half_height",
+    "k": "stiffness",
+    "c": "damping",
+    "I": "inertia",
+    "mu": "friction",
+    "name": "model",
+}
+"""Symbols and names that people try first, and the attributes that they mean."""
+
+
+def _missing(structure: Structure, name: str) -> Any:
+    """Raise AttributeError for an attribute that a structure lacks.
+
+    A property that itself raised AttributeError is evaluated again, so that its own error is seen.
+    """
+    if hasattr(type(structure), name):
+        return object.__getattribute__(structure, name)
+    message = f"{type(structure).__name__!r} object has no attribute {name!r}"
+    if name.startswith("_"):
+        raise AttributeError(message)
+    raise UnknownAttributeError(message, name, structure, _SYNONYMS)
 
 
 def _named(states: tuple[str, ...], y: np.ndarray) -> str:
@@ -1650,7 +1690,7 @@ class DeclaredStructure(Structure):
     def __getattr__(self, name: str) -> Any:
         if name in (values := vars(self).get("values", {})):
             return values[name]
-        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        return _missing(self, name)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self.values.items())})"
