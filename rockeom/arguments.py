@@ -51,14 +51,14 @@ class UnknownAttributeError(AttributeError):
 
     def __init__(self, message: str, name: str, owner: Any, synonyms: Mapping[str, str]) -> None:
         super().__init__(message, name=name, obj=None)  # Python would add a suggestion of its own
-        self._owner, self._synonyms = owner, synonyms
+        self._name, self._owner, self._synonyms = name, owner, synonyms
 
     def __str__(self) -> str:
         known = [name for name in dir(self._owner) if not name.startswith("_")]
-        meant = self._synonyms.get(self.name, "")
+        meant = self._synonyms.get(self._name, "")
         if meant.split(" ")[-1] in known:
             return f"{self.args[0]} (did you mean {meant}?)"
-        return self.args[0] + near(self.name, known)
+        return self.args[0] + near(self._name, known)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return AttributeError, (str(self),)

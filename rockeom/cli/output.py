@@ -15,6 +15,7 @@ from rockeom import __version__
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import AngularMomentum, ImpactLaw
 from rockeom.numeric.labelled import units
+from rockeom.numeric.plausible import forces
 from rockeom.numeric.response import MEASURABLE, Response
 
 
@@ -101,7 +102,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "assumptions": run.assumptions(),
         "never_lifted": run.never_lifted,
         "uplift_acceleration": _number(run.structure.uplift_acceleration),
-        "hints": list(run.hints),
+        "hints": [*run.hints, *forces(run.structure)],
         "statistics": run.statistics,
     }
 

@@ -26,6 +26,7 @@ from rockeom.numeric.friction import (
     surfaces,
 )
 from rockeom.numeric.pickled import made_of
+from rockeom.numeric.plausible import friction, shaking
 from rockeom.numeric.positions import places, positions_of, rotations_of
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.record import ALL, SAMPLES, Passages, Samples, Steps
@@ -691,9 +692,9 @@ class Response:
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """What about the structure and its start is allowed and hardly meant, a sentence each."""
+        """What about the structure, its start and the shaking is allowed and hardly meant."""
         start, p = self.y[0], self.structure.module
-        found = self.structure.hints()
+        found = (*self.structure.hints(), *shaking(self), *friction(self))
         if not (self.structure.rocks_on_rigid_ground and start[p.ROTATION]):
             return found
         around = np.array([start, start])

@@ -542,7 +542,9 @@ class Structure:
 
     def hints(self) -> tuple[str, ...]:
         """What about the parameters is allowed and hardly meant, a sentence each."""
-        return ()
+        from rockeom.numeric.plausible import damping, size
+
+        return (*size(self), *damping(self))
 
     def fixed_base(self) -> FixedBase:
         """The same structure with feet that cannot lift, with its periods.
@@ -799,7 +801,7 @@ class RigidBlock(Structure):
         return mathematics.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
 
     def hints(self) -> tuple[str, ...]:
-        return _inertia_hints(self.mass, self.radius, self.inertia)
+        return (*super().hints(), *_inertia_hints(self.mass, self.radius, self.inertia))
 
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
@@ -962,7 +964,7 @@ class SlenderBlock(Structure):
         return cls(radius=0.75 * gravity / p**2, alpha=alpha, mass=mass, gravity=gravity)
 
     def hints(self) -> tuple[str, ...]:
-        return _inertia_hints(self.mass, self.radius, self.inertia)
+        return (*super().hints(), *_inertia_hints(self.mass, self.radius, self.inertia))
 
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
