@@ -118,15 +118,24 @@ def forces(structure: Structure) -> tuple[str, ...]:
 
 def friction(run: Response) -> tuple[str, ...]:
     """Feet that are assumed not to slide, and need more friction than most surfaces have."""
-    slides = any("friction" in name for name in run.structure.module.PARAMETERS)
-    if run.keeps == SAMPLES or slides:
+    from rockeom.numeric.fixed_base import FixedBase
+
+    module = run.structure.module
+    slides = any("friction" in name for name in module.PARAMETERS)
+    held = isinstance(run.structure, FixedBase)
+    if run.keeps == SAMPLES or slides or held or is_dimensionless(module):
         return ()
     needed = max(run.friction_demand, run.impact_friction_demand, key=_order)
     if not needed > ROUGHEST:
         return ()
-    return (
+    beyond = (
         f"Not sliding needed a friction coefficient of {needed:.3g}, more than the {ROUGHEST:g} of "
-        "rough concrete: hold the feet, or let them slide, as rk.SlidingBlock and "
+        "rough concrete"
+        if needed < math.inf
+        else "No friction coefficient would have kept it from sliding"
+    )
+    return (
+        f"{beyond}: hold the feet, or let them slide, as rk.SlidingBlock and "
         "support=rk.Sliding(...) do.",
     )
 

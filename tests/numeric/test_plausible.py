@@ -174,6 +174,21 @@ def test_impulse_that_needs_more_friction_than_the_forces(ratio, rough):
     assert any(f"friction coefficient of {needed:.3g}" in hint for hint in run.hints) == rough
 
 
+def test_no_friction_helps_where_no_foot_is_pressed():
+    """The ground falls away faster than g while it shakes."""
+    falling = rk.GroundMotion.half_sine(-12.0, 0.1)
+    run = rk.simulate(BLOCK, rk.GroundMotion.half_sine(1.0, 0.1), vertical=falling)
+    (hint,) = run.hints
+    assert hint.startswith("No friction coefficient would have kept it from sliding:")
+
+
+def test_feet_that_are_held_down_are_not_asked():
+    resonant = rk.GroundMotion.harmonic(3.0, frequency=1.0 / 0.092, duration=0.6)
+    run = rk.simulate(column().fixed_base(), resonant)
+    assert run.friction_demand > 0.8
+    assert run.hints == ()
+
+
 def test_feet_that_slide_and_records_of_samples_are_not_asked():
     block = rk.SlidingBlock(half_width=1.0, half_height=1.0, friction=1.5, restitution=0.0)
     pushed = rk.GroundMotion.constant(9.0, 0.5)
