@@ -53,6 +53,19 @@ _NAMESPACES = ("analysis", "plots")
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
 
 
+_SYNONYMS = {
+    "Block": "RigidBlock",
+    "HousnerBlock": "RigidBlock",
+    "Frame": "ShearFrame",
+    "Record": "GroundMotion",
+    "Motion": "GroundMotion",
+    "run": "simulate",
+    "solve": "simulate",
+    "sweep": "simulate_many",
+}
+"""Names that people try first, and the public names that they mean."""
+
+
 def _classes() -> dict[str, str]:
     """The home of the class of each shipped structure, as `rockeom generate` has listed them."""
     found = import_module("rockeom.generated.shipped_structures").SHIPPED
@@ -152,7 +165,11 @@ def __getattr__(name: str) -> Any:
         former = import_module("rockeom.symbolic.former")
         return former.classes(vars(import_module("rockeom.symbolic")), name)
     if home is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        message = f"module {__name__!r} has no attribute {name!r}"
+        if name.startswith("_"):
+            raise AttributeError(message)
+        unknown = import_module("rockeom.arguments").UnknownAttributeError
+        raise unknown(message, name, import_module(__name__), _SYNONYMS)
     value = getattr(import_module(home), name)
     globals()[name] = value  # found directly from now on
     return value

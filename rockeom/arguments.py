@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from numbers import Real
 from typing import Any
 
@@ -44,6 +44,29 @@ def near(name: str, known: Iterable[str]) -> str:
 def installed_by(extra: str) -> str:
     """The command that installs an extra of the package, quoted for every shell."""
     return f'pip install -e ".[{extra}]" in a clone of the repository of rockeom'
+
+
+class UnknownAttributeError(AttributeError):
+    """An attribute that `owner` lacks; who reads the message is offered the one that was meant.
+
+    synonyms : of names that people try, such as p of frequency_parameter: an attribute, or a
+    multiple of one such as "2 * half_width". The search waits until the message is read, so that
+    `hasattr` costs as little as before.
+    """
+
+    def __init__(self, message: str, name: str, owner: Any, synonyms: Mapping[str, str]) -> None:
+        super().__init__(message, name=name, obj=None)  # Python would add a suggestion of its own
+        self._name, self._owner, self._synonyms = name, owner, synonyms
+
+    def __str__(self) -> str:
+        known = [name for name in dir(self._owner) if not name.startswith("_")]
+        meant = self._synonyms.get(self._name, "")
+        if meant.split(" ")[-1] in known:
+            return f"{self.args[0]} (did you mean {meant}?)"
+        return self.args[0] + near(self._name, known)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return AttributeError, (str(self),)
 
 
 def is_number(value: Any) -> bool:

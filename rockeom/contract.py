@@ -6,11 +6,24 @@ parts ask of one another by name is declared in `rockeom/numeric/joined.pyi`.
 
 import numpy as np
 
-# How a motion ended, numbered as in rockeom.numeric.response.Outcome
+# How a motion ended
 (
     COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE,
     NO_SOLUTION, SEVERAL_SOLUTIONS,
 ) = range(9)  # fmt: skip
+OUTCOMES = {
+    COMPLETED: "completed",
+    CAME_TO_REST: "came to rest",
+    OVERTURNED: "overturned",
+    TOO_MANY_IMPACTS: "too many impacts",
+    STALLED: "stalled",
+    CHATTER: "chatter",
+    NOT_FINITE: "not finite",
+    NO_SOLUTION: "no solution",
+    SEVERAL_SOLUTIONS: "several solutions",
+}
+"""The word of each outcome, in `rockeom.numeric.response.Outcome`, in sweeps and in files."""
+
 GRAZES, OTHER_WAY = 1, 2
 """Why derivatives are not carried on: the time of an event is not known, or what followed it is not
 found again."""

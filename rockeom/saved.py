@@ -260,7 +260,7 @@ def _definition(run: Response) -> dict[str, Any]:
         "contacts": module.CONTACTS,
         "impact": _told_law(run.impact),
         "options": _told("options", run.options),
-        "outcome": run.outcome.label,
+        "outcome": str(run.outcome),
         "duration": _told("duration", run.duration),
         "statistics": {name: _told(name, value) for name, value in run.statistics.items()},
         "quantities": None if isinstance(run.record, Steps) else list(run.record.extremes),
@@ -458,7 +458,6 @@ class _File:
         kinds = self.array("passage_kind", len(times), 4)
         self.check_below("passage_kind", kinds[:, 0], len(KINDS))
         self.check_below("passage_kind", kinds[:, 1:3], contacts)
-        outcomes = {outcome.label: outcome for outcome in Outcome}
         motion = self.motion("motion", definition["motion"])
         if motion is None:
             raise self.error("it has no ground motion")
@@ -468,7 +467,7 @@ class _File:
             vertical=self.motion("vertical", definition["vertical"]),
             impact=_made_law(self, definition["impact"]),
             options=_made(self, definition["options"]),
-            outcome=outcomes[definition["outcome"]],
+            outcome=Outcome(definition["outcome"]),
             duration=definition["duration"],
             statistics=definition["statistics"],
             record=self.record(n, contacts, definition["quantities"]),

@@ -183,14 +183,14 @@ class _Run:
 
     @property
     def falls(self) -> bool:
-        return self.found.response.outcome.label == FALLS
+        return self.found.response.outcome == FALLS
 
     @property
     def fate(self) -> float:
         run = self.found.response
         if self.falls:
             return float(len(run.impacts))
-        return math.inf if run.outcome.label in STANDS else math.nan
+        return math.inf if run.outcome in STANDS else math.nan
 
     def gradient(self, passages: int) -> np.ndarray:
         """Of the time of what follows so many passages: the next, or lying on the ground."""
@@ -210,7 +210,7 @@ class _Run:
 
         for _ in range(_LONGER):
             yield self.found
-            if self.found.response.outcome.label == RESTS:
+            if self.found.response.outcome == RESTS:
                 return
             last = 2.0 * self.found.response.duration
             self.found = tangents(replace(self.case, duration=last), self.options)

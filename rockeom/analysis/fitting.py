@@ -558,7 +558,7 @@ def energy_ratios_by_release(
     def beyond(r: float, peak: float, following: float) -> float:
         run = _run(case(peak, r), options)
         reached = float(swings(run, quantity, 2).peak[1])
-        if not reached and str(run.outcome) != "came to rest":
+        if not reached and run.outcome != "came to rest":
             raise ValueError(
                 f"{where}: released at {peak} the case ends before the next peak: let it last "
                 f"longer than {run.t[-1]:g} s"

@@ -204,7 +204,7 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
     )
     found = tangents(case, one.options)
     run = found.response
-    if run.outcome.label not in STANDS:
+    if run.outcome not in STANDS:
         raise ArithmeticError(
             f"lyapunov_spectrum: no cycle {k + 1} from {motion.state}: {run.outcome.sentence}"
         )

@@ -484,5 +484,5 @@ class StroboscopicMap:
 
 
 def _check_ended(run: Response, x: np.ndarray) -> None:
-    if run.outcome.label not in ("completed", "came to rest"):
+    if run.outcome not in ("completed", "came to rest"):
         raise ArithmeticError(f"StroboscopicMap: no cycle from {x}: {run.outcome.sentence}")

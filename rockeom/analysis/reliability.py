@@ -493,7 +493,7 @@ class _Margin:
         from rockeom.numeric.tangents import tangents
 
         found = tangents(self.case(**parameters), self.options)
-        if _fell(found.response):
+        if found.response.outcome == FALLS:
             return -math.inf
         peak = answer(f"peak {self.demand}", found)
         if found.grazing and not np.all(np.isfinite(peak.tangent)):
@@ -610,7 +610,7 @@ class _Overturning:
         low, high = self.fates.first_changes(ray[None])[0].tolist()
         while high - low > ACCURACY * (1.0 + low) and high < math.inf:
             middle = 0.5 * (low + high)
-            if _fell(self._run(middle * ray)) == self.fates.failed:
+            if (self._run(middle * ray).outcome == FALLS) == self.fates.failed:
                 low = middle
             else:
                 high = middle
@@ -654,9 +654,3 @@ class _Overturning:
                 return float(t[np.argmax(clear)]), duration, name
             duration *= 2.0
         raise ValueError(f"motions on both sides of overturning do not part in {duration:g} s")
-
-
-def _fell(run: Response) -> bool:
-    from rockeom.numeric.response import Outcome
-
-    return run.outcome is Outcome.OVERTURNED

@@ -15,6 +15,7 @@ from rockeom import __version__
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.labelled import units
+from rockeom.numeric.plausible import forces
 from rockeom.numeric.response import MEASURABLE, Response
 
 
@@ -86,7 +87,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "vertical": None if run.vertical is None else _motion(run.vertical),
         "impact": repr(law or run.structure.default_impact) if run.structure.has_impacts else None,
         "initial": dict(initial),
-        "outcome": run.outcome.label,
+        "outcome": str(run.outcome),
         "sentence": run.outcome.sentence,
         "duration": run.duration,
         "end": float(run.t[-1]),
@@ -101,7 +102,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "assumptions": run.assumptions(),
         "never_lifted": run.never_lifted,
         "uplift_acceleration": _number(run.structure.uplift_acceleration),
-        "hints": list(run.hints),
+        "hints": [*run.hints, *forces(run.structure)],
         "statistics": run.statistics,
     }
 

@@ -30,11 +30,11 @@ sets of records (extras records and fema), by words that all their names have:
   El Centro 1940 180: the one record, as for rockeom simulate
 
 examples:
-  rockeom report flexible_structure --records far field --peak 7.85 --time-scale 0.2 \\
-      --set mass=122.6 height=1.05 inertia=44.8 base_mass=45.6 base_height=0.1 \\
-      base_inertia=1.37 half_width=0.285 stiffness=571.8e3 damping=502.4 \\
-      --impact energy-ratio=0.74 --out column.html column.pdf
-  rockeom report rigid_block --set half_width=0.3 half_height=1.2 \\
+  rockeom report flexible_structure --records far field \\
+      --set mass=300e3 height=12 inertia=2e6 base_mass=40e3 base_height=0.5 \\
+      base_inertia=60e3 half_width=1.5 stiffness=20e6 damping=250e3 \\
+      --impact impulsive --out pier.html pier.pdf
+  rockeom report rigid_block --set half_width=0.3 half_height=1.2 mass=2000 \\
       --motion one.AT2 other.AT2 --out block.pdf
 """
 

@@ -357,6 +357,4 @@ def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
-    return go_on_as(
-        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes
-    )
+    return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes)

@@ -369,9 +369,7 @@ def comes_to_rest(
     y : that at the last one that is told of; changed into the one before they have ended.
     """
     if N_POINTS > 0:
-        rests, follows = time_of_bounces(
-            contact, y, p, ax, ay, tolerance, rtol, duals[_TOLD:], out
-        )
+        rests, follows = time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, duals[_TOLD:], out)
     else:
         w, stands, kick = duals[_STATE:_KICK], duals[_NEW:_MOVED], duals[_KICK:_GUARD]
         rests, follows = time_to_rest(

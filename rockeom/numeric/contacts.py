@@ -659,8 +659,8 @@ def go_on_as(
     ends : whether `contact` has come to its end, so that it follows only where nothing else does.
     later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
     move alike decide between them. rtol : the relative tolerance of the motion, by whose error a
-    contact state must fit where none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found
-    here.
+    contact state must fit where none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`,
+    found here.
     """
     wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
     fitting = np.empty(len(POINT_STATES), np.int64)

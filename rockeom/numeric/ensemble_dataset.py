@@ -10,16 +10,16 @@ import numpy as np
 import xarray as xr
 
 from rockeom import hooks
+from rockeom.contract import OUTCOMES
 from rockeom.numeric.ensemble_cases import ROW, Cases
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
 from rockeom.numeric.quantities import units_of
-from rockeom.numeric.response import Outcome
 from rockeom.numeric.units import in_udunits, time_unit
 
 PENDING = 0
-"""The flag of a case that was not run; those of outcomes follow, in the order of `Outcome`."""
+"""The flag of a case that was not run; those of outcomes follow, in the order of `OUTCOMES`."""
 
-_LABELS = ("not run", *(outcome.label for outcome in Outcome))
+_LABELS = ("not run", *OUTCOMES.values())
 FLAGS = {
     "flag_values": np.arange(len(_LABELS), dtype=np.int8),
     "flag_meanings": " ".join(label.replace(" ", "_") for label in _LABELS),

@@ -57,7 +57,7 @@ def _about(run: Response) -> dict[str, Any]:
     return {
         "model": run.structure.model,
         "motion": run.motion.name,
-        "outcome": run.outcome.label,
+        "outcome": str(run.outcome),
         "duration": run.duration,
         "method": run.statistics["method"],
         **{name: run.statistics[name] for name in ("impact_law",) if name in run.statistics},

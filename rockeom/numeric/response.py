@@ -6,15 +6,24 @@ import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from enum import Enum
+from enum import StrEnum
 from functools import cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
-from rockeom import hooks
-from rockeom.contract import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST, SLIP_LEFT, SLIP_RIGHT
+from rockeom import contract, hooks
+from rockeom.contract import (
+    ENERGY_ROUNDING,
+    IMPACT,
+    KIND_OF,
+    LANDING,
+    OUTCOMES,
+    REST,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+)
 from rockeom.numeric.case import ground_table
 from rockeom.numeric.contact_states import HAPPENED, subjects
 from rockeom.numeric.extremes import Extremes, extremes, last_crest
@@ -27,6 +36,7 @@ from rockeom.numeric.friction import (
 )
 from rockeom.numeric.impact import Impulsive
 from rockeom.numeric.pickled import made_of
+from rockeom.numeric.plausible import friction, shaking
 from rockeom.numeric.positions import places, positions_of, rotations_of
 from rockeom.numeric.program import Program, program
 from rockeom.numeric.record import ALL, SAMPLES, Passages, Samples, Steps
@@ -43,34 +53,44 @@ if TYPE_CHECKING:
     from rockeom.numeric.structures import Structure
 
 
-class Outcome(Enum):
-    """How a motion ended; `sentence` says it to a reader."""
+class Outcome(StrEnum):
+    """How a motion ended: the word that sweeps hold, and a `sentence` that explains it."""
 
-    COMPLETED = ("completed", "The motion was followed to the end of the duration.")
-    CAME_TO_REST = ("came to rest", "The structure stands at rest in full contact.")
-    OVERTURNED = ("overturned", "The structure fell over.")
-    TOO_MANY_IMPACTS = ("too many impacts", "More impacts happened than max_impacts allows.")
+    sentence: str
+
+    def __new__(cls, word: str, sentence: str = "") -> Self:
+        outcome = str.__new__(cls, word)
+        outcome._value_ = word
+        outcome.sentence = sentence
+        return outcome
+
+    COMPLETED = OUTCOMES[contract.COMPLETED], "The motion was followed to the end of the duration."
+    CAME_TO_REST = OUTCOMES[contract.CAME_TO_REST], "The structure stands at rest in full contact."
+    OVERTURNED = OUTCOMES[contract.OVERTURNED], "The structure fell over."
+    TOO_MANY_IMPACTS = (
+        OUTCOMES[contract.TOO_MANY_IMPACTS],
+        "More impacts happened than max_impacts allows.",
+    )
     STALLED = (
-        "stalled",
+        OUTCOMES[contract.STALLED],
         "The step became too small or the steps too many: loosen rtol, or look for a stiff part.",
     )
-    CHATTER = ("chatter", "Contact states followed one another without time going on.")
-    NOT_FINITE = ("not finite", "The state became infinite or not a number: check the parameters.")
+    CHATTER = (
+        OUTCOMES[contract.CHATTER],
+        "Contact states followed one another without time going on.",
+    )
+    NOT_FINITE = (
+        OUTCOMES[contract.NOT_FINITE],
+        "The state became infinite or not a number: check the parameters.",
+    )
     NO_SOLUTION = (
-        "no solution",
+        OUTCOMES[contract.NO_SOLUTION],
         "No contact state fits the forces: rigid bodies with so much friction jam (Painleve).",
     )
     SEVERAL_SOLUTIONS = (
-        "several solutions",
+        OUTCOMES[contract.SEVERAL_SOLUTIONS],
         "Several contact states fit the forces, with different motions (Painleve).",
     )
-
-    def __init__(self, label: str, sentence: str) -> None:
-        self.label = label
-        self.sentence = sentence
-
-    def __str__(self) -> str:
-        return self.label
 
 
 @dataclass(frozen=True)
@@ -684,7 +704,7 @@ class Response:
     def hints(self) -> tuple[str, ...]:
         """Plausible mistakes in the structure, its start, its ground motion and its impacts."""
         start, p = self.y[0], self.structure.module
-        found = (*self.structure.hints(), *self._gained())
+        found = (*self.structure.hints(), *shaking(self), *friction(self), *self._gained())
         if self.motion.is_vertical:
             name = self.motion.name
             found += (

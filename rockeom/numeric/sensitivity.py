@@ -513,8 +513,7 @@ def _of_event(motion: _Moving, what: str, number: str, name: str, side: str | No
 def _overturning_time(motion: _Moving) -> Dual:
     if not motion.path.falls:
         raise ValueError(
-            "of: there is no overturning time: within its duration the motion "
-            f"{motion.run.outcome.label}"
+            f"of: there is no overturning time: within its duration the motion {motion.run.outcome}"
         )
     return Dual(motion.path.last_time, motion.found.end_time)
 

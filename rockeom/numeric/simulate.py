@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom.arguments import told
-from rockeom.contract import AT_THE_START, CONTACT, EVENTS_KEPT, FULL, REFINED, STEPS_KEPT
+from rockeom.contract import (
+    AT_THE_START,
+    CONTACT,
+    EVENTS_KEPT,
+    FULL,
+    OUTCOMES,
+    REFINED,
+    STEPS_KEPT,
+)
 from rockeom.numeric.case import STILL, Case, Problem, without_duals
 from rockeom.numeric.choice import chosen
 from rockeom.numeric.impact import ImpactLaw
@@ -32,8 +40,6 @@ from rockeom.numeric.response import Outcome, Response
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
     from rockeom.numeric.structures import Structure
-
-_OUTCOMES = tuple(Outcome)
 
 
 def simulate(
@@ -200,7 +206,7 @@ class _Bench:
                 gathering.add(Steps(*(a[:kept] for a in self.steps)))
             times, kinds, states = (a[:noted].copy() for a in self.events)
             found.append((times, kinds, states))
-        outcome = _OUTCOMES[code]
+        outcome = Outcome(OUTCOMES[code])
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
             outcome = self._later(p, 0.1 * q.end)
         times, kinds, states = (

@@ -23,7 +23,7 @@ from typing import (
 import numpy as np
 
 from rockeom import hooks
-from rockeom.arguments import near, number, numbers, told
+from rockeom.arguments import UnknownAttributeError, near, number, numbers, told
 from rockeom.contract import IMPACT, UPLIFT
 from rockeom.dual import directions, value_of
 from rockeom.mathematics import for_arrays, isfinite, mathematics
@@ -87,6 +87,11 @@ class Structure:
 
     def _repr_html_(self) -> str:
         return hooks.html_of(self)
+
+    if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
+
+        def __getattr__(self, name: str) -> Any:
+            return _missing(self, name)
 
     # -- what follows -----------------------------------------------------------------------
 
@@ -569,7 +574,9 @@ class Structure:
 
     def hints(self) -> tuple[str, ...]:
         """What about the parameters is allowed and hardly meant, a sentence each."""
-        return ()
+        from rockeom.numeric.plausible import damping, size
+
+        return (*size(self), *damping(self))
 
     def fixed_base(self) -> FixedBase:
         """The same structure with feet that cannot lift, with its periods.
@@ -610,6 +617,41 @@ class Structure:
         from rockeom.numeric.statics import pushover
 
         return pushover(self, rotations)
+
+
+_SYNONYMS = {
+    "p": "frequency_parameter",
+    "R": "radius",
+    "r": "velocity_ratio",
+    "e": "velocity_ratio",
+    "m": "mass",
+    "g": "gravity",
+    "b": "half_width",
+    "B": "half_width",
+    "h": "half_height",
+    "H": "half_height",
+    "width": "2 * half_width",
+    "height": "2 * half_height",
+    "k": "stiffness",
+    "c": "damping",
+    "I": "inertia",
+    "mu": "friction",
+    "name": "model",
+}
+"""Symbols and names that people try first, and the attributes that they mean."""
+
+
+def _missing(structure: Structure, name: str) -> Any:
+    """Raise AttributeError for an attribute that a structure lacks.
+
+    A property that itself raised AttributeError is evaluated again, so that its own error is seen.
+    """
+    if hasattr(type(structure), name):
+        return object.__getattribute__(structure, name)
+    message = f"{type(structure).__name__!r} object has no attribute {name!r}"
+    if name.startswith("_"):
+        raise AttributeError(message)
+    raise UnknownAttributeError(message, name, structure, _SYNONYMS)
 
 
 def _named(states: tuple[str, ...], y: np.ndarray) -> str:
@@ -791,7 +833,7 @@ class RigidBlock(Structure):
         return mathematics.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
 
     def hints(self) -> tuple[str, ...]:
-        return _inertia_hints(self.mass, self.radius, self.inertia)
+        return (*super().hints(), *_inertia_hints(self.mass, self.radius, self.inertia))
 
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
@@ -954,7 +996,7 @@ class SlenderBlock(Structure):
         return cls(radius=0.75 * gravity / p**2, alpha=alpha, mass=mass, gravity=gravity)
 
     def hints(self) -> tuple[str, ...]:
-        return _inertia_hints(self.mass, self.radius, self.inertia)
+        return (*super().hints(), *_inertia_hints(self.mass, self.radius, self.inertia))
 
     def parameters(self) -> dict[str, float]:
         inertia = self.mass * self.radius**2 / 3 if self.inertia is None else self.inertia
@@ -1682,7 +1724,7 @@ class DeclaredStructure(Structure):
     def __getattr__(self, name: str) -> Any:
         if name in (values := vars(self).get("values", {})):
             return values[name]
-        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        return _missing(self, name)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self.values.items())})"

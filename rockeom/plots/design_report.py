@@ -26,6 +26,7 @@ from rockeom.analysis.isolation import Demands, demands, energy_balance
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numeric.fixed_base import FixedBase
 from rockeom.numeric.impact import ImpactLaw
+from rockeom.numeric.plausible import ROUGHEST, default_masses, forces, shaking
 from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import Structure
@@ -85,19 +86,6 @@ class UnderRecord:
         )
 
 
-COLUMNS = (
-    "record",
-    "peak [g]",
-    "displ. [mm]",
-    "fixed [mm]",
-    "uplift [mm]",
-    "shear [N]",
-    "shear ratio",
-    "moment ratio",
-    "friction",
-)
-
-
 @dataclass(frozen=True)
 class DesignReport:
     """What `design_report` found; `page` draws it, `html` and `write` hand it on."""
@@ -110,6 +98,26 @@ class DesignReport:
     def title(self) -> str:
         name = type(self.structure).__name__
         return f"{name} under {len(self.results)} record{'s' * (len(self.results) > 1)}"
+
+    @property
+    def force_unit(self) -> str:
+        """Unit of forces, which are those of one kilogram where the mass was not given."""
+        return "N/kg" if default_masses(self.structure) else "N"
+
+    @property
+    def columns(self) -> Row:
+        """Headings of the table."""
+        return (
+            "record",
+            "peak [g]",
+            "displ. [mm]",
+            "fixed [mm]",
+            "uplift [mm]",
+            f"shear [{self.force_unit}]",
+            "shear ratio",
+            "moment ratio",
+            "friction",
+        )
 
     @cached_property
     def facts(self) -> tuple[tuple[str, str], ...]:
@@ -192,6 +200,12 @@ class DesignReport:
                 f"{max(friction):.2f} under the worst record, {np.median(friction):.2f} under half "
                 f"of them{needed}."
             )
+            rough = sum(one > ROUGHEST for one in friction)
+            if rough:
+                said.append(
+                    f"Under {rough} of them that is more than the {ROUGHEST:g} of rough concrete: "
+                    "hold the feet, or let them slide."
+                )
             said.append(
                 "No bouncing: a foot that stood would have been pulled under "
                 f"{jumped or 'none'} of the records."
@@ -216,7 +230,13 @@ class DesignReport:
         errors = [one.energy_error for one in self.standing]
         if errors:
             said.append(f"Integration: all energy balances close to {max(errors):.1g} or better.")
-        return tuple(said)
+        return (*said, *(f"Hint: {hint}" for hint in self._hints))
+
+    @property
+    def _hints(self) -> tuple[str, ...]:
+        """Questions about the structure, and about the motions where none lifted it."""
+        strongest = max((one.run for one in self.results), key=lambda run: run.motion.peak)
+        return (*self.structure.hints(), *forces(self.structure), *shaking(strongest))
 
     @style.styled
     def figures(self) -> Figure:
@@ -245,7 +265,7 @@ class DesignReport:
             figure.add_axes((0.1, top - 0.33, 0.36, 0.13)),
             figure.add_axes((0.58, top - 0.33, 0.36, 0.13)),
         )
-        bottom = _draw_table(figure, top - 0.395, self.rows, len(self.results))
+        bottom = _draw_table(figure, top - 0.395, self.columns, self.rows, len(self.results))
         for heading, sentences in (
             ("What was found", self.findings),
             ("What was assumed, and how far it held", self.assumptions),
@@ -261,7 +281,7 @@ class DesignReport:
 
     def _draw_both(self, force: Axes, drift: Axes) -> None:
         n = len(self.results)
-        _draw_demands(force, self.standing, n, "base_shear", 1.0, "base shear [N]")
+        _draw_demands(force, self.standing, n, "base_shear", 1.0, f"base shear [{self.force_unit}]")
         _draw_demands(drift, self.standing, n, "displacement", 1e3, "displacement [mm]")
 
     def html(self) -> str:
@@ -273,7 +293,7 @@ class DesignReport:
             f"<dt>{html.escape(name)}</dt><dd>{html.escape(value)}</dd>"
             for name, value in self.facts
         )
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in COLUMNS)
+        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.columns)
         body = "\n".join(
             f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>"
             for row in self.rows
@@ -386,11 +406,13 @@ def _draw_demands(
     style.legend_above(ax)
 
 
-def _draw_table(figure: Figure, top: float, rows: Sequence[Row], number: int) -> float:
+def _draw_table(
+    figure: Figure, top: float, columns: Row, rows: Sequence[Row], number: int
+) -> float:
     """The table as text from `top` downwards; returns where it ends."""
     places = (0.07, 0.42, 0.49, 0.56, 0.63, 0.70, 0.775, 0.85, 0.925)
     y = top
-    for n, row in enumerate((COLUMNS, *rows)):
+    for n, row in enumerate((columns, *rows)):
         for i, (x, cell) in enumerate(zip(places, row, strict=True)):
             text = cell.replace(" ", "\n", 1) if n == 0 and i else cell
             figure.text(

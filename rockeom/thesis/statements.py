@@ -275,8 +275,7 @@ def _() -> Finding:
     from rockeom.thesis.figures import chapter_2_blocks as blocks
 
     fell = [
-        blocks.pulsed(x, 0.3, 2.0, None).outcome.label == "overturned"
-        for x in (3.8, 3.82, 4.26, 4.28)
+        blocks.pulsed(x, 0.3, 2.0, None).outcome == "overturned" for x in (3.8, 3.82, 4.26, 4.28)
     ]
     said = ", ".join("overturns" if x else "stands" for x in fell)
     return f"with half-widths of 1 m: {said}, as the text has it", None

@@ -55,7 +55,7 @@ def test_same_as_simulate():
                 BLOCK, case.motion, impact=case.impact, options=rk.SolverOptions(output_step=1e-3)
             )
             found = reference.sel(frequency=f, amplitude=a)
-            assert found.outcome.item() == run.outcome.label
+            assert found.outcome.item() == run.outcome
             assert found.final_phase.item() == run.phase[-1]
             assert found.impacts.item() == len(run.impacts)
             assert found.final_time.item() == pytest.approx(run.t[-1], rel=1e-14)

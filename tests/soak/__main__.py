@@ -9,8 +9,8 @@ import warnings
 
 from tests.soak.cases import METHODS, MODELS, draw
 from tests.soak.checks import COMPARED
-from tests.soak.families import FAMILIES, drawn, family_of, method_of, model_of, spread
 from tests.soak.energy import gains_of
+from tests.soak.families import FAMILIES, drawn, family_of, method_of, model_of, spread
 from tests.soak.faults import FAULTS, planted
 from tests.soak.run import DECLARED, Checks, checked, soaked
 

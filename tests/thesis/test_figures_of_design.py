@@ -59,18 +59,16 @@ def test_figure_2_12_has_no_cascade_where_half_of_the_energy_is_left():
 
 def test_pulses_of_figures_2_13_and_2_14():
     """Facts of the text: 0.172 g overturns, 0.454 g does not; 4.26 stands, 4.28 does not."""
-    outcomes = [
-        chapter_2_blocks.pulsed(8.0, peak, 2.192, 0.954).outcome.label for peak in (0.172, 0.454)
-    ]
+    outcomes = [chapter_2_blocks.pulsed(8.0, peak, 2.192, 0.954).outcome for peak in (0.172, 0.454)]
     assert (outcomes[0] == "overturned", outcomes[1] == "overturned") == (True, False)
     ratios = (3.8, 3.82, 4.26, 4.28)
-    fell = [chapter_2_blocks.pulsed(x, 0.3, 2.0, None).outcome.label for x in ratios]
+    fell = [chapter_2_blocks.pulsed(x, 0.3, 2.0, None).outcome for x in ratios]
     assert [one == "overturned" for one in fell] == [False, False, False, True]
     changes = chapter_2_blocks.changes_of_fate(
         "slenderness", 3.5, 5.0, 151, amplitude=0.3, period=2.0, ratio=None
     )
     for value in (changes.slenderness.values * (1 + 2e-9 * side) for side in (-1, 1)):
-        fell = chapter_2_blocks.pulsed(float(value[0]), 0.3, 2.0, None).outcome.label
+        fell = chapter_2_blocks.pulsed(float(value[0]), 0.3, 2.0, None).outcome
         assert (fell == "overturned") == (value[0] > changes.high.values[0])
 
 

@@ -159,8 +159,8 @@ def figure_2_10() -> Drawn:
             ),
             Statement(
                 "2.5.1", "in the long term the block comes to rest",
-                f"{run.outcome.label} after p t = {run.rest_time or math.nan:.1f}",
-                run.outcome.label == "came to rest",
+                f"{run.outcome} after p t = {run.rest_time or math.nan:.1f}",
+                run.outcome == "came to rest",
             ),
         ),
     )  # fmt: skip
@@ -398,7 +398,7 @@ def draw_rotations(
 ) -> None:
     for (label, run), color in zip(runs, style.LINES, strict=False):
         ratio = run["theta"] / run.structure.alpha  # type: ignore[attr-defined]
-        fell = run.outcome.label == "overturned"
+        fell = run.outcome == "overturned"
         ax.plot(run.t, ratio, color=color, ls="--" if fell else "-",
                 label=f"{label}{', overturns' if fell else ''}")  # fmt: skip
     ax.set_xlim(0, until)
@@ -497,11 +497,11 @@ def figure_2_13() -> Drawn:
         figure,
         (
             Statement("2.5.1", "a pulse of 0.172 g overturns it",
-                      f"{weak.outcome.label}; pulses do from {at[0]:.6f} g on",
-                      weak.outcome.label == "overturned"),
+                      f"{weak.outcome}; pulses do from {at[0]:.6f} g on",
+                      weak.outcome == "overturned"),
             Statement("2.5.1", "one of 0.454 g does not",
-                      f"{strong.outcome.label}, at most {reached:.2f} alpha",
-                      strong.outcome.label != "overturned"),
+                      f"{strong.outcome}, at most {reached:.2f} alpha",
+                      strong.outcome != "overturned"),
             Statement("2.5.1", "a stronger pulse may be the safer one",
                       "; ".join(fates), bool(np.isinf(changes["above"]).any())),
         ),
@@ -528,7 +528,7 @@ def figure_2_14() -> Drawn:
         ratio: abs(run.extremes("theta").peak) / run.structure.alpha  # type: ignore[attr-defined]
         for ratio, run in runs.items()
     }
-    fell = [ratio for ratio, run in runs.items() if run.outcome.label == "overturned"]
+    fell = [ratio for ratio, run in runs.items() if run.outcome == "overturned"]
     found = ", ".join(
         f"{ratio:g}: {'overturns' if ratio in fell else f'{peak:.2f} alpha'}"
         for ratio, peak in peaks.items()

@@ -1,0 +1,144 @@
+"""Questions about values that are allowed and hardly meant: units, masses, friction.
+
+Each function returns the sentences of one question, none where the values are plausible.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.numeric.record import SAMPLES
+from rockeom.numeric.units import is_dimensionless
+
+if TYPE_CHECKING:
+    from rockeom.numeric.response import Response
+    from rockeom.numeric.structures import Structure
+
+TALLEST = 50.0
+"""Size of a body above which its lengths are questioned [m]."""
+LEAST_DAMPING = 1e-3
+"""Part of critical damping below which that of a damped column is questioned."""
+SHARE_OF_UPLIFT = 0.5
+"""Part of the uplift acceleration below which the unit of a motion is questioned."""
+LIKE_G = 0.05, 1.5
+"""Peak accelerations that are usual in g, and small in m/s2."""
+ROUGHEST = 0.8
+"""Friction coefficient above which that of a foot that does not slide is questioned."""
+
+
+def size(structure: Structure) -> tuple[str, ...]:
+    """Lengths in centimetres or millimetres that were given for metres."""
+    if is_dimensionless(structure.module) or structure.vector.dtype != float:
+        return ()
+    rows = zip(structure.module.PARAMETER_UNITS, structure.vector, strict=False)
+    lengths = [float(value) for unit, value in rows if unit == "m"]
+    for corners in structure.shapes.outlines.values():
+        lengths += np.ptp(corners, axis=0).tolist()
+    largest = max(lengths, default=0.0)
+    if not largest > TALLEST:
+        return ()
+    return (
+        f"The structure measures {largest:.4g} m: were its lengths given in cm or mm? They are in "
+        "metres.",
+    )
+
+
+def damping(structure: Structure) -> tuple[str, ...]:
+    """A damping ratio that was given for a damping in N s/m."""
+    if not structure.rocks_on_rigid_ground or structure.vector.dtype != float:
+        return ()
+    units = zip(structure.module.PARAMETER_UNITS, structure.vector, strict=False)
+    if not any(unit == "N s/m" and value > 0.0 for unit, value in units):
+        return ()
+    try:
+        held = structure.fixed_base()
+    except ValueError:  # nothing moves on a fixed base
+        return ()
+    ratio, period = held.damping_ratios[0], held.periods[0]
+    if not 0.0 < ratio < LEAST_DAMPING:
+        return ()
+    return (
+        f"On a fixed base {ratio:.2g} of critical damping remain at {period:.4g} s: was a damping "
+        f"ratio given for a damping in N s/m? A ratio of 0.05 takes {0.05 / ratio:.3g} times as "
+        "much.",
+    )
+
+
+def shaking(run: Response) -> tuple[str, ...]:
+    """Accelerations in g that were given for m/s2."""
+    threshold, peak = _uplift_acceleration(run.structure), run.motion.peak
+    stood = run.never_lifted or (run.structure.stands_on_points and not len(run.passages[0]))
+    weak = LIKE_G[0] <= peak <= min(LIKE_G[1], SHARE_OF_UPLIFT * threshold)
+    if not (stood and weak):
+        return ()
+    remedy = (
+        f'{run.motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'
+        if run.motion.source == "array"
+        else f"{peak:.4g} g are {peak:.4g} * 9.81 = {peak * 9.81:.4g} m/s2"
+    )
+    return (
+        f"The largest ground acceleration, {peak:.4g} m/s2, is {peak / threshold:.2g} of that "
+        f"which lifts it: was it meant in g? {remedy}.",
+    )
+
+
+def _uplift_acceleration(structure: Structure) -> float:
+    """In m/s2; 0 where it is not known."""
+    if is_dimensionless(structure.module):
+        return 0.0
+    found = structure.uplift_acceleration
+    if found is None and structure.slenderness is not None:  # a block on feet that may slide
+        return float(structure.parameters()["gravity"] * math.tan(structure.slenderness))
+    return found or 0.0
+
+
+def default_masses(structure: Structure) -> tuple[str, ...]:
+    """Names of the masses that have their default value."""
+    return tuple(
+        name
+        for name, default in structure.defaults().items()
+        if name.endswith("mass") and getattr(structure, name) == default
+    )
+
+
+def forces(structure: Structure) -> tuple[str, ...]:
+    """Forces that are reported of a structure whose mass was not given."""
+    found = default_masses(structure)
+    if not found or is_dimensionless(structure.module):
+        return ()
+    verb = "is" if len(found) == 1 else "are"
+    return (
+        f"{' and '.join(found)} {verb} at the default, {structure.defaults()[found[0]]:g} kg: "
+        "give the mass, or read forces, impulses and energies as those of one kilogram.",
+    )
+
+
+def friction(run: Response) -> tuple[str, ...]:
+    """Feet that are assumed not to slide, and need more friction than most surfaces have."""
+    from rockeom.numeric.fixed_base import FixedBase
+
+    module = run.structure.module
+    slides = any("friction" in name for name in module.PARAMETERS)
+    held = isinstance(run.structure, FixedBase)
+    if run.keeps == SAMPLES or slides or held or is_dimensionless(module):
+        return ()
+    needed = max(run.friction_demand, run.impact_friction_demand, key=_order)
+    if not needed > ROUGHEST:
+        return ()
+    beyond = (
+        f"Not sliding needed a friction coefficient of {needed:.3g}, more than the {ROUGHEST:g} of "
+        "rough concrete"
+        if needed < math.inf
+        else "No friction coefficient would have kept it from sliding"
+    )
+    return (
+        f"{beyond}: hold the feet, or let them slide, as rk.SlidingBlock and "
+        "support=rk.Sliding(...) do.",
+    )
+
+
+def _order(demand: float) -> float:
+    return -1.0 if math.isnan(demand) else demand
