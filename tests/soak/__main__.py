@@ -7,8 +7,9 @@ import os
 import sys
 import warnings
 
-from tests.soak.cases import METHODS, MODELS, draw, method_of, model_of
+from tests.soak.cases import METHODS, MODELS, draw
 from tests.soak.checks import COMPARED
+from tests.soak.families import FAMILIES, drawn, family_of, method_of, model_of, spread
 from tests.soak.faults import FAULTS, planted
 from tests.soak.run import DECLARED, Checks, checked, soaked
 
@@ -18,6 +19,10 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--runs", type=int, default=20_000, help="how many seeds")
     parser.add_argument("--first", type=int, default=0, help="the first of them")
     parser.add_argument("--models", nargs="*", choices=MODELS, help="only these structures")
+    parser.add_argument(
+        "--family", nargs="*", choices=FAMILIES, default=None, dest="families",
+        help="of bodies on points and springs, held against mechanics by hand: these, or all",
+    )  # fmt: skip
     parser.add_argument("--methods", nargs="*", choices=sorted(set(METHODS)), help="only these")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--stop", action="store_true", help="at the first violation")
@@ -35,19 +40,22 @@ def main(arguments: list[str] | None = None) -> int:
     if given.seed is not None:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            print(draw(given.seed))
+            one = given.seed
+            print(draw(one) if family_of(one) is None else drawn(one)[0])
         result = checked(given.seed, checks)
         print(result)
         return bool(result.violations)
-    last = given.first + given.runs - 1
+    seeds = list(range(given.first, given.first + given.runs))
+    if given.families is not None:
+        seeds = spread(given.runs, given.first, given.families or FAMILIES)
     seeds = [
         seed
-        for seed in range(given.first, last + 1)
+        for seed in seeds
         if (not given.models or model_of(seed) in given.models)
         and (not given.methods or method_of(seed) in given.methods)
     ]
     print(
-        f"{len(seeds):,} seeds from {given.first} to {last}, {given.workers} workers",
+        f"{len(seeds):,} seeds from {given.first} on, {given.workers} workers",
         file=sys.stderr, flush=True,
     )  # fmt: skip
     summary = soaked(seeds, given.workers, checks, stop=given.stop)

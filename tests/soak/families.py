@@ -1,0 +1,405 @@
+"""Motions of bodies that stand, slide, bounce and fly, and the mechanics to compare them with.
+
+A family is a kind of structure; its seeds are numbered from BASE times its place in FAMILIES on, so
+that one whole number fixes all of a motion, as with the structures of `tests.soak.cases`. Few
+programs are compiled: sizes, friction and restitution are parameters.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import sympy as sp
+
+import rockeom as rk
+from rockeom.numeric.structures import Structure
+from rockeom.symbolic.model import Parameter, parameter
+from tests.contact import declared
+from tests.soak import cases
+from tests.soak.cases import Dice, Motion
+from tests.soak.mechanics import (
+    BlockOnFeet,
+    Foot,
+    Frame,
+    Mechanics,
+    Storey,
+    of_sliding_block,
+    of_stack,
+)
+
+BASE = 10**12
+METHODS = ("DOP853", "DOP853", "RK45 1e-6", "DOP853", "RK45 1e-6", "DOP853", "RK45", "DOP853")
+"""Of one seed after the other: the default, and RK45 at the tolerance of maps and at 1e-10."""
+GRAVITY = 9.81
+
+
+@dataclass(frozen=True)
+class Drawn:
+    structure: Structure
+    by_hand: Mechanics
+    initial: dict[str, float]
+    motion: rk.GroundMotion
+    vertical: rk.GroundMotion | None = None
+
+
+def family_of(seed: int) -> str | None:
+    """None for seeds of the structures on pinned feet and springs of `cases`."""
+    return None if seed < BASE else FAMILIES[seed // BASE - 1]
+
+
+def first_of(family: str) -> int:
+    return BASE * (FAMILIES.index(family) + 1)
+
+
+def model_of(seed: int) -> str:
+    """The structure, for which a program is compiled."""
+    family = family_of(seed)
+    if family is None:
+        return cases.model_of(seed)
+    variants = [*_VARIANTS[family]]
+    return variants[seed % BASE % len(variants)]
+
+
+def method_of(seed: int) -> str:
+    family = family_of(seed)
+    if family is None:
+        return cases.method_of(seed)
+    return METHODS[seed % BASE // len(_VARIANTS[family]) % len(METHODS)].split()[0]
+
+
+def drawn(seed: int) -> tuple[Motion, Mechanics]:
+    """The motion of a seed, and the mechanics of its structure."""
+    family = family_of(seed)
+    assert family is not None
+    variants = _VARIANTS[family]
+    of = variants[model_of(seed)](Dice(seed))
+    motion = Motion(
+        seed, of.structure, of.motion, of.vertical, None, of.initial, None, _options(seed)
+    )
+    return motion, of.by_hand
+
+
+def _options(seed: int) -> rk.SolverOptions:
+    family = family_of(seed)
+    assert family is not None
+    method = METHODS[seed % BASE // len(_VARIANTS[family]) % len(METHODS)]
+    limits = {"max_impacts": 5000, "max_steps": 100_000}
+    if method == "RK45 1e-6":
+        return rk.SolverOptions(method="RK45", rtol=1e-6, **limits)
+    return rk.SolverOptions(method=method.split()[0], **limits)
+
+
+# -- ground and starts
+
+
+def _restitution(dice: Dice) -> float:
+    return dice.one_of(0.0, 0.0, 0.02, 0.03, 0.2, dice.between(0.0, 0.1), dice.between(0.0, 0.9))
+
+
+def _friction(dice: Dice) -> float:
+    """Below 4/3, from which on a rigid block on sliding feet may jam (Painleve)."""
+    return dice.one_of(0.0, 0.3, 0.5, dice.over(0.03, 1.0), dice.between(0.05, 1.0))
+
+
+def _ground(dice: Dice, lift: float, size: float, shaken: float = 0.5) -> rk.GroundMotion:
+    """None, a pulse or a record in units of what lifts, for some of the structure's own time."""
+    time = math.sqrt(size / GRAVITY)
+    length = dice.over(4.0, 16.0) * time
+    if not dice.chance(shaken):
+        return rk.GroundMotion.none(length)
+    strong = lift * dice.over(0.5, 4.0)
+    if dice.chance(0.5):
+        period = time * dice.over(0.5, 8.0)
+        make = dice.one_of(rk.GroundMotion.single_sine, rk.GroundMotion.half_sine)
+        return make(strong, period, duration=max(length, 1.01 * period))
+    n = int(dice.over(20, 80))
+    values = np.convolve(dice.rng.normal(size=n), np.ones(3) / 3, "same")
+    return rk.GroundMotion.from_array(strong * values, 0.7 * length / n).padded_to(length)
+
+
+def _vertical(dice: Dice, length: float) -> rk.GroundMotion | None:
+    if not dice.chance(0.15):
+        return None
+    n = int(dice.over(20, 60))
+    values = GRAVITY * dice.over(0.05, 0.6) * dice.rng.normal(size=n)
+    return rk.GroundMotion.from_array(values, length / n)
+
+
+# -- a block that slides
+
+
+def _sliding_block(dice: Dice) -> Drawn:
+    b, h = dice.over(0.1, 1.0), dice.over(0.2, 2.0)
+    given = {
+        "half_width": b, "half_height": h, "mass": dice.one_of(1.0, dice.over(0.1, 1e4)),
+        "friction": _friction(dice), "restitution": _restitution(dice),
+    }  # fmt: skip
+    return _a_block(dice, rk.SlidingBlock(**given), of_sliding_block(given), b, h)
+
+
+def _a_block(dice: Dice, structure: Structure, by_hand: Mechanics, b: float, h: float) -> Drawn:
+    """Let go leaning, above the ground, moving, or from rest under shaking."""
+    slenderness = math.atan(b / h)
+    kind = dice.one_of("rest", "leaning", "leaning", "moving", "dropped", "sliding")
+    initial: dict[str, float] = {}
+    if kind != "rest":
+        initial["theta"] = slenderness * dice.between(-1.2, 1.2)
+    if kind == "moving":
+        initial["theta_dot"] = math.sqrt(GRAVITY / h) * slenderness * dice.between(-1.5, 1.5)
+    if kind == "dropped":
+        low = by_hand.lowest(initial["theta"]) if isinstance(by_hand, BlockOnFeet) else (
+            b * abs(math.sin(initial["theta"]))
+        )  # fmt: skip
+        initial["y"] = low + h * dice.over(1e-6, 0.5)
+        initial["theta_dot"] = dice.between(-0.5, 0.5)
+        initial["x_dot"] = dice.between(-1.0, 1.0)
+    if kind == "sliding":
+        initial["x_dot"] = dice.between(-2.0, 2.0)
+        if dice.chance(0.5):
+            del initial["theta"]
+    lift = GRAVITY * min(b / h, 2.0)
+    motion = _ground(dice, lift, h, shaken=1.0 if kind == "rest" else 0.3)
+    return Drawn(structure, by_hand, initial, motion, _vertical(dice, motion.duration))
+
+
+# -- a stack
+
+
+def _stacked_blocks(dice: Dice) -> Drawn:
+    b = dice.over(0.2, 0.8)
+    h = b * dice.one_of(dice.over(0.5, 1.5), dice.over(1.0, 4.0))
+    upper_b = b * dice.between(0.3, 1.0)
+    upper_h = upper_b * dice.over(0.8, 5.0)
+    given = {
+        "lower_half_width": b, "lower_half_height": h, "lower_mass": dice.one_of(2.0, 1000.0),
+        "upper_half_width": upper_b, "upper_half_height": upper_h,
+        "restitution": _restitution(dice),
+    }  # fmt: skip
+    given["upper_mass"] = given["lower_mass"] * dice.over(0.2, 2.0)
+    lower, upper = math.atan(b / h), math.atan(upper_b / upper_h)
+    kind = dice.one_of("rest", "lower", "upper", "upper", "both", "both", "moving")
+    initial: dict[str, float] = {}
+    if kind in ("lower", "both", "moving"):
+        initial["theta"] = lower * dice.between(-0.6, 0.6)
+    if kind in ("upper", "both", "moving"):
+        initial["phi"] = upper * dice.between(-0.9, 0.9)
+    if kind == "moving":
+        rate = math.sqrt(GRAVITY / h)
+        initial["theta_dot"] = rate * lower * dice.between(-0.5, 0.5)
+        initial["phi_dot"] = rate * upper * dice.between(-0.5, 0.5)
+    lift = GRAVITY * min(b / h, upper_b / upper_h)
+    motion = _ground(dice, lift, h + upper_h, shaken=1.0 if kind == "rest" else 0.2)
+    return Drawn(rk.StackedBlocks(**given), of_stack(given), initial, motion)
+
+
+# -- declared feet
+
+
+def _signed(symbol: str, name: str) -> Parameter:
+    return Parameter(sp.Symbol(symbol, real=True), name, "m", "place along the base")
+
+
+@functools.cache
+def _on_feet(names: tuple[str, ...]):
+    """A declaration whose feet are anywhere: places and heights are parameters."""
+    along = [_signed(f"s_{name}", f"{name}_place") for name in names]
+    above = [parameter(f"d_{name}", f"{name}_height", "m", "above the base") for name in names]
+    places = {name: (s.symbol, d.symbol) for name, s, d in zip(names, along, above, strict=True)}
+    return declared.on_points(f"on_{len(names)}_feet", places, *along, *above)
+
+
+def _feet(names: tuple[str, ...]) -> Callable[[Dice], Drawn]:
+    def drawn(dice: Dice) -> Drawn:
+        b, h = dice.over(0.2, 1.0), dice.over(0.3, 2.0)
+        mass = dice.one_of(1.0, 2.0, dice.over(0.1, 1e4))
+        inertia = mass * (b * b + h * h) / 3.0 * dice.between(0.7, 1.3)
+        friction, e = min(_friction(dice), 0.8), _restitution(dice)
+        count = len(names)
+        along = np.linspace(-b, b, count) + dice.one_of(0.0, 0.1) * b * dice.rng.normal(size=count)
+        along.sort()
+        raised = np.zeros(count)
+        if count > 2:  # lower in the middle, or higher by little: no three of them stand together
+            curve = (along / b) ** 2
+            raised = b * dice.one_of(dice.over(1e-4, 0.3) * curve, -dice.over(1e-4, 0.05) * curve)
+            raised -= raised.min()
+        given = {
+            "mass": mass, "height": h, "inertia": inertia, "gravity": GRAVITY,
+            "friction": friction, "restitution": e,
+        }  # fmt: skip
+        given |= {f"{n}_place": float(s) for n, s in zip(names, along, strict=True)}
+        given |= {f"{n}_height": float(d) for n, d in zip(names, raised, strict=True)}
+        feet = tuple(
+            Foot(n, float(s), float(d), friction, e)
+            for n, s, d in zip(names, along, raised, strict=True)
+        )
+        by_hand = BlockOnFeet(mass, inertia, h, feet)
+        return _a_block(dice, rk.structure(_on_feet(names), **given), by_hand, b, h)
+
+    return drawn
+
+
+# -- frames on feet that slide
+
+
+def _frame_ground(dice: Dice, structure: Structure, by_hand: Frame) -> Drawn:
+    b, h = by_hand.half_width, by_hand.floors[-1].height
+    kind = dice.one_of("rest", "rest", "leaning", "moving")
+    initial: dict[str, float] = {}
+    if kind != "rest":
+        initial["theta"] = math.atan(b / h) * dice.between(-0.7, 0.7)
+    if kind == "moving":
+        initial["theta_dot"] = math.sqrt(GRAVITY / h) * math.atan(b / h) * dice.between(-0.7, 0.7)
+    motion = _ground(dice, GRAVITY * min(b / h, 1.0), 0.5 * h, 1.0 if kind == "rest" else 0.3)
+    return Drawn(structure, by_hand, initial, motion)
+
+
+def _frame_feet(b: float, support: rk.Sliding) -> tuple[Foot, ...]:
+    return tuple(
+        Foot(name, s * b, 0.0, support.friction, support.restitution)
+        for name, s in (("left", -1), ("right", 1))
+    )
+
+
+def _support(dice: Dice) -> rk.Sliding:
+    return rk.Sliding(friction=min(_friction(dice), 0.8), restitution=_restitution(dice))
+
+
+def _shear_frame(dice: Dice) -> Drawn:
+    storey = dice.over(1.0, 4.0)
+    m = dice.over(1e3, 1e5)
+    mass = (m, m * dice.over(0.5, 1.0))
+    heights = (storey, 2 * storey)
+    b = storey * dice.between(0.2, 0.8)
+    rate = math.sqrt(GRAVITY / storey) * dice.over(3.0, 20.0)
+    stiffness = (mass[0] * rate**2, mass[1] * rate**2)
+    damping = tuple(2 * dice.between(0.01, 0.1) * k / rate for k in stiffness)
+    base, inertia = 0.5 * m, 0.5 * m * b * b / 3.0
+    support = _support(dice)
+    structure = rk.ShearFrame(
+        masses=mass, heights=heights, stiffnesses=stiffness, dampings=damping, half_width=b,
+        base_mass=base, base_inertia=inertia, support=support,
+    )  # fmt: skip
+    floors = tuple(
+        Storey(mass[i], 0.0, heights[i], stiffness[i], damping[i], f"u_{i + 1}") for i in (0, 1)
+    )
+    by_hand = Frame(
+        floors, base, 0.0, inertia, b, _frame_feet(b, support),
+        coordinates=("x", "y", "theta", "u_1", "u_2"),
+    )  # fmt: skip
+    return _frame_ground(dice, structure, by_hand)
+
+
+def _two_masses(dice: Dice) -> dict[str, float]:
+    mass, height = dice.over(100.0, 1e5), dice.over(1.0, 10.0)
+    base, b = mass * dice.over(0.1, 1.0), height * dice.between(0.1, 0.5)
+    return {
+        "mass": mass, "height": height, "inertia": dice.one_of(0.0, 0.1 * mass * height**2),
+        "base_mass": base, "base_height": dice.one_of(0.0, 0.1) * height,
+        "base_inertia": base * b * b * dice.between(0.2, 0.5), "half_width": b,
+    }  # fmt: skip
+
+
+def _flexible_structure(dice: Dice) -> Drawn:
+    given = _two_masses(dice)
+    rate = math.sqrt(GRAVITY / given["height"]) * dice.over(3.0, 20.0)
+    k, c = given["mass"] * rate**2, 2 * dice.between(0.01, 0.1) * rate * given["mass"]
+    support = _support(dice)
+    structure = rk.FlexibleStructure(**given, stiffness=k, damping=c, support=support)
+    by_hand = _on_base(given, (k, c), "u", ("x", "y", "theta", "u"))
+    by_hand = replace(by_hand, feet=_frame_feet(given["half_width"], support))
+    return _frame_ground(dice, structure, by_hand)
+
+
+def _on_base(
+    given: dict[str, float], column: tuple[float, float], moves: str, coordinates: tuple[str, ...]
+) -> Frame:
+    top = Storey(given["mass"], given["inertia"], given["height"], *column, moves)
+    return Frame(
+        (top,), given["base_mass"], given["base_height"], given["base_inertia"],
+        given["half_width"], coordinates=coordinates,
+    )  # fmt: skip
+
+
+# -- springs that press and never pull
+
+
+def _springs(count: int) -> Callable[[Dice], Drawn]:
+    """Two springs or a bed of them, let go pressed, open, and with the feet moving to and fro."""
+
+    def drawn(dice: Dice) -> Drawn:
+        given = _two_masses(dice)
+        b, total = given["half_width"], given["mass"] + given["base_mass"]
+        settles = b * dice.over(1e-4, 0.1)
+        stiffness = total * GRAVITY / (count * settles)
+        rate = math.sqrt(count * stiffness / total)
+        damping = dice.one_of(0.0, 2 * dice.over(0.01, 3.0) * rate * total / count)
+        make = rk.TwoSprings if count == 2 else functools.partial(rk.Winkler, springs=count)
+        structure = rk.LumpedMassStructure(
+            **given, support=make(stiffness=stiffness, damping=damping)
+        )
+        names = ["left", *(f"spring_{i}" for i in range(2, count)), "right"]
+        places = np.linspace(-b, b, count)
+        struts = tuple(
+            (n, float(s), stiffness, damping) for n, s in zip(names, places, strict=True)
+        )
+        by_hand = replace(
+            _on_base(given, (0.0, 0.0), "", ("theta", "heave")),
+            struts=struts, settlement=total * GRAVITY / (count * stiffness),
+        )  # fmt: skip
+        initial: dict[str, float] = {}
+        kind = dice.one_of("rest", "leaning", "open", "open", "aloft", "grazing")
+        if kind == "leaning":
+            initial["theta"] = math.atan(b / given["height"]) * dice.between(-0.8, 0.8)
+        if kind == "open":  # one foot above its spring, moving down or up
+            initial["theta"] = settles / b * dice.over(1.1, 10.0) * dice.one_of(1.0, -1.0)
+            turns = dice.over(0.1, 50.0) * dice.one_of(1.0, -1.0)
+            initial["theta_dot"] = rate * settles / b * turns
+            initial["heave_dot"] = rate * settles * dice.between(-2.0, 2.0)
+        if kind == "aloft":
+            initial["heave"] = settles * dice.over(1.01, 10.0)
+            rises = dice.over(0.1, 50.0) * dice.one_of(1.0, -1.0)
+            initial["heave_dot"] = rate * settles * rises
+        if kind == "grazing":  # all tops just touched
+            initial["heave"] = settles
+            initial["heave_dot"] = rate * settles * dice.one_of(0.0, -1.0, 1.0)
+        lift = GRAVITY * b / given["height"]
+        motion = _ground(dice, lift, given["height"], 1.0 if kind == "rest" else 0.3)
+        longest = dice.over(20.0, 400.0) / rate
+        if motion.duration > longest and kind != "rest":
+            motion = rk.GroundMotion.none(longest)
+        return Drawn(structure, by_hand, initial, motion)
+
+    return drawn
+
+
+_VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
+    "blocks": {"sliding_block": _sliding_block},
+    "stacks": {"stacked_blocks": _stacked_blocks},
+    "feet": {
+        "on_2_feet": _feet(("a", "b")),
+        "on_3_feet": _feet(("a", "b", "c")),
+        "on_4_feet": _feet(("a", "b", "c", "d")),
+    },
+    "frames": {
+        "sliding_shear_frame": _shear_frame,
+        "sliding_flexible_structure": _flexible_structure,
+    },
+    "springs": {"on_two_springs": _springs(2), "on_a_bed_of_springs": _springs(3)},
+}
+FAMILIES = tuple(_VARIANTS)
+ALLOWED: tuple[str, ...] = ()
+"""Texts of errors with which a motion may be refused."""
+
+
+def spread(runs: int, first: int, families: Sequence[str]) -> list[int]:
+    """So many seeds of all families alike, each from its own number `first` on."""
+    each = [runs // len(families) + (i < runs % len(families)) for i in range(len(families))]
+    return [
+        first_of(family) + first + n
+        for family, count in zip(families, each, strict=True)
+        for n in range(count)
+    ]

@@ -1,0 +1,485 @@
+"""Newton-Euler mechanics of bodies on points and springs, written by hand for many states at once.
+
+It shares nothing with the package but the names of the states: positions of mass centres and of
+contact points, their Jacobians and the accelerations that velocities alone cause, are written from
+the geometry of each structure; forces and impulses follow by NumPy's dense algebra.
+
+Rotations are clockwise: a body's axes are along = (cos, -sin) and across = (sin, cos). Arrays have
+k states in their first direction, n coordinates and m points.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+OPEN, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
+"""States of a point, as programs number them."""
+SENSE = np.array([0.0, 0.0, 1.0, -1.0])
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point: value (k, 2), Jacobian (k, 2, n), and bias (k, 2), its acceleration at q'' = 0."""
+
+    value: np.ndarray
+    jacobian: np.ndarray
+    bias: np.ndarray
+
+    def velocity(self, v: np.ndarray) -> np.ndarray:
+        return np.einsum("kin,kn->ki", self.jacobian, v)
+
+
+@dataclass(frozen=True)
+class States:
+    """Coordinates q (k, n) and velocities v (k, n), columns by name."""
+
+    names: Sequence[str]
+    q: np.ndarray
+    v: np.ndarray
+
+    def column(self, name: str) -> int:
+        return self.names.index(name)
+
+    def origin(self, horizontal: str | None = None, vertical: str | None = None) -> Place:
+        """The point whose place the two coordinates are, zero where there is none."""
+        k, n = self.q.shape
+        value, jacobian = np.zeros((k, 2)), np.zeros((k, 2, n))
+        for i, name in enumerate((horizontal, vertical)):
+            if name is not None:
+                j = self.column(name)
+                value[:, i], jacobian[:, i, j] = self.q[:, j], 1.0
+        return Place(value, jacobian, np.zeros((k, 2)))
+
+    def turn(self, **weights: float) -> np.ndarray:
+        """An angle as weights (n,) of coordinates."""
+        of = np.zeros(len(self.names))
+        for name, weight in weights.items():
+            of[self.column(name)] = weight
+        return of
+
+    def carried(
+        self, origin: Place, turn: np.ndarray, along: float, across: float, moves: str | None = None
+    ) -> Place:
+        """A point of a body that has turned about `origin`.
+
+        along, across : its place in the body's axes. moves : a coordinate that is added to along.
+        """
+        angle, rate = self.q @ turn, self.v @ turn
+        c, s = np.cos(angle), np.sin(angle)
+        a = np.stack([c, -s], axis=1)
+        n = np.stack([s, c], axis=1)
+        x = np.full(len(angle), along)
+        if moves is not None:
+            x = x + self.q[:, self.column(moves)]
+        arm = x[:, None] * a + across * n
+        turned = -x[:, None] * n + across * a
+        jacobian = origin.jacobian + turned[:, :, None] * turn
+        bias = origin.bias - rate[:, None] ** 2 * arm
+        if moves is not None:
+            j = self.column(moves)
+            jacobian[:, :, j] += a
+            bias = bias - 2.0 * (rate * self.v[:, j])[:, None] * n
+        return Place(origin.value + arm, jacobian, bias)
+
+
+@dataclass(frozen=True)
+class Mass:
+    """A rigid body: its mass, the inertia about its centre, where that is, and its rotation."""
+
+    mass: float
+    inertia: float
+    centre: Place
+    turn: np.ndarray
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point above a flat surface: place = (slip, gap) as the surface sees it.
+
+    pair : the body and the surface; points of one pair slip together.
+    """
+
+    name: str
+    place: Place
+    friction: float
+    restitution: float
+    pair: int
+
+
+@dataclass(frozen=True)
+class Strut:
+    """A spring and damper under a foot, whose compression is less its place's height."""
+
+    name: str
+    place: Place
+    stiffness: float
+    damping: float
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What a structure consists of in k states; elastic (k, n): forces of its inner springs."""
+
+    masses: Sequence[Mass]
+    points: Sequence[Point] = ()
+    struts: Sequence[Strut] = ()
+    elastic: np.ndarray | float = 0.0
+    stored: np.ndarray | float = 0.0
+
+
+class Mechanics:
+    """One structure: `parts` is what each writes by hand."""
+
+    coordinates: tuple[str, ...] = ()
+    gravity: float = 9.81
+    size: float = 1.0
+    """A length of the structure, to judge gaps by [m]."""
+
+    def parts(self, states: States) -> Parts:
+        raise NotImplementedError
+
+    def at(self, q: np.ndarray, v: np.ndarray) -> At:
+        states = States(self.coordinates, q, v)
+        return At(self, states, self.parts(states))
+
+
+class At:
+    """Masses, forces and points of a structure in k states.
+
+    mass (k, n, n); bias (k, n) of forces; weight (k, 2, n): of a unit of acceleration; rows
+    (k, m, 2, n), biases and rates (k, m, 2) of slips and gaps; gaps (k, m).
+    """
+
+    def __init__(self, of: Mechanics, states: States, parts: Parts) -> None:
+        self.of, self.states, self.parts = of, states, parts
+        k, n = states.q.shape
+        self.mass, self.bias = np.zeros((k, n, n)), np.zeros((k, n))
+        self.weight = np.zeros((k, 2, n))
+        for body in parts.masses:
+            j = body.centre.jacobian
+            self.mass += body.mass * np.einsum("kia,kib->kab", j, j)
+            self.mass += body.inertia * np.outer(body.turn, body.turn)
+            self.bias += body.mass * np.einsum("kia,ki->ka", j, body.centre.bias)
+            self.weight += body.mass * j
+        m = len(parts.points)
+        self.rows, self.biases = np.zeros((k, m, 2, n)), np.zeros((k, m, 2))
+        self.gaps = np.zeros((k, m))
+        for i, point in enumerate(parts.points):
+            self.rows[:, i], self.biases[:, i] = point.place.jacobian, point.place.bias
+            self.gaps[:, i] = point.place.value[:, 1]
+        self.rates = np.einsum("kmin,kn->kmi", self.rows, states.v)
+
+    def __getitem__(self, which: np.ndarray) -> At:
+        """Some of the states."""
+        states = States(self.states.names, self.states.q[which], self.states.v[which])
+        return At(self.of, states, self.of.parts(states))
+
+    def forces(self, ax, ay, pressed: Sequence[int] = ()) -> np.ndarray:
+        """(k, n) of all but the points, with the ground's acceleration and what turns.
+
+        pressed : 1 for each strut that acts.
+        """
+        k = len(self.bias)
+        ax, ay = np.broadcast_to(ax, k), np.broadcast_to(ay, k)
+        down = ay + self.of.gravity
+        found = -ax[:, None] * self.weight[:, 0] - down[:, None] * self.weight[:, 1]
+        found = found - self.bias + self.parts.elastic
+        for acts, strut in zip(pressed, self.parts.struts, strict=False):
+            if acts:
+                push = self.push(strut)
+                found = found + push[:, None] * strut.place.jacobian[:, 1]
+        return found
+
+    def push(self, strut: Strut) -> np.ndarray:
+        """k d + c d' of a strut, whether it touches or not."""
+        rate = np.einsum("kn,kn->k", strut.place.jacobian[:, 1], self.states.v)
+        return -strut.stiffness * strut.place.value[:, 1] - strut.damping * rate
+
+    def kinetic(self) -> np.ndarray:
+        return 0.5 * np.einsum("ka,kab,kb->k", self.states.v, self.mass, self.states.v)
+
+    def potential(self) -> np.ndarray:
+        """Of the weight and of inner springs."""
+        total = np.zeros(len(self.bias)) + self.parts.stored
+        for body in self.parts.masses:
+            total = total + self.of.gravity * body.mass * body.centre.value[:, 1]
+        return total
+
+    def held(self, pattern: Sequence[int]) -> tuple[list[int], list[int]]:
+        """The points that carry normal forces in a pattern, and those that carry friction.
+
+        Rigid bodies do not say how more than two points of a pair share their force: the outer two
+        carry it, and the first of them the friction of all.
+        """
+        pairs: dict[int, list[int]] = {}
+        for i, state in enumerate(pattern):
+            if state != OPEN:
+                pairs.setdefault(self.parts.points[i].pair, []).append(i)
+        normal, along = [], []
+        for members in pairs.values():
+            if len(members) > 2:
+                where = [float(self.parts.points[i].place.value[0, 0]) for i in members]
+                members = [members[int(np.argmin(where))], members[int(np.argmax(where))]]
+            normal += members
+            along.append(members[0])
+        return normal, along
+
+    def solve(self, pattern: Sequence[int], force: np.ndarray) -> Solved:
+        """Accelerations and contact forces in a pattern of point states, by its constraints."""
+        normal, along = self.held(pattern)
+        stuck = [i for i in along if pattern[i] == STICK]
+        k = len(self.bias)
+        rows = [self.rows[:, i, 1] for i in normal] + [self.rows[:, i, 0] for i in stuck]
+        free = np.linalg.solve(self.mass, force[:, :, None])[:, :, 0]
+        if not rows:
+            return Solved(free, np.zeros((k, 0)), np.zeros((k, 0)), normal, along)
+        right = [-self.biases[:, i, 1] for i in normal] + [-self.biases[:, i, 0] for i in stuck]
+        pushes = [self.push_of(i, pattern[i]) for i in normal]
+        pushes += [self.rows[:, i, 0] for i in stuck]
+        r, p = np.stack(rows, axis=1), np.stack(pushes, axis=2)
+        spread = np.linalg.solve(self.mass, p)
+        system = r @ spread
+        lacks = np.stack(right, axis=1) - np.einsum("krn,kn->kr", r, free)
+        with np.errstate(all="ignore"):
+            forces = np.linalg.solve(system, lacks[:, :, None])[:, :, 0]
+        motion = free + np.einsum("knr,kr->kn", spread, forces)
+        pressed = forces[:, : len(normal)]
+        friction = np.zeros((k, len(along)))
+        for column, i in enumerate(along):
+            if i in stuck:
+                friction[:, column] = forces[:, len(normal) + stuck.index(i)]
+            else:
+                for j, other in enumerate(normal):
+                    if self.parts.points[other].pair == self.parts.points[i].pair:
+                        mu = self.parts.points[other].friction
+                        friction[:, column] -= SENSE[pattern[i]] * mu * pressed[:, j]
+        return Solved(motion, pressed, friction, normal, along)
+
+    def push_of(self, point: int, state: int) -> np.ndarray:
+        """(k, n) of a unit of normal force, with the friction that goes with it where it slips."""
+        push = self.rows[:, point, 1]
+        if SENSE[state]:
+            push = push - self.parts.points[point].friction * SENSE[state] * self.rows[:, point, 0]
+        return push
+
+    def bound(self, point: int, solved: Solved) -> np.ndarray:
+        """(k,) the most friction of the pair of a point at these normal forces."""
+        total = 0.0
+        for j, other in enumerate(solved.normal):
+            if self.parts.points[other].pair == self.parts.points[point].pair:
+                mu = self.parts.points[other].friction
+                total = total + mu * np.maximum(solved.pressed[:, j], 0.0)
+        return total + np.zeros(len(solved.pressed))
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Accelerations (k, n); forces of the points in `normal` (k, a) and of the pairs in `along`."""
+
+    motion: np.ndarray
+    pressed: np.ndarray
+    friction: np.ndarray
+    normal: Sequence[int]
+    along: Sequence[int]
+
+
+# -- structures
+
+
+@dataclass(frozen=True)
+class Foot:
+    """A foot of a block, from the base's centre."""
+
+    name: str
+    along: float
+    across: float
+    friction: float
+    restitution: float
+
+
+@dataclass(frozen=True)
+class BlockOnFeet(Mechanics):
+    """A rigid body on any number of feet; x, y of its base's centre and theta."""
+
+    mass: float
+    inertia: float
+    height: float
+    feet: tuple[Foot, ...]
+    gravity: float = 9.81
+    coordinates: tuple[str, ...] = ("x", "y", "theta")
+
+    @property
+    def size(self) -> float:  # type: ignore[override]
+        return math.hypot(self.height, max(abs(f.along) for f in self.feet))
+
+    def lowest(self, theta: float) -> float:
+        """The height of the base's centre at which the lowest foot touches."""
+        s, c = math.sin(theta), math.cos(theta)
+        return max(f.along * s - f.across * c for f in self.feet)
+
+    def parts(self, states: States) -> Parts:
+        base, theta = states.origin("x", "y"), states.turn(theta=1.0)
+        centre = states.carried(base, theta, 0.0, self.height)
+        points = [
+            Point(f.name, states.carried(base, theta, f.along, f.across), f.friction,
+                  f.restitution, 0)
+            for f in self.feet
+        ]  # fmt: skip
+        return Parts([Mass(self.mass, self.inertia, centre, theta)], points)
+
+
+@dataclass(frozen=True)
+class TwoBlocks(Mechanics):
+    """A rectangular block on another one, half-widths b, half-heights h; nothing slips."""
+
+    b: tuple[float, float]
+    h: tuple[float, float]
+    m: tuple[float, float]
+    inertia: tuple[float, float]
+    restitution: float
+    gravity: float = 9.81
+    coordinates: tuple[str, ...] = ("x", "y", "theta", "xi", "eta", "phi")
+
+    @property
+    def size(self) -> float:  # type: ignore[override]
+        return math.hypot(self.b[0], 2 * self.h[0])
+
+    def parts(self, states: States) -> Parts:
+        theta, phi = states.turn(theta=1.0), states.turn(phi=1.0)
+        base = states.origin("x", "y")
+        lower = states.carried(base, theta, 0.0, self.h[0])
+        # on the lower block's top: along by xi, and across by 2 h + eta
+        foot = states.carried(base, theta, 0.0, 2 * self.h[0], moves="xi")
+        foot = self._raised(states, foot, theta)
+        upper = states.carried(foot, phi, 0.0, self.h[1])
+        seen = states.origin("xi", "eta")
+        points = [
+            Point(name, states.carried(base, theta, s * self.b[0], 0.0), math.inf,
+                  self.restitution, 0)
+            for name, s in (("left", -1), ("right", 1))
+        ] + [
+            Point(name, states.carried(seen, phi - theta, s * self.b[1], 0.0), math.inf,
+                  self.restitution, 1)
+            for name, s in (("upper_left", -1), ("upper_right", 1))
+        ]  # fmt: skip
+        masses = [
+            Mass(self.m[0], self.inertia[0], lower, theta),
+            Mass(self.m[1], self.inertia[1], upper, phi),
+        ]
+        return Parts(masses, points)
+
+    @staticmethod
+    def _raised(states: States, foot: Place, theta: np.ndarray) -> Place:
+        """The point moved by eta across the lower block's axis."""
+        angle, rate = states.q @ theta, states.v @ theta
+        j = states.column("eta")
+        eta, eta_rate = states.q[:, j], states.v[:, j]
+        a = np.stack([np.cos(angle), -np.sin(angle)], axis=1)
+        n = np.stack([np.sin(angle), np.cos(angle)], axis=1)
+        jacobian = foot.jacobian + (eta[:, None] * a)[:, :, None] * theta
+        jacobian[:, :, j] += n
+        bias = foot.bias - (rate**2 * eta)[:, None] * n + (2 * rate * eta_rate)[:, None] * a
+        return Place(foot.value + eta[:, None] * n, jacobian, bias)
+
+
+@dataclass(frozen=True)
+class Storey:
+    """A floor: mass, inertia, height, and the stiffness and damping of the storey below it."""
+
+    mass: float
+    inertia: float
+    height: float
+    stiffness: float
+    damping: float
+    coordinate: str
+
+
+@dataclass(frozen=True)
+class Frame(Mechanics):
+    """Floors that move along the axis of a base, which stands on two feet or on struts."""
+
+    floors: tuple[Storey, ...]
+    base_mass: float
+    base_height: float
+    base_inertia: float
+    half_width: float
+    feet: tuple[Foot, ...] = ()
+    struts: tuple[tuple[str, float, float, float], ...] = ()
+    """Name, place along the base, stiffness and damping."""
+    settlement: float = 0.0
+    gravity: float = 9.81
+    coordinates: tuple[str, ...] = ()
+
+    @property
+    def size(self) -> float:  # type: ignore[override]
+        return math.hypot(self.half_width, max(f.height for f in self.floors))
+
+    def parts(self, states: States) -> Parts:
+        theta = states.turn(theta=1.0)
+        if self.struts:
+            base = states.origin(None, "heave")
+            base = Place(base.value - [0.0, self.settlement], base.jacobian, base.bias)
+        else:
+            base = states.origin("x", "y")
+        masses = [
+            Mass(self.base_mass, self.base_inertia,
+                 states.carried(base, theta, 0.0, self.base_height), theta)
+        ]  # fmt: skip
+        k, n = states.q.shape
+        elastic, stored = np.zeros((k, n)), np.zeros(k)
+        below = None
+        for floor in self.floors:
+            moves = floor.coordinate or None
+            centre = states.carried(base, theta, 0.0, floor.height, moves=moves)
+            masses.append(Mass(floor.mass, floor.inertia, centre, theta))
+            if moves is None:
+                continue
+            j = states.column(moves)
+            drift, rate = states.q[:, j], states.v[:, j]
+            if below is not None:
+                drift, rate = drift - states.q[:, below], rate - states.v[:, below]
+            force = floor.stiffness * drift + floor.damping * rate
+            elastic[:, j] -= force
+            if below is not None:
+                elastic[:, below] += force
+            stored += 0.5 * floor.stiffness * drift**2
+            below = j
+        points = [
+            Point(f.name, states.carried(base, theta, f.along, f.across), f.friction,
+                  f.restitution, 0)
+            for f in self.feet
+        ]  # fmt: skip
+        struts = [
+            Strut(name, states.carried(base, theta, along, 0.0), k_s, c_s)
+            for name, along, k_s, c_s in self.struts
+        ]
+        return Parts(masses, points, struts, elastic, stored)
+
+
+# -- of structures of the package
+
+
+def _rectangle(mass: float, b: float, h: float) -> float:
+    return mass * (b * b + h * h) / 3.0
+
+
+def of_sliding_block(given: Mapping[str, float]) -> BlockOnFeet:
+    b, h = given["half_width"], given["half_height"]
+    feet = tuple(
+        Foot(name, s * b, 0.0, given["friction"], given["restitution"])
+        for name, s in (("left", -1), ("right", 1))
+    )
+    mass = given.get("mass", 1.0)
+    return BlockOnFeet(mass, _rectangle(mass, b, h), h, feet)
+
+
+def of_stack(given: Mapping[str, float]) -> TwoBlocks:
+    b = given["lower_half_width"], given["upper_half_width"]
+    h = given["lower_half_height"], given["upper_half_height"]
+    m = given["lower_mass"], given["upper_mass"]
+    inertia = _rectangle(m[0], b[0], h[0]), _rectangle(m[1], b[1], h[1])
+    return TwoBlocks(b, h, m, inertia, given["restitution"])

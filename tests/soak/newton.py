@@ -1,0 +1,693 @@
+"""A response of bodies on points, held against Newton-Euler mechanics written by hand.
+
+Each check yields a line for each violation; its first words name the kind. The bounds:
+
+- Within a step the velocities change by the integral of the accelerations that the contact forces
+  of the mode give, and positions by that of the velocities. Closed points press, friction is within
+  its bound and opposes the slip, open points are above their surface.
+- At a landing the change of momentum is one of impulses at touching points that press, within the
+  friction cone; a gap opens at least with e times the rate with which it closed, and no faster
+  where the point presses. With e = 0 the kinetic energy does not grow (p' v+ <= 0; with friction
+  and e > 0 Newton's law of restitution may give energy, and it is not bounded here).
+- A rest (infinitely many landings at once) lasts no longer than 2 `rest_tolerance` sqrt(l/a), l the
+  size of the structure and a the acceleration with which the gaps that come to rest close; or than
+  the hops take that are lower than LOWEST l, which are hardly more than the rounding of a gap.
+  Within it a velocity changes by no more than GENTLE accelerations in that time, and a position by
+  its velocity in that time. What is closed after it neither opens nor sinks.
+- A motion that is given up has no mode that fits its last state, or several with other
+  accelerations: all patterns of open, sticking and slipping points are tried.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+import rockeom as rk
+from rockeom.contract import LANDING, REST
+from tests.soak.checks import FINEST, Record, finite, joined, ordered
+from tests.soak.mechanics import OPEN, SENSE, SLIP_LEFT, SLIP_RIGHT, STICK, At, Mechanics, Solved
+
+Found = Iterator[str]
+
+SLACK = 1000.0
+"""By how much a state may be less accurate than the tolerance of a step says."""
+NOISE = 1e-9
+"""Relative rounding of forces and impulses of systems of equations as they occur here."""
+GENTLE = 20.0
+"""Impacts of a rest change a velocity by so many times the accelerations in its time: those of
+gaps that all close within it, and what these do to other velocities."""
+LOWEST = 1e-11
+"""Hops lower than this part of the size of a structure may be summed, however long they take."""
+STEPS = 120
+"""So many steps of a motion are looked at, drawn by its seed."""
+EVENTS = 300
+_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
+NODES, WEIGHTS = 0.5 + 0.5 * _POINTS, 0.5 * _WEIGHTS
+_POWERS = NODES[:, None] ** np.arange(8)
+
+
+@dataclass(frozen=True)
+class Told(Record):
+    """A response with the mechanics of its structure."""
+
+    by_hand: Mechanics = None  # type: ignore[assignment]
+
+    @cached_property
+    def columns(self) -> np.ndarray:
+        """Columns of the coordinates in the states, in the order of the mechanics."""
+        names = list(self.program.STATES)
+        return np.array([names.index(name) for name in self.by_hand.coordinates])
+
+    @cached_property
+    def rates_of(self) -> np.ndarray:
+        names = list(self.program.STATES)
+        return np.array([names.index(f"{name}_dot") for name in self.by_hand.coordinates])
+
+    def at(self, y: np.ndarray) -> At:
+        """Mechanics in states y (k, N)."""
+        return self.by_hand.at(y[:, self.columns], y[:, self.rates_of])
+
+    def shaking(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        vertical = self.motion.vertical
+        ay = np.zeros(np.shape(t)) if vertical is None else vertical.acceleration(t)
+        return self.motion.motion.acceleration(t), ay
+
+    @cached_property
+    def loose(self) -> float:
+        """Relative error that a state may have."""
+        o = self.motion.options
+        return SLACK * max(o.rtol, FINEST)
+
+    @cached_property
+    def length(self) -> np.ndarray:  # type: ignore[override]
+        return self.run.steps.span[:, 1]
+
+    @cached_property
+    def speed(self) -> float:
+        """A velocity of the motion, to judge others by: the largest of its energies."""
+        first = self.at(self.first)
+        kinetic = first.kinetic().max(initial=0.0)
+        mass = sum(body.mass for body in first.parts.masses)
+        return math.sqrt(2 * kinetic / mass) + SLACK * self.motion.options.atol / self.loose
+
+    def pattern(self, contact: int) -> tuple[int, ...]:
+        return tuple(self.program.POINT_STATES[contact])
+
+    def name(self, contact: int) -> str:
+        return self.program.CONTACTS[contact]
+
+
+def on_contacts(r: Told) -> Found:
+    """All that must hold of one response."""
+    yield from finite(r)
+    if r.run.outcome is rk.Outcome.NOT_FINITE:
+        yield "gave up: not finite"
+        return
+    yield from ordered(r)
+    yield from joined(r)
+    yield from followed(r)
+    yield from met(r)
+    yield from rested(r)
+    yield from ended(r)
+
+
+# -- between events
+
+
+def followed(r: Told) -> Found:
+    """Steps: accelerations and velocities give what changes, contact forces are possible."""
+    steps = np.flatnonzero(~r.rests & (r.length > 1e-13 * r.run.duration))
+    if len(steps) > STEPS:
+        rng = np.random.default_rng([r.motion.seed % 2**32, 1])
+        steps = np.sort(rng.choice(steps, STEPS, replace=False))
+    for contact in np.unique(r.contact[steps]):
+        these = steps[r.contact[steps] == contact]
+        yield from _followed(r, int(contact), these)
+
+
+def _followed(r: Told, contact: int, steps: np.ndarray) -> Found:
+    powers = r.run.steps.powers[steps]
+    inside = np.einsum("xj,nji->nxi", _POWERS, powers)
+    k, samples = len(steps), len(NODES)
+    h = r.length[steps]
+    t = r.start[steps][:, None] + h[:, None] * NODES
+    ax, ay = (a.ravel() for a in r.shaking(t))
+    at = r.at(inside.reshape(k * samples, -1))
+    pattern = r.pattern(contact)
+    elements = r.program.ELEMENT_STATES[contact]
+    force = at.forces(ax, ay, elements)
+    solved = at.solve(pattern, force)
+    name = r.name(contact)
+
+    def where(sample: int) -> str:
+        return f"in {name} at {t.ravel()[sample]:.9g} s"
+
+    # -- the integrals
+    first, last = powers[:, 0], powers.sum(axis=1)
+    v = at.states.v.reshape(k, samples, -1)
+    a = solved.motion.reshape(k, samples, -1)
+    moves = np.einsum("s,ksn->kn", WEIGHTS, v) * h[:, None]
+    speeds_up = np.einsum("s,ksn->kn", WEIGHTS, a) * h[:, None]
+    lacks = last[:, r.columns] - first[:, r.columns] - moves
+    lacks_speed = last[:, r.rates_of] - first[:, r.rates_of] - speeds_up
+    room = r.error(np.maximum(np.abs(first), np.abs(last)))
+    largest = np.abs(a).max(axis=1) * h[:, None]
+    room_speed = room[:, r.rates_of] + (r.loose + NOISE) * largest
+    room_place = room[:, r.columns] + r.loose * np.abs(v).max(axis=1) * h[:, None]
+    for what, lack, may in (
+        ("rates", lacks, room_place), ("forces", lacks_speed, room_speed),
+    ):  # fmt: skip
+        over = np.abs(lack) / may
+        if not (over <= 1.0).all():
+            i, j = np.unravel_index(int(np.nanargmax(over)), over.shape)
+            yield (
+                f"{what}: {r.by_hand.coordinates[j]} changes by {lack[i, j]:.3g} more than its "
+                f"{what} give in the step from {r.start[steps[i]]:.9g} s, {h[i]:.3g} s, in {name}: "
+                f"{over[i, j]:.3g} of what may be"
+            )
+    yield from _possible(r, at, pattern, solved, ax, ay, where)
+    yield from _pressed(r, at, elements, where)
+
+
+def _scale(at: At, ax: np.ndarray, ay: np.ndarray) -> np.ndarray:
+    """(k,) a force of the structure: its masses times accelerations."""
+    mass = sum(body.mass for body in at.parts.masses)
+    return mass * (at.of.gravity + np.abs(ax) + np.abs(ay))
+
+
+def _possible(r: Told, at: At, pattern, solved: Solved, ax, ay, where) -> Found:
+    """No tension, friction within its bound and against the slip, no sinking, no slip of sticks."""
+    size, speed = r.by_hand.size, r.speed
+    force = _scale(at, ax, ay) + np.abs(solved.pressed).max(axis=1, initial=0.0)
+    room = (r.loose + 1e-7) * force
+    gap_room = (r.loose + 1e-8) * size
+    rate_room = (r.loose + 1e-8) * (speed + np.abs(at.rates).max(axis=(1, 2), initial=0.0))
+    points = at.parts.points
+    for column, i in enumerate(solved.normal):
+        pull = -solved.pressed[:, column] - room
+        if (pull > 0).any():
+            s = int(pull.argmax())
+            tension = -solved.pressed[s, column]
+            yield f"tension: {points[i].name} pulls with {tension:.6g} N {where(s)}"
+    for column, i in enumerate(solved.along):
+        bound = at.bound(i, solved)
+        over = np.abs(solved.friction[:, column]) - bound - room
+        if (over > 0).any():
+            s = int(over.argmax())
+            yield (
+                f"friction: {points[i].name} needs {solved.friction[s, column]:.6g} N of "
+                f"{bound[s]:.6g} N {where(s)}"
+            )
+    for i, state in enumerate(pattern):
+        gap, rate = at.gaps[:, i], at.rates[:, i]
+        if state == OPEN:
+            sunk = -gap - gap_room
+        else:
+            sunk = np.abs(gap) - gap_room
+            apart = np.abs(rate[:, 1]) - rate_room
+            if (apart > 0).any():
+                s = int(apart.argmax())
+                yield (
+                    f"constraint: the gap of closed {points[i].name} changes at {rate[s, 1]:.3g} "
+                    f"m/s {where(s)}"
+                )
+        if (sunk > 0).any():
+            s = int(sunk.argmax())
+            yield f"gap: that of {points[i].name} is {gap[s]:.6g} m {where(s)}"
+        if state == STICK and (np.abs(rate[:, 0]) > rate_room).any():
+            s = int(np.abs(rate[:, 0]).argmax())
+            yield f"slip: {points[i].name} sticks and slips at {rate[s, 0]:.3g} m/s {where(s)}"
+        if SENSE[state] and (-SENSE[state] * rate[:, 0] > rate_room).any():
+            s = int((-SENSE[state] * rate[:, 0]).argmax())
+            yield f"slip: {points[i].name} slips the other way at {rate[s, 0]:.3g} m/s {where(s)}"
+
+
+def _pressed(r: Told, at: At, elements, where) -> Found:
+    """A spring and damper press only what touches them, and never pull."""
+    for acts, strut in zip(elements, at.parts.struts, strict=False):
+        push, above = at.push(strut), strut.place.value[:, 1]
+        room = (r.loose + 1e-8) * r.by_hand.size
+        force_room = strut.stiffness * room + strut.damping * r.loose * r.speed
+        if acts and (above > room).any():
+            s = int(above.argmax())
+            yield (
+                f"spring: {strut.name} presses with {push[s]:.6g} N, {above[s]:.3g} m above its "
+                f"spring {where(s)}"
+            )
+        if acts and (push < -force_room).any():
+            s = int(push.argmin())
+            yield f"spring: {strut.name} pulls with {-push[s]:.6g} N {where(s)}"
+        if not acts and ((above < -room) & (push > force_room)).any():
+            s = int(np.where(above < -room, push, -np.inf).argmax())
+            yield f"spring: {strut.name} should press with {push[s]:.6g} N {where(s)}"
+
+
+# -- at events
+
+
+def met(r: Told) -> Found:
+    """Events: places stay; velocities change at landings alone, by impulses of touching points."""
+    count = min(len(r.times), EVENTS)
+    if not count:
+        return
+    kinds = r.kinds[:count]
+    moved = r.after[:count] - r.before[:count]
+    size = r.by_hand.size
+    jump = np.abs(moved[:, r.columns]).max(axis=1)
+    room = (r.loose + 1e-8) * (size + np.abs(r.before[:count][:, r.columns]).max(axis=1))
+    for i in np.flatnonzero((kinds != REST) & (jump > room))[:1]:
+        yield f"event place: at {r.times[i]:.9g} s a place jumps by {jump[i]:.3g}"
+    faster = np.abs(moved[:, r.rates_of]).max(axis=1)
+    room = (r.loose + 1e-8) * (r.speed + np.abs(r.before[:count][:, r.rates_of]).max(axis=1))
+    for i in np.flatnonzero((kinds != REST) & (kinds != LANDING) & (faster > room))[:1]:
+        yield (
+            f"event velocity: at {r.times[i]:.9g} s a velocity jumps by {faster[i]:.3g} without a "
+            "landing"
+        )
+    landings = np.flatnonzero(kinds == LANDING)
+    if not len(landings):
+        return
+    before, after = r.at(r.before[landings]), r.at(r.after[landings])
+    # what touches is put on its surface; what is open still, and was thrown down, lands afterwards
+    large = size + np.abs(after.states.q).max(axis=1)
+    opened = np.array([r.pattern(c) for c in r.targets[landings]]) == OPEN
+    above = (np.maximum(before.gaps, after.gaps) > 0) | (before.rates[:, :, 1] >= 0)
+    small = 1e-9 * np.sqrt(2 * before.kinetic() / sum(b.mass for b in before.parts.masses))
+    later = opened & above & (after.rates[:, :, 1] < -small[:, None])
+    touching = (after.gaps <= 4e-14 * large[:, None]) & ~later
+    for mask in np.unique(touching, axis=0):
+        these = np.flatnonzero((touching == mask).all(axis=1))
+        yield from _landed(r, landings[these], before[these], after[these], mask)
+
+
+def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray) -> Found:
+    pattern = [STICK if t else OPEN for t in touching]
+    normal, along = before.held(pattern)
+    points = before.parts.points
+    v0, v1 = before.states.v, after.states.v
+    given = np.einsum("kab,kb->ka", before.mass, v1 - v0)
+    rows = [before.rows[:, i, 1] for i in normal] + [before.rows[:, i, 0] for i in along]
+
+    def told(i: int) -> str:
+        return f"landing at {r.times[events[i]]:.9g} s"
+
+    speed = np.sqrt(2 * before.kinetic() / sum(b.mass for b in before.parts.masses))
+    speed = speed + 1e-6 * r.speed
+    room = (r.loose + 1e-8) * speed
+    if not rows:
+        yield f"landing momentum: {told(0)}: no point touches"
+        return
+    j = np.stack(rows, axis=1)
+    compliance = j @ np.linalg.solve(before.mass, np.swapaxes(j, 1, 2))
+    changes = np.einsum("kra,ka->kr", j, v1 - v0)
+    impulse = np.einsum("krs,ks->kr", np.linalg.pinv(compliance, rcond=1e-11), changes)
+    left = given - np.einsum("kra,kr->ka", j, impulse)
+    mobility = np.linalg.solve(before.mass, left[:, :, None])[:, :, 0]
+    strange = np.sqrt(np.abs(np.einsum("ka,ka->k", left, mobility)))
+    mass = sum(b.mass for b in before.parts.masses)
+    for i in np.flatnonzero(strange > room * math.sqrt(mass))[:1]:
+        yield (
+            f"landing momentum: {told(i)}: velocities change by no impulses of touching points, by "
+            f"{strange[i] / math.sqrt(mass):.3g} m/s"
+        )
+    most = mass * speed
+    room_i = (r.loose + 1e-7) * most
+    pressed, friction = impulse[:, : len(normal)], impulse[:, len(normal) :]
+    rate0 = before.rates
+    rate1 = np.einsum("kmin,kn->kmi", before.rows, v1)
+    for column, p in enumerate(normal):
+        pull = -pressed[:, column] - room_i
+        for i in np.flatnonzero(pull > 0)[:1]:
+            yield (
+                f"landing tension: {told(i)}: {points[p].name} pulls with "
+                f"{-pressed[i, column]:.6g} N s"
+            )
+    for column, p in enumerate(along):
+        bound = np.zeros(len(events))
+        for c, other in enumerate(normal):
+            if points[other].pair == points[p].pair:
+                presses = pressed[:, c] > room_i
+                bound[presses] += points[other].friction * pressed[presses, c]
+        over = np.abs(friction[:, column]) - bound - room_i
+        if math.isinf(points[p].friction):  # it is held until its normal impulse is zero
+            over[:] = 0.0
+        for i in np.flatnonzero(over > 0)[:1]:
+            yield (
+                f"landing friction: {told(i)}: {points[p].name} needs {friction[i, column]:.6g} "
+                f"N s, {bound[i]:.6g} N s there are"
+            )
+        slip = rate1[:, p, 0]
+        free = np.abs(friction[:, column] + np.sign(slip) * bound) > room_i
+        slips = (np.abs(slip) > room) & free & (bound > 0)
+        for i in np.flatnonzero(slips)[:1]:
+            yield (
+                f"landing friction: {told(i)}: {points[p].name} slips at {slip[i]:.6g} m/s "
+                f"after an impulse of {friction[i, column]:.6g} N s, the bound is {bound[i]:.6g} N s"
+            )
+    for p in np.flatnonzero(touching):
+        least = points[p].restitution * np.maximum(-rate0[:, p, 1], 0.0)
+        slow = least - rate1[:, p, 1] - room
+        for i in np.flatnonzero(slow > 0)[:1]:
+            yield (
+                f"restitution: {told(i)}: {points[p].name} leaves at {rate1[i, p, 1]:.6g} m/s, "
+                f"restitution asks for {least[i]:.6g} m/s"
+            )
+        if p in normal:
+            presses = pressed[:, normal.index(p)] > room_i
+            fast = rate1[:, p, 1] - least - room
+            for i in np.flatnonzero(presses & (fast > 0))[:1]:
+                yield (
+                    f"restitution: {told(i)}: {points[p].name} presses and leaves at "
+                    f"{rate1[i, p, 1]:.6g} m/s, restitution asks for {least[i]:.6g} m/s"
+                )
+    if not any(p.restitution for p in points):
+        gain = 0.5 * np.einsum("ka,kab,kb->k", v1, before.mass, v1) - before.kinetic()
+        for i in np.flatnonzero(gain > (r.loose + 1e-8) * mass * speed**2)[:1]:
+            yield f"landing energy: {told(i)}: the kinetic energy grows by {gain[i]:.3g} J"
+
+
+# -- rests
+
+
+def rested(r: Told) -> Found:
+    """Infinitely many landings at once: no longer, and no more, than `rest_tolerance` allows."""
+    rests = np.flatnonzero(r.kinds == REST)[:EVENTS]
+    if not len(rests):
+        return
+    size, tolerance = r.by_hand.size, r.motion.options.rest_tolerance
+    before, after = r.at(r.before[rests]), r.at(r.after[rests])
+    began = r.times[rests].copy()
+    for i, end in enumerate(r.times[rests]):
+        steps = np.flatnonzero(r.rests & (r.stop == end))
+        if len(steps):
+            began[i] = r.start[steps[0]]
+    ax, ay = r.shaking(began)
+    lasts = r.times[rests] - began
+    for i, e in enumerate(rests):
+        source, target = r.pattern(r.sources[e]), r.pattern(r.targets[e])
+        one, two = before[np.array([i])], after[np.array([i])]
+        solved = one.solve(source, one.forces(ax[i], ay[i]))
+        yield from _rested(
+            r, one, two, source, target, solved, float(lasts[i]), float(r.times[e]),
+            abs(ax[i]) + abs(ay[i]), tolerance, size,
+        )  # fmt: skip
+
+
+def _rested(
+    r: Told, one: At, two: At, source, target, solved: Solved, lasts: float, time: float,
+    ground: float, tolerance: float, size: float,
+) -> Found:  # fmt: skip
+    names = [p.name for p in one.parts.points]
+    where = f"rest at {time:.9g} s"
+    landed = [i for i in range(len(names)) if source[i] == OPEN and target[i] != OPEN]
+    closing = [-float(one.rows[0, i, 1] @ solved.motion[0] + one.biases[0, i, 1]) for i in landed]
+    if not landed:
+        yield f"empty rest: {where}: no point comes to rest"
+    # -- its time
+    slowest = max(min(closing, default=0.0), 1e-6 * one.of.gravity)
+    e = max(p.restitution for p in one.parts.points)
+    hops = math.sqrt(8.0 * LOWEST) / max(1.0 - e, 1e-3)
+    longest = 2.0 * (tolerance + hops) * math.sqrt(size / slowest)
+    if lasts > longest + 1e-14 * time:
+        yield (
+            f"long rest: {where}: it takes {lasts:.3g} s, {longest:.3g} s may be (gaps close with "
+            f"{', '.join(f'{a:.3g}' for a in closing)} m/s2)"
+        )
+    # -- velocities and places
+    speed = float(np.abs(one.rates[0]).max()) + float(np.sqrt(2 * one.kinetic()[0] / sum(
+        b.mass for b in one.parts.masses
+    )))  # fmt: skip
+    hard = one.of.gravity + ground + speed**2 / size + abs(max(closing, default=0.0))
+    # a length of rotations is the size
+    turns = np.array([size if n in ("theta", "phi") else 1.0 for n in one.of.coordinates])
+    v0, v1 = one.states.v[0] * turns, two.states.v[0] * turns
+    q0, q1 = one.states.q[0] * turns, two.states.q[0] * turns
+    rounding = (3e-8 + 1e-3 * r.loose) * (speed + r.speed)
+    falls = float(np.maximum(-one.rates[0, landed, 1], 0.0).max(initial=0.0))
+    most = GENTLE * (hard * lasts + falls) + rounding
+    gap_room = 1e-9 * size + 1e-3 * r.loose * size
+    reach = lasts * float(np.abs(one.rates[0, landed, 1]).max(initial=0.0))
+    reach += GENTLE * hard * lasts**2 + gap_room
+    for i in landed:
+        if one.gaps[0, i] > reach:
+            yield (
+                f"rest reach: {where}: {names[i]} is closed after {lasts:.3g} s from a gap of "
+                f"{one.gaps[0, i]:.3g} m, its rate is {one.rates[0, i, 1]:.3g} m/s"
+            )
+    for j in np.flatnonzero(np.abs(v1 - v0) > most)[:1]:
+        yield (
+            f"rest velocity: {where}: the velocity of {one.of.coordinates[j]} changes by "
+            f"{(v1 - v0)[j]:.6g} m/s in {lasts:.3g} s, {most:.3g} m/s may be"
+        )
+    room = (most + np.abs(v1 - v0)) * lasts + 1e-12 * np.abs(q0)
+    room += (1e-10 + 1e-2 * r.loose) * size
+    lack = q1 - q0 - 0.5 * lasts * (v0 + v1)
+    for j in np.flatnonzero(np.abs(lack) > room)[:1]:
+        yield (
+            f"rest place: {where}: {one.of.coordinates[j]} moves by {(q1 - q0)[j]:.6g} "
+            f"in {lasts:.3g} s, its rates give {(q1 - q0 - lack)[j]:.6g}"
+        )
+    near = [
+        STICK if target[i] != OPEN or source[i] != OPEN or one.gaps[0, i] <= reach else OPEN
+        for i in range(len(names))
+    ]
+    yield from _pushed_in_rest(r, one, two, solved, near, lasts, hard * lasts, rounding, where)
+    # -- what bounces comes back within it, and what is closed stays so
+    fast = one.rates[0, landed, 1] - most  # others that come down may bring it back
+    for i in np.flatnonzero(fast > 0)[:1]:
+        leaves = one.rates[0, landed[i], 1]
+        yield f"rest bounce: {where}: {names[landed[i]]} leaves at {leaves:.6g} m/s"
+    for i, state in enumerate(target):
+        gap, rate = two.gaps[0, i], two.rates[0, i]
+        if gap < -gap_room or (state != OPEN and gap > gap_room):
+            yield f"rest gap: {where}: the gap of {names[i]} is {gap:.3g} m after it"
+        if state != OPEN and abs(rate[1]) > 1e-9 * speed + rounding:
+            yield f"rest gap: {where}: the gap of {names[i]} changes at {rate[1]:.3g} m/s after it"
+        if state == STICK and abs(rate[0]) > 1e-9 * speed + rounding:
+            yield f"rest slip: {where}: {names[i]} sticks and slips at {rate[0]:.3g} m/s after it"
+    gained = float((two.kinetic() + two.potential() - one.kinetic() - one.potential())[0])
+    mass = sum(b.mass for b in one.parts.masses)
+    if gained > mass * (speed + most) * (hard * lasts + rounding) + 1e-12 * abs(
+        float(one.potential()[0])
+    ):
+        yield f"rest energy: {where}: the energy grows by {gained:.3g} J in {lasts:.3g} s"
+
+
+def _pushed_in_rest(
+    r: Told, one: At, two: At, solved: Solved, near, lasts: float, faster: float,
+    rounding: float, where: str,
+) -> Found:  # fmt: skip
+    """The momentum that a rest gives is that of forces, and of impulses at points that were near.
+
+    faster : a velocity that is gained within it [m/s].
+    """
+    normal, along = one.held(near)
+    mass = sum(b.mass for b in one.parts.masses)
+    rows = [one.rows[0, i, 1] for i in normal] + [one.rows[0, i, 0] for i in along]
+    # less what the mode before it does, whose forces are among these impulses
+    given = one.mass[0] @ (two.states.v[0] - one.states.v[0] - lasts * solved.motion[0])
+    j = np.array(rows)
+    mobility = np.linalg.inv(one.mass[0])
+    impulse = np.linalg.pinv(j @ mobility @ j.T, rcond=1e-11) @ (j @ mobility @ given)
+    left = given - j.T @ impulse
+    strange = math.sqrt(max(float(left @ mobility @ left), 0.0))
+    room = math.sqrt(mass) * (0.1 * faster + rounding)
+    if strange > room:
+        yield (
+            f"rest momentum: {where}: velocities change by no impulses of what touches: "
+            f"{strange / math.sqrt(mass):.3g} m/s, {room / math.sqrt(mass):.3g} may be"
+        )
+    pulls = -float(impulse[: len(normal)].min(initial=0.0))
+    hold = mass * (GENTLE * faster + 10 * rounding)
+    if pulls > hold:
+        yield f"rest momentum: {where}: a point pulls with {pulls:.3g} N s, {hold:.3g} may be"
+
+
+# -- the end
+
+
+def ended(r: Told) -> Found:
+    """The outcome is that of the last state; a motion is given up only where no mode fits."""
+    run = r.run
+    last = float(r.stop[-1])
+    if len(r.times):
+        last = max(last, float(r.times[-1]))
+    whole = abs(last - run.duration) <= 1e-12 * run.duration
+    word = str(run.outcome)
+    if run.outcome in (rk.Outcome.COMPLETED, rk.Outcome.CAME_TO_REST) and not whole:
+        yield f"end: {word} at {last:.9g} s of {run.duration:.9g} s"
+    bounds = r.motion.structure.falls
+    names = list(r.program.STATES)
+    angles = {name: abs(run.end[names.index(name)]) / bound for name, bound in bounds.items()}
+    if run.outcome is rk.Outcome.OVERTURNED and not whole and max(angles.values()) < 1 - 1e-6:
+        yield f"end: overturned at {last:.9g} s with {angles} of what falls"
+    if run.outcome is rk.Outcome.CAME_TO_REST:
+        yield from _stands(r)
+    if run.outcome in (
+        rk.Outcome.CHATTER, rk.Outcome.STALLED, rk.Outcome.TOO_MANY_IMPACTS,
+    ):  # fmt: skip
+        yield f"gave up: {word} at {last:.9g} s"
+    if run.outcome in (rk.Outcome.NO_SOLUTION, rk.Outcome.SEVERAL_SOLUTIONS):
+        yield from _undecided(r, word, last)
+
+
+def _stands(r: Told) -> Found:
+    """What came to rest is at rest, and its contact forces hold it."""
+    at = r.at(r.run.end[None])
+    height = max(float(b.centre.value[0, 1]) for b in at.parts.masses)
+    speed = float(np.sqrt(2 * at.kinetic()[0] / sum(b.mass for b in at.parts.masses)))
+    if speed > 1e-4 * math.sqrt(at.of.gravity * height):  # a billionth of the potential energy
+        yield f"end: came to rest with a velocity of {speed:.3g} m/s"
+
+
+@dataclass(frozen=True)
+class Fit:
+    pattern: tuple[int, ...]
+    motion: np.ndarray
+
+
+def _undecided(r: Told, word: str, last: float) -> Found:
+    """No solution, or several: so say all patterns of the last state."""
+    at = r.at(r.run.end[None])
+    ax, ay = (float(a[0]) for a in r.shaking(np.array([last])))
+    margin = max(1e-6, 1e-2 * r.loose)
+    distinct: list[Fit] = []
+    for near in (1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
+        distinct = _distinct(modes_that_fit(at, ax, ay, near, r.speed, margin))
+        if len(distinct) != 1:
+            return
+    if distinct:
+        names = [p.name for p in at.parts.points]
+        words = ("open", "sticks", "slips to the right", "slips to the left")
+        states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
+        yield f"gave up: {word} at {last:.9g} s, where one mode fits: {', '.join(states)}"
+
+
+def _distinct(fits: Sequence[Fit]) -> list[Fit]:
+    kept: list[Fit] = []
+    for fit in fits:
+        near = 1e-5 * (1.0 + np.abs(fit.motion).max())
+        if all(np.abs(fit.motion - other.motion).max() > near for other in kept):
+            kept.append(fit)
+    return kept
+
+
+def modes_that_fit(
+    at: At, ax: float, ay: float, touches: float, speed: float, margin: float
+) -> list[Fit]:
+    """Patterns of one state whose forces fit; none where velocities after a landing are not one.
+
+    touches : gaps below this part of the size are closed. margin : of forces and accelerations, by
+    which a pattern may miss.
+    """
+    size = at.of.size
+    small = 1e-7 * (speed + math.sqrt(at.of.gravity * size) * 1e-6)
+    touching = at.gaps[0] <= touches * size
+    closing = touching & (at.rates[0, :, 1] < -small)
+    if closing.any():
+        after = _after_landing(at, touching, small)
+        if len(after) != 1:
+            return []
+        at = at.of.at(at.states.q, after[0][None])
+    near = touching & (at.rates[0, :, 1] <= small)
+    force = at.forces(ax, ay)
+    found = []
+    whole = float(_scale(at, np.array([ax]), np.array([ay]))[0])
+    for pattern in patterns(at, near):
+        if not all(_agrees(s, at.rates[0, i, 0], small) for i, s in enumerate(pattern)):
+            continue
+        try:
+            solved = at.solve(pattern, force)
+        except np.linalg.LinAlgError:
+            continue
+        if not np.isfinite(solved.motion).all():
+            continue
+        scale = margin * (whole + np.abs(solved.pressed).max(initial=0.0))
+        if (solved.pressed < -scale).any():
+            continue
+        bounds = [float(at.bound(i, solved)[0]) for i in solved.along]
+        if any(abs(t) > b + scale for t, b in zip(solved.friction[0], bounds, strict=True)):
+            continue
+        opening = at.rows[0, :, 1] @ solved.motion[0] + at.biases[0, :, 1]
+        slipping = at.rows[0, :, 0] @ solved.motion[0] + at.biases[0, :, 0]
+        tiny = margin * (at.of.gravity + np.abs(solved.motion).max())
+        if any(near[i] and s == OPEN and opening[i] < -tiny for i, s in enumerate(pattern)):
+            continue
+        if any(
+            SENSE[s] and abs(at.rates[0, i, 0]) <= small and SENSE[s] * slipping[i] < -tiny
+            for i, s in enumerate(pattern)
+        ):
+            continue
+        found.append(Fit(pattern, solved.motion[0]))
+    return found
+
+
+def _agrees(state: int, slip: float, small: float) -> bool:
+    if state == STICK:
+        return abs(slip) <= small
+    return state == OPEN or SENSE[state] * slip >= -small
+
+
+def patterns(at: At, near: np.ndarray) -> Iterator[tuple[int, ...]]:
+    """All in which points of a pair that are closed do the same."""
+    points = at.parts.points
+    choices = []
+    for i, point in enumerate(points):
+        if not near[i]:
+            choices.append((OPEN,))
+        elif math.isinf(point.friction):
+            choices.append((STICK, OPEN))
+        else:
+            choices.append((STICK, OPEN, SLIP_RIGHT, SLIP_LEFT))
+    for pattern in itertools.product(*choices):
+        pairs: dict[int, set[int]] = {}
+        for i, state in enumerate(pattern):
+            if state != OPEN:
+                pairs.setdefault(points[i].pair, set()).add(state)
+        if all(len(states) == 1 for states in pairs.values()):
+            yield pattern
+
+
+def _after_landing(at: At, touching: np.ndarray, small: float) -> list[np.ndarray]:
+    """All velocities that may follow where touching points meet, by the law of restitution."""
+    found: list[np.ndarray] = []
+    points = at.parts.points
+    v = at.states.v[0]
+    mass = at.mass[0]
+    for pattern in patterns(at, touching):
+        normal, along = at.held(pattern)
+        stuck = [i for i in along if pattern[i] == STICK]
+        least = {i: points[i].restitution * max(-at.rates[0, i, 1], 0.0) for i in normal}
+        rows = [at.rows[0, i, 1] for i in normal] + [at.rows[0, i, 0] for i in stuck]
+        if not rows:
+            continue
+        pushes = [at.push_of(i, pattern[i])[0] for i in normal] + [at.rows[0, i, 0] for i in stuck]
+        j, p = np.array(rows), np.array(pushes)
+        wanted = np.array([least[i] for i in normal] + [0.0] * len(stuck)) - j @ v
+        impulse = np.linalg.lstsq(j @ np.linalg.solve(mass, p.T), wanted, rcond=1e-12)[0]
+        after = v + np.linalg.solve(mass, p.T @ impulse)
+        room = 1e-7 * np.abs(impulse).max()
+        if (
+            np.abs(j @ after - wanted - j @ v).max() > small
+            or (impulse[: len(normal)] < -room).any()
+        ):
+            continue
+        pressed = Solved(after[None], impulse[None, : len(normal)], np.zeros((1, 0)), normal, along)
+        bounds = [float(at.bound(i, pressed)[0]) for i in stuck]
+        if any(abs(t) > b + room for t, b in zip(impulse[len(normal) :], bounds, strict=True)):
+            continue
+        rate = at.rows[0] @ after
+        needed = [points[i].restitution * max(-at.rates[0, i, 1], 0.0) for i in range(len(points))]
+        if any(touching[i] and rate[i, 1] < needed[i] - small for i in range(len(points))):
+            continue
+        if any(SENSE[s] * rate[i, 0] < -small for i, s in enumerate(pattern)):
+            continue
+        if all(np.abs(after - other).max() > 1e-5 * np.abs(after).max() for other in found):
+            found.append(after)
+    return found
