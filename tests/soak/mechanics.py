@@ -10,9 +10,10 @@ k states in their first direction, n coordinates and m points.
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -35,11 +36,12 @@ class Place:
 
 @dataclass(frozen=True)
 class States:
-    """Coordinates q (k, n) and velocities v (k, n), columns by name."""
+    """Coordinates q (k, n) and velocities v (k, n), columns by name; internal (k,) by name."""
 
     names: Sequence[str]
     q: np.ndarray
     v: np.ndarray
+    internal: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def column(self, name: str) -> int:
         return self.names.index(name)
@@ -70,8 +72,7 @@ class States:
         """
         angle, rate = self.q @ turn, self.v @ turn
         c, s = np.cos(angle), np.sin(angle)
-        a = np.stack([c, -s], axis=1)
-        n = np.stack([s, c], axis=1)
+        a, n = _axes(c, s)
         x = np.full(len(angle), along)
         if moves is not None:
             x = x + self.q[:, self.column(moves)]
@@ -84,6 +85,14 @@ class States:
             jacobian[:, :, j] += a
             bias = bias - 2.0 * (rate * self.v[:, j])[:, None] * n
         return Place(origin.value + arm, jacobian, bias)
+
+
+def _axes(c: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Along and across (k, 2)."""
+    along, across = np.empty((len(c), 2)), np.empty((len(c), 2))
+    along[:, 0], along[:, 1] = c, -s
+    across[:, 0], across[:, 1] = s, c
+    return along, across
 
 
 @dataclass(frozen=True)
@@ -121,12 +130,33 @@ class Strut:
 
 
 @dataclass(frozen=True)
+class Bar:
+    """A bar whose elongation is the height of a place: elastic, and yielding to both sides.
+
+    extension (k,) : its permanent one. The force is stiffness (elongation - extension).
+    """
+
+    name: str
+    place: Place
+    extension: np.ndarray
+    stiffness: float
+    strength: float
+    hardening: float
+
+    @property
+    def force(self) -> np.ndarray:
+        """(k,) in tension."""
+        return self.stiffness * (self.place.value[:, 1] - self.extension)
+
+
+@dataclass(frozen=True)
 class Parts:
     """What a structure consists of in k states; elastic (k, n): forces of its inner springs."""
 
     masses: Sequence[Mass]
     points: Sequence[Point] = ()
     struts: Sequence[Strut] = ()
+    bars: Sequence[Bar] = ()
     elastic: np.ndarray | float = 0.0
     stored: np.ndarray | float = 0.0
 
@@ -135,6 +165,7 @@ class Mechanics:
     """One structure: `parts` is what each writes by hand."""
 
     coordinates: tuple[str, ...] = ()
+    internal: tuple[str, ...] = ()
     gravity: float = 9.81
     size: float = 1.0
     """A length of the structure, to judge gaps by [m]."""
@@ -142,41 +173,58 @@ class Mechanics:
     def parts(self, states: States) -> Parts:
         raise NotImplementedError
 
-    def at(self, q: np.ndarray, v: np.ndarray) -> At:
-        states = States(self.coordinates, q, v)
+    def at(
+        self, q: np.ndarray, v: np.ndarray, internal: Mapping[str, np.ndarray] | None = None
+    ) -> At:
+        states = States(self.coordinates, q, v, internal or {})
         return At(self, states, self.parts(states))
 
 
 class At:
     """Masses, forces and points of a structure in k states.
 
-    mass (k, n, n); bias (k, n) of forces; weight (k, 2, n): of a unit of acceleration; rows
-    (k, m, 2, n), biases and rates (k, m, 2) of slips and gaps; gaps (k, m).
+    mass (k, n, n); bias (k, n) of forces; weight (k, 2, n): of a unit of acceleration; elastic
+    (k, n) and potential (k,); rows (k, m, 2, n), biases and rates (k, m, 2) of slips and gaps;
+    slips and gaps (k, m).
     """
+
+    ARRAYS = (
+        "mass", "bias", "weight", "elastic", "potential",
+        "rows", "biases", "rates", "slips", "gaps",
+    )  # fmt: skip
 
     def __init__(self, of: Mechanics, states: States, parts: Parts) -> None:
         self.of, self.states, self.parts = of, states, parts
         k, n = states.q.shape
         self.mass, self.bias = np.zeros((k, n, n)), np.zeros((k, n))
-        self.weight = np.zeros((k, 2, n))
+        self.weight, self.potential = np.zeros((k, 2, n)), np.zeros(k) + parts.stored
+        self.elastic = np.zeros((k, n)) + parts.elastic
+        self.whole = sum(body.mass for body in parts.masses)
         for body in parts.masses:
             j = body.centre.jacobian
-            self.mass += body.mass * np.einsum("kia,kib->kab", j, j)
+            self.mass += body.mass * (np.swapaxes(j, 1, 2) @ j)
             self.mass += body.inertia * np.outer(body.turn, body.turn)
-            self.bias += body.mass * np.einsum("kia,ki->ka", j, body.centre.bias)
+            self.bias += body.mass * (body.centre.bias[:, None, :] @ j)[:, 0]
             self.weight += body.mass * j
+            self.potential += of.gravity * body.mass * body.centre.value[:, 1]
+        for bar in parts.bars:
+            self.elastic -= bar.force[:, None] * bar.place.jacobian[:, 1]
+            self.potential += 0.5 * bar.force**2 / bar.stiffness
         m = len(parts.points)
         self.rows, self.biases = np.zeros((k, m, 2, n)), np.zeros((k, m, 2))
-        self.gaps = np.zeros((k, m))
+        self.slips, self.gaps = np.zeros((k, m)), np.zeros((k, m))
         for i, point in enumerate(parts.points):
             self.rows[:, i], self.biases[:, i] = point.place.jacobian, point.place.bias
-            self.gaps[:, i] = point.place.value[:, 1]
-        self.rates = np.einsum("kmin,kn->kmi", self.rows, states.v)
+            self.slips[:, i], self.gaps[:, i] = point.place.value.T
+        self.rates = (self.rows @ states.v[:, None, :, None])[..., 0]
 
     def __getitem__(self, which: np.ndarray) -> At:
-        """Some of the states."""
-        states = States(self.states.names, self.states.q[which], self.states.v[which])
-        return At(self.of, states, self.of.parts(states))
+        """Some of the states; its parts are those of all, whose places are not to be asked for."""
+        some = copy.copy(self)
+        some.states = States(self.states.names, self.states.q[which], self.states.v[which])
+        for name in self.ARRAYS:
+            setattr(some, name, getattr(self, name)[which])
+        return some
 
     def forces(self, ax, ay, pressed: Sequence[int] = ()) -> np.ndarray:
         """(k, n) of all but the points, with the ground's acceleration and what turns.
@@ -187,7 +235,7 @@ class At:
         ax, ay = np.broadcast_to(ax, k), np.broadcast_to(ay, k)
         down = ay + self.of.gravity
         found = -ax[:, None] * self.weight[:, 0] - down[:, None] * self.weight[:, 1]
-        found = found - self.bias + self.parts.elastic
+        found = found - self.bias + self.elastic
         for acts, strut in zip(pressed, self.parts.struts, strict=False):
             if acts:
                 push = self.push(strut)
@@ -200,14 +248,9 @@ class At:
         return -strut.stiffness * strut.place.value[:, 1] - strut.damping * rate
 
     def kinetic(self) -> np.ndarray:
-        return 0.5 * np.einsum("ka,kab,kb->k", self.states.v, self.mass, self.states.v)
-
-    def potential(self) -> np.ndarray:
-        """Of the weight and of inner springs."""
-        total = np.zeros(len(self.bias)) + self.parts.stored
-        for body in self.parts.masses:
-            total = total + self.of.gravity * body.mass * body.centre.value[:, 1]
-        return total
+        return 0.5 * np.einsum(
+            "ka,ka->k", self.states.v, (self.mass @ self.states.v[..., None])[..., 0]
+        )
 
     def held(self, pattern: Sequence[int]) -> tuple[list[int], list[int]]:
         """The points that carry normal forces in a pattern, and those that carry friction.
@@ -222,7 +265,7 @@ class At:
         normal, along = [], []
         for members in pairs.values():
             if len(members) > 2:
-                where = [float(self.parts.points[i].place.value[0, 0]) for i in members]
+                where = [float(self.slips[0, i]) for i in members]
                 members = [members[int(np.argmin(where))], members[int(np.argmax(where))]]
             normal += members
             along.append(members[0])
@@ -309,6 +352,11 @@ class BlockOnFeet(Mechanics):
     inertia: float
     height: float
     feet: tuple[Foot, ...]
+    pads: tuple[tuple[str, float, float, float, float], ...] = ()
+    """Name, place along and across the base, stiffness and damping."""
+    bars: tuple[tuple[str, float, float, float, float], ...] = ()
+    """Name, place along the base, stiffness, strength and hardening."""
+    internal: tuple[str, ...] = ()
     gravity: float = 9.81
     coordinates: tuple[str, ...] = ("x", "y", "theta")
 
@@ -329,7 +377,42 @@ class BlockOnFeet(Mechanics):
                   f.restitution, 0)
             for f in self.feet
         ]  # fmt: skip
-        return Parts([Mass(self.mass, self.inertia, centre, theta)], points)
+        struts = [
+            Strut(name, states.carried(base, theta, along, across), k, c)
+            for name, along, across, k, c in self.pads
+        ]
+        bars = [
+            Bar(name, states.carried(base, theta, along, 0.0),
+                states.internal[f"{name}_extension"], k, strength, hardening)
+            for name, along, k, strength, hardening in self.bars
+        ]  # fmt: skip
+        return Parts([Mass(self.mass, self.inertia, centre, theta)], points, struts, bars)
+
+
+@dataclass(frozen=True)
+class AtWall(BlockOnFeet):
+    """A block with a point that may touch a smooth wall: to the left of it, or to the right."""
+
+    point: tuple[str, float, float] = ("stop", 0.0, 0.0)
+    """Name, place along and across the base."""
+    wall: float = 0.0
+    """Where the wall stands [m]."""
+    facing: float = 1.0
+    """1 for a wall to the left, -1 to the right."""
+    bounces: float = 0.0
+
+    def parts(self, states: States) -> Parts:
+        parts = super().parts(states)
+        base, theta = states.origin("x", "y"), states.turn(theta=1.0)
+        name, along, across = self.point
+        place = states.carried(base, theta, along, across)
+        seen = Place(
+            np.stack([place.value[:, 1], self.facing * (place.value[:, 0] - self.wall)], axis=1),
+            np.stack([place.jacobian[:, 1], self.facing * place.jacobian[:, 0]], axis=1),
+            np.stack([place.bias[:, 1], self.facing * place.bias[:, 0]], axis=1),
+        )
+        smooth = Point(name, seen, 0.0, self.bounces, 1)
+        return replace(parts, points=[*parts.points, smooth])
 
 
 @dataclass(frozen=True)
@@ -378,8 +461,7 @@ class TwoBlocks(Mechanics):
         angle, rate = states.q @ theta, states.v @ theta
         j = states.column("eta")
         eta, eta_rate = states.q[:, j], states.v[:, j]
-        a = np.stack([np.cos(angle), -np.sin(angle)], axis=1)
-        n = np.stack([np.sin(angle), np.cos(angle)], axis=1)
+        a, n = _axes(np.cos(angle), np.sin(angle))
         jacobian = foot.jacobian + (eta[:, None] * a)[:, :, None] * theta
         jacobian[:, :, j] += n
         bias = foot.bias - (rate**2 * eta)[:, None] * n + (2 * rate * eta_rate)[:, None] * a
@@ -457,7 +539,7 @@ class Frame(Mechanics):
             Strut(name, states.carried(base, theta, along, 0.0), k_s, c_s)
             for name, along, k_s, c_s in self.struts
         ]
-        return Parts(masses, points, struts, elastic, stored)
+        return Parts(masses, points, struts, (), elastic, stored)
 
 
 # -- of structures of the package

@@ -46,7 +46,8 @@ LOWEST = 1e-11
 """Hops lower than this part of the size of a structure may be summed, however long they take."""
 STEPS = 120
 """So many steps of a motion are looked at, drawn by its seed."""
-EVENTS = 300
+EVENTS, RESTS = 150, 40
+"""And at so many events from the start, and so many rests."""
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
 NODES, WEIGHTS = 0.5 + 0.5 * _POINTS, 0.5 * _WEIGHTS
 _POWERS = NODES[:, None] ** np.arange(8)
@@ -71,7 +72,9 @@ class Told(Record):
 
     def at(self, y: np.ndarray) -> At:
         """Mechanics in states y (k, N)."""
-        return self.by_hand.at(y[:, self.columns], y[:, self.rates_of])
+        names = list(self.program.STATES)
+        internal = {name: y[:, names.index(name)] for name in self.by_hand.internal}
+        return self.by_hand.at(y[:, self.columns], y[:, self.rates_of], internal)
 
     def shaking(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         vertical = self.motion.vertical
@@ -93,7 +96,7 @@ class Told(Record):
         """A velocity of the motion, to judge others by: the largest of its energies."""
         first = self.at(self.first)
         kinetic = first.kinetic().max(initial=0.0)
-        mass = sum(body.mass for body in first.parts.masses)
+        mass = first.whole
         return math.sqrt(2 * kinetic / mass) + SLACK * self.motion.options.atol / self.loose
 
     def pattern(self, contact: int) -> tuple[int, ...]:
@@ -107,7 +110,7 @@ def on_contacts(r: Told) -> Found:
     """All that must hold of one response."""
     yield from finite(r)
     if r.run.outcome is rk.Outcome.NOT_FINITE:
-        yield "gave up: not finite"
+        yield "not finite: so the motion ended"
         return
     yield from ordered(r)
     yield from joined(r)
@@ -173,11 +176,12 @@ def _followed(r: Told, contact: int, steps: np.ndarray) -> Found:
             )
     yield from _possible(r, at, pattern, solved, ax, ay, where)
     yield from _pressed(r, at, elements, where)
+    yield from _yielded(r, at, elements, steps, where)
 
 
 def _scale(at: At, ax: np.ndarray, ay: np.ndarray) -> np.ndarray:
     """(k,) a force of the structure: its masses times accelerations."""
-    mass = sum(body.mass for body in at.parts.masses)
+    mass = at.whole
     return mass * (at.of.gravity + np.abs(ax) + np.abs(ay))
 
 
@@ -223,7 +227,7 @@ def _possible(r: Told, at: At, pattern, solved: Solved, ax, ay, where) -> Found:
         if state == STICK and (np.abs(rate[:, 0]) > rate_room).any():
             s = int(np.abs(rate[:, 0]).argmax())
             yield f"slip: {points[i].name} sticks and slips at {rate[s, 0]:.3g} m/s {where(s)}"
-        if SENSE[state] and (-SENSE[state] * rate[:, 0] > rate_room).any():
+        if SENSE[state] and points[i].friction and (-SENSE[state] * rate[:, 0] > rate_room).any():
             s = int((-SENSE[state] * rate[:, 0]).argmax())
             yield f"slip: {points[i].name} slips the other way at {rate[s, 0]:.3g} m/s {where(s)}"
 
@@ -248,6 +252,40 @@ def _pressed(r: Told, at: At, elements, where) -> Found:
             yield f"spring: {strut.name} should press with {push[s]:.6g} N {where(s)}"
 
 
+def _yielded(r: Told, at: At, elements, steps: np.ndarray, where) -> Found:
+    """A bar carries no more than its strength, and flows there alone, as its elongation does."""
+    names = list(r.program.STATES)
+    powers = r.run.steps.powers[steps]
+    h, samples = r.length[steps], len(NODES)
+    for state, bar in zip(elements, at.parts.bars, strict=False):
+        j = names.index(f"{bar.name}_extension")
+        driven = bar.force - bar.hardening * bar.extension
+        room = (r.loose + 1e-8) * (
+            bar.strength + bar.stiffness * np.abs(bar.place.value[:, 1]) + bar.stiffness * 1e-9
+        )
+        over = (np.abs(driven) if state == 0 else np.abs(driven - state * bar.strength)) - room
+        if state == 0:
+            over = over - bar.strength
+        if (over > 0).any():
+            s = int(over.argmax())
+            yield (
+                f"strength: {bar.name} carries {driven[s]:.6g} N of {bar.strength:.6g} N in state "
+                f"{state} {where(s)}"
+            )
+        moves = powers[:, 1:, j].sum(axis=1)
+        rate = np.einsum("kn,kn->k", bar.place.jacobian[:, 1], at.states.v)
+        flows = rate * bar.stiffness / (bar.stiffness + bar.hardening) * abs(state)
+        back = -state * rate - (r.loose + 1e-8) * (r.speed + np.abs(rate))
+        if (back > 0).any():
+            s = int(back.argmax())
+            yield f"flow: {bar.name} flows with {state}, at {rate[s]:.3g} m/s {where(s)}"
+        lack = moves - flows.reshape(len(steps), samples) @ WEIGHTS * h
+        may = r.loose * (np.abs(powers[:, 0, j]) + np.abs(rate).max() * h) + 1e-3 * r.loose
+        if (np.abs(lack) > may).any():
+            i = int(np.abs(lack).argmax())
+            yield f"flow: {bar.name} grows by {lack[i]:.3g} m too much {where(i * samples)}"
+
+
 # -- at events
 
 
@@ -264,7 +302,7 @@ def met(r: Told) -> Found:
     for i in np.flatnonzero((kinds != REST) & (jump > room))[:1]:
         yield f"event place: at {r.times[i]:.9g} s a place jumps by {jump[i]:.3g}"
     faster = np.abs(moved[:, r.rates_of]).max(axis=1)
-    room = (r.loose + 1e-8) * (r.speed + np.abs(r.before[:count][:, r.rates_of]).max(axis=1))
+    room = (5 * r.loose + 1e-8) * (r.speed + np.abs(r.before[:count][:, r.rates_of]).max(axis=1))
     for i in np.flatnonzero((kinds != REST) & (kinds != LANDING) & (faster > room))[:1]:
         yield (
             f"event velocity: at {r.times[i]:.9g} s a velocity jumps by {faster[i]:.3g} without a "
@@ -278,7 +316,7 @@ def met(r: Told) -> Found:
     large = size + np.abs(after.states.q).max(axis=1)
     opened = np.array([r.pattern(c) for c in r.targets[landings]]) == OPEN
     above = (np.maximum(before.gaps, after.gaps) > 0) | (before.rates[:, :, 1] >= 0)
-    small = 1e-9 * np.sqrt(2 * before.kinetic() / sum(b.mass for b in before.parts.masses))
+    small = 1e-9 * np.sqrt(2 * before.kinetic() / before.whole)
     later = opened & above & (after.rates[:, :, 1] < -small[:, None])
     touching = (after.gaps <= 4e-14 * large[:, None]) & ~later
     for mask in np.unique(touching, axis=0):
@@ -297,7 +335,7 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
     def told(i: int) -> str:
         return f"landing at {r.times[events[i]]:.9g} s"
 
-    speed = np.sqrt(2 * before.kinetic() / sum(b.mass for b in before.parts.masses))
+    speed = np.sqrt(2 * before.kinetic() / before.whole)
     speed = speed + 1e-6 * r.speed
     room = (r.loose + 1e-8) * speed
     if not rows:
@@ -310,7 +348,7 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
     left = given - np.einsum("kra,kr->ka", j, impulse)
     mobility = np.linalg.solve(before.mass, left[:, :, None])[:, :, 0]
     strange = np.sqrt(np.abs(np.einsum("ka,ka->k", left, mobility)))
-    mass = sum(b.mass for b in before.parts.masses)
+    mass = before.whole
     for i in np.flatnonzero(strange > room * math.sqrt(mass))[:1]:
         yield (
             f"landing momentum: {told(i)}: velocities change by no impulses of touching points, by "
@@ -348,7 +386,7 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
         for i in np.flatnonzero(slips)[:1]:
             yield (
                 f"landing friction: {told(i)}: {points[p].name} slips at {slip[i]:.6g} m/s "
-                f"after an impulse of {friction[i, column]:.6g} N s, the bound is {bound[i]:.6g} N s"
+                f"after {friction[i, column]:.6g} N s of {bound[i]:.6g} N s"
             )
     for p in np.flatnonzero(touching):
         least = points[p].restitution * np.maximum(-rate0[:, p, 1], 0.0)
@@ -377,7 +415,7 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
 
 def rested(r: Told) -> Found:
     """Infinitely many landings at once: no longer, and no more, than `rest_tolerance` allows."""
-    rests = np.flatnonzero(r.kinds == REST)[:EVENTS]
+    rests = np.flatnonzero(r.kinds == REST)[:RESTS]
     if not len(rests):
         return
     size, tolerance = r.by_hand.size, r.motion.options.rest_tolerance
@@ -471,10 +509,10 @@ def _rested(
             yield f"rest gap: {where}: the gap of {names[i]} changes at {rate[1]:.3g} m/s after it"
         if state == STICK and abs(rate[0]) > 1e-9 * speed + rounding:
             yield f"rest slip: {where}: {names[i]} sticks and slips at {rate[0]:.3g} m/s after it"
-    gained = float((two.kinetic() + two.potential() - one.kinetic() - one.potential())[0])
-    mass = sum(b.mass for b in one.parts.masses)
+    gained = float((two.kinetic() + two.potential - one.kinetic() - one.potential)[0])
+    mass = one.whole
     if gained > mass * (speed + most) * (hard * lasts + rounding) + 1e-12 * abs(
-        float(one.potential()[0])
+        float(one.potential[0])
     ):
         yield f"rest energy: {where}: the energy grows by {gained:.3g} J in {lasts:.3g} s"
 
@@ -488,7 +526,7 @@ def _pushed_in_rest(
     faster : a velocity that is gained within it [m/s].
     """
     normal, along = one.held(near)
-    mass = sum(b.mass for b in one.parts.masses)
+    mass = one.whole
     rows = [one.rows[0, i, 1] for i in normal] + [one.rows[0, i, 0] for i in along]
     # less what the mode before it does, whose forces are among these impulses
     given = one.mass[0] @ (two.states.v[0] - one.states.v[0] - lasts * solved.motion[0])
@@ -532,7 +570,7 @@ def ended(r: Told) -> Found:
     if run.outcome in (
         rk.Outcome.CHATTER, rk.Outcome.STALLED, rk.Outcome.TOO_MANY_IMPACTS,
     ):  # fmt: skip
-        yield f"gave up: {word} at {last:.9g} s"
+        yield f"{word}: at {last:.9g} s"
     if run.outcome in (rk.Outcome.NO_SOLUTION, rk.Outcome.SEVERAL_SOLUTIONS):
         yield from _undecided(r, word, last)
 
@@ -541,7 +579,7 @@ def _stands(r: Told) -> Found:
     """What came to rest is at rest, and its contact forces hold it."""
     at = r.at(r.run.end[None])
     height = max(float(b.centre.value[0, 1]) for b in at.parts.masses)
-    speed = float(np.sqrt(2 * at.kinetic()[0] / sum(b.mass for b in at.parts.masses)))
+    speed = float(np.sqrt(2 * at.kinetic()[0] / at.whole))
     if speed > 1e-4 * math.sqrt(at.of.gravity * height):  # a billionth of the potential energy
         yield f"end: came to rest with a velocity of {speed:.3g} m/s"
 
@@ -566,7 +604,7 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         names = [p.name for p in at.parts.points]
         words = ("open", "sticks", "slips to the right", "slips to the left")
         states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
-        yield f"gave up: {word} at {last:.9g} s, where one mode fits: {', '.join(states)}"
+        yield f"{word}: at {last:.9g} s, where one mode fits: {', '.join(states)}"
 
 
 def _distinct(fits: Sequence[Fit]) -> list[Fit]:
@@ -600,7 +638,10 @@ def modes_that_fit(
     found = []
     whole = float(_scale(at, np.array([ax]), np.array([ay]))[0])
     for pattern in patterns(at, near):
-        if not all(_agrees(s, at.rates[0, i, 0], small) for i, s in enumerate(pattern)):
+        if not all(
+            _agrees(s, at.rates[0, i, 0], small) or not at.parts.points[i].friction
+            for i, s in enumerate(pattern)
+        ):
             continue
         try:
             solved = at.solve(pattern, force)
@@ -620,7 +661,10 @@ def modes_that_fit(
         if any(near[i] and s == OPEN and opening[i] < -tiny for i, s in enumerate(pattern)):
             continue
         if any(
-            SENSE[s] and abs(at.rates[0, i, 0]) <= small and SENSE[s] * slipping[i] < -tiny
+            SENSE[s]
+            and at.parts.points[i].friction
+            and abs(at.rates[0, i, 0]) <= small
+            and SENSE[s] * slipping[i] < -tiny
             for i, s in enumerate(pattern)
         ):
             continue
@@ -643,6 +687,8 @@ def patterns(at: At, near: np.ndarray) -> Iterator[tuple[int, ...]]:
             choices.append((OPEN,))
         elif math.isinf(point.friction):
             choices.append((STICK, OPEN))
+        elif not point.friction:
+            choices.append((SLIP_RIGHT, OPEN))
         else:
             choices.append((STICK, OPEN, SLIP_RIGHT, SLIP_LEFT))
     for pattern in itertools.product(*choices):
@@ -686,7 +732,9 @@ def _after_landing(at: At, touching: np.ndarray, small: float) -> list[np.ndarra
         needed = [points[i].restitution * max(-at.rates[0, i, 1], 0.0) for i in range(len(points))]
         if any(touching[i] and rate[i, 1] < needed[i] - small for i in range(len(points))):
             continue
-        if any(SENSE[s] * rate[i, 0] < -small for i, s in enumerate(pattern)):
+        if any(
+            SENSE[s] * rate[i, 0] < -small and points[i].friction for i, s in enumerate(pattern)
+        ):
             continue
         if all(np.abs(after - other).max() > 1e-5 * np.abs(after).max() for other in found):
             found.append(after)

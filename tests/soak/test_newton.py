@@ -1,0 +1,278 @@
+"""The checks by mechanics of their own: that mechanics is right, and a planted fault is noticed."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.contract import LANDING, REST
+from rockeom.numeric.response import Outcome
+from tests.soak.cases import Motion
+from tests.soak.families import FAMILIES, drawn, family_of, first_of, model_of, spread
+from tests.soak.mechanics import Mechanics, of_sliding_block, of_stack
+from tests.soak.newton import Told, on_contacts
+from tests.soak.run import checked
+
+# -- the mechanics by hand: derivatives of places by differences
+
+
+def some_mechanics() -> list[Mechanics]:
+    """One structure of each kind; the frictionless ones are drawn without a program."""
+    seeds = [
+        first_of(family) + n
+        for family in FAMILIES
+        if family != "smooth"
+        for n in range(3 if family == "feet" else 2)
+    ]
+    return [drawn(seed)[1] for seed in seeds]
+
+
+@pytest.mark.parametrize("by_hand", some_mechanics(), ids=lambda m: type(m).__name__)
+def test_jacobians_and_biases_are_the_derivatives_of_places(by_hand):
+    """Along q + v t + a t^2/2 a place has the velocity J v and the acceleration J a + bias."""
+    rng = np.random.default_rng(3)
+    n = len(by_hand.coordinates)
+    q, v, a = (rng.normal(size=n) * size for size in (0.3, 1.0, 1.0))
+    step = 1e-3
+    t = step * np.arange(-3, 4)[:, None]
+    rest = {name: np.zeros(7) for name in by_hand.internal}
+    moved = by_hand.at(q + v * t + a * t**2 / 2, v + a * t, rest)
+    places = [body.centre for body in moved.parts.masses]
+    places += [of.place for of in (*moved.parts.points, *moved.parts.struts, *moved.parts.bars)]
+    first = np.array([-1, 9, -45, 0, 45, -9, 1]) / 60 / step
+    second = np.array([2, -27, 270, -490, 270, -27, 2]) / 180 / step**2
+    for place in places:
+        jacobian, bias = place.jacobian[3], place.bias[3]
+        np.testing.assert_allclose(jacobian @ v, first @ place.value, atol=1e-9)
+        np.testing.assert_allclose(jacobian @ a + bias, second @ place.value, atol=1e-7)
+
+
+def test_energy_of_a_falling_block_stays():
+    """The mass matrix and the potential energy belong together: M a = f, and their sum stays."""
+    by_hand = of_stack({
+        "lower_half_width": 0.5, "lower_half_height": 1.0, "upper_half_width": 0.3,
+        "upper_half_height": 0.7, "lower_mass": 3.0, "upper_mass": 2.0, "restitution": 0.0,
+    })  # fmt: skip
+    q, v = (np.random.default_rng(5).normal(size=(1, 6)) * size for size in (0.2, 1.0))
+    at = by_hand.at(q, v)
+    free = at.solve((0, 0, 0, 0), at.forces(0.0, 0.0)).motion
+    step = 1e-5
+    ends = [by_hand.at(q + s * v, v + s * free) for s in (-step, step)]
+    power = (ends[1].kinetic() + ends[1].potential - ends[0].kinetic() - ends[0].potential) / step
+    assert abs(power[0] / 2) < 1e-6
+
+
+# -- responses that are right
+
+
+@cache
+def bounced() -> Told:
+    """A block let go above the ground: it bounces, and comes to rest."""
+    given = {"half_width": 0.3, "half_height": 0.6, "friction": 0.4, "restitution": 0.5}
+    motion = Motion(
+        0, rk.SlidingBlock(**given), rk.GroundMotion.none(1.5), None, None,
+        {"theta": 0.05, "y": 0.1, "x_dot": 0.3}, None, rk.SolverOptions(),
+    )  # fmt: skip
+    return Told(motion, motion.run(), of_sliding_block(given))
+
+
+@cache
+def rocked() -> Told:
+    """A block let go leaning, on its right foot, and then on the other."""
+    given = {"half_width": 0.3, "half_height": 1.0, "friction": 0.7, "restitution": 0.0}
+    motion = Motion(
+        0, rk.SlidingBlock(**given), rk.GroundMotion.none(1.5), None, None,
+        {"theta": 0.05}, None, rk.SolverOptions(),
+    )  # fmt: skip
+    return Told(motion, motion.run(), of_sliding_block(given))
+
+
+def kinds(r: Told) -> set[str]:
+    return {line.partition(":")[0] for line in on_contacts(r)}
+
+
+def test_right_responses_have_no_violation():
+    assert not list(on_contacts(bounced()))
+    assert not list(on_contacts(rocked()))
+    assert (bounced().kinds == REST).any()
+    assert (rocked().kinds == LANDING).sum() > 2
+
+
+GOOD = {"blocks": 40, "frames": 12, "springs": 30}
+"""Families, and the number of seeds of each of which the short form looks at those of DOP853."""
+
+
+@pytest.mark.parametrize("family", GOOD)
+def test_some_seeds_of_a_family(family):
+    seeds = [first_of(family) + n for n in range(1, GOOD[family])]
+    chosen = [seed for seed in seeds if drawn(seed)[0].options.method == "DOP853"]
+    found = [result for result in map(checked, chosen) if result.violations]
+    assert not found, "\n".join(map(str, found))
+
+
+def test_a_seed_of_a_family_always_gives_the_same_motion():
+    for seed in spread(21, 5, [f for f in FAMILIES if f != "smooth"]):
+        assert str(drawn(seed)[0]) == str(drawn(seed)[0])
+        assert family_of(seed) in FAMILIES
+        assert model_of(seed) == model_of(seed + 6 * 1000)
+
+
+# -- planted faults: the same responses, altered
+
+
+def altered(r: Told, **changes) -> Told:
+    """With other arrays: span, contact, powers, times, kinds, states, end, outcome."""
+    run = r.run
+    of_steps = {k: v for k, v in changes.items() if k in ("span", "contact", "powers")}
+    passages = tuple(
+        changes.get(k, v) for k, v in zip(("times", "kinds", "states"), run.passages, strict=True)
+    )
+    rest = {k: v for k, v in changes.items() if k in ("end", "outcome", "duration")}
+    made = replace(run, record=replace(run.steps, **of_steps), passages=passages, **rest)
+    return Told(r.motion, made, r.by_hand)
+
+
+def test_rest_that_swallows_a_motion_is_noticed():
+    """All states are a straight line from 0.2 s before the end of the bounces on."""
+    r = bounced()
+    end = float(r.times[r.kinds == REST][-1])
+    first = int(np.flatnonzero(r.start < end - 0.2)[-1])
+    last = int(np.flatnonzero(r.start >= end)[0])
+    powers = r.run.steps.powers[: first + 1].copy()
+    powers[first, 1:] = 0.0
+    powers[first, 1] = r.first[last] - powers[first, 0]
+    span = r.run.steps.span[: first + 1].copy()
+    span[first, 1] = end - span[first, 0]
+    events = (r.times < r.start[first]) | (r.kinds == REST)
+    states = r.run.passages[2][events].copy()
+    states[-1, 0] = powers[first, 0]
+    kept = {"powers": powers, "span": span, "contact": r.contact[: first + 1]}
+    kept = {k: np.concatenate([v, getattr(r.run.steps, k)[last:]]) for k, v in kept.items()}
+    found = kinds(
+        altered(r, **kept, times=r.times[events], kinds=r.run.passages[1][events], states=states)
+    )
+    assert {"long rest", "rest place"} <= found
+
+
+def test_rest_that_moves_what_was_far_from_the_ground_is_noticed():
+    """In no time a foot comes down by 5 mm."""
+    r = bounced()
+    states = r.run.passages[2].copy()
+    rest = int(np.flatnonzero(r.kinds == REST)[-1])
+    states[rest, 0, 1] += 5e-3
+    assert "rest reach" in kinds(altered(r, states=states))
+
+
+def test_straight_line_instead_of_a_step_is_noticed():
+    powers = rocked().run.steps.powers.copy()
+    longest = int(rocked().length.argmax())
+    powers[longest, 1] = powers[longest, 1:].sum(axis=0)
+    powers[longest, 2:] = 0.0
+    assert {"rates", "forces"} & kinds(altered(rocked(), powers=powers))
+
+
+def test_motion_at_another_rate_than_the_velocities_say_is_noticed():
+    """A place drifts, and its velocity does not."""
+    powers = rocked().run.steps.powers.copy()
+    longest = int(rocked().length.argmax())
+    powers[longest:, 0, 0] += 1e-6 * np.arange(len(powers) - longest)
+    powers[longest:, 1, 0] += 1e-6
+    assert "rates" in kinds(altered(rocked(), powers=powers))
+
+
+def test_tension_is_noticed():
+    """A foot that has left the ground is said to stick: it holds the block down."""
+    r = rocked()
+    names = r.program.CONTACTS
+    contact = r.contact.copy()
+    contact[contact == names.index("right")] = names.index("both")
+    found = kinds(altered(r, contact=contact))
+    assert {"gap", "constraint"} <= found
+    hung = altered(r, contact=np.full_like(contact, names.index("left")))
+    assert {"tension", "friction", "gap"} & kinds(hung)
+
+
+def test_friction_beyond_its_bound_is_noticed():
+    """The same motion on ground with less friction than it needs."""
+    slippery = replace(rocked().motion.structure, friction=0.1)
+    smooth = of_sliding_block({
+        "half_width": 0.3, "half_height": 1.0, "friction": 0.1, "restitution": 0.0,
+    })  # fmt: skip
+    motion = replace(rocked().motion, structure=slippery)
+    found = kinds(Told(motion, rocked().run, smooth))
+    assert {"friction", "landing friction"} <= found
+
+
+def test_penetration_is_noticed():
+    powers = bounced().run.steps.powers.copy()
+    powers[:, 0, 1] -= 1e-5
+    assert "gap" in kinds(altered(bounced(), powers=powers))
+
+
+@pytest.mark.parametrize("factor", [0.9, 1.1, -1.0])
+def test_wrong_restitution_is_noticed(factor):
+    """The velocities after a landing, less or more of them."""
+    r = bounced()
+    states = r.run.passages[2].copy()
+    i = int(np.flatnonzero(r.kinds == LANDING)[0])
+    states[i, 1, 3:] = states[i, 0, 3:] + factor * (states[i, 1, 3:] - states[i, 0, 3:])
+    assert {"restitution", "landing momentum"} & kinds(altered(r, states=states))
+
+
+def test_momentum_from_nowhere_is_noticed():
+    states = bounced().run.passages[2].copy()
+    i = int(np.flatnonzero(bounced().kinds == LANDING)[0])
+    states[i, 1, 5] += 0.1
+    assert {"landing momentum", "restitution"} & kinds(altered(bounced(), states=states))
+
+
+def test_velocity_that_jumps_without_a_landing_is_noticed():
+    slid = first_of("blocks") + next(
+        n for n in range(100) if len(slip_events(first_of("blocks") + n))
+    )
+    motion, by_hand = drawn(slid)
+    r = Told(motion, motion.run(), by_hand)
+    states = r.run.passages[2].copy()
+    states[slip_events(slid)[0], 1, 3] += 1e-3
+    assert "event velocity" in kinds(altered(r, states=states))
+
+
+@cache
+def slip_events(seed: int) -> np.ndarray:
+    """The events of a motion that are no landings and no rests."""
+    motion, _ = drawn(seed)
+    of = motion.run().passages[1][:, 0]
+    return np.flatnonzero((of != LANDING) & (of != REST))
+
+
+@pytest.mark.parametrize("word", ["CHATTER", "STALLED", "TOO_MANY_IMPACTS", "NO_SOLUTION"])
+def test_motion_given_up_where_a_mode_fits_is_noticed(word):
+    r = rocked()
+    step = int(r.length.argmax())
+    steps = {k: getattr(r.run.steps, k)[: step + 1] for k in ("span", "contact", "powers")}
+    events = r.times <= r.start[step]
+    given_up = altered(
+        r, **steps, times=r.times[events], kinds=r.run.passages[1][events],
+        states=r.run.passages[2][events], end=r.last[step], outcome=Outcome[word],
+    )  # fmt: skip
+    assert str(Outcome[word]) in kinds(given_up)
+
+
+def test_success_short_of_the_end_is_noticed():
+    assert "end" in kinds(altered(rocked(), duration=2.0))
+
+
+def test_spring_that_presses_before_it_is_touched_is_noticed():
+    """The mode in which all springs press, of a structure that leans."""
+    seed = next(
+        seed for seed in range(first_of("springs"), first_of("springs") + 200)
+        if drawn(seed)[0].initial.get("theta") and not drawn(seed)[0].initial.get("theta_dot")
+    )  # fmt: skip
+    motion, by_hand = drawn(seed)
+    motion = replace(motion, options=rk.SolverOptions())
+    r = Told(motion, motion.run(), by_hand)
+    every = next(i for i, on in enumerate(r.program.ELEMENT_STATES) if all(on))
+    found = kinds(altered(r, contact=np.full_like(r.contact, every)))
+    assert "spring" in found
