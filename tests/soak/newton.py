@@ -381,16 +381,24 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
                 f"N s, {bound[i]:.6g} N s there are"
             )
         slip = rate1[:, p, 0]
-        free = np.abs(friction[:, column] + np.sign(slip) * bound) > room_i
-        slips = (np.abs(slip) > room) & free & (bound > 0)
+        against = np.where(np.abs(slip) > room, np.copysign(bound, slip), 0.0)
+        slips = (against != 0.0) & (np.abs(friction[:, column] + against) > room_i)
         for i in np.flatnonzero(slips)[:1]:
             yield (
                 f"landing friction: {told(i)}: {points[p].name} slips at {slip[i]:.6g} m/s "
                 f"after {friction[i, column]:.6g} N s of {bound[i]:.6g} N s"
             )
+    # a point a hair above its surface, neither closed nor the one that lands, has not met it yet
+    takes_part = np.array([r.pattern(c) for c in r.sources[events]]) != OPEN
+    takes_part |= before.gaps <= 0
+    landed = [
+        r.program.SUBJECTS[r.sources[e]][guard]
+        for e, guard in zip(events, r.run.passages[1][events, 3], strict=True)
+    ]
+    takes_part[np.arange(len(events)), landed] = True
     for p in np.flatnonzero(touching):
         least = points[p].restitution * np.maximum(-rate0[:, p, 1], 0.0)
-        slow = least - rate1[:, p, 1] - room
+        slow = np.where(takes_part[:, p], least - rate1[:, p, 1] - room, 0.0)
         for i in np.flatnonzero(slow > 0)[:1]:
             yield (
                 f"restitution: {told(i)}: {points[p].name} leaves at {rate1[i, p, 1]:.6g} m/s, "
@@ -420,11 +428,7 @@ def rested(r: Told) -> Found:
         return
     size, tolerance = r.by_hand.size, r.motion.options.rest_tolerance
     before, after = r.at(r.before[rests]), r.at(r.after[rests])
-    began = r.times[rests].copy()
-    for i, end in enumerate(r.times[rests]):
-        steps = np.flatnonzero(r.rests & (r.stop == end))
-        if len(steps):
-            began[i] = r.start[steps[0]]
+    began = r.times[rests - 1]  # each follows a landing at once
     ax, ay = r.shaking(began)
     lasts = r.times[rests] - began
     for i, e in enumerate(rests):
@@ -466,7 +470,7 @@ def _rested(
     turns = np.array([size if n in ("theta", "phi") else 1.0 for n in one.of.coordinates])
     v0, v1 = one.states.v[0] * turns, two.states.v[0] * turns
     q0, q1 = one.states.q[0] * turns, two.states.q[0] * turns
-    rounding = (3e-8 + 1e-3 * r.loose) * (speed + r.speed)
+    rounding = (1e-7 + 1e-3 * r.loose) * (speed + r.speed)
     falls = float(np.maximum(-one.rates[0, landed, 1], 0.0).max(initial=0.0))
     most = GENTLE * (hard * lasts + falls) + rounding
     gap_room = 1e-9 * size + 1e-3 * r.loose * size
@@ -597,7 +601,8 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     margin = max(1e-6, 1e-2 * r.loose)
     distinct: list[Fit] = []
     for near in (1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
-        distinct = _distinct(modes_that_fit(at, ax, ay, near, r.speed, margin))
+        fits = modes_that_fit(at, ax, ay, near, r.speed, margin)
+        distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
         if len(distinct) != 1:
             return
     if distinct:
@@ -605,6 +610,16 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         words = ("open", "sticks", "slips to the right", "slips to the left")
         states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
         yield f"{word}: at {last:.9g} s, where one mode fits: {', '.join(states)}"
+
+
+def _lasts(at: At, fit: Fit, ax: float, ay: float) -> bool:
+    """Whether the points of a pattern still press a little later, as they move by it."""
+    tau = 1e-4 * math.sqrt(at.of.size / at.of.gravity)
+    q, v = at.states.q, at.states.v
+    later = at.of.at(q + tau * v + 0.5 * tau**2 * fit.motion, v + tau * fit.motion)
+    solved = later.solve(fit.pattern, later.forces(ax, ay))
+    scale = 1e-9 * float(_scale(later, np.array([ax]), np.array([ay]))[0])
+    return not (solved.pressed < -scale).any()
 
 
 def _distinct(fits: Sequence[Fit]) -> list[Fit]:
