@@ -44,6 +44,8 @@ GENTLE = 20.0
 gaps that all close within it, and what these do to other velocities."""
 LOWEST = 1e-11
 """Hops lower than this part of the size of a structure may be summed, however long they take."""
+LOST = 1e-13
+"""Hops lower than this part of it are lost among rounding errors of a gap, and may end at once."""
 STEPS = 120
 """So many steps of a motion are looked at, drawn by its seed."""
 EVENTS, RESTS = 150, 40
@@ -473,6 +475,7 @@ def _rested(
     rounding = (1e-7 + 1e-3 * r.loose) * (speed + r.speed)
     falls = float(np.maximum(-one.rates[0, landed, 1], 0.0).max(initial=0.0))
     most = GENTLE * (hard * lasts + falls) + rounding
+    most += GENTLE * math.sqrt(2.0 * LOST * size * hard)  # of hops that end among rounding errors
     gap_room = 1e-9 * size + 1e-3 * r.loose * size
     reach = lasts * float(np.abs(one.rates[0, landed, 1]).max(initial=0.0))
     reach += GENTLE * hard * lasts**2 + gap_room
@@ -499,7 +502,7 @@ def _rested(
         STICK if target[i] != OPEN or source[i] != OPEN or one.gaps[0, i] <= reach else OPEN
         for i in range(len(names))
     ]
-    yield from _pushed_in_rest(r, one, two, solved, near, lasts, hard * lasts, rounding, where)
+    yield from _pushed_in_rest(r, one, two, solved, near, lasts, most, where)
     # -- what bounces comes back within it, and what is closed stays so
     fast = one.rates[0, landed, 1] - most  # others that come down may bring it back
     for i in np.flatnonzero(fast > 0)[:1]:
@@ -522,12 +525,11 @@ def _rested(
 
 
 def _pushed_in_rest(
-    r: Told, one: At, two: At, solved: Solved, near, lasts: float, faster: float,
-    rounding: float, where: str,
-) -> Found:  # fmt: skip
+    r: Told, one: At, two: At, solved: Solved, near, lasts: float, most: float, where: str
+) -> Found:
     """The momentum that a rest gives is that of forces, and of impulses at points that were near.
 
-    faster : a velocity that is gained within it [m/s].
+    most : a velocity that may be gained within it [m/s].
     """
     normal, along = one.held(near)
     mass = one.whole
@@ -539,14 +541,14 @@ def _pushed_in_rest(
     impulse = np.linalg.pinv(j @ mobility @ j.T, rcond=1e-11) @ (j @ mobility @ given)
     left = given - j.T @ impulse
     strange = math.sqrt(max(float(left @ mobility @ left), 0.0))
-    room = math.sqrt(mass) * (0.1 * faster + rounding)
+    room = 0.01 * math.sqrt(mass) * most
     if strange > room:
         yield (
             f"rest momentum: {where}: velocities change by no impulses of what touches: "
             f"{strange / math.sqrt(mass):.3g} m/s, {room / math.sqrt(mass):.3g} may be"
         )
     pulls = -float(impulse[: len(normal)].min(initial=0.0))
-    hold = mass * (GENTLE * faster + 10 * rounding)
+    hold = mass * most
     if pulls > hold:
         yield f"rest momentum: {where}: a point pulls with {pulls:.3g} N s, {hold:.3g} may be"
 
