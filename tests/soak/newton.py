@@ -602,8 +602,11 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     ax, ay = (float(a[0]) for a in r.shaking(np.array([last])))
     margin = max(1e-6, 1e-2 * r.loose)
     distinct: list[Fit] = []
-    for near in (1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
-        fits = modes_that_fit(at, ax, ay, near, r.speed, margin)
+    last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
+    closed = np.array(r.pattern(last_mode)) != OPEN
+    for near in (1e-14, 1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
+        touching = closed | (at.gaps[0] <= near * r.by_hand.size)
+        fits = modes_that_fit(at, ax, ay, touching, r.speed, margin)
         distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
         if len(distinct) != 1:
             return
@@ -634,16 +637,15 @@ def _distinct(fits: Sequence[Fit]) -> list[Fit]:
 
 
 def modes_that_fit(
-    at: At, ax: float, ay: float, touches: float, speed: float, margin: float
+    at: At, ax: float, ay: float, touching: np.ndarray, speed: float, margin: float
 ) -> list[Fit]:
     """Patterns of one state whose forces fit; none where velocities after a landing are not one.
 
-    touches : gaps below this part of the size are closed. margin : of forces and accelerations, by
-    which a pattern may miss.
+    touching : of each point, whether it does. margin : of forces and accelerations, by which a
+    pattern may miss.
     """
     size = at.of.size
     small = 1e-7 * (speed + math.sqrt(at.of.gravity * size) * 1e-6)
-    touching = at.gaps[0] <= touches * size
     closing = touching & (at.rates[0, :, 1] < -small)
     if closing.any():
         after = _after_landing(at, touching, small)
