@@ -314,19 +314,26 @@ def met(r: Told) -> Found:
     if not len(landings):
         return
     before, after = r.at(r.before[landings]), r.at(r.after[landings])
-    # what touches is put on its surface; what is open still, and was thrown down, lands afterwards
-    large = size + np.abs(after.states.q).max(axis=1)
-    opened = np.array([r.pattern(c) for c in r.targets[landings]]) == OPEN
-    above = (np.maximum(before.gaps, after.gaps) > 0) | (before.rates[:, :, 1] >= 0)
+    # the points that were closed, and the one that lands, take part; others that are a hair above
+    # their surface, or leave it, may have met it or not: those that are thrown down land afterwards
+    takes_part = np.array([r.pattern(c) for c in r.sources[landings]]) != OPEN
+    guards = r.run.passages[1][landings, 3]
+    lands = [r.program.SUBJECTS[c][g] for c, g in zip(r.sources[landings], guards, strict=True)]
+    takes_part[np.arange(len(landings)), lands] = True
     small = 1e-9 * np.sqrt(2 * before.kinetic() / before.whole)
-    later = opened & above & (after.rates[:, :, 1] < -small[:, None])
+    opened = np.array([r.pattern(c) for c in r.targets[landings]]) == OPEN
+    later = opened & ~takes_part & (after.rates[:, :, 1] < -small[:, None])
+    # what touches is put on its surface
+    large = size + np.abs(after.states.q).max(axis=1)
     touching = (after.gaps <= 4e-14 * large[:, None]) & ~later
     for mask in np.unique(touching, axis=0):
         these = np.flatnonzero((touching == mask).all(axis=1))
-        yield from _landed(r, landings[these], before[these], after[these], mask)
+        yield from _landed(r, landings[these], before[these], after[these], mask, takes_part[these])
 
 
-def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray) -> Found:
+def _landed(
+    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray, takes_part: np.ndarray
+) -> Found:
     pattern = [STICK if t else OPEN for t in touching]
     normal, along = before.held(pattern)
     points = before.parts.points
@@ -390,14 +397,6 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
                 f"landing friction: {told(i)}: {points[p].name} slips at {slip[i]:.6g} m/s "
                 f"after {friction[i, column]:.6g} N s of {bound[i]:.6g} N s"
             )
-    # a point a hair above its surface, neither closed nor the one that lands, has not met it yet
-    takes_part = np.array([r.pattern(c) for c in r.sources[events]]) != OPEN
-    takes_part |= before.gaps <= 0
-    landed = [
-        r.program.SUBJECTS[r.sources[e]][guard]
-        for e, guard in zip(events, r.run.passages[1][events, 3], strict=True)
-    ]
-    takes_part[np.arange(len(events)), landed] = True
     for p in np.flatnonzero(touching):
         least = points[p].restitution * np.maximum(-rate0[:, p, 1], 0.0)
         slow = np.where(takes_part[:, p], least - rate1[:, p, 1] - room, 0.0)
