@@ -54,7 +54,7 @@ def family_of(seed: int) -> str | None:
 
 
 def first_of(family: str) -> int:
-    return BASE * (FAMILIES.index(family) + 1)
+    return 0 if family == "structures" else BASE * (FAMILIES.index(family) + 1)
 
 
 def model_of(seed: int) -> str:
@@ -584,6 +584,10 @@ _VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
 FAMILIES = tuple(_VARIANTS)
 ALLOWED = ("statics does not tell the friction: what touches leaves no motion",)
 """Texts of errors with which a motion may be refused."""
+
+
+EVERY = ("structures", *FAMILIES)
+"""The families, and the structures on pinned feet and springs of `cases`."""
 
 
 def spread(runs: int, first: int, families: Sequence[str]) -> list[int]:

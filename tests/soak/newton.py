@@ -620,7 +620,8 @@ def _lasts(at: At, fit: Fit, ax: float, ay: float) -> bool:
     """Whether the points of a pattern still press a little later, as they move by it."""
     tau = 1e-4 * math.sqrt(at.of.size / at.of.gravity)
     q, v = at.states.q, at.states.v
-    later = at.of.at(q + tau * v + 0.5 * tau**2 * fit.motion, v + tau * fit.motion)
+    moved = q + tau * v + 0.5 * tau**2 * fit.motion
+    later = at.of.at(moved, v + tau * fit.motion, at.states.internal)
     solved = later.solve(fit.pattern, later.forces(ax, ay))
     scale = 1e-9 * float(_scale(later, np.array([ax]), np.array([ay]))[0])
     return not (solved.pressed < -scale).any()
@@ -650,7 +651,7 @@ def modes_that_fit(
         after = _after_landing(at, touching, small)
         if len(after) != 1:
             return []
-        at = at.of.at(at.states.q, after[0][None])
+        at = at.of.at(at.states.q, after[0][None], at.states.internal)
     near = touching & (at.rates[0, :, 1] <= small)
     force = at.forces(ax, ay)
     found = []
