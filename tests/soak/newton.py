@@ -552,6 +552,28 @@ def _pushed_in_rest(
         yield f"rest momentum: {where}: a point pulls with {pulls:.3g} N s, {hold:.3g} may be"
 
 
+# -- states of events
+
+
+def given_back(r: Told) -> Found:
+    """A state of an event is one of the structure: it has positions, and a motion starts there."""
+    if not len(r.times):
+        return
+    structure, dice = r.motion.structure, np.random.default_rng([r.motion.seed % 2**32, 2])
+    events = dice.choice(len(r.times), min(len(r.times), 3), replace=False)
+    names = list(r.run.states)
+    for i in np.sort(events):
+        for which, y in (("before", r.before[i]), ("after", r.after[i])):
+            state = dict(zip(names, y.tolist(), strict=True))
+            try:
+                structure.positions(state)
+                rk.simulate(
+                    structure, rk.GroundMotion.none(1e-3), initial=state, options=r.motion.options
+                )
+            except ValueError as error:
+                yield f"given back: {which} the event at {r.times[i]:.9g} s: {error}"
+
+
 # -- the end
 
 
