@@ -102,7 +102,15 @@ class Told(Record):
         return math.sqrt(2 * kinetic / mass) + SLACK * self.motion.options.atol / self.loose
 
     def pattern(self, contact: int) -> tuple[int, ...]:
-        return tuple(self.program.POINT_STATES[contact])
+        """The states of the points."""
+        return tuple(self.program.POINT_STATES[contact]) if self.by_hand.has_points else ()
+
+    def elements(self, contact: int) -> tuple[int, ...]:
+        """The states of struts or bars; of two springs that are no elements the name says it."""
+        if hasattr(self.program, "ELEMENT_STATES"):
+            return tuple(self.program.ELEMENT_STATES[contact])
+        pressed = self.name(contact).partition("_")[0]
+        return tuple(int(pressed in (foot, "both")) for foot in ("left", "right"))
 
     def name(self, contact: int) -> str:
         return self.program.CONTACTS[contact]
@@ -145,7 +153,7 @@ def _followed(r: Told, contact: int, steps: np.ndarray) -> Found:
     ax, ay = (a.ravel() for a in r.shaking(t))
     at = r.at(inside.reshape(k * samples, -1))
     pattern = r.pattern(contact)
-    elements = r.program.ELEMENT_STATES[contact]
+    elements = r.elements(contact)
     force = at.forces(ax, ay, elements)
     solved = at.solve(pattern, force)
     name = r.name(contact)
