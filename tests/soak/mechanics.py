@@ -496,7 +496,7 @@ class Frame(Mechanics):
     settlement: float = 0.0
     has_points: bool = True
     guided: str = "centre"
-    """What of a base on struts moves up and down alone: its centre, or the foot to which it leans."""
+    """What of a base on struts moves up and down alone: its centre, or the foot it leans on."""
     gravity: float = 9.81
     coordinates: tuple[str, ...] = ()
 
