@@ -461,7 +461,8 @@ def _rested(
     if not landed:
         yield f"empty rest: {where}: no point comes to rest"
     # -- its time
-    slowest = max(min(closing, default=0.0), 1e-6 * one.of.gravity)
+    by_themselves = [a for a in closing if a > 0.0]
+    slowest = max(min(by_themselves, default=one.of.gravity), 0.05 * one.of.gravity)
     e = max(p.restitution for p in one.parts.points)
     hops = math.sqrt(8.0 * LOWEST) / max(1.0 - e, 1e-3)
     longest = 2.0 * (tolerance + hops) * math.sqrt(size / slowest)
