@@ -458,8 +458,6 @@ def _rested(
     where = f"rest at {time:.9g} s"
     landed = [i for i in range(len(names)) if source[i] == OPEN and target[i] != OPEN]
     closing = [-float(one.rows[0, i, 1] @ solved.motion[0] + one.biases[0, i, 1]) for i in landed]
-    if not landed:
-        yield f"empty rest: {where}: no point comes to rest"
     # -- its time
     by_themselves = [a for a in closing if a > 0.0]
     slowest = max(min(by_themselves, default=one.of.gravity), 0.05 * one.of.gravity)
