@@ -46,7 +46,7 @@ LOWEST = 1e-11
 """Hops lower than this part of the size of a structure may be summed, however long they take."""
 LOST = 1e-13
 """Hops lower than this part of it are lost among rounding errors of a gap, and may end at once."""
-STEPS = 120
+STEPS = 80
 """So many steps of a motion are looked at, drawn by its seed."""
 EVENTS, RESTS = 150, 40
 """And at so many events from the start, and so many rests."""
@@ -124,6 +124,7 @@ def on_contacts(r: Told) -> Found:
         return
     yield from ordered(r)
     yield from joined(r)
+    yield from started(r)
     yield from followed(r)
     yield from met(r)
     yield from rested(r)
@@ -294,6 +295,25 @@ def _yielded(r: Told, at: At, elements, steps: np.ndarray, where) -> Found:
         if (np.abs(lack) > may).any():
             i = int(np.abs(lack).argmax())
             yield f"flow: {bar.name} grows by {lack[i]:.3g} m too much {where(i * samples)}"
+
+
+def started(r: Told) -> Found:
+    """The reactions of the state at the start, asked of the structure: springs that touch press."""
+    at = r.at(r.first[:1])
+    if not at.parts.struts:
+        return
+    state = dict(zip(r.run.states, r.first[0].tolist(), strict=True))
+    found = r.motion.structure.reactions(state)
+    for strut in at.parts.struts:
+        compressed, push = -float(strut.place.value[0, 1]), float(at.push(strut)[0])
+        expected = max(push, 0.0) if compressed > 0.0 else 0.0
+        room = 1e-9 * (abs(push) + strut.stiffness * r.by_hand.size)
+        told = float(found[f"{strut.name}_reaction"])
+        if abs(compressed) > 1e-12 * r.by_hand.size and abs(told - expected) > room:
+            yield (
+                f"start: {strut.name} has a reaction of {told:.6g} N, compressed by "
+                f"{compressed:.3g} m it presses with {expected:.6g} N"
+            )
 
 
 # -- at events
