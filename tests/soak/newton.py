@@ -649,7 +649,7 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     at = r.at(r.run.end[None])
     ax, ay = (float(a[0]) for a in r.shaking(np.array([last])))
     margin = max(1e-6, 1e-2 * r.loose)
-    distinct: list[Fit] = []
+    everywhere: list[Fit] = []
     last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
     closed = np.array(r.pattern(last_mode)) != OPEN
     for near in (1e-14, 1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
@@ -658,7 +658,8 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
         if len(distinct) != 1:
             return
-    if distinct:
+        everywhere += distinct
+    if len(_distinct(everywhere)) == 1:
         names = [p.name for p in at.parts.points]
         words = ("open", "sticks", "slips to the right", "slips to the left")
         states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
