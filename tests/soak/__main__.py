@@ -10,7 +10,7 @@ import warnings
 from tests.soak.cases import METHODS, MODELS, draw
 from tests.soak.checks import COMPARED
 from tests.soak.energy import gains_of
-from tests.soak.families import FAMILIES, drawn, family_of, method_of, model_of, spread
+from tests.soak.families import EVERY, drawn, family_of, method_of, model_of, spread
 from tests.soak.faults import FAULTS, planted
 from tests.soak.run import DECLARED, Checks, checked, soaked
 
@@ -21,8 +21,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--first", type=int, default=0, help="the first of them")
     parser.add_argument("--models", nargs="*", choices=MODELS, help="only these structures")
     parser.add_argument(
-        "--family", nargs="*", choices=FAMILIES, default=None, dest="families",
-        help="of bodies on points and springs, held against mechanics by hand: these, or all",
+        "--family", nargs="*", choices=EVERY, dest="families",
+        help="as many seeds of each of these; all of them, unless structures are named",
     )  # fmt: skip
     parser.add_argument("--methods", nargs="*", choices=sorted(set(METHODS)), help="only these")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
@@ -53,12 +53,11 @@ def main(arguments: list[str] | None = None) -> int:
         result = checked(given.seed, checks)
         print(result)
         return bool(result.violations)
-    seeds = list(range(given.first, given.first + given.runs))
-    if given.families is not None:
-        seeds = spread(given.runs, given.first, given.families or FAMILIES)
+    named = given.models or given.methods or given.check
+    families = given.families or (("structures",) if named else EVERY)
     seeds = [
         seed
-        for seed in seeds
+        for seed in spread(given.runs, given.first, families)
         if (not given.models or model_of(seed) in given.models)
         and (not given.methods or method_of(seed) in given.methods)
     ]

@@ -54,7 +54,7 @@ def family_of(seed: int) -> str | None:
 
 
 def first_of(family: str) -> int:
-    return BASE * (FAMILIES.index(family) + 1)
+    return 0 if family == "structures" else BASE * (FAMILIES.index(family) + 1)
 
 
 def model_of(seed: int) -> str:
@@ -89,7 +89,7 @@ def _options(seed: int) -> rk.SolverOptions:
     family = family_of(seed)
     assert family is not None
     method = METHODS[seed % BASE // len(_VARIANTS[family]) % len(METHODS)]
-    limits = {"max_impacts": 5000, "max_steps": 30_000}
+    limits = {"max_impacts": 5000, "max_steps": 15_000}
     if method == "RK45 1e-6":
         return rk.SolverOptions(method="RK45", rtol=1e-6, **limits)
     return rk.SolverOptions(method=method.split()[0], **limits)
@@ -329,8 +329,11 @@ def _on_base(
 # -- springs that press and never pull
 
 
-def _springs(count: int) -> Callable[[Dice], Drawn]:
-    """Two springs or a bed of them, let go pressed, open, and with the feet moving to and fro."""
+def _springs(count: int, kind: str = "centre") -> Callable[[Dice], Drawn]:
+    """Two springs or a bed of them, let go pressed, open, and with the feet moving to and fro.
+
+    kind : what is guided, or "structure" for `TwoSpringStructure`.
+    """
 
     def drawn(dice: Dice) -> Drawn:
         given = _two_masses(dice)
@@ -339,10 +342,7 @@ def _springs(count: int) -> Callable[[Dice], Drawn]:
         stiffness = total * GRAVITY / (count * settles)
         rate = math.sqrt(count * stiffness / total)
         damping = dice.one_of(0.0, 2 * dice.over(0.01, 3.0) * rate * total / count)
-        make = rk.TwoSprings if count == 2 else functools.partial(rk.Winkler, springs=count)
-        structure = rk.LumpedMassStructure(
-            **given, support=make(stiffness=stiffness, damping=damping)
-        )
+        structure = _on_springs(given, count, kind, stiffness, damping)
         names = ["left", *(f"spring_{i}" for i in range(2, count)), "right"]
         places = np.linspace(-b, b, count)
         struts = tuple(
@@ -351,31 +351,47 @@ def _springs(count: int) -> Callable[[Dice], Drawn]:
         by_hand = replace(
             _on_base(given, (0.0, 0.0), "", ("theta", "heave")),
             struts=struts, settlement=total * GRAVITY / (count * stiffness),
+            guided="foot" if kind == "foot" else "centre", has_points=False,
         )  # fmt: skip
         initial: dict[str, float] = {}
-        kind = dice.one_of("rest", "leaning", "open", "open", "aloft", "grazing")
-        if kind == "leaning":
+        start = dice.one_of("rest", "leaning", "open", "open", "aloft", "grazing")
+        if start == "leaning":
             initial["theta"] = math.atan(b / given["height"]) * dice.between(-0.8, 0.8)
-        if kind == "open":  # one foot above its spring, moving down or up
+        if start == "open":  # one foot above its spring, moving down or up
             initial["theta"] = settles / b * dice.over(1.1, 10.0) * dice.one_of(1.0, -1.0)
             turns = dice.over(0.1, 50.0) * dice.one_of(1.0, -1.0)
             initial["theta_dot"] = rate * settles / b * turns
             initial["heave_dot"] = rate * settles * dice.between(-2.0, 2.0)
-        if kind == "aloft":
+        if start == "aloft":
             initial["heave"] = settles * dice.over(1.01, 10.0)
             rises = dice.over(0.1, 50.0) * dice.one_of(1.0, -1.0)
             initial["heave_dot"] = rate * settles * rises
-        if kind == "grazing":  # all tops just touched
+        if start == "grazing":  # all tops just touched
             initial["heave"] = settles
             initial["heave_dot"] = rate * settles * dice.one_of(0.0, -1.0, 1.0)
         lift = GRAVITY * b / given["height"]
-        motion = _ground(dice, lift, given["height"], 1.0 if kind == "rest" else 0.3)
+        motion = _ground(dice, lift, given["height"], 1.0 if start == "rest" else 0.3)
         longest = dice.over(20.0, 400.0) / rate
-        if motion.duration > longest and kind != "rest":
+        if motion.duration > longest and start != "rest":
             motion = rk.GroundMotion.none(longest)
         return Drawn(structure, by_hand, initial, motion)
 
     return drawn
+
+
+def _on_springs(
+    given: dict[str, float], count: int, kind: str, stiffness: float, damping: float
+) -> Structure:
+    if kind == "structure":
+        return rk.TwoSpringStructure(
+            **given, foundation_stiffness=stiffness, foundation_damping=damping
+        )
+    support = (
+        rk.Winkler(springs=count, stiffness=stiffness, damping=damping)
+        if count > 2
+        else rk.TwoSprings(stiffness=stiffness, damping=damping, guided=kind)
+    )
+    return rk.LumpedMassStructure(**given, support=support)
 
 
 # -- bars that yield and pads that press, at places of a block
@@ -577,13 +593,22 @@ _VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
         "sliding_shear_frame": _shear_frame,
         "sliding_flexible_structure": _flexible_structure,
     },
-    "springs": {"on_two_springs": _springs(2), "on_a_bed_of_springs": _springs(3)},
+    "springs": {
+        "on_two_springs": _springs(2),
+        "on_a_bed_of_springs": _springs(3),
+        "on_foot_guided_springs": _springs(2, "foot"),
+        "two_spring_structure_by_hand": _springs(2, "structure"),
+    },
     "bars": {"barred_block": _barred_block, "padded_block": _padded_block},
     "smooth": {"ladder": _a_ladder, "before_a_stop": _a_stop},
 }
 FAMILIES = tuple(_VARIANTS)
 ALLOWED = ("statics does not tell the friction: what touches leaves no motion",)
 """Texts of errors with which a motion may be refused."""
+
+
+EVERY = ("structures", *FAMILIES)
+"""The families, and the structures on pinned feet and springs of `cases`."""
 
 
 def spread(runs: int, first: int, families: Sequence[str]) -> list[int]:

@@ -166,6 +166,7 @@ class Mechanics:
 
     coordinates: tuple[str, ...] = ()
     internal: tuple[str, ...] = ()
+    has_points: bool = True
     gravity: float = 9.81
     size: float = 1.0
     """A length of the structure, to judge gaps by [m]."""
@@ -493,6 +494,9 @@ class Frame(Mechanics):
     struts: tuple[tuple[str, float, float, float], ...] = ()
     """Name, place along the base, stiffness and damping."""
     settlement: float = 0.0
+    has_points: bool = True
+    guided: str = "centre"
+    """What of a base on struts moves up and down alone: its centre, or the foot it leans on."""
     gravity: float = 9.81
     coordinates: tuple[str, ...] = ()
 
@@ -505,6 +509,8 @@ class Frame(Mechanics):
         if self.struts:
             base = states.origin(None, "heave")
             base = Place(base.value - [0.0, self.settlement], base.jacobian, base.bias)
+            if self.guided == "foot":
+                base = self._beside_its_foot(states, base)
         else:
             base = states.origin("x", "y")
         masses = [
@@ -540,6 +546,17 @@ class Frame(Mechanics):
             for name, along, k_s, c_s in self.struts
         ]
         return Parts(masses, points, struts, (), elastic, stored)
+
+    def _beside_its_foot(self, states: States, base: Place) -> Place:
+        """The base's centre where the foot to which it leans stands on its line."""
+        j = states.column("theta")
+        theta, rate = states.q[:, j], states.v[:, j]
+        side = self.half_width * np.copysign(1.0, theta)
+        value, jacobian, bias = base.value.copy(), base.jacobian.copy(), base.bias.copy()
+        value[:, 0] += side * (1.0 - np.cos(theta))
+        jacobian[:, 0, j] += side * np.sin(theta)
+        bias[:, 0] += side * np.cos(theta) * rate**2
+        return Place(value, jacobian, bias)
 
 
 # -- of structures of the package

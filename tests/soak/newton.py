@@ -46,7 +46,7 @@ LOWEST = 1e-11
 """Hops lower than this part of the size of a structure may be summed, however long they take."""
 LOST = 1e-13
 """Hops lower than this part of it are lost among rounding errors of a gap, and may end at once."""
-STEPS = 120
+STEPS = 80
 """So many steps of a motion are looked at, drawn by its seed."""
 EVENTS, RESTS = 150, 40
 """And at so many events from the start, and so many rests."""
@@ -102,7 +102,15 @@ class Told(Record):
         return math.sqrt(2 * kinetic / mass) + SLACK * self.motion.options.atol / self.loose
 
     def pattern(self, contact: int) -> tuple[int, ...]:
-        return tuple(self.program.POINT_STATES[contact])
+        """The states of the points."""
+        return tuple(self.program.POINT_STATES[contact]) if self.by_hand.has_points else ()
+
+    def elements(self, contact: int) -> tuple[int, ...]:
+        """The states of struts or bars; of two springs that are no elements the name says it."""
+        if hasattr(self.program, "ELEMENT_STATES"):
+            return tuple(self.program.ELEMENT_STATES[contact])
+        pressed = self.name(contact).partition("_")[0]
+        return tuple(int(pressed in (foot, "both")) for foot in ("left", "right"))
 
     def name(self, contact: int) -> str:
         return self.program.CONTACTS[contact]
@@ -116,6 +124,7 @@ def on_contacts(r: Told) -> Found:
         return
     yield from ordered(r)
     yield from joined(r)
+    yield from started(r)
     yield from followed(r)
     yield from met(r)
     yield from rested(r)
@@ -145,7 +154,7 @@ def _followed(r: Told, contact: int, steps: np.ndarray) -> Found:
     ax, ay = (a.ravel() for a in r.shaking(t))
     at = r.at(inside.reshape(k * samples, -1))
     pattern = r.pattern(contact)
-    elements = r.program.ELEMENT_STATES[contact]
+    elements = r.elements(contact)
     force = at.forces(ax, ay, elements)
     solved = at.solve(pattern, force)
     name = r.name(contact)
@@ -288,6 +297,25 @@ def _yielded(r: Told, at: At, elements, steps: np.ndarray, where) -> Found:
             yield f"flow: {bar.name} grows by {lack[i]:.3g} m too much {where(i * samples)}"
 
 
+def started(r: Told) -> Found:
+    """The reactions of the state at the start, asked of the structure: springs that touch press."""
+    at = r.at(r.first[:1])
+    if not at.parts.struts:
+        return
+    state = dict(zip(r.run.states, r.first[0].tolist(), strict=True))
+    found = r.motion.structure.reactions(state)
+    for strut in at.parts.struts:
+        compressed, push = -float(strut.place.value[0, 1]), float(at.push(strut)[0])
+        expected = max(push, 0.0) if compressed > 0.0 else 0.0
+        room = 1e-9 * (abs(push) + strut.stiffness * r.by_hand.size)
+        told = float(found[f"{strut.name}_reaction"])
+        if abs(compressed) > 1e-12 * r.by_hand.size and abs(told - expected) > room:
+            yield (
+                f"start: {strut.name} has a reaction of {told:.6g} N, compressed by "
+                f"{compressed:.3g} m it presses with {expected:.6g} N"
+            )
+
+
 # -- at events
 
 
@@ -314,19 +342,26 @@ def met(r: Told) -> Found:
     if not len(landings):
         return
     before, after = r.at(r.before[landings]), r.at(r.after[landings])
-    # what touches is put on its surface; what is open still, and was thrown down, lands afterwards
-    large = size + np.abs(after.states.q).max(axis=1)
-    opened = np.array([r.pattern(c) for c in r.targets[landings]]) == OPEN
-    above = (np.maximum(before.gaps, after.gaps) > 0) | (before.rates[:, :, 1] >= 0)
+    # the points that were closed, and the one that lands, take part; others that are a hair above
+    # their surface, or leave it, may have met it or not: those that are thrown down land afterwards
+    takes_part = np.array([r.pattern(c) for c in r.sources[landings]]) != OPEN
+    guards = r.run.passages[1][landings, 3]
+    lands = [r.program.SUBJECTS[c][g] for c, g in zip(r.sources[landings], guards, strict=True)]
+    takes_part[np.arange(len(landings)), lands] = True
     small = 1e-9 * np.sqrt(2 * before.kinetic() / before.whole)
-    later = opened & above & (after.rates[:, :, 1] < -small[:, None])
+    opened = np.array([r.pattern(c) for c in r.targets[landings]]) == OPEN
+    later = opened & ~takes_part & (after.rates[:, :, 1] < -small[:, None])
+    # what touches is put on its surface
+    large = size + np.abs(after.states.q).max(axis=1)
     touching = (after.gaps <= 4e-14 * large[:, None]) & ~later
     for mask in np.unique(touching, axis=0):
         these = np.flatnonzero((touching == mask).all(axis=1))
-        yield from _landed(r, landings[these], before[these], after[these], mask)
+        yield from _landed(r, landings[these], before[these], after[these], mask, takes_part[these])
 
 
-def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray) -> Found:
+def _landed(
+    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray, takes_part: np.ndarray
+) -> Found:
     pattern = [STICK if t else OPEN for t in touching]
     normal, along = before.held(pattern)
     points = before.parts.points
@@ -390,14 +425,6 @@ def _landed(r: Told, events: np.ndarray, before: At, after: At, touching: np.nda
                 f"landing friction: {told(i)}: {points[p].name} slips at {slip[i]:.6g} m/s "
                 f"after {friction[i, column]:.6g} N s of {bound[i]:.6g} N s"
             )
-    # a point a hair above its surface, neither closed nor the one that lands, has not met it yet
-    takes_part = np.array([r.pattern(c) for c in r.sources[events]]) != OPEN
-    takes_part |= before.gaps <= 0
-    landed = [
-        r.program.SUBJECTS[r.sources[e]][guard]
-        for e, guard in zip(events, r.run.passages[1][events, 3], strict=True)
-    ]
-    takes_part[np.arange(len(events)), landed] = True
     for p in np.flatnonzero(touching):
         least = points[p].restitution * np.maximum(-rate0[:, p, 1], 0.0)
         slow = np.where(takes_part[:, p], least - rate1[:, p, 1] - room, 0.0)
@@ -451,10 +478,9 @@ def _rested(
     where = f"rest at {time:.9g} s"
     landed = [i for i in range(len(names)) if source[i] == OPEN and target[i] != OPEN]
     closing = [-float(one.rows[0, i, 1] @ solved.motion[0] + one.biases[0, i, 1]) for i in landed]
-    if not landed:
-        yield f"empty rest: {where}: no point comes to rest"
     # -- its time
-    slowest = max(min(closing, default=0.0), 1e-6 * one.of.gravity)
+    by_themselves = [a for a in closing if a > 0.0]
+    slowest = max(min(by_themselves, default=one.of.gravity), 0.05 * one.of.gravity)
     e = max(p.restitution for p in one.parts.points)
     hops = math.sqrt(8.0 * LOWEST) / max(1.0 - e, 1e-3)
     longest = 2.0 * (tolerance + hops) * math.sqrt(size / slowest)
@@ -553,6 +579,28 @@ def _pushed_in_rest(
         yield f"rest momentum: {where}: a point pulls with {pulls:.3g} N s, {hold:.3g} may be"
 
 
+# -- states of events
+
+
+def given_back(r: Told) -> Found:
+    """A state of an event is one of the structure: it has positions, and a motion starts there."""
+    if not len(r.times):
+        return
+    structure, dice = r.motion.structure, np.random.default_rng([r.motion.seed % 2**32, 2])
+    events = dice.choice(len(r.times), min(len(r.times), 3), replace=False)
+    names = list(r.run.states)
+    for i in np.sort(events):
+        for which, y in (("before", r.before[i]), ("after", r.after[i])):
+            state = dict(zip(names, y.tolist(), strict=True))
+            try:
+                structure.positions(state)
+                rk.simulate(
+                    structure, rk.GroundMotion.none(1e-3), initial=state, options=r.motion.options
+                )
+            except ValueError as error:
+                yield f"given back: {which} the event at {r.times[i]:.9g} s: {error}"
+
+
 # -- the end
 
 
@@ -601,7 +649,7 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     at = r.at(r.run.end[None])
     ax, ay = (float(a[0]) for a in r.shaking(np.array([last])))
     margin = max(1e-6, 1e-2 * r.loose)
-    distinct: list[Fit] = []
+    everywhere: list[Fit] = []
     last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
     closed = np.array(r.pattern(last_mode)) != OPEN
     for near in (1e-14, 1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
@@ -610,7 +658,8 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
         if len(distinct) != 1:
             return
-    if distinct:
+        everywhere += distinct
+    if len(_distinct(everywhere)) == 1:
         names = [p.name for p in at.parts.points]
         words = ("open", "sticks", "slips to the right", "slips to the left")
         states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
@@ -621,7 +670,8 @@ def _lasts(at: At, fit: Fit, ax: float, ay: float) -> bool:
     """Whether the points of a pattern still press a little later, as they move by it."""
     tau = 1e-4 * math.sqrt(at.of.size / at.of.gravity)
     q, v = at.states.q, at.states.v
-    later = at.of.at(q + tau * v + 0.5 * tau**2 * fit.motion, v + tau * fit.motion)
+    moved = q + tau * v + 0.5 * tau**2 * fit.motion
+    later = at.of.at(moved, v + tau * fit.motion, at.states.internal)
     solved = later.solve(fit.pattern, later.forces(ax, ay))
     scale = 1e-9 * float(_scale(later, np.array([ax]), np.array([ay]))[0])
     return not (solved.pressed < -scale).any()
@@ -651,7 +701,7 @@ def modes_that_fit(
         after = _after_landing(at, touching, small)
         if len(after) != 1:
             return []
-        at = at.of.at(at.states.q, after[0][None])
+        at = at.of.at(at.states.q, after[0][None], at.states.internal)
     near = touching & (at.rates[0, :, 1] <= small)
     force = at.forces(ax, ay)
     found = []

@@ -18,7 +18,7 @@ from tests.soak.cases import Dice, draw
 from tests.soak.checks import COMPARED, Record, on_record
 from tests.soak.declared import named_otherwise, pushed, unequal_feet
 from tests.soak.families import ALLOWED, drawn as of_family, family_of, method_of, model_of
-from tests.soak.newton import Told, on_contacts
+from tests.soak.newton import Told, given_back, on_contacts
 
 BATCH = 100
 LONGEST = 60.0
@@ -46,6 +46,8 @@ class Result:
 DECLARED = {"names": (0.002, named_otherwise), "feet": (0.0005, unequal_feet)}
 PUSHED = 0.1
 """Shares of the seeds for which checks without a motion are made."""
+GIVEN_BACK = 0.2
+"""Share of the seeds of families of which states of events are given back."""
 
 
 def drawn(seed: int, compared: Iterable[str] | None = None) -> set[str]:
@@ -112,7 +114,10 @@ def by_hand(seed: int) -> Result:
             motion, mechanics = of_family(seed)
             run = motion.run()
         outcome = str(run.outcome)
-        found = list(on_contacts(Told(motion, run, mechanics)))
+        told = Told(motion, run, mechanics)
+        found = list(on_contacts(told))
+        if Dice(seed, 1).chance(GIVEN_BACK):
+            found += given_back(told)
     except ValueError as error:
         outcome = f"refused: {error}"
         if not any(re.search(text, str(error)) for text in ALLOWED):

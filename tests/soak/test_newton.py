@@ -13,7 +13,6 @@ from tests.soak.cases import Motion
 from tests.soak.families import FAMILIES, drawn, family_of, first_of, model_of, spread
 from tests.soak.mechanics import Mechanics, of_sliding_block, of_stack
 from tests.soak.newton import Told, on_contacts
-from tests.soak.run import checked
 
 # -- the mechanics by hand: derivatives of places by differences
 
@@ -106,10 +105,11 @@ GOOD = {"blocks": 40, "frames": 12, "springs": 30}
 
 @pytest.mark.parametrize("family", GOOD)
 def test_some_seeds_of_a_family(family):
-    seeds = [first_of(family) + n for n in range(1, GOOD[family])]
-    chosen = [seed for seed in seeds if drawn(seed)[0].options.method == "DOP853"]
-    found = [result for result in map(checked, chosen) if result.violations]
-    assert not found, "\n".join(map(str, found))
+    for seed in range(first_of(family) + 1, first_of(family) + GOOD[family]):
+        motion, by_hand = drawn(seed)
+        if motion.options.method == "DOP853":
+            found = list(on_contacts(Told(motion, motion.run(), by_hand)))
+            assert not found, (seed, *found)
 
 
 def test_a_seed_of_a_family_always_gives_the_same_motion():
@@ -267,7 +267,7 @@ def test_success_short_of_the_end_is_noticed():
 def test_spring_that_presses_before_it_is_touched_is_noticed():
     """The mode in which all springs press, of a structure that leans."""
     seed = next(
-        seed for seed in range(first_of("springs"), first_of("springs") + 200)
+        seed for seed in range(first_of("springs"), first_of("springs") + 200, 4)
         if drawn(seed)[0].initial.get("theta") and not drawn(seed)[0].initial.get("theta_dot")
     )  # fmt: skip
     motion, by_hand = drawn(seed)
