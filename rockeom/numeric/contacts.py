@@ -392,27 +392,28 @@ def held_by(candidate, wanted, known, fractions, impulse):
     These are the parts of the normal impulse that it is; not a number where it is to be found.
     """
     a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
+    friction = np.empty(ROWS, np.int64)  # row of the friction at the point of an unknown
     ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
     order = 0
     for i in range(N_POINTS):
         state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
             continue
-        unknown[order], ties[order] = normal, 0.0
+        unknown[order], friction[order], ties[order] = normal, normal + 1, 0.0
         order += 1
         if state != STICK:
             ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
             ties[order - 1] = fractions[i]
         elif SHARED[candidate][i] == i:
-            unknown[order], ties[order] = normal + 1, 0.0
+            unknown[order], friction[order], ties[order] = normal + 1, normal + 1, 0.0
             order += 1
     width = order + 1
     for m in range(order):
         row = COUPLING + unknown[m] * ROWS
         for s in range(order):
             value = known[row + unknown[s]]
-            value += ties[s] * known[row + unknown[s] + 1]
+            value += ties[s] * known[row + friction[s]]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
