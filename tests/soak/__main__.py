@@ -6,7 +6,9 @@ import argparse
 import os
 import sys
 import warnings
+from contextlib import nullcontext
 
+from tests.soak import bounds
 from tests.soak.cases import METHODS, MODELS, draw, method_of, model_of
 from tests.soak.checks import COMPARED
 from tests.soak.faults import FAULTS, planted
@@ -28,7 +30,16 @@ def main(arguments: list[str] | None = None) -> int:
         help="make this one, of the checks that are drawn, for every seed, and no other of them",
     )
     parser.add_argument("--fault", choices=FAULTS, help="plant this fault; the soak must find it")
+    parser.add_argument(
+        "--bounds", action="store_true",
+        help="programs check every index; also those of structures that are not drawn here",
+    )  # fmt: skip
     given = parser.parse_args(arguments)
+    with bounds.checked() if given.bounds else nullcontext():
+        return run(given)
+
+
+def run(given: argparse.Namespace) -> int:
     checks = Checks(drawn=()) if given.check == "none" else Checks(always=given.check)
     if given.fault is not None:
         return planted(given.fault)
@@ -52,7 +63,13 @@ def main(arguments: list[str] | None = None) -> int:
     )  # fmt: skip
     summary = soaked(seeds, given.workers, checks, stop=given.stop)
     print(summary)
-    return bool(summary.violations)
+    left = []
+    if given.bounds:
+        each = max(given.runs // 1000, 2)
+        left = bounds.searched([*bounds.STRUCTURES], range(given.first, given.first + each))
+        print(f"{len(bounds.STRUCTURES)} more structures, {each} motions each: {len(left)} faults")
+        print(*left, sep="\n")
+    return bool(summary.violations or left)
 
 
 if __name__ == "__main__":
