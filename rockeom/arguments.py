@@ -11,6 +11,8 @@ import numpy as np
 from rockeom.mathematics import Compound
 
 _LONGEST = 60  # letters of a value in an error
+LARGEST_WHOLE = 2**63 - 1
+"""What a compiled program can count to."""
 
 
 def told(value: Any) -> str:
@@ -125,10 +127,13 @@ def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
 def whole_number(what: str, value: Any, least: int) -> int:
     """The whole number given for what is named, which may be written as a float.
 
-    Raises TypeError for anything but a number and ValueError for one that is not whole or is
-    below the least.
+    Raises TypeError for anything but a number and ValueError for one that is not whole, is below
+    the least or takes more than 64 bits.
     """
     given = number(what, value, f"give a whole number of at least {least}")
     if not (given >= least and given.is_integer()):
         raise ValueError(f"{what} is {given:g}: give a whole number of at least {least}")
-    return int(given)
+    whole = int(value) if isinstance(value, int | np.integer) else int(given)  # no digit is lost
+    if whole > LARGEST_WHOLE:
+        raise ValueError(f"{what} is {given:g}: give a whole number of at most {LARGEST_WHOLE}")
+    return whole

@@ -17,9 +17,13 @@ from rockeom.marks import *
 
 
 def functions(
-    text: str, of: ModuleType | None = None, method: str = "DOP853", contract: bool = True
+    text: str,
+    of: ModuleType | None = None,
+    method: str = "DOP853",
+    contract: bool = True,
+    bounds: bool = False,
 ) -> dict[str, Callable[..., Any]]:
     """The entries of a text, which may call all that the program of a generated module has."""
     parts = [] if of is None else texts(of, method)
-    printed = Program([*parts, Text("the test's text", text, fused=True)], contract)
-    return Loaded(compiled(printed.ir()), printed.entries).functions
+    printed = Program([*parts, Text("the test's text", text, fused=True)], contract, bounds=bounds)
+    return Loaded(compiled(printed.ir()), printed.entries, bounds=bounds).functions

@@ -397,34 +397,34 @@ def held_by(candidate, wanted, known, fractions, impulse):
     These are the parts of the normal impulse that it is; not a number where it is to be found.
     """
     a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
-    ties, tied = np.zeros(ROWS), np.zeros(ROWS, np.int64)  # friction in parts of a normal impulse
+    friction = np.empty(ROWS, np.int64)  # row of the friction at the point of an unknown
+    ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
     order = 0
     for i in range(N_POINTS):
         state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
             continue
-        unknown[order] = normal
+        unknown[order], friction[order], ties[order] = normal, normal + 1, 0.0
         order += 1
         if state != STICK:
-            tied[order - 1], ties[order - 1] = 1, -known[LAWS + normal + 1] * SIGN_OF[state]
+            ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
-            tied[order - 1], ties[order - 1] = 1, fractions[i]
+            ties[order - 1] = fractions[i]
         elif SHARED[candidate][i] == i:
-            unknown[order] = normal + 1
+            unknown[order], friction[order], ties[order] = normal + 1, normal + 1, 0.0
             order += 1
     width = order + 1
     for m in range(order):
         row = COUPLING + unknown[m] * ROWS
         for s in range(order):
             value = known[row + unknown[s]]
-            if tied[s] == 1:  # a dual may be 0 and its derivative not
-                value += ties[s] * known[row + unknown[s] + 1]
+            value += ties[s] * known[row + friction[s]]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
     for m in range(order):
         impulse[unknown[m]] = a[m * width + order]
-        if tied[m] == 1:
+        if ties[m] != 0.0:
             impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
 
 

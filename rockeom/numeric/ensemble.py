@@ -234,10 +234,12 @@ def lanes_pay(module: ModuleType) -> bool:
     rotation alone may fall. Others have been measured, the time of lanes in that of one motion
     after the other: 0.7 to 1.0 for the cart on two springs; for walls 0.6 to 1.5, and 4 to 15 s
     more of compiling; 2 to 2.5 for the block of Dirac pulses. Most of their steps end at events,
-    and lanes find in each what every contact state would do.
+    and lanes find in each what every contact state would do. Lanes cannot follow points, whose
+    next contact state is searched for.
     """
     return (
-        not module.NARROW
+        not getattr(module, "POINTS", ())
+        and not module.NARROW
         and not module.N_FALLS
         and len(module.CONTACTS) <= MOST_CONTACTS
         and all(

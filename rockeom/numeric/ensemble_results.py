@@ -17,6 +17,7 @@ from rockeom.contract import (
     IMPACTS,
     LANDING,
     REFINED,
+    TAKEN,
     TIME,
 )
 from rockeom.numeric.ensemble_cases import Part
@@ -68,16 +69,28 @@ class Results:
         stop: threading.Event,
         lanes: bool = False,
     ) -> None:
-        """Run a part and write its rows; those of motions that are stopped stay as not run."""
+        """Run a part and write its rows; those of motions that are stopped stay as not run.
+
+        Lanes take other steps than the loop. Motions that came near `max_steps` in them are run
+        anew by the loop, so that the limit ends them where it ends a single motion.
+        """
         q, rows = part.problems, part.rows
         n, width = q.y0.shape
-        final, peaks = q.y0.copy(), np.empty((n, 2, width))
-        times, gains = np.full((n, self.times.shape[1]), np.nan), np.zeros((n, 2))
+        final, peaks, rates = np.empty((n, width)), np.empty((n, 2, width)), np.empty((n, width))
+        times, clock = np.empty((n, self.times.shape[1])), np.empty((n, 4))
+        gains = np.empty((n, 2))
         status = np.empty((n, len(AT_THE_START)), np.int64)
-        peaks[:], status[:], status[:, CONTACT] = q.y0[:, None], AT_THE_START, q.contact
-        clock = np.zeros((n, 4))
-        state = status, clock, final, np.zeros((n, width))
-        outcome = np.full(n, FULL)
+        outcome = np.empty(n, np.int64)
+
+        def begin(these: np.ndarray) -> None:
+            final[these], peaks[these], rates[these] = q.y0[these], q.y0[these, None], 0.0
+            times[these], gains[these] = np.nan, 0.0
+            clock[these], outcome[these] = 0.0, FULL
+            status[these] = AT_THE_START
+            status[these, CONTACT] = q.contact[these]
+
+        begin(np.full(n, True))
+        state = status, clock, final, rates
         others = (
             q.horizontal, q.h_rows, q.vertical, q.v_rows, q.p, q.law, q.ratio, options.rtol,
             np.full(width, options.atol), options.max_step, options.steps_per_segment, q.fallen,
@@ -92,11 +105,12 @@ class Results:
                 while in_lanes >= 0 and not stop.is_set():
                     call["first"] = in_lanes
                     in_lanes = call()
-            else:
-                call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
-                while ended < n and not stop.is_set():
-                    call["first"] = ended
-                    ended = call()
+                if in_lanes < 0:
+                    begin(status[:, TAKEN] >= options.max_steps / 2)
+            call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
+            while ended < n and not stop.is_set():
+                call["first"] = ended
+                ended = call()
         finally:
             ran = np.arange(n) < ended
             if lanes:  # what is left to find out is whether those that have ended fall

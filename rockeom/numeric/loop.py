@@ -1263,14 +1263,17 @@ def integrate(
         uneventful = fresh == 0 and touching < 0 and not keep and (rocks or contact == HELD)
         if N_POINTS == 0 and not NARROW and uneventful:
             t, h_next, last_error, taken, unjudged, jumped, nx, gx, ny, gy = uneventful_steps(
-                contact, t, h_next, last_error, taken, turn, nx, ny, horizontal, vertical, t_end,
-                fixed, refined_to, coarse, h_max, fallen, p, rtol, atol, y, k, y_new, peaks,
-                coefficients,
+                contact, t, h_next, last_error, taken, min(turn, max_steps - 1), nx, ny, horizontal,
+                vertical, t_end, fixed, refined_to, coarse, h_max, fallen, p, rtol, atol, y, k,
+                y_new, peaks, coefficients,
             )  # fmt: skip
-            if t >= gx[1] or t >= gy[1]:
-                continue
+            if taken >= max_steps and unjudged == -1.0:
+                outcome = STALLED
+                break
             if jumped:
                 fresh = news = 1
+            if t >= gx[1] or t >= gy[1]:
+                continue  # the other table's law ends there, too
         if not t < t_end:
             break
         full = (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]

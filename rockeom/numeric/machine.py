@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
+import threading
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
@@ -108,25 +109,67 @@ def _library() -> dict[str, int]:
     return {f: ctypes.cast(at, ctypes.c_void_p).value or 0 for f, at in found.items()}
 
 
+class OutOfBoundsError(IndexError):
+    """An index that left its array, in a program that is compiled with checks of them."""
+
+
+class _Reports(threading.local):
+    """The first index that left its array in the call that this thread makes, as a sentence."""
+
+    first: str | None = None
+
+
+_REPORTS = _Reports()
+
+
+@ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64, ctypes.c_char_p, ctypes.c_int64)
+def _out_of_bounds(index: int, size: int, text: bytes, line: int) -> None:
+    """Called by machine code."""
+    if _REPORTS.first is None:
+        where = f"{text.decode()}, line {line}"
+        _REPORTS.first = f"{where}: index {index} is out of bounds for an axis of size {size}"
+
+
+def _raising(call: Callable[[int], None]) -> Callable[[int], None]:
+    """The same call, which raises OutOfBoundsError at its end for an index that left its array."""
+
+    def checked(row: int) -> None:
+        _REPORTS.first = None
+        call(row)
+        if _REPORTS.first is not None:
+            raise OutOfBoundsError(_REPORTS.first)
+
+    return checked
+
+
 class Loaded:
     """Machine code in memory, and its functions by name.
 
-    others : further programs, whose entries it calls or which call its own.
+    others : further programs, whose entries it calls or which call its own. bounds : they were
+    printed with checks of indices.
     """
 
-    def __init__(self, code: bytes, entries: Mapping[str, Entry], *others: bytes) -> None:
+    def __init__(
+        self, code: bytes, entries: Mapping[str, Entry], *others: bytes, bounds: bool = False
+    ) -> None:
         linker = llvm.create_lljit_compiler(_machine(), use_jit_link=LINKED)
         builder = llvm.JITLibraryBuilder().add_current_process()
         for part in (code, *others):
             builder.add_object_img(part)
         for name, address in _library().items():
             builder.import_symbol(name, address)
+        if bounds:
+            report = ctypes.cast(_out_of_bounds, ctypes.c_void_p).value
+            builder.import_symbol("out_of_bounds", report)
         for name in entries:
             builder.export_symbol(name)
         self._linked = builder.link(linker, "program")
         self.functions: dict[str, Function] = {
             name: Function(name, entry, self._linked[name], self) for name, entry in entries.items()
         }
+        if bounds:
+            for function in self.functions.values():
+                function.call = _raising(function.call)
 
 
 _CALLED = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
@@ -140,7 +183,7 @@ class Function:
 
     def __init__(self, name: str, entry: Entry, address: int, loaded: Loaded) -> None:
         self.name, self.entry, self.loaded = name, entry, loaded
-        self.call = _CALLED(address)
+        self.call: Callable[[int], None] = _CALLED(address)
         self.places: dict[str, tuple[int, Any]] = {}
         n = 0
         for argument, type_ in entry.arguments:

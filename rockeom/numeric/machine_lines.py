@@ -154,6 +154,9 @@ class Lines:
         self.lines: list[str] = []
         self.head: list[str] = []  # what stands at the beginning: places on the stack
         self.count = 0
+        self.site = (
+            ""  # where the text is, as `checked` passes it on; empty: indices are not checked
+        )
         self.block = "entry"
         self.open = True  # whether the block that is being printed can be reached and goes on
 
@@ -498,9 +501,14 @@ class Lines:
     # -- arrays
 
     def from_end(self, index: str, length: str) -> str:
-        """An index that counts from the end where it is negative."""
+        """An index that counts from the end where it is negative.
+
+        Where indices are checked only a constant does: a computed one is meant to be a place.
+        """
         if not index.startswith("%"):
             return self.new(f"add nsw i64 {length}, {index}")
+        if self.site:
+            return index
         below = self.new(f"icmp slt i64 {index}, 0")
         from_end = self.new(f"add nsw i64 {index}, {length}")
         return self.new(f"select i1 {below}, i64 {from_end}, i64 {index}")
@@ -510,27 +518,50 @@ class Lines:
         kind = IN_MEMORY.get(array.type.element, array.type.element)
         return self.new(f"getelementptr inbounds {kind}, ptr {array.operand}, i64 {at}")
 
+    def checked(self, index: str, size: str, also: str = "", how: str = "below") -> str:
+        """Report an index that is not below a size; returns whether it is, and `also` is true.
+
+        how : "up_to" if it may be the size itself. Prints nothing where indices are not checked.
+        """
+        if not self.site:
+            return ""
+        inside = self.new(f"call i1 @{how}(i64 {index}, i64 {size}, {self.site})")
+        return self.new(f"and i1 {also}, {inside}") if also else inside
+
+    def guarded(self, array: Value, inside: str) -> Value:
+        """The same array, or an empty one in a spare place: the program goes on after a report."""
+        if not inside:
+            return array
+        address, *shape = array.parts
+        parts = [self.new(f"select i1 {inside}, ptr {address}, ptr @spare")]
+        parts += [self.new(f"select i1 {inside}, i64 {length}, i64 0") for length in shape]
+        return Value(array.type, tuple(parts))
+
     def place(self, array: Value, indices: Iterator[str], count: int) -> Value:
         """What stands at some indices of an array, as an array of the dimensions that are left."""
         assert isinstance(array.type, Array)
         dimensions, shape = array.type.dimensions, array.parts[1:]
-        at = ""
+        at = inside = ""
         for d, index in enumerate(indices):
+            inside = self.checked(index, shape[d], inside)
             at = self.new(f"add nsw i64 {at}, {index}") if at else index
             if d + 1 < dimensions:
                 at = self.new(f"mul nsw i64 {at}, {shape[d + 1]}")
         for length in shape[count + 1 :]:
             at = self.new(f"mul nsw i64 {at}, {length}")
         left = Array(array.type.element, dimensions - count)
-        return Value(left, (self.address(array, at), *shape[count:]))
+        return self.guarded(Value(left, (self.address(array, at), *shape[count:])), inside)
 
     def part(self, array: Value, first: str, last: str) -> Value:
         """From one index of the first dimension to another."""
+        inside = self.checked(last, array.parts[1], how="up_to")
+        inside = self.checked(first, last, inside, how="up_to")
         at = first
         for length in array.parts[2:]:
             at = self.new(f"mul nsw i64 {at}, {length}")
         count = self.new(f"sub nsw i64 {last}, {first}")
-        return Value(array.type, (self.address(array, at), count, *array.parts[2:]))
+        found = Value(array.type, (self.address(array, at), count, *array.parts[2:]))
+        return self.guarded(found, inside)
 
     def read(self, place: Value) -> Value:
         """The number in a place: an array without dimensions."""

@@ -10,8 +10,9 @@ refused by file and line.
               where n is a whole number from 1 to 9
     bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
     tuple     of any of these; indices are constants. One that is an argument is not assigned
-    array     of int or float, in C order, never out of bounds: indices are not checked. A negative
-              index counts from the end. numpy.empty, zeros and array make one that lasts as long as
+    array     of int or float, in C order, never out of bounds: indices are not checked, unless the
+              program is printed with `bounds`. A negative index counts from the end; with `bounds`
+              only a constant one does. numpy.empty, zeros and array make one that lasts as long as
               the function's call, of constant size
     variable  one type: that of all values that it is given, float where some are int. Each is
               assigned before it is read, whatever way the function takes
@@ -62,6 +63,7 @@ from rockeom.numeric.machine_types import (
     INT,
     MATH,
     NOTHING,
+    WIDTH,
     Array,
     Entry,
     Tuple,
@@ -127,14 +129,20 @@ class Program:
     contract : False rounds every operation by itself.
     growth : lines by which the program may grow by one function that is written out wherever it is
         called; what would make it longer is called, whatever its mark says.
+    bounds : every index and slice is checked; one that leaves its array is reported to the
+        function `out_of_bounds`, which whoever loads the program provides, see `machine.Loaded`.
 
     The texts are run as Python, but for their functions, to learn their constants.
     """
 
     def __init__(
-        self, texts: Sequence[Text], contract: bool = True, growth: float = GROWTH
+        self,
+        texts: Sequence[Text],
+        contract: bool = True,
+        growth: float = GROWTH,
+        bounds: bool = False,
     ) -> None:
-        self.texts, self.contract, self.growth = texts, contract, growth
+        self.texts, self.contract, self.growth, self.bounds = texts, contract, growth, bounds
         self.names: dict[str, Any] = {"__name__": "rockeom.numeric.program"}
         self.definitions: dict[str, Definition] = {}
         self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
@@ -269,7 +277,27 @@ class Program:
 
     def ir(self) -> str:
         """All that is printed so far."""
-        return _joined(self.constants, self.declared.values(), self.bodies.values())
+        bodies = "\n".join(self.bodies.values())
+        return _joined(self.constants, self.declared.values(), [bodies, *self._checks(bodies)])
+
+    def site(self, text: Text, line: int) -> str:
+        """Operands that say where a check is; empty where there are none."""
+        if not self.bounds:
+            return ""
+        number = next(i for i, one in enumerate(self.texts) if one is text)
+        return f"ptr @text.{number}, i64 {line}"
+
+    def _checks(self, bodies: str) -> list[str]:
+        """The function that checks an index, and names of texts, where functions have checks."""
+        if not self.bounds:
+            return []
+        named = []
+        for i, text in enumerate(self.texts):
+            name = text.name.encode() + b"\0"
+            spelt = "".join(f"\\{byte:02X}" for byte in name)
+            if f"@text.{i}," in bodies:
+                named.append(f'@text.{i} = private constant [{len(name)} x i8] c"{spelt}"')
+        return [*named, _CHECKS]
 
     def halves(self, own: Sequence[Text]) -> tuple[str, str]:
         """The same as two programs that call one another: of the texts `own`, and of the others.
@@ -316,7 +344,8 @@ class Program:
         tables = dict(zip(self.constants.values(), self.constants, strict=True))
         used = {name: f"@table_{i}" for i, name in enumerate(dict.fromkeys(_TABLE.findall(text)))}
         renamed = {tables[name]: new for name, new in used.items()}
-        return _joined(renamed, declared, [_TABLE.sub(lambda name: used[name[0]], text)])
+        text = _TABLE.sub(lambda name: used[name[0]], text)
+        return _joined(renamed, declared, [text, *self._checks(text)])
 
 
 def _joined(
@@ -343,6 +372,22 @@ _TABLE = re.compile(r"@table\.\d+")
 _ROLLED = """!0 = distinct !{!0, !1}
 !1 = !{!"llvm.loop.unroll.disable"}"""
 """What is said of the loops of a function that is marked @rolled."""
+
+_CHECK = """define internal i1 @{}(i64 %index, i64 %size, ptr %text, i64 %line) noinline nounwind {{
+  %inside = icmp {} i64 %index, %size
+  br i1 %inside, label %end, label %report
+report:
+  call void @out_of_bounds(i64 %index, i64 %size, ptr %text, i64 %line)
+  br label %end
+end:
+  ret i1 %inside
+}}"""
+"""An index, or an end of a slice, which may be the size; a negative one is large without a sign."""
+_CHECKS = f"""@spare = internal global [{1 + WIDTH} x i64] zeroinitializer
+declare void @out_of_bounds(i64, i64, ptr, i64)
+{_CHECK.format("below", "ult")}
+{_CHECK.format("up_to", "ule")}"""
+"""With a place that is read and written after a report."""
 
 
 @lru_cache(maxsize=16)  # the loop and the steps are those of many structures
@@ -665,6 +710,7 @@ class _Function:
     def _index(self, node: ast.expr, length: str) -> str:
         """An index as an operand; a negative one counts from the end."""
         operand = self._int(node)
+        self.ir.site = self.program.site(self.definition.text, node.lineno)
         return operand if self._is_natural(node) else self.ir.from_end(operand, length)
 
     def _part(self, node: ast.Subscript) -> Value:
@@ -709,6 +755,7 @@ class _Function:
         length = array.parts[1]
         first = "0" if part.lower is None else self._index(part.lower, length)
         last = length if part.upper is None else self._index(part.upper, length)
+        self.ir.site = self.program.site(self.definition.text, node.lineno)
         return self.ir.part(array, first, last)
 
     def _made_array(self, node: ast.Call, how: str) -> Value:

@@ -13,6 +13,7 @@ import hashlib
 import json
 import linecache
 import math
+import os
 import sys
 import threading
 import time
@@ -44,7 +45,7 @@ class Program:
     in loop.py and lanes.py; carry, as in carried.py, in one that carries derivatives; the sizes of
     the arrays that they want as scratch; all else is that of the generated module.
 
-    codes : of the loop, and of lanes, which call it.
+    codes : of the loop, and of lanes, which call it. bounds : they check indices.
     """
 
     SCRATCH: int
@@ -61,7 +62,7 @@ class Program:
     evaluate: Function
     carry: Function
 
-    def __init__(self, name: str, module: ModuleType, *codes: bytes) -> None:
+    def __init__(self, name: str, module: ModuleType, *codes: bytes, bounds: bool = False) -> None:
         entries: dict[str, Entry] = {}
         sizes: dict[str, int] = {}
         objects = []
@@ -72,7 +73,7 @@ class Program:
             sizes |= described["sizes"]
             objects.append(machine_code)
         self.name, self.module = name, module
-        self.__dict__ |= sizes | Loaded(objects[0], entries, *objects[1:]).functions
+        self.__dict__ |= sizes | Loaded(objects[0], entries, *objects[1:], bounds=bounds).functions
 
     def __getattr__(self, name: str) -> Any:
         if name == "module":  # not there yet
@@ -96,25 +97,35 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
     lanes : with `integrate_lanes`, too.
     """
     with _LOCK:
-        return _of_parts(generated, method, (LOOP, VECTORS, GLUE) if lanes else (LOOP,))
+        parts = (LOOP, VECTORS, GLUE) if lanes else (LOOP,)
+        return _of_parts(generated, method, parts, checks_bounds())
 
 
 def carrying(generated: ModuleType, method: str) -> Program:
     """The program that carries derivatives along the motions of a generated module."""
     with _LOCK:
-        return _of_parts(generated, method, (TANGENTS,))
+        return _of_parts(generated, method, (TANGENTS,), checks_bounds())
+
+
+def checks_bounds() -> bool:
+    """Whether programs check every index, by $ROCKEOM_CHECK_BOUNDS: slow, to find faults.
+
+    A call in which an index leaves its array raises `machine.OutOfBoundsError` at its end, with
+    file, line, index and size.
+    """
+    return os.environ.get("ROCKEOM_CHECK_BOUNDS", "0") not in ("", "0")
 
 
 @cache
-def _of_parts(generated: ModuleType, method: str, parts: tuple[str, ...]) -> Program:
-    keys = [_key(generated, method, part) for part in parts]
+def _of_parts(generated: ModuleType, method: str, parts: tuple[str, ...], bounds: bool) -> Program:
+    keys = [_key(generated, method, part, bounds) for part in parts]
     codes = [
-        kept(*key, lambda part=part: _made(generated, method, part))  # type: ignore[misc]
+        kept(*key, lambda part=part: _made(generated, method, part, bounds))  # type: ignore[misc]
         for key, part in zip(keys, parts, strict=True)
     ]
     if (shared := json.loads(codes[0].partition(b"\n")[0]).get("shared")) is not None:
-        codes.append(_shared(shared, lambda: _halves(_printed(generated, method, LOOP))[1]))
-    return Program("_".join(keys[-1]), generated, *codes)
+        codes.append(_shared(shared, lambda: _halves(_printed(generated, method, LOOP, bounds))[1]))
+    return Program("_".join(keys[-1]), generated, *codes, bounds=bounds)
 
 
 _SHARED: dict[str, bytes] = {}
@@ -151,19 +162,20 @@ _OTHERS = {
 _SAID = {VECTORS: " in lanes", GLUE: " in lanes", TANGENTS: " for derivatives"}
 
 
-def _key(generated: ModuleType, method: str, part: str) -> tuple[str, str]:
+def _key(generated: ModuleType, method: str, part: str, bounds: bool = False) -> tuple[str, str]:
     """Name of a part of a program, and a hash of all that its code follows from."""
-    digest = _digest(part, target(), *_sources(generated, method, part))
-    return f"{generated.NAME}_{method.lower()}{'' if part == LOOP else '_' + part}", digest
+    digest = _digest(part, target(), *_sources(generated, method, part, bounds))
+    ending = ("" if part == LOOP else f"_{part}") + ("_bounds" if bounds else "")
+    return f"{generated.NAME}_{method.lower()}{ending}", digest
 
 
 def revision(generated: ModuleType, method: str, lanes: bool = False) -> str:
     """A hash of all texts that a program follows from, the same for every processor."""
     part = GLUE if lanes else LOOP
-    return _digest(part, *_sources(generated, method, part))
+    return _digest(part, *_sources(generated, method, part, checks_bounds()))
 
 
-def _sources(generated: ModuleType, method: str, part: str) -> tuple[str, ...]:
+def _sources(generated: ModuleType, method: str, part: str, bounds: bool) -> tuple[str, ...]:
     return (
         source(generated), _contacts(generated), method, _own("loop.py"),
         *(_own(name) for name in _OF_POINTS), _own("tableau.py"),
@@ -171,13 +183,14 @@ def _sources(generated: ModuleType, method: str, part: str) -> tuple[str, ...]:
         _own("machine_lines.py"), _own("machine_types.py"), _own("program.py"),
         _own("contract.py", "rockeom"),
         *(_own(name) for name in _OTHERS.get(part, ())),
+        *(["bounds"] if bounds else []),
     )  # fmt: skip
 
 
-def _made(generated: ModuleType, method: str, part: str) -> bytes:
+def _made(generated: ModuleType, method: str, part: str, bounds: bool = False) -> bytes:
     """A line that describes a part of a program, and its machine code."""
     started = time.monotonic()
-    printed = _printed(generated, method, part)
+    printed = _printed(generated, method, part, bounds)
     sizes = {name: int(printed.names[name]) for name in _SIZES if name in printed.names}
     described: dict[str, Any] = {"entries": printed.entries, "sizes": sizes}
     if part == LOOP:
@@ -202,7 +215,7 @@ def announce(done: str, started: float) -> None:
         sys.stderr.flush()
 
 
-def _printed(generated: ModuleType, method: str, part: str) -> Printed:
+def _printed(generated: ModuleType, method: str, part: str, bounds: bool = False) -> Printed:
     """A part of a program as LLVM is given it."""
     # only where something is compiled
     from rockeom.numeric.printer import GROWTH, Program as Printed
@@ -211,7 +224,7 @@ def _printed(generated: ModuleType, method: str, part: str) -> Printed:
     growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many mechanisms
     growth = math.inf if part == VECTORS else growth
     with _nothing_collected():
-        return Printed(joined_texts(generated, method, part), growth=growth)
+        return Printed(joined_texts(generated, method, part), growth=growth, bounds=bounds)
 
 
 @contextmanager

@@ -66,6 +66,24 @@ def test_a_mass_in_flight_moves_as_the_matrix_exponential_of_a_maxwell_element_s
         assert run.final[name] == pytest.approx(value, rel=1e-9, abs=1e-12), name
 
 
+def test_a_sweep_of_a_block_on_one_point_is_its_single_motions():
+    """Of four contact states: so few that lanes would pay, if they could follow points."""
+    values = {"mass": MASS, "height": HEIGHT, "inertia": INERTIA, "gravity": GRAVITY}
+    values |= {"friction": 0.4, "restitution": 0.2, "stiffness": 50.0, "relaxation": 0.8}
+    block, still = rk.structure(declared.pulled_block(), **values), rk.GroundMotion.none(0.5)
+
+    def case(speed):
+        return rk.Case(block, still, initial={"x_dot": speed, "theta": 0.1})
+
+    speeds = [0.1, 0.5]
+    together = rk.simulate_many(case, {"speed": speeds}, progress=False)
+    for speed in speeds:
+        run = rk.simulate(block, still, initial=case(speed).initial)
+        ends = together.sel(speed=speed)
+        assert str(ends.outcome.item()) == str(run.outcome)
+        assert ends.final.values.tolist() == [*run.final.values()]
+
+
 def test_a_force_that_friction_holds_relaxes_and_moves_nothing():
     run = rk.simulate(braced(attached=0.0), rk.GroundMotion.none(2.0), initial={"pull": 7.0})
     assert not run.events

@@ -161,6 +161,23 @@ def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():
     assert turns["phi"] == pytest.approx(found.motion[5], rel=1e-10)
 
 
+@pytest.mark.parametrize("push", [0.0, 0.31, -0.31, 0.32, -0.32])
+def test_a_standing_stack_begins_to_rock_as_one_body_beyond_its_own_slenderness(push):
+    """Ground acceleration in g; both blocks turn as one from 0.5/1.6 on, the upper one from 0.5."""
+    stack = Stack(0.5, 1.0, 0.3, 0.6, 1000.0, 600.0)
+    starts = structure(stack).accelerations({}, 9.81 * push)
+    if abs(push) < 0.5 / 1.6:
+        assert starts == dict.fromkeys(starts, 0.0)
+        return
+    # about the foot: I of both blocks, and the moment of their weight and of the push
+    lower = 1000.0 * 4 / 3 * (0.5**2 + 1.0**2)
+    upper = 600.0 * ((0.3**2 + 0.6**2) / 3 + 0.5**2 + 2.6**2)
+    moment = (1000.0 * 1.0 + 600.0 * 2.6) * abs(push) - 1600.0 * 0.5
+    turning = math.copysign(9.81 * moment / (lower + upper), -push)
+    assert starts["theta"] == pytest.approx(turning, rel=1e-12)
+    assert starts["phi"] == pytest.approx(turning, rel=1e-12)
+
+
 def test_where_not_to_slip_needs_a_normal_force_that_pulls_there_is_no_motion():
     """A foot that never slips is held by friction until its normal force is zero.
 

@@ -158,7 +158,7 @@ def test_threads_that_want_one_program_compile_it_once(tmp_path, monkeypatch):
         return b'{"entries": {}, "sizes": {}}\n'
 
     monkeypatch.setattr(programs, "_made", make)
-    monkeypatch.setattr(programs, "Loaded", lambda *codes: SimpleNamespace(functions={}))
+    monkeypatch.setattr(programs, "Loaded", lambda *codes, bounds: SimpleNamespace(functions={}))
     with ThreadPoolExecutor(4) as pool:
         found = {*pool.map(lambda _: programs.program(module, "RK45"), range(8))}
     assert (len(found), len(made)) == (1, 1)
@@ -169,12 +169,12 @@ def test_lanes_compile_no_loop_that_is_there(tmp_path, monkeypatch):
     text = Path(rk.RigidBlock(half_width=0.1, half_height=0.4).module.__file__).read_text()
     module, made = load_text("with_lanes", text + "\n# known to nobody\n"), []
 
-    def make(module, method, part):
+    def make(module, method, part, bounds):
         made.append(part)
         return b'{"entries": {}, "sizes": {}}\n'
 
     monkeypatch.setattr(programs, "_made", make)
-    monkeypatch.setattr(programs, "Loaded", lambda *codes: SimpleNamespace(functions={}))
+    monkeypatch.setattr(programs, "Loaded", lambda *codes, bounds: SimpleNamespace(functions={}))
     programs.program(module, "RK45")
     assert made == [programs.LOOP]
     programs.program(module, "RK45", lanes=True)
@@ -186,7 +186,7 @@ def test_structures_of_a_kind_share_a_loop(tmp_path, monkeypatch):
     monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(programs, "_SHARED", {})
     monkeypatch.setattr(programs, "compiled", lambda ir, lanes: ir.encode())
-    monkeypatch.setattr(programs, "Loaded", lambda *codes: SimpleNamespace(functions={}))
+    monkeypatch.setattr(programs, "Loaded", lambda *codes, bounds: SimpleNamespace(functions={}))
     programs._of_parts.cache_clear()
     try:
         loops = []

@@ -546,3 +546,64 @@ def test_former_names_say_what_they_are_called_now(old, reference):
 def test_quantities_that_cannot_be_are_refused(wrong, word):
     with pytest.raises(ValueError, match=word):
         many(**wrong)
+
+
+@pytest.mark.parametrize(("across", "up"), [(2.0, 0.0), (0.0, 2.0), (2.0, 2.0), (0.0, 0.0)])
+@pytest.mark.parametrize("steps", [0, 2])
+def test_a_sweep_sees_each_jump_where_laws_of_both_grounds_end_at_once(across, up, steps):
+    """The last sample of each record; behind it the ground stands still."""
+    block = rk.RigidBlock(half_width=0.3, half_height=1.0)
+    horizontal, vertical = (
+        rk.GroundMotion.from_array([0.0, 1.0, last, last], 0.1) for last in (across, up)
+    )
+    options = rk.SolverOptions("DOP853", steps_per_segment=steps)
+    case = rk.Case(block, horizontal, initial={"theta": 0.2}, duration=0.5, vertical=vertical)
+    run = rk.simulate(
+        block, horizontal, vertical=vertical, initial=case.initial, duration=0.5, options=options
+    )
+    together = rk.simulate_many(
+        lambda n: case, {"n": [0]}, options=options, lanes=False, progress=False
+    )
+    assert together.final.values[0].tolist() == run.end.tolist()
+
+
+LIMITED = {
+    "rigid block": (rk.RigidBlock(half_width=0.2, half_height=0.8), "DOP853"),
+    "flexible column": (
+        rk.FlexibleStructure(
+            mass=1e3, height=2.0, inertia=0.0, base_mass=500.0, base_height=0.0,
+            base_inertia=100.0, half_width=0.5, stiffness=4e5, damping=1e3,
+        ),
+        "RK45",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LIMITED)
+@pytest.mark.parametrize("most", [2, 7, 30])
+def test_a_limit_of_steps_ends_a_motion_at_the_same_time_however_it_is_run(name, most):
+    structure, method = LIMITED[name]
+    motion = rk.GroundMotion.single_sine(4.0, 1.0, duration=6.0)
+    options, start = rk.SolverOptions(method, max_steps=most), {"theta": 0.1}
+    run = rk.simulate(structure, motion, initial=start, options=options)
+    for lanes in (False, True):
+        sweep = rk.simulate_many(
+            lambda n: rk.Case(structure, motion, initial=start), {"n": [0, 1, 2]},
+            options=options, lanes=lanes, progress=False,
+        )  # fmt: skip
+        assert set(sweep.outcome.values) == {str(run.outcome)}
+        if run.outcome is rk.Outcome.STALLED:
+            np.testing.assert_array_equal(sweep.final_time, run.t[-1])
+            np.testing.assert_array_equal(sweep.final, [run.end] * 3)
+
+
+@pytest.mark.parametrize("limit", ["max_steps", "max_impacts"])
+@pytest.mark.parametrize("most", [2**31, sys.maxsize])
+def test_a_limit_that_no_motion_reaches_is_none(limit, most):
+    block, motion = LIMITED["rigid block"][0], rk.GroundMotion.none(2.0)
+    runs = [
+        rk.simulate(block, motion, initial={"theta": 0.1}, options=options)
+        for options in (rk.SolverOptions(), rk.SolverOptions(**{limit: most}))
+    ]
+    assert runs[0].outcome is runs[1].outcome
+    assert runs[0].end.tolist() == runs[1].end.tolist()

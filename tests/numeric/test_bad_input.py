@@ -146,6 +146,8 @@ def test_duration(duration):
         ({"max_impacts": 0}, ("max_impacts is 0", "whole number of at least 1")),
         ({"max_steps": 10.5}, ("max_steps is 10.5", "whole number of at least 1")),
         ({"max_steps": math.inf}, ("max_steps is inf", "whole number of at least 1")),
+        ({"max_steps": 2**63}, ("max_steps is 9.22337e", "at most 9223372036854775807")),
+        ({"max_impacts": 1e30}, ("max_impacts is 1e", "at most 9223372036854775807")),
         ({"steps_per_segment": -1}, ("steps_per_segment is -1", "whole number of at least 0")),
         ({"output_step": 0.0}, ("output_step", "positive")),
     ],

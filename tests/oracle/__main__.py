@@ -1,4 +1,7 @@
-"""python -m tests.oracle: every shipped structure by Python, by the printer and by numba."""
+"""python -m tests.oracle: every shipped structure by Python, by the printer and by numba.
+
+Motions of them, and of a dozen declared structures, check every index.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import sys
 import time
 
 from tests.oracle.ways import by_numba, differences, printed, python
+from tests.soak import bounds
 from tests.soak.cases import MODELS, draw
 
 
@@ -21,6 +25,11 @@ def main() -> int:
         took = time.monotonic() - started
         print(f"{model}: {len(found)} differences, {took:.0f} s", *found[:10], sep="\n    ")
         sys.stdout.flush()
+    with bounds.checked():
+        for name in (*MODELS, *bounds.STRUCTURES):
+            found = bounds.searched([name], range(3))
+            bad += len(found)
+            print(f"{name}: {len(found)} indices out of bounds", *found, sep="\n    ", flush=True)
     return min(bad, 1)
 
 

@@ -6,7 +6,9 @@ import argparse
 import os
 import sys
 import warnings
+from contextlib import nullcontext
 
+from tests.soak import bounds
 from tests.soak.cases import METHODS, MODELS, draw
 from tests.soak.checks import COMPARED
 from tests.soak.energy import gains_of
@@ -37,7 +39,16 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--energy", type=int, metavar="RUNS", help="elastic structures: do impacts gain energy?"
     )
+    parser.add_argument(
+        "--bounds", action="store_true",
+        help="programs check every index; also those of structures that are not drawn here",
+    )  # fmt: skip
     given = parser.parse_args(arguments)
+    with bounds.checked() if given.bounds else nullcontext():
+        return run(given)
+
+
+def run(given: argparse.Namespace) -> int:
     if given.energy is not None:
         gains = gains_of(range(given.first, given.first + given.energy))
         print(gains)
@@ -67,7 +78,13 @@ def main(arguments: list[str] | None = None) -> int:
     )  # fmt: skip
     summary = soaked(seeds, given.workers, checks, stop=given.stop)
     print(summary)
-    return bool(summary.violations)
+    left = []
+    if given.bounds:
+        each = max(given.runs // 1000, 2)
+        left = bounds.searched([*bounds.STRUCTURES], range(given.first, given.first + each))
+        print(f"{len(bounds.STRUCTURES)} more structures, {each} motions each: {len(left)} faults")
+        print(*left, sep="\n")
+    return bool(summary.violations or left)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,38 @@
+"""Indices of whole programs: with every check on, motions, lanes and derivatives leave no array."""
+
+import pytest
+
+import rockeom as rk
+from rockeom.numeric import program
+from rockeom.numeric.machine import OutOfBoundsError
+from tests.soak import bounds
+
+
+@pytest.mark.parametrize("name", ["nondimensional_block", "stacked_blocks", "sliding_block"])
+def test_no_index_leaves_its_array_in_motions_lanes_and_derivatives(name):
+    with bounds.checked():
+        assert bounds.searched([name], range(0, 4, 3)) == []
+
+
+def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
+    """The one that these programs once had: of a foot's friction, in the row behind the last."""
+    right = program._own("contacts.py")
+    wrong = right.replace("row + friction[s]", "row + unknown[s] + 1")
+    assert wrong != right
+    own = program._own
+    monkeypatch.setattr(
+        program, "_own", lambda name, *of: wrong if name == "contacts.py" else own(name, *of)
+    )
+    program._of_parts.cache_clear()
+    line = wrong[: wrong.index("row + unknown[s] + 1")].count("\n") + 1
+    stack = rk.StackedBlocks(
+        lower=rk.RigidBlock(half_width=0.5, half_height=1.0),
+        upper=rk.RigidBlock(half_width=0.3, half_height=0.6),
+    )
+    motion = rk.GroundMotion.single_sine(5.0, 0.5)
+    said = f"contacts.py, line {line}: index 224 is out of bounds for an axis of size 224"
+    try:
+        with bounds.checked(), pytest.raises(OutOfBoundsError, match=said):
+            rk.simulate(stack, motion)
+    finally:
+        program._of_parts.cache_clear()
