@@ -127,6 +127,10 @@ def go_on_as(
     ay: Float, later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats,
     sizes: Floats,
 ) -> Int: ...  # fmt: skip
+def without_forces(
+    y: Floats, p: Floats, ax: Float, ay: Float, contact: Int, known: Floats, wanted: Floats,
+    sizes: Floats,
+) -> float: ...  # fmt: skip
 def all_known(y: Floats, p: Floats, contact: Int, known: Floats) -> None: ...
 def put_on(rows: Ints, wanted: Floats, first: Int, known: Floats, y: Floats) -> None: ...
 def rate_of(told: Floats, row: Int, y: Floats, first: Int) -> tuple[float, float]: ...
@@ -147,7 +151,7 @@ def time_of_bounces(
     rtol: Float,
     known: Floats,
     out: Floats,
-) -> tuple[Float, Int]: ...
+) -> tuple[float, int]: ...
 
 # -- the step of a method
 
