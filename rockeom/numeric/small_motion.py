@@ -58,7 +58,7 @@ def _linear(m: ModuleType, p: np.ndarray, first: int) -> Iterator[np.ndarray]:
             for step, after, before in zip(steps, forth, back, strict=True):
                 m.rates(contact, step, p, 0.0, 0.0, after)
                 m.rates(contact, -step, p, 0.0, 0.0, before)
-        except ArithmeticError:
+        except (ArithmeticError, ValueError):  # beyond the range of numbers, or of a root
             continue
         found = (forth - back).T / 2e-6
         if np.isfinite(found).all():

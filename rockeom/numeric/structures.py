@@ -705,15 +705,21 @@ def check_names(what: str, required: set[str], known: set[str], given: set[str])
     )
 
 
+LARGEST = 1e50
+"""The largest size of a parameter: its sixth power is a number, and that of its inverse."""
+
+
 def check_values(
     what: str,
     values: Mapping[str, float | None],
     may_vanish: frozenset[str],
     may_be_negative: frozenset[str] = frozenset(),
+    largest: float = LARGEST,
 ) -> None:
     """Raise ValueError for a parameter that is not positive and finite, TypeError for no number.
 
-    Where allowed it may be zero, or any finite number.
+    Where allowed it may be zero, or any finite number. largest : the size beyond which a parameter
+    is refused; one that must be positive is no smaller than its inverse.
     """
     for name, value in values.items():
         if value is None:
@@ -726,6 +732,13 @@ def check_values(
         elif not (isfinite(given) and allowed):
             wanted = "zero or positive" if name in may_vanish else "positive"
             raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
+        signless = name in may_vanish or name in may_be_negative
+        if abs(given) > largest or not (signless or given >= 1.0 / largest):
+            limits = f"beyond {largest:g}" if abs(given) > 1.0 else f"below {1.0 / largest:g}"
+            raise ValueError(
+                f"{what}: {name} is {value}, {limits}, so that products of it leave the range of "
+                "numbers: give it in SI units"
+            )
 
 
 _WRITTEN: dict[str, type[Structure]] = {}
@@ -1325,6 +1338,7 @@ class _ControlledWall(Structure):
         A permanent_extension that is not given is then that which leaves the yield force.
         """
         y = super().state(values)
+        self._check_reach(y)
         if "permanent_extension" in values:
             return y
         y = y.astype(np.result_type(y, self.vector))
@@ -1336,6 +1350,9 @@ class _ControlledWall(Structure):
             if self._margin(yielding, y) < 0.0:
                 y[m.STATES.index("permanent_extension")] = beyond / self.tendon_stiffness
         return y
+
+    def _check_reach(self, y: np.ndarray) -> None:
+        """Raise ValueError for a state that no rotation has."""
 
     def _elastic_force(self, side: str, y: np.ndarray) -> float:
         """Force of the tendon [N], if it neither yields nor is slack."""
@@ -1650,6 +1667,13 @@ class ControlledWallOscillator(_ControlledWall):
         values["held"] = float(self.held)
         return values | {"effective_mass": self.mass if mass is None else mass}
 
+    def _check_reach(self, y: np.ndarray) -> None:
+        if not abs(y[0]) < self.height:
+            raise ValueError(
+                f"state u is {y[0]}, beyond the height of {self.height:.6g} m: u/height is the "
+                "sine of the rotation"
+            )
+
     def state(self, values: Mapping[str, float]) -> np.ndarray:
         """(N,) state vector; a passage_speed that is not given is that of the energy there is."""
         y = super().state(values)
@@ -1690,7 +1714,8 @@ class DeclaredStructure(Structure):
         }
         signs = dict(zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True))
         signed = frozenset(name for name, sign in signs.items() if sign == "+-")
-        check_values(self.model, values, frozenset(known), signed)
+        # what products a declaration has is not known
+        check_values(self.model, values, frozenset(known), signed, largest=math.inf)
         for name in (name for name, sign in signs.items() if sign == "n"):
             if directions(values[name]):
                 raise TypeError(f"{self.model}: {name} is a dual: whole numbers have no derivative")

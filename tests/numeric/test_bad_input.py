@@ -12,6 +12,8 @@ import pytest
 import xarray as xr
 
 import rockeom as rk
+from rockeom.numeric.structures import SHIPPED
+from tests.shipped import plain
 
 from .structures import S1, column, on_springs
 
@@ -480,3 +482,37 @@ def test_wrong_states_and_parameters_of_lambdified_functions():
         phase.energies(
             [0.1, 0.0], {("hight" if k == "height" else k): v for k, v in values.items()}
         )
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_parameter_of_any_size_is_used_or_refused_by_name(name):
+    """No error of arithmetic comes through from the products that the equations make of it."""
+    still = rk.GroundMotion.none(1.0)
+    values = plain(name)
+    for parameter in values.keys() - {"columns"}:  # which are counted
+        for size in (1e-320, 1e-200, 1e-51, 1e-50, 1e50, 1e51, 1e200):
+            said = ""
+            try:
+                structure = SHIPPED[name](**(values | {parameter: size}))
+                _ = structure.vector, structure.small_motion
+                rk.Case(structure, still).problem()
+            except ValueError as error:
+                said = f"{error}"
+            assert said != "math domain error"
+
+
+def test_parameters_that_leave_the_range_of_numbers_are_named_with_the_remedy():
+    with raises(ValueError, "RigidBlock: half_width is 1e", "beyond 1e", "SI units"):
+        rk.RigidBlock(half_width=1e155, half_height=1.0)
+    with raises(ValueError, "TwoSprings: stiffness is 1e-200, below 1e-50", "SI units"):
+        rk.TwoSprings(stiffness=1e-200, damping=0.0)
+
+
+@pytest.mark.parametrize("u", [2.0, -3.0, 1e200])
+def test_a_displacement_beyond_the_height_of_a_wall_is_refused_by_name(u):
+    wall = SHIPPED["controlled_wall_oscillator"](
+        **(plain("controlled_wall_oscillator") | {"height": 2.0})
+    )
+    with raises(ValueError, "state u is", "beyond the height of 2 m"):
+        rk.simulate(wall, QUIET, initial={"u": u})
