@@ -125,7 +125,8 @@ def friction(run: Response) -> tuple[str, ...]:
     held = isinstance(run.structure, FixedBase)
     if run.keeps == SAMPLES or slides or held or is_dimensionless(module):
         return ()
-    needed = max(run.friction_demand, run.impact_friction_demand, key=_order)
+    demands = run.friction_demands.values() or [(run.friction_demand, run.impact_friction_demand)]
+    needed = max((x for pair in demands for x in pair if not math.isnan(x)), default=0.0)
     if not needed > ROUGHEST:
         return ()
     beyond = (
@@ -138,7 +139,3 @@ def friction(run: Response) -> tuple[str, ...]:
         f"{beyond}: hold the feet, or let them slide, as rk.SlidingBlock and "
         "support=rk.Sliding(...) do.",
     )
-
-
-def _order(demand: float) -> float:
-    return -1.0 if math.isnan(demand) else demand

@@ -182,6 +182,16 @@ def test_no_friction_helps_where_no_foot_is_pressed():
     assert hint.startswith("No friction coefficient would have kept it from sliding:")
 
 
+def test_upper_block_of_a_stack_that_never_slips_is_asked_too():
+    """At rest the upper block needs the ratio of both accelerations, as the lower one does."""
+    block = rk.RigidBlock(half_width=1.0, half_height=0.5, mass=1e3)
+    stack = rk.StackedBlocks(lower=block, upper=rk.RigidBlock(half_width=1.0, half_height=0.1))
+    run = rk.simulate(stack, rk.GroundMotion.constant(8.5, 0.2))
+    assert list(run.friction_demands) == ["left+right", "upper_left+upper_right"]
+    (hint,) = run.hints
+    assert f"friction coefficient of {8.5 / 9.81:.3g}" in hint
+
+
 def test_feet_that_are_held_down_are_not_asked():
     resonant = rk.GroundMotion.harmonic(3.0, frequency=1.0 / 0.092, duration=0.6)
     run = rk.simulate(column().fixed_base(), resonant)
