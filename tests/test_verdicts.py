@@ -6,6 +6,7 @@ import stat
 import subprocess
 import sys
 import threading
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -64,7 +65,7 @@ def test_interrupted_procedures_give_no_answer(interrupted):
         analysis.restitution_envelope(BLOCK, PULSES, [0.8, 0.9])
     with pytest.raises(KeyboardInterrupt):
         analysis.monte_carlo(
-            lambda half_width: rk.Case(rk.RigidBlock(half_width=half_width, half_height=2.0), PULSES[0]),
+            lambda half_width: rk.Case(replace(BLOCK, half_width=half_width), PULSES[0]),
             {"half_width": norm(0.5, 0.01)}, number=4,
         )  # fmt: skip
 

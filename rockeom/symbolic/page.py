@@ -5,7 +5,6 @@ Text holds mathematics between dollar signs and code between backquotes.
 
 from __future__ import annotations
 
-import html
 import re
 import unicodedata
 from collections.abc import Iterator
@@ -140,9 +139,11 @@ def to_markdown(blocks: list[Block]) -> str:
 
 
 def _markdown_text(text: str) -> str:
-    """Text that Markdown shows as it is: `code` is literal, elsewhere HTML would be a tag."""
+    """Text in which no HTML tag begins; `code` is literal in Markdown."""
     return "".join(
-        part if part.startswith("`") and len(part) > 1 else html.escape(part, quote=False)
+        part
+        if part.startswith("`") and len(part) > 1
+        else re.sub(r"<(?=[A-Za-z/!?])", "&lt;", part)
         for part in re.split(r"(`[^`]*`)", text)
     )
 
