@@ -12,8 +12,7 @@ import hashlib
 import json
 import os
 import warnings
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -40,8 +39,8 @@ from rockeom.numeric.impact import (
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.record import Samples, Steps
 from rockeom.numeric.response import KINDS, Outcome, Response
-from rockeom.numeric.store import remove_leftovers
 from rockeom.numeric.structures import SHIPPED, DeclaredStructure, Structure
+from rockeom.writing import written_whole
 
 if TYPE_CHECKING:
     from rockeom.symbolic import RockingModel
@@ -62,7 +61,6 @@ LAWS = {
 
 _OTHERS = {"fixed_base": FixedBase, "options": SolverOptions, **SUPPORTS, **LAWS}
 _DECLARED = "declared"
-_TEMPORARY = ".rockeom.{}.tmp"
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""
 
@@ -245,10 +243,11 @@ def save(run: Response, path: str | os.PathLike[str]) -> None:
             "checksum": _checksum(definition, arrays),
         },
     )
-    with _written_whole(Path(path)) as temporary:
-        # without a value that stands for a missing one: NaN is what it is
-        encoding = {name: {"_FillValue": None} for name in arrays}
-        found.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
+    # without a value that stands for a missing one: NaN is what it is
+    encoding = {name: {"_FillValue": None} for name in arrays}
+    with written_whole(path) as temporary:
+        # made in memory: HDF5 ends the interpreter where a disk is full as it closes a file
+        temporary.write_bytes(found.to_netcdf(engine="h5netcdf", encoding=encoding))
 
 
 def _definition(run: Response) -> dict[str, Any]:
@@ -280,24 +279,6 @@ def _definition(run: Response) -> dict[str, Any]:
 def _attrs(name: str) -> dict[str, str]:
     about, unit = _ABOUT.get(name, (name.replace("_", " "), ""))
     return {"long_name": about} | ({"units": unit} if unit else {})
-
-
-@contextmanager
-def _written_whole(path: Path) -> Iterator[Path]:
-    """A path to write to; what is written there takes the place of the file in one go."""
-    target = Path(os.path.realpath(path))
-    if not target.parent.is_dir():
-        raise FileNotFoundError(f"{path}: there is no folder {target.parent}")
-    remove_leftovers(target.parent, _TEMPORARY.format("*"))
-    temporary = target.with_name(_TEMPORARY.format(os.urandom(8).hex()))
-    try:
-        yield temporary
-        with open(temporary, "rb+") as file:
-            os.fsync(file.fileno())
-        os.replace(temporary, target)
-    finally:
-        with suppress(FileNotFoundError):
-            temporary.unlink()
 
 
 def _check_engine() -> None:

@@ -45,6 +45,9 @@ from rockeom.dual import Dual
 FEIGENBAUM = 4.669201609102990
 """The limit of the ratio of distances between one period doubling and the next."""
 
+INTERRUPTED = "it was interrupted"
+"""Why a branch ended that an interrupt cut short."""
+
 FLIPS = ("symmetry breaking", "period doubling")
 """Bifurcations with a multiplier -1, behind which a motion needs twice the cycles."""
 
@@ -118,6 +121,12 @@ class OrbitBranch:
             f"<OrbitBranch: {len(self.values)} motions from {self.values[0]:.6g} to "
             f"{self.values[-1]:.6g}; {', '.join((*passed, self.ended))}>"
         )
+
+    def completed(self) -> OrbitBranch:
+        """The branch itself; raises KeyboardInterrupt where an interrupt ended it early."""
+        if self.ended == INTERRUPTED:
+            raise KeyboardInterrupt
+        return self
 
     @property
     def stable(self) -> np.ndarray:
@@ -412,7 +421,7 @@ def _followed(
                 points = [*_apart(points, step / 1000), here]
             continue
         except KeyboardInterrupt:
-            ended = "it was interrupted"
+            ended = INTERRUPTED
             continue
         bifurcations += [bifurcation for bifurcation, _ in found]
         points += [*(point for _, point in found), there]
@@ -488,7 +497,7 @@ def period_doublings(
     stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
-    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
+    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS).completed()
     found: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
         found.append(flips[0])
@@ -498,7 +507,7 @@ def period_doublings(
         if len(found) > 1:  # the next is likely to be half as far as this end
             ahead = here + (here - found[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS)
+        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS).completed()
     return Cascade(tuple(found))
 
 
@@ -526,7 +535,7 @@ def bifurcation_value(
     parts = tolerance / abs(between[1] - between[0])
     branch = orbit_branch(
         stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts
-    )
+    ).completed()
     for one in branch.bifurcations:
         if one.kind in kinds:
             return one.value

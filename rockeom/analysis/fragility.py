@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from scipy.special import log_ndtr, ndtr, ndtri
 
 from rockeom.analysis.arguments import numbers, positive, require
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, check_complete, outcome_labels, peaks_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +132,7 @@ def fragility_of(
             f"fragility_of: the sweep has no coordinate {intensity!r}; it has "
             f"{', '.join(map(str, sweep.coords))}"
         )
+    check_complete("fragility_of", sweep)
     labels = outcome_labels(sweep)
     fell = labels == FALLS
     answered = fell | labels.isin(STANDS)

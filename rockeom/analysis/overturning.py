@@ -163,12 +163,10 @@ class _Fates:
 
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
-        from rockeom.numeric.ensemble import simulate_many
+        from rockeom.numeric.ensemble import simulate_all
 
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
-        found = simulate_many(self.case, table, progress=False, **self.how)
-        if found.attrs["interrupted"]:
-            raise KeyboardInterrupt
+        found = simulate_all(self.case, table, progress=False, **self.how)
         return impacts_before_overturning(found, self.most).values
 
 

@@ -235,14 +235,14 @@ def monte_carlo(
     Cases that were not run or gave no answer are not counted, but told: `left_out`. Raises
     ValueError for bad arguments, and where no case gave an answer.
     """
-    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.numeric.ensemble import simulate_all
 
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(case(**space.values(u[0])))
-    sweep = simulate_many(case, space.table(u), arrays=True, quantities=kept, **how)
+    sweep = simulate_all(case, space.table(u), arrays=True, quantities=kept, **how)
     fails, answered = condition.of_sweep(sweep)
     if not answered.any():
         raise ValueError(
@@ -552,16 +552,14 @@ class _Fates:
 
     def _fail(self, u: np.ndarray) -> np.ndarray:
         """(n,) whether structures with the deviates u (n, k) fail."""
-        from rockeom.numeric.ensemble import simulate_many
+        from rockeom.numeric.ensemble import simulate_all
 
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
-        sweep = simulate_many(
+        sweep = simulate_all(
             self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
             lanes=False, progress=False,
         )  # fmt: skip
-        if sweep.attrs["interrupted"]:
-            raise KeyboardInterrupt
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():
             row = int(np.argmin(answered))

@@ -32,7 +32,7 @@ import xarray as xr
 
 from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
 from rockeom.analysis.orbits import StroboscopicMap
-from rockeom.analysis.sweeps import FALLS, STANDS
+from rockeom.analysis.sweeps import FALLS, STANDS, check_complete
 from rockeom.arguments import told, whole_number
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble import simulate_many
@@ -197,6 +197,7 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
     """
     from scipy.stats import binomtest  # takes long to import
 
+    check_complete("basin_stability", basins)
     require(0.0 < level < 1.0, "basin_stability", "level", level, "it lies between 0 and 1")
     fate = basins["fate"]
     known = fate.values[fate.values > UNKNOWN]

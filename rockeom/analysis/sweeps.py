@@ -11,6 +11,25 @@ STANDS = ("completed", RESTS)
 FALLS = "overturned"
 
 
+def check_answered(where: str, sweep: xr.Dataset) -> None:
+    """Raises ValueError, naming the first case, where one ended early and did not overturn."""
+    lost = ~outcome_labels(sweep).isin((*STANDS, FALLS)).values
+    if lost.any():
+        row = tuple(np.argwhere(lost)[0])
+        outcome, dims = sweep["outcome"], sweep["outcome"].dims
+        at = ", ".join(f"{d} {sweep[d].values[i]}" for d, i in zip(dims, row, strict=True))
+        raise ValueError(
+            f"{where}: the run of {at} ended at {sweep['final_time'].values[row]:.6g} s without an "
+            f"answer: its outcome is {str(outcome.values[row])!r}; leave it out"
+        )
+
+
+def check_complete(where: str, sweep: xr.Dataset) -> None:
+    """Raises ValueError for a sweep that was interrupted: what ran of it is no sample."""
+    if sweep.attrs.get("interrupted"):
+        raise ValueError(f"{where}: the sweep was interrupted: run it to its end first")
+
+
 def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     """How each case of a sweep ended, in words such as "overturned", of the shape of the sweep.
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
+from rockeom.writing import written_whole
 
 if TYPE_CHECKING:
     from rockeom.thesis.figures import Drawn, ThesisFigure
@@ -63,7 +64,8 @@ def run(args: argparse.Namespace) -> int:
     one = FIGURES[args.number]
     print(f"drawing figure {one.number} ...", file=sys.stderr)
     drawn = one.drawn()
-    drawn.figure.savefig(path)
+    with written_whole(path) as file:
+        drawn.figure.savefig(file)
     print(f"wrote {path}", file=sys.stderr)
     print(_explained(one, drawn))
     return 0

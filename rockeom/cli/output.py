@@ -17,6 +17,7 @@ from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.labelled import units
 from rockeom.numeric.plausible import forces
 from rockeom.numeric.response import MEASURABLE, Response
+from rockeom.writing import written_whole
 
 
 def in_words(run: Response) -> str:
@@ -53,7 +54,7 @@ def write_csv(run: Response, path: Path) -> None:
     unit = units(run)
     columns = [run.t, *(run[name] for name in run.main_names)]
     header = [f"t [{unit['t']}]", "phase", *(f"{name} [{unit[name]}]" for name in run.main_names)]
-    with path.open("w", newline="", encoding="utf-8") as file:
+    with written_whole(path) as there, there.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(header)
         for phase, (t, *values) in zip(run.phase, zip(*columns, strict=True), strict=True):
@@ -63,7 +64,8 @@ def write_csv(run: Response, path: Path) -> None:
 def write_npz(run: Response, path: Path) -> None:
     """The same as arrays by name, in the units of the CSV; read with numpy.load."""
     columns: dict[str, Any] = {name: run[name] for name in run.main_names}
-    np.savez_compressed(path, t=run.t, phase=run.phase, **columns)
+    with written_whole(path) as file:
+        np.savez_compressed(file, t=run.t, phase=run.phase, **columns)
 
 
 def write_json(
@@ -71,7 +73,8 @@ def write_json(
 ) -> None:
     """What was simulated and how it ended, for other programs."""
     text = json.dumps(_summary(run, law, initial), indent=2, ensure_ascii=False, allow_nan=False)
-    path.write_text(text + "\n", encoding="utf-8")
+    with written_whole(path) as file:
+        file.write_text(text + "\n", encoding="utf-8")
 
 
 def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float]) -> dict[str, Any]:

@@ -21,6 +21,7 @@ from rockeom.numeric.options import METHODS, SolverOptions
 from rockeom.numeric.response import Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import check_names
+from rockeom.writing import written_whole
 
 HELP = "simulate a structure under a ground motion"
 DESCRIPTION = """\
@@ -214,7 +215,8 @@ def _write(
     folder.mkdir(parents=True, exist_ok=True)
     paths = [folder / f"response.{args.format}", folder / "response.png", folder / "summary.json"]
     (output.write_csv if args.format == "csv" else output.write_npz)(response, paths[0])
-    response.plot().savefig(paths[1])
+    with written_whole(paths[1]) as file:
+        response.plot().savefig(file)
     output.write_json(response, law, initial, paths[2])
     return paths
 

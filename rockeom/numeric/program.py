@@ -88,7 +88,11 @@ def _of_lists(entry: list[Any]) -> tuple[Any, Any]:
     )
 
 
-_LOCK = threading.Lock()
+_LOCK = threading.RLock()
+if hasattr(os, "register_at_fork"):  # a child forked amid a compilation would wait for it for ever
+    os.register_at_fork(
+        before=_LOCK.acquire, after_in_parent=_LOCK.release, after_in_child=_LOCK.release
+    )
 
 
 def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:

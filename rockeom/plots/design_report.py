@@ -31,6 +31,7 @@ from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import Structure
 from rockeom.plots import style
+from rockeom.writing import written_whole
 
 A4 = (8.27, 11.69)  # in
 SHOWN = 12
@@ -312,10 +313,11 @@ class DesignReport:
         """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
         path = Path(path)
         check_name(path)
-        if path.suffix.lower() == ".pdf":
-            self.page().savefig(path)
-        else:
-            path.write_text(self.html(), encoding="utf-8")
+        with written_whole(path) as file:
+            if path.suffix.lower() == ".pdf":
+                self.page().savefig(file)
+            else:
+                file.write_text(self.html(), encoding="utf-8")
 
 
 def check_name(path: Path) -> None:

@@ -124,17 +124,28 @@ def to_markdown(blocks: list[Block]) -> str:
     for block in blocks:
         match block:
             case Heading(level, text):
-                parts.append(f"{'#' * level} {text}")
+                parts.append(f"{'#' * level} {_markdown_text(text)}")
             case Table(header, rows):
                 table = [" | ".join(cells) for cells in (header, ("---",) * len(header))]
-                table += [" | ".join(c.replace("|", r"\|") for c in cells) for cells in rows]
+                shown = [[_markdown_text(c).replace("|", r"\|") for c in cells] for cells in rows]
+                table += map(" | ".join, shown)
                 parts.append("\n".join(f"| {line} |" for line in table))
             case Display(lines):
                 broken_lines = [line for equation in _layout(lines) for line in equation]
                 parts.append(f"$$\n{environment('aligned', broken_lines)}\n$$")
             case str(text):
-                parts.append(text)
+                parts.append(_markdown_text(text))
     return "\n\n".join(parts) + "\n"
+
+
+def _markdown_text(text: str) -> str:
+    """Text in which no HTML tag begins; `code` is literal in Markdown."""
+    return "".join(
+        part
+        if part.startswith("`") and len(part) > 1
+        else re.sub(r"<(?=[A-Za-z/!?])", "&lt;", part)
+        for part in re.split(r"(`[^`]*`)", text)
+    )
 
 
 def to_latex(blocks: list[Block]) -> str:

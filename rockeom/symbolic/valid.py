@@ -6,6 +6,7 @@ Each check raises ValueError, which names what is declared, the item and the rem
 from __future__ import annotations
 
 import difflib
+import re
 import unicodedata
 from collections.abc import Iterable
 from numbers import Real
@@ -57,6 +58,27 @@ def symbols(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, sp.Symbol):
             raise ValueError(f"{what}: {item} is {value!r}: give a SymPy symbol")
+        _printable(what, value.name)
+
+
+_COMMANDS = {
+    *("dot", "ddot", "dddot", "hat", "tilde", "bar", "vec", "prime", "mathrm", "mathit", "mathbf"),
+    *("text", "pm", "ell", "varepsilon", "varphi", "vartheta", "varrho", "varsigma"),
+    *("Delta", "Gamma", "Lambda", "Omega", "Phi", "Pi", "Psi", "Sigma", "Theta", "Upsilon", "Xi"),
+    *("alpha", "beta", "chi", "delta", "epsilon", "eta", "gamma", "iota", "kappa", "lambda", "mu"),
+    *("nu", "omega", "phi", "pi", "psi", "rho", "sigma", "tau", "theta", "upsilon", "xi", "zeta"),
+}
+"""Commands of LaTeX that a symbol may hold: accents, fonts and Greek letters."""
+
+
+def _printable(what: str, symbol: str) -> None:
+    """A symbol is copied into LaTeX, where other commands would read files or define macros."""
+    letters = re.sub(r"\\([A-Za-z]+)", lambda m: "a" if m[1] in _COMMANDS else m[0], symbol)
+    if not re.fullmatch(r"[\w{}^,'*+ -]+", letters):
+        raise ValueError(
+            f"{what}: the symbol {symbol!r} must consist of letters, digits, underscores, ^, "
+            r"braces and the names of Greek letters and accents, such as \theta or \dot{x}"
+        )
 
 
 def texts(what: str, **items: Any) -> None:
@@ -99,6 +121,7 @@ def laws(what: str, symbol: Any) -> None:
         raise ValueError(
             f"{what}: its symbol is {symbol}: give a symbol, or a function of one coordinate"
         )
+    _printable(what, symbol.name if isinstance(symbol, sp.Symbol) else symbol.func.__name__)
 
 
 def counts(what: str, **items: Any) -> None:

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import positive, require
+from rockeom.analysis.sweeps import FALLS, check_answered
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
@@ -73,10 +74,11 @@ def restitution_envelope(
     motions : whose quiet time at the end is long enough to fall in. ratios (n,) in (0, 1].
     state : whose peaks are kept, the first one of the structure if not given.
 
-    Raises ValueError for a ratio outside (0, 1] and an unknown state.
+    Raises ValueError for a ratio outside (0, 1], an unknown state, and a motion that ended early
+    without overturning: its peak is unknown. An interrupt is raised.
     """
     from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.numeric.ensemble import simulate_all
     from rockeom.numeric.impact import EnergyRatio
     from rockeom.numeric.structures import Structure
 
@@ -90,11 +92,12 @@ def restitution_envelope(
         return structure(ratio, motions[motion])
 
     over = {"ratio": [float(one) for one in r], "motion": range(len(motions))}
-    found = simulate_many(case, over=over, progress=False)
+    found = simulate_all(case, over=over, progress=False)
     names = [str(one) for one in found["state"].values]
     state = names[0] if state is None else state
     if state not in names:
         raise ValueError(f"{where}: state is {state!r}: choose among {', '.join(names)}")
-    overturned = (found.outcome == "overturned").values
+    check_answered(where, found)
+    overturned = (found.outcome == FALLS).values
     peaks = np.where(overturned, np.inf, found.peak.sel(state=state).values)
     return RestitutionEnvelope(r, tuple(m.name for m in motions), peaks, state, overturned)

@@ -34,6 +34,7 @@ from rockeom.analysis.damping import fema_356_damping, priestley_damping
 from rockeom.analysis.periods import rocking_period
 from rockeom.analysis.restitution import energy_ratio_of_block
 from rockeom.analysis.spectra import Spectrum, response_spectrum
+from rockeom.analysis.sweeps import check_answered
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
@@ -282,14 +283,15 @@ def fema_356_against_integration(
     choices : of `fema_356_rocking`, but for the damping, which is 2-15 and 2-16 in turn.
     """
     from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.numeric.ensemble import simulate_all
 
     shaken = [motion.padded_by(quiet) for motion in motions]
 
     def case(motion: int) -> Case:
         return Case(block, shaken[motion], impact)
 
-    found = simulate_many(case, over={"motion": range(len(shaken))}, progress=False)
+    found = simulate_all(case, over={"motion": range(len(shaken))}, progress=False)
+    check_answered("compare_with_fema_356", found)
     estimates = [
         tuple(fema_356_rocking(block, motion, damping=which, **choices) for motion in motions)
         for which in ("2-15", "2-16")

@@ -27,6 +27,7 @@ from rockeom.analysis.branches import (
 )
 from rockeom.analysis.orbits import PeriodicOrbit, StroboscopicMap
 from rockeom.motion import STANDARD_GRAVITY
+from rockeom.numeric.ensemble import simulate_all
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.tables import TABLE_2_1
@@ -233,10 +234,10 @@ def cascade() -> Cascade:
 @cache
 def branches(doublings: int) -> tuple[OrbitBranch, ...]:
     """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
-    found = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
+    found = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state()).completed()]
     for _ in range(doublings + 1):
         leaves = next(one for one in found[-1].bifurcations if one.kind in FLIPS)
-        found.append(found[-1].switched(leaves))
+        found.append(found[-1].switched(leaves).completed())
     return tuple(found)
 
 
@@ -249,13 +250,13 @@ def branches_by_energy() -> tuple[OrbitBranch, OrbitBranch]:
     ratio = math.sqrt(SPEED_RATIO)
     grown = orbit_branch(
         lambda e: stroboscope(START, e), (SPEED_RATIO, ratio), symmetric_state(), step=0.1
-    )
+    ).completed()
     symmetric = orbit_branch(
         lambda beta: stroboscope(beta, ratio), (START, AMPLITUDES[-1]), grown.orbits[-1].state,
         step=0.05,
-    )  # fmt: skip
+    ).completed()  # fmt: skip
     (broken,) = symmetric.bifurcations
-    return symmetric, symmetric.switched(broken, step=0.05)
+    return symmetric, symmetric.switched(broken, step=0.05).completed()
 
 
 STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
@@ -442,8 +443,11 @@ def changes_of_fate(
     def case(**one: float) -> rk.Case:
         return sine_on_block(**one, **of_all)  # type: ignore[arg-type]
 
-    sweep = rk.simulate_many(case, {name: np.linspace(first, last, cases)}, arrays=True)
-    return overturning_boundaries(case, sweep, accuracy=1e-9, arrays=True)
+    sweep = simulate_all(case, {name: np.linspace(first, last, cases)}, arrays=True)
+    found = overturning_boundaries(case, sweep, accuracy=1e-9, arrays=True)
+    if found.attrs["interrupted"]:
+        raise KeyboardInterrupt
+    return found
 
 
 def draw_fates(ax: Axes, found: xr.Dataset, name: str, first: float, last: float) -> None:
