@@ -24,6 +24,7 @@ if TYPE_CHECKING:  # joined before this text
         POINT,
         POINT_STATES,
         ROTATION,
+        SMOOTH,
         ROWS,
         SUBJECTS,
         acceleration_of,
@@ -349,6 +350,8 @@ def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
         if near[i] == 0:
             continue
         wanted[2 * i] = -known[i * POINT + 1]
+        if SMOOTH[i] == 1:
+            continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK
         if sticks or abs(slip) <= start + FITS * size:  # so slow a slip has ended, too

@@ -106,9 +106,12 @@ def _declared(model: Model) -> list[Block]:
         law = (
             f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
         )
-        law += (
-            ", it never slips" if friction is None else f", friction ${notation.plain(friction)}$"
-        )
+        if friction is None:
+            law += ", it never slips"
+        elif contact.law.frictionless:
+            law += ", no friction"
+        else:
+            law += f", friction ${notation.plain(friction)}$"
         lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
     for i, element in enumerate(model.switching):
@@ -241,7 +244,7 @@ def _mechanism_forces(model: Model, mechanism: DerivedMechanism, notation: Notat
         else:
             lines.append(f"{name} = {notation.write(friction[group[0]])}")
     text = "Normal force $N$" + (" of each point" if len(normal) > 1 else "")
-    text += ", and friction $F$, positive to the right"
+    text += ", and friction $F$, positive to the right" if mechanism.groups else ""
     if any(len(g) > 1 for g in mechanism.groups):
         text += "; of points that share it only the sum is determined"
     return [

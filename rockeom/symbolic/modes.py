@@ -13,6 +13,10 @@ forces of contact vanishes under L, L^T (J_N^T - mu sigma J_T^T) = 0:
 
 which is not symmetric where a point slips. Mirror images are one mechanism, written with the side
 s; so are the two signs of a slip, sigma, and the states of an element, chi.
+
+A closed point is frictionless where its law says so: lambda_T = 0, and slip'' is not constrained.
+So is a point with friction that smooth contacts keep from slipping, such as a foot of a block that
+touches a smooth stop: statics leaves its friction open, and none is needed.
 """
 
 from __future__ import annotations
@@ -26,7 +30,14 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from rockeom.contract import MOST_CONTACT_STATES, OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
+from rockeom.contract import (
+    FRICTIONLESS,
+    MOST_CONTACT_STATES,
+    OPEN,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+    STICK,
+)
 from rockeom.symbolic.algebra import SIDE, angles_in, determinant, square_is, tidy
 from rockeom.symbolic.beds import Combination, both, combinations_of
 from rockeom.symbolic.check import repeated
@@ -36,6 +47,9 @@ from rockeom.symbolic.lagrange import rate
 
 SLIP = SLIP_RIGHT
 """In an arrangement, which does not tell the signs of slips."""
+
+VERBS = {STICK: "sticks", SLIP: "slips", FRICTIONLESS: "touches"}
+"""By the state of a closed point in an arrangement."""
 
 
 def sign_of_slip(group: int) -> sp.Symbol:
@@ -55,7 +69,7 @@ class ContactState:
 
 @dataclass(frozen=True)
 class Arrangement:
-    """Which points are open, stick or slip, and the mechanism that moves then, on a side s."""
+    """The state of each point, SLIP of either sign, and the mechanism that moves, on a side s."""
 
     states: tuple[int, ...]
     mechanism: int
@@ -80,7 +94,8 @@ class Start(NamedTuple):
 class DerivedMechanism:
     """What moves while some points are closed, some of which slip.
 
-    states : of each point: OPEN, STICK or SLIP. sided : whether it is written with the side s.
+    states : of each point: OPEN, STICK, SLIP or FRICTIONLESS. sided : whether it is written with
+        the side s.
     """
 
     def __init__(self, model: Model, states: tuple[int, ...], sided: bool) -> None:
@@ -97,7 +112,7 @@ class DerivedMechanism:
 
     def __repr__(self) -> str:
         points = zip(self.model.contacts, self.states, strict=True)
-        told = [f"{c.name} {'sticks' if x == STICK else 'slips'}" for c, x in points if x != OPEN]
+        told = [f"{c.name} {VERBS[x]}" for c, x in points if x != OPEN]
         return (
             f"<DerivedMechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
         )
@@ -197,14 +212,22 @@ class DerivedMechanism:
 
     @cached_property
     def groups(self) -> tuple[tuple[int, ...], ...]:
-        """Closed points that share their friction: no motion that keeps them closed slips apart."""
-        if not self.closed:
+        """Closed points that share their friction: no motion that keeps them closed slips apart.
+
+        Frictionless points are in none, nor is a point that smooth contacts keep from slipping.
+        """
+        smooth = {i for i in self.closed if self.model.contacts[i].law.frictionless}
+        if len(smooth) == len(self.closed):
             return ()
         normal = sp.Matrix.vstack(*self.normal_rows.values())
         left = self._motions(normal)[2]
         groups: list[list[int]] = []
         for i in self.closed:
+            if i in smooth:
+                continue
             if all(self._same(e) for e in self.slip_rows[i] * left):
+                if smooth:
+                    continue
                 raise self._undetermined()
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
@@ -635,7 +658,7 @@ def derive_modes(model: Model) -> Modes:
                 for kind, group in zip(kinds, groups, strict=True)
             ):
                 continue
-            pattern = [OPEN] * len(model.contacts)
+            pattern = [FRICTIONLESS if i in closed else OPEN for i in range(len(model.contacts))]
             for kind, group in zip(kinds, groups, strict=True):
                 for i in group:
                     pattern[i] = kind
@@ -769,23 +792,37 @@ def _states(
 ) -> Iterator[ContactState]:
     groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
     slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
+    smooth = _pairs(model, [i for i, s in enumerate(arrangement.states) if s == FRICTIONLESS])
     for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(slips)):
         ways = dict(zip(slips, signs, strict=True))
         points = list(arrangement.states)
         for group, sign in ways.items():
             for i in group:
                 points[i] = sign
-        of_points = _words(model, {g: ways.get(g, STICK) for g in sorted(groups)})
+        states_of = {g: ways.get(g, STICK) for g in groups} | dict.fromkeys(smooth, FRICTIONLESS)
+        of_points = _words(model, {g: states_of[g] for g in sorted(states_of)})
         for elements, words in of_elements.items():
             name = "_".join([*of_points, *words]) or "flight"
             yield ContactState(name, tuple(points), elements, number)
 
 
+def _pairs(model: Model, points: list[int]) -> list[tuple[int, ...]]:
+    """Frictionless points, of which a left and a right one of one kind have one name."""
+    found: list[tuple[int, ...]] = []
+    for i in points:
+        names = [model.contacts[j].name for j in (*found[-1], i)] if found else []
+        if len(names) == 2 and both(names) != "_".join(names):
+            found[-1] += (i,)
+        else:
+            found.append((i,))
+    return found
+
+
 def _words(model: Model, groups: Mapping[tuple[int, ...], int]) -> list[str]:
     """Of which the name of a contact state is made: what touches, and what slips where."""
-    slides = {STICK: "", SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
+    slides = {SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
     return [
-        both([model.contacts[i].name for i in group]) + slides[state]
+        both([model.contacts[i].name for i in group]) + slides.get(state, "")
         for group, state in groups.items()
     ]
 

@@ -356,14 +356,32 @@ def met(r: Told) -> Found:
     touching = (after.gaps <= 4e-14 * large[:, None]) & ~later
     for mask in np.unique(touching, axis=0):
         these = np.flatnonzero((touching == mask).all(axis=1))
-        yield from _landed(r, landings[these], before[these], after[these], mask, takes_part[these])
+        at, then, took = before[these], after[these], takes_part[these]
+        if not _holds_a_foot(at, mask):
+            yield from _landed(r, landings[these], at, then, mask, mask, took)
+            continue
+        # momentum leaves friction and the force of the stop open: some shares must fit
+        bounces = np.array([p.restitution for p in at.parts.points])
+        must = bounces * np.maximum(-at.rates[:, :, 1], 0.0)
+        slow = then.rates[:, :, 1] <= must + 1e3 * small[these, None]  # others press nothing
+        rough = np.array([p.friction > 0.0 for p in at.parts.points])
+        for e in range(len(these)):
+            one = np.array([e])
+            shares = [mask & slow[e], mask & slow[e] & rough]
+            found = [
+                list(_landed(r, landings[these[one]], at[one], then[one], mask, some, took[one]))
+                for some in shares
+            ]
+            yield from min(found, key=len)
 
 
 def _landed(
-    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray, takes_part: np.ndarray
-) -> Found:
-    pattern = [STICK if t else OPEN for t in touching]
+    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray, presses: np.ndarray,
+    takes_part: np.ndarray,
+) -> Found:  # fmt: skip
+    pattern = [STICK if t else OPEN for t in presses]
     normal, along = before.held(pattern)
+    along = [i for i in along if not _smoothly_held(before, i, normal)]
     points = before.parts.points
     v0, v1 = before.states.v, after.states.v
     given = np.einsum("kab,kb->ka", before.mass, v1 - v0)
@@ -445,6 +463,23 @@ def _landed(
         gain = 0.5 * np.einsum("ka,kab,kb->k", v1, before.mass, v1) - before.kinetic()
         for i in np.flatnonzero(gain > (r.loose + 1e-8) * mass * speed**2)[:1]:
             yield f"landing energy: {told(i)}: the kinetic energy grows by {gain[i]:.3g} J"
+
+
+def _holds_a_foot(at: At, touching: np.ndarray) -> bool:
+    normal, along = at.held([STICK if t else OPEN for t in touching])
+    points = at.parts.points
+    return any(points[i].friction and _smoothly_held(at, i, normal) for i in along)
+
+
+def _smoothly_held(at: At, point: int, normal: Sequence[int]) -> bool:
+    """Whether a point has no friction, or needs none: smooth contacts keep it from slipping."""
+    if not at.parts.points[point].friction:
+        return True
+    rows = at.rows[:, normal, 1]
+    along = at.rows[:, point, 0]
+    share = np.einsum("kar,ka->kr", np.linalg.pinv(rows), along)
+    left = along - np.einsum("kra,kr->ka", rows, share)
+    return bool((np.abs(left).max(axis=1) < 1e-9 * np.abs(along).max(axis=1)).all())
 
 
 # -- rests
