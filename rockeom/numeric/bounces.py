@@ -225,8 +225,12 @@ def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
             _, _, radius, _ = hop_of(i, contact, y, known, dy)
             limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
     for i in range(N_POINTS):
-        if bouncing[i] == 1 and known[i * POINT + 1] < -limit * sizes[2 * i]:
-            return start, 0.0, any_is_lost  # it lands at once, and not among slow bounces
+        _, a, _, _ = hop_of(i, contact, y, known, dy)
+        rate = known[i * POINT + 1]
+        if bouncing[i] == 1 and (
+            rate < -limit * sizes[2 * i] or (a <= 0.0 and rate > limit * sizes[2 * i])
+        ):
+            return start, 0.0, any_is_lost  # it lands at once, or leaves for good
     return start, limit, any_is_lost
 
 

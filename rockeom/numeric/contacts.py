@@ -508,6 +508,9 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
         elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
             slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
             least = min(least, slips / sizes[normal + 1])
+        elif state == FRICTIONLESS and SMOOTH[i] == 0:  # it has friction, and must not slip
+            slips = abs(exceeds(normal + 1, wanted, known, impulse))
+            least = min(least, -slips / sizes[normal + 1])
     return least
 
 

@@ -15,8 +15,8 @@ which is not symmetric where a point slips. Mirror images are one mechanism, wri
 s; so are the two signs of a slip, sigma, and the states of an element, chi.
 
 A closed point is frictionless where its law says so: lambda_T = 0, and slip'' is not constrained.
-So is a point with friction that smooth contacts keep from slipping, such as a foot of a block that
-touches a smooth stop: statics leaves its friction open, and none is needed.
+A point with friction that smooth contacts keep from slipping, such as a foot of a block at a smooth
+stop, is frictionless, too, or has all its friction: statics leaves open what is between.
 """
 
 from __future__ import annotations
@@ -210,25 +210,36 @@ class DerivedMechanism:
         rows = self._rows([self._slips[i] for i in self.closed])
         return dict(zip(self.closed, rows, strict=True))
 
-    @cached_property
+    @property
     def groups(self) -> tuple[tuple[int, ...], ...]:
-        """Closed points that share their friction: no motion that keeps them closed slips apart.
+        """Closed points that share their friction: no motion that keeps them closed slips apart."""
+        return self._groups[0] + self.held
 
-        Frictionless points are in none, nor is a point that smooth contacts keep from slipping.
-        """
-        smooth = {i for i in self.closed if self.model.contacts[i].law.frictionless}
-        if len(smooth) == len(self.closed):
-            return ()
-        normal = sp.Matrix.vstack(*self.normal_rows.values())
-        left = self._motions(normal)[2]
+    @property
+    def held(self) -> tuple[tuple[int, ...], ...]:
+        """Those of `groups` that smooth contacts keep from slipping."""
+        return self._groups[1]
+
+    @cached_property
+    def _groups(self) -> tuple[tuple[tuple[int, ...], ...], tuple[tuple[int, ...], ...]]:
+        rough = [i for i in self.closed if not self.model.contacts[i].law.frictionless]
+        if not rough:
+            return (), ()
+        left = self._left_by(self.closed)
+        held = [i for i in rough if all(self._same(e) for e in self.slip_rows[i] * left)]
+        if held and len(rough) == len(self.closed):
+            raise self._undetermined()
+        free = self._grouped([i for i in rough if i not in held], left)
+        return free, self._grouped(held, self._left_by(rough)) if held else ()
+
+    def _left_by(self, points: Iterable[int]) -> sp.Matrix:
+        """T of the motions that keep points closed."""
+        return self._motions(sp.Matrix.vstack(*(self.normal_rows[i] for i in points)))[2]
+
+    def _grouped(self, points: list[int], left: sp.Matrix) -> tuple[tuple[int, ...], ...]:
+        """Points that slip alike in the motions T."""
         groups: list[list[int]] = []
-        for i in self.closed:
-            if i in smooth:
-                continue
-            if all(self._same(e) for e in self.slip_rows[i] * left):
-                if smooth:
-                    continue
-                raise self._undetermined()
+        for i in points:
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
                 if all(self._same(e) for e in difference):
@@ -237,6 +248,11 @@ class DerivedMechanism:
             else:
                 groups.append([i])
         return tuple(map(tuple, groups))
+
+    @property
+    def rubbing(self) -> tuple[tuple[int, ...], ...]:
+        """Those of `groups` that have friction here."""
+        return tuple(g for g in self.groups if self.states[g[0]] != FRICTIONLESS)
 
     @cached_property
     def slipping(self) -> tuple[tuple[int, ...], ...]:
@@ -395,7 +411,7 @@ class DerivedMechanism:
 
     @property
     def symmetric(self) -> bool:
-        return not self.slipping
+        return not self.slipping or not self.independent
 
     # -- forces ------------------------------------------------------------------------------
 
@@ -651,8 +667,9 @@ def derive_modes(model: Model) -> Modes:
     mirror = _mirror(model)
     every = combinations_of(model.switching)
     for closed in _closed_sets(model):
-        groups = DerivedMechanism(model, _stuck(model, closed), False).groups
-        for kinds in product((STICK, SLIP), repeat=len(groups)):
+        all_stuck = DerivedMechanism(model, _stuck(model, closed), False)
+        groups, held = all_stuck.groups, all_stuck.held
+        for kinds in product(*((FRICTIONLESS if g in held else STICK, SLIP) for g in groups)):
             if any(
                 kind == SLIP and any(model.contacts[i].law.friction is None for i in group)
                 for kind, group in zip(kinds, groups, strict=True)

@@ -356,33 +356,16 @@ def met(r: Told) -> Found:
     touching = (after.gaps <= 4e-14 * large[:, None]) & ~later
     for mask in np.unique(touching, axis=0):
         these = np.flatnonzero((touching == mask).all(axis=1))
-        at, then, took = before[these], after[these], takes_part[these]
-        if not _holds_a_foot(at, mask):
-            yield from _landed(r, landings[these], at, then, mask, mask, took)
-            continue
-        # momentum leaves friction and the force of the stop open: some shares must fit
-        bounces = np.array([p.restitution for p in at.parts.points])
-        must = bounces * np.maximum(-at.rates[:, :, 1], 0.0)
-        slow = then.rates[:, :, 1] <= must + 1e3 * small[these, None]  # others press nothing
-        rough = np.array([p.friction > 0.0 for p in at.parts.points])
-        for e in range(len(these)):
-            one = np.array([e])
-            shares = [mask & slow[e], mask & slow[e] & rough]
-            found = [
-                list(_landed(r, landings[these[one]], at[one], then[one], mask, some, took[one]))
-                for some in shares
-            ]
-            yield from min(found, key=len)
+        yield from _landed(r, landings[these], before[these], after[these], mask, takes_part[these])
 
 
 def _landed(
-    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray, presses: np.ndarray,
-    takes_part: np.ndarray,
-) -> Found:  # fmt: skip
-    pattern = [STICK if t else OPEN for t in presses]
+    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray, takes_part: np.ndarray
+) -> Found:
+    pattern = [STICK if t else OPEN for t in touching]
     normal, along = before.held(pattern)
-    along = [i for i in along if not _smoothly_held(before, i, normal)]
     points = before.parts.points
+    along = [i for i in along if points[i].friction]
     v0, v1 = before.states.v, after.states.v
     given = np.einsum("kab,kb->ka", before.mass, v1 - v0)
     rows = [before.rows[:, i, 1] for i in normal] + [before.rows[:, i, 0] for i in along]
@@ -409,6 +392,58 @@ def _landed(
             f"landing momentum: {told(i)}: velocities change by no impulses of touching points, by "
             f"{strange[i] / math.sqrt(mass):.3g} m/s"
         )
+    judged = (r, events, before, after, touching, takes_part, normal, along)
+    open_share = _open_share(j[0])
+    if open_share is None:
+        yield from _shared(*judged, impulse)
+        return
+    # a smooth contact keeps feet from slipping: some share of friction and its force must fit
+    for e in range(len(events)):
+        one = np.array([e])
+        found = [
+            list(_shared(r, events[one], before[one], after[one], touching, takes_part[one],
+                         normal, along, share[None]))
+            for share in _shares(impulse[e], open_share, normal, along, points)
+        ]  # fmt: skip
+        yield from min(found, key=len)
+
+
+def _open_share(rows: np.ndarray) -> np.ndarray | None:
+    """(r,) impulses that do nothing together, where rows (r, n) depend on one another."""
+    u, sizes, _ = np.linalg.svd(rows)
+    rank = int((sizes > 1e-9 * sizes[0]).sum())
+    return u[:, -1] if rank == len(rows) - 1 else None
+
+
+def _shares(
+    impulse: np.ndarray, along_it: np.ndarray, normal: list[int], along: list[int], points
+) -> Iterator[np.ndarray]:
+    """Impulses that do the same where one of them, or what is left of a cone, is zero."""
+    rows = [*np.eye(len(impulse))]
+    for column, p in enumerate(along):
+        cone = np.zeros(len(impulse))
+        for c, other in enumerate(normal):
+            if points[other].pair == points[p].pair:
+                cone[c] = points[other].friction
+        slides = np.eye(len(impulse))[len(normal) + column]
+        rows += [cone + slides, cone - slides]
+    for row in rows:
+        if abs(row @ along_it) > 1e-9:
+            yield impulse - (row @ impulse) / (row @ along_it) * along_it
+
+
+def _shared(
+    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray,
+    takes_part: np.ndarray, normal: list[int], along: list[int], impulse: np.ndarray,
+) -> Found:  # fmt: skip
+    """The laws of contact for given impulses of the points: (k, normal and along)."""
+
+    def told(i: int) -> str:
+        return f"landing at {r.times[events[i]]:.9g} s"
+
+    points, mass, v0, v1 = before.parts.points, before.whole, before.states.v, after.states.v
+    speed = np.sqrt(2 * before.kinetic() / mass) + 1e-6 * r.speed
+    room = (r.loose + 1e-8) * speed
     most = mass * speed
     room_i = (r.loose + 1e-7) * most
     pressed, friction = impulse[:, : len(normal)], impulse[:, len(normal) :]
@@ -463,23 +498,6 @@ def _landed(
         gain = 0.5 * np.einsum("ka,kab,kb->k", v1, before.mass, v1) - before.kinetic()
         for i in np.flatnonzero(gain > (r.loose + 1e-8) * mass * speed**2)[:1]:
             yield f"landing energy: {told(i)}: the kinetic energy grows by {gain[i]:.3g} J"
-
-
-def _holds_a_foot(at: At, touching: np.ndarray) -> bool:
-    normal, along = at.held([STICK if t else OPEN for t in touching])
-    points = at.parts.points
-    return any(points[i].friction and _smoothly_held(at, i, normal) for i in along)
-
-
-def _smoothly_held(at: At, point: int, normal: Sequence[int]) -> bool:
-    """Whether a point has no friction, or needs none: smooth contacts keep it from slipping."""
-    if not at.parts.points[point].friction:
-        return True
-    rows = at.rows[:, normal, 1]
-    along = at.rows[:, point, 0]
-    share = np.einsum("kar,ka->kr", np.linalg.pinv(rows), along)
-    left = along - np.einsum("kra,kr->ka", rows, share)
-    return bool((np.abs(left).max(axis=1) < 1e-9 * np.abs(along).max(axis=1)).all())
 
 
 # -- rests
