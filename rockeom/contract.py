@@ -40,7 +40,8 @@ KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
 LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
 
 # States of such a point, and what is said where no contact state follows, or several may
-OPEN, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
+# (one that is closed without friction slips or not, as the rest of the structure moves it)
+OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 
 # What is said of a step in which no guard is known to fall

@@ -15,7 +15,15 @@ import sympy as sp
 from rockeom.codegen.outputs import Columns
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.text import Text
-from rockeom.contract import LANDING, LIFTING, NEVER_SLIPS, SLIPPING, STICKING, SWITCH
+from rockeom.contract import (
+    FRICTIONLESS,
+    LANDING,
+    LIFTING,
+    NEVER_SLIPS,
+    SLIPPING,
+    STICKING,
+    SWITCH,
+)
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contact import total_reaction
@@ -28,6 +36,7 @@ from rockeom.symbolic.modes import (
     OPEN,
     SLIP,
     STICK,
+    VERBS,
     Arrangement,
     DerivedMechanism,
     Modes,
@@ -147,14 +156,14 @@ def _chosen(name: str, branches: list[list[str]]) -> list[str]:
 def _suffix(mechanism: DerivedMechanism) -> str:
     """What the functions of a mechanism are called by."""
     points = zip(mechanism.model.contacts, mechanism.states, strict=True)
-    words = [f"{c.name}_{'sticks' if state == STICK else 'slips'}" for c, state in points if state]
+    words = [f"{c.name}_{VERBS[state]}" for c, state in points if state]
     return "_".join(words) or "flight"
 
 
 def _told(mechanism: DerivedMechanism) -> str:
     """What a mechanism is, in words."""
     points = zip(mechanism.model.contacts, mechanism.states, strict=True)
-    words = [f"{c.name} {'sticks' if state == STICK else 'slips'}" for c, state in points if state]
+    words = [f"{c.name} {VERBS[state]}" for c, state in points if state]
     mirrored = ", or its mirror image" if mechanism.sided else ""
     return (", ".join(words) or "no point is closed") + mirrored
 
@@ -321,7 +330,7 @@ def guards_of(model: Model, arrangement: Arrangement) -> list[Guard]:
         group = [j for j, first in enumerate(arrangement.shared) if first == i]
         if state == SLIP:
             found.append(Guard(STICKING, i))
-        elif all(model.contacts[j].law.friction is not None for j in group):
+        elif state == STICK and all(model.contacts[j].law.friction is not None for j in group):
             found += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
     return [*found, *_of_elements(model)]
 
@@ -607,7 +616,7 @@ def _shares(written: Written, arrangement: Arrangement, behind: int) -> list[str
         group = [j for j, f in enumerate(arrangement.shared) if f == arrangement.shared[i]]
         friction = sp.Symbol(f"friction_{group[0]}")
         part = part_of[i]
-        if state == OPEN:
+        if state in (OPEN, FRICTIONLESS):
             targets[place] = sp.S.Zero
         elif state == SLIP:
             normal = sp.Symbol(f"normal_{i}")

@@ -12,7 +12,7 @@ from rockeom.codegen.names import string
 from rockeom.codegen.parameters import sizes_to_check
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.text import Text
-from rockeom.contract import IMPULSIVE, KIND_OF, MOST_DIGITS, RATIO, SWITCH
+from rockeom.contract import FRICTIONLESS, IMPULSIVE, KIND_OF, MOST_DIGITS, RATIO, SWITCH
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import Parameter, RockingModel
 from rockeom.symbolic.modes import Modes
@@ -94,9 +94,11 @@ def _internal(model: Model) -> list[str]:
 def _states_of_contact(model: Model, modes: Modes, slips: int) -> list[str]:
     """What each point and element does in each contact state, and which mechanism moves."""
     written = {state: modes.arrangements[state.arrangement] for state in modes.states}
+    smooth = any(FRICTIONLESS in state.points for state in written)
     return [
         *_rows(
-            "POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left",
+            "POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left"
+            + (", 4 touches without friction" if smooth else ""),
             {state.name: state.points for state in written},
         ),
         *_rows(f"ELEMENT_STATES = (  # {_legend(model)}", {s.name: s.elements for s in written}),

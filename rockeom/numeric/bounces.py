@@ -24,6 +24,7 @@ if TYPE_CHECKING:  # joined before this text
         POINT,
         POINT_STATES,
         ROTATION,
+        SMOOTH,
         ROWS,
         SUBJECTS,
         acceleration_of,
@@ -224,8 +225,12 @@ def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
             _, _, radius, _ = hop_of(i, contact, y, known, dy)
             limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
     for i in range(N_POINTS):
-        if bouncing[i] == 1 and known[i * POINT + 1] < -limit * sizes[2 * i]:
-            return start, 0.0, any_is_lost  # it lands at once, and not among slow bounces
+        _, a, _, _ = hop_of(i, contact, y, known, dy)
+        rate = known[i * POINT + 1]
+        if bouncing[i] == 1 and (
+            rate < -limit * sizes[2 * i] or (a <= 0.0 and rate > limit * sizes[2 * i])
+        ):
+            return start, 0.0, any_is_lost  # it lands at once, or leaves for good
     return start, limit, any_is_lost
 
 
@@ -349,6 +354,8 @@ def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
         if near[i] == 0:
             continue
         wanted[2 * i] = -known[i * POINT + 1]
+        if SMOOTH[i] == 1:
+            continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK
         if sticks or abs(slip) <= start + FITS * size:  # so slow a slip has ended, too

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.contract import (
+    FRICTIONLESS,
     IMPOSSIBLE,
     LANDING,
     LIFTING,
@@ -151,9 +152,10 @@ def _standing(
     if not down.any() or not free[n:].any():
         return y
     touching = np.flatnonzero(down)
+    sticky = np.array([any(row[i] == STICK for row in module.POINT_STATES) for i in range(len(down))])
     choices = [touching, *(touching[i : i + 1] for i in range(len(touching)))]
     for held in choices:
-        rows = np.vstack([points.normal[held], points.tangential[held]])
+        rows = np.vstack([points.normal[held], points.tangential[held[sticky[held]]]])
         moved = y.copy()
         lacking = rows @ y[n:]
         move = np.flatnonzero(free[n:])
@@ -241,12 +243,22 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
             states.append(STICK)
         else:
             states.append(SLIP_RIGHT if slides[i] > 0.0 else SLIP_LEFT)
-    if tuple(states) not in module.POINT_STATES:
+    points_as = _smoothed(module, tuple(states))
+    if points_as not in module.POINT_STATES:
         told = ", ".join(
             f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
         )
         raise ValueError(f"{model} has no contact state in which {told}: correct the state")
-    return _with_elements(module, tuple(states), y, p)
+    return _with_elements(module, points_as, y, p)
+
+
+def _smoothed(module: ModuleType, states: tuple[int, ...]) -> tuple[int, ...]:
+    """The states of points with those that are frictionless where the same points are closed."""
+    for row in module.POINT_STATES:
+        smooth = tuple(FRICTIONLESS if a == FRICTIONLESS and b else b for a, b in zip(row, states))
+        if smooth == row:
+            return row
+    return states
 
 
 _WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}

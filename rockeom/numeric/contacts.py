@@ -16,6 +16,7 @@ import numpy as np
 
 from rockeom.contract import (
     AMBIGUOUS,
+    FRICTIONLESS,
     IMPOSSIBLE,
     LANDING,
     LIFTING,
@@ -72,7 +73,11 @@ NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may b
 NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
-SIGN_OF = (0.0, 0.0, 1.0, -1.0)  # by the state of a point
+SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
+# of each point, 1 where it has no friction whatever the parameters are: its slip is left alone
+SMOOTH = tuple(
+    0 if any(row[i] == STICK for row in POINT_STATES) else 1 for i in range(N_POINTS)
+) or (0,)
 HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
 
@@ -340,7 +345,7 @@ def may_follow(candidate, contact, near, sliding):
             continue
         if near[i] == 0:
             return False
-        if sliding[i] != 0.0 and SIGN_OF[state] != sliding[i]:
+        if state != FRICTIONLESS and sliding[i] != 0.0 and SIGN_OF[state] != sliding[i]:
             return False
     return True
 
@@ -500,9 +505,12 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
                     most = known[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
                     bound += most if known[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
             least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
-        elif state != OPEN and sliding[i] == 0.0:
+        elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
             slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
             least = min(least, slips / sizes[normal + 1])
+        elif state == FRICTIONLESS and SMOOTH[i] == 0:  # it has friction, and must not slip
+            slips = abs(exceeds(normal + 1, wanted, known, impulse))
+            least = min(least, -slips / sizes[normal + 1])
     return least
 
 
@@ -787,6 +795,8 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known,
             leaving[i], near[i] = 1, 0
             continue
         rows[2 * i], wanted[2 * i] = 1, -rate
+        if SMOOTH[i] == 1:
+            continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
         if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:

@@ -95,6 +95,7 @@ ROWS: int
 MATRIX: int
 COUPLING: int
 N_KNOWN: int
+SMOOTH: tuple[int, ...]
 GRAIN: float
 FITS: float
 

@@ -106,9 +106,12 @@ def _declared(model: Model) -> list[Block]:
         law = (
             f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
         )
-        law += (
-            ", it never slips" if friction is None else f", friction ${notation.plain(friction)}$"
-        )
+        if friction is None:
+            law += ", it never slips"
+        elif contact.law.frictionless:
+            law += ", no friction"
+        else:
+            law += f", friction ${notation.plain(friction)}$"
         lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
     for i, element in enumerate(model.switching):
@@ -233,7 +236,7 @@ def _mechanism_forces(model: Model, mechanism: DerivedMechanism, notation: Notat
         return _ends(mechanism, notation)
     normal, friction = mechanism.forces
     lines = [f"{_called(mechanism, 'N', [i])} = {notation.write(e)}" for i, e in normal.items()]
-    for group in mechanism.groups:
+    for group in mechanism.rubbing:
         name = _called(mechanism, "F", group)
         if group in mechanism.slipping:
             sigma = notation.plain(mechanism.sigma(group[0]))
@@ -241,8 +244,8 @@ def _mechanism_forces(model: Model, mechanism: DerivedMechanism, notation: Notat
         else:
             lines.append(f"{name} = {notation.write(friction[group[0]])}")
     text = "Normal force $N$" + (" of each point" if len(normal) > 1 else "")
-    text += ", and friction $F$, positive to the right"
-    if any(len(g) > 1 for g in mechanism.groups):
+    text += ", and friction $F$, positive to the right" if mechanism.rubbing else ""
+    if any(len(g) > 1 for g in mechanism.rubbing):
         text += "; of points that share it only the sum is determined"
     return [
         Heading(3, "Forces of contact"),
@@ -258,7 +261,7 @@ def _ends(mechanism: DerivedMechanism, notation: Notation) -> list[Block]:
     """What ends a contact state."""
     contacts = mechanism.model.contacts
     ends = [f"${_called(mechanism, 'N', [i])}$ falls to zero (lifting)" for i in mechanism.closed]
-    for group in mechanism.groups:
+    for group in mechanism.rubbing:
         if group in mechanism.slipping:
             rate = notation.write(mechanism.sigma(group[0]) * mechanism.slip_rate(group))
             ends.append(f"${rate}$ falls to zero (the slip ends)")

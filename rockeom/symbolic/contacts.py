@@ -48,7 +48,8 @@ class Rigid:
     """A rigid contact: it opens, sticks or slips.
 
     restitution : Newton's, the ratio of the rates of the gap after and before an impact, 0 to 1.
-    friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips.
+    friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips;
+        the number 0: a smooth contact, which is open or closed and never sticks.
     """
 
     restitution: sp.Expr = sp.S.Zero
@@ -63,6 +64,11 @@ class Rigid:
                 f"law Rigid: restitution is {self.restitution}: give the ratio of rates after and "
                 "before an impact, 0 to 1"
             )
+
+    @property
+    def frictionless(self) -> bool:
+        """Whether friction is 0 whatever the parameters are."""
+        return self.friction is not None and bool(sp.sympify(self.friction).is_zero)
 
 
 @dataclass(frozen=True)

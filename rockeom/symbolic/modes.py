@@ -13,6 +13,10 @@ forces of contact vanishes under L, L^T (J_N^T - mu sigma J_T^T) = 0:
 
 which is not symmetric where a point slips. Mirror images are one mechanism, written with the side
 s; so are the two signs of a slip, sigma, and the states of an element, chi.
+
+A closed point is frictionless where its law says so: lambda_T = 0, and slip'' is not constrained.
+A point with friction that smooth contacts keep from slipping, such as a foot of a block at a smooth
+stop, is frictionless, too, or has all its friction: statics leaves open what is between.
 """
 
 from __future__ import annotations
@@ -26,7 +30,14 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from rockeom.contract import MOST_CONTACT_STATES, OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
+from rockeom.contract import (
+    FRICTIONLESS,
+    MOST_CONTACT_STATES,
+    OPEN,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+    STICK,
+)
 from rockeom.symbolic.algebra import SIDE, angles_in, determinant, square_is, tidy
 from rockeom.symbolic.beds import Combination, both, combinations_of
 from rockeom.symbolic.check import repeated
@@ -36,6 +47,9 @@ from rockeom.symbolic.lagrange import rate
 
 SLIP = SLIP_RIGHT
 """In an arrangement, which does not tell the signs of slips."""
+
+VERBS = {STICK: "sticks", SLIP: "slips", FRICTIONLESS: "touches"}
+"""By the state of a closed point in an arrangement."""
 
 
 def sign_of_slip(group: int) -> sp.Symbol:
@@ -55,7 +69,7 @@ class ContactState:
 
 @dataclass(frozen=True)
 class Arrangement:
-    """Which points are open, stick or slip, and the mechanism that moves then, on a side s."""
+    """The state of each point, SLIP of either sign, and the mechanism that moves, on a side s."""
 
     states: tuple[int, ...]
     mechanism: int
@@ -80,7 +94,8 @@ class Start(NamedTuple):
 class DerivedMechanism:
     """What moves while some points are closed, some of which slip.
 
-    states : of each point: OPEN, STICK or SLIP. sided : whether it is written with the side s.
+    states : of each point: OPEN, STICK, SLIP or FRICTIONLESS. sided : whether it is written with
+        the side s.
     """
 
     def __init__(self, model: Model, states: tuple[int, ...], sided: bool) -> None:
@@ -97,7 +112,7 @@ class DerivedMechanism:
 
     def __repr__(self) -> str:
         points = zip(self.model.contacts, self.states, strict=True)
-        told = [f"{c.name} {'sticks' if x == STICK else 'slips'}" for c, x in points if x != OPEN]
+        told = [f"{c.name} {VERBS[x]}" for c, x in points if x != OPEN]
         return (
             f"<DerivedMechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
         )
@@ -195,17 +210,36 @@ class DerivedMechanism:
         rows = self._rows([self._slips[i] for i in self.closed])
         return dict(zip(self.closed, rows, strict=True))
 
-    @cached_property
+    @property
     def groups(self) -> tuple[tuple[int, ...], ...]:
         """Closed points that share their friction: no motion that keeps them closed slips apart."""
-        if not self.closed:
-            return ()
-        normal = sp.Matrix.vstack(*self.normal_rows.values())
-        left = self._motions(normal)[2]
+        return self._groups[0] + self.held
+
+    @property
+    def held(self) -> tuple[tuple[int, ...], ...]:
+        """Those of `groups` that smooth contacts keep from slipping."""
+        return self._groups[1]
+
+    @cached_property
+    def _groups(self) -> tuple[tuple[tuple[int, ...], ...], tuple[tuple[int, ...], ...]]:
+        rough = [i for i in self.closed if not self.model.contacts[i].law.frictionless]
+        if not rough:
+            return (), ()
+        left = self._left_by(self.closed)
+        held = [i for i in rough if all(self._same(e) for e in self.slip_rows[i] * left)]
+        if held and len(rough) == len(self.closed):
+            raise self._undetermined()
+        free = self._grouped([i for i in rough if i not in held], left)
+        return free, self._grouped(held, self._left_by(rough)) if held else ()
+
+    def _left_by(self, points: Iterable[int]) -> sp.Matrix:
+        """T of the motions that keep points closed."""
+        return self._motions(sp.Matrix.vstack(*(self.normal_rows[i] for i in points)))[2]
+
+    def _grouped(self, points: list[int], left: sp.Matrix) -> tuple[tuple[int, ...], ...]:
+        """Points that slip alike in the motions T."""
         groups: list[list[int]] = []
-        for i in self.closed:
-            if all(self._same(e) for e in self.slip_rows[i] * left):
-                raise self._undetermined()
+        for i in points:
             for group in groups:
                 difference = (self.slip_rows[i] - self.slip_rows[group[0]]) * left
                 if all(self._same(e) for e in difference):
@@ -214,6 +248,11 @@ class DerivedMechanism:
             else:
                 groups.append([i])
         return tuple(map(tuple, groups))
+
+    @property
+    def rubbing(self) -> tuple[tuple[int, ...], ...]:
+        """Those of `groups` that have friction here."""
+        return tuple(g for g in self.groups if self.states[g[0]] != FRICTIONLESS)
 
     @cached_property
     def slipping(self) -> tuple[tuple[int, ...], ...]:
@@ -372,7 +411,7 @@ class DerivedMechanism:
 
     @property
     def symmetric(self) -> bool:
-        return not self.slipping
+        return not self.slipping or not self.independent
 
     # -- forces ------------------------------------------------------------------------------
 
@@ -628,14 +667,15 @@ def derive_modes(model: Model) -> Modes:
     mirror = _mirror(model)
     every = combinations_of(model.switching)
     for closed in _closed_sets(model):
-        groups = DerivedMechanism(model, _stuck(model, closed), False).groups
-        for kinds in product((STICK, SLIP), repeat=len(groups)):
+        all_stuck = DerivedMechanism(model, _stuck(model, closed), False)
+        groups, held = all_stuck.groups, all_stuck.held
+        for kinds in product(*((FRICTIONLESS if g in held else STICK, SLIP) for g in groups)):
             if any(
                 kind == SLIP and any(model.contacts[i].law.friction is None for i in group)
                 for kind, group in zip(kinds, groups, strict=True)
             ):
                 continue
-            pattern = [OPEN] * len(model.contacts)
+            pattern = [FRICTIONLESS if i in closed else OPEN for i in range(len(model.contacts))]
             for kind, group in zip(kinds, groups, strict=True):
                 for i in group:
                     pattern[i] = kind
@@ -769,23 +809,37 @@ def _states(
 ) -> Iterator[ContactState]:
     groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
     slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
+    smooth = _pairs(model, [i for i, s in enumerate(arrangement.states) if s == FRICTIONLESS])
     for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(slips)):
         ways = dict(zip(slips, signs, strict=True))
         points = list(arrangement.states)
         for group, sign in ways.items():
             for i in group:
                 points[i] = sign
-        of_points = _words(model, {g: ways.get(g, STICK) for g in sorted(groups)})
+        states_of = {g: ways.get(g, STICK) for g in groups} | dict.fromkeys(smooth, FRICTIONLESS)
+        of_points = _words(model, {g: states_of[g] for g in sorted(states_of)})
         for elements, words in of_elements.items():
             name = "_".join([*of_points, *words]) or "flight"
             yield ContactState(name, tuple(points), elements, number)
 
 
+def _pairs(model: Model, points: list[int]) -> list[tuple[int, ...]]:
+    """Frictionless points, of which a left and a right one of one kind have one name."""
+    found: list[tuple[int, ...]] = []
+    for i in points:
+        names = [model.contacts[j].name for j in (*found[-1], i)] if found else []
+        if len(names) == 2 and both(names) != "_".join(names):
+            found[-1] += (i,)
+        else:
+            found.append((i,))
+    return found
+
+
 def _words(model: Model, groups: Mapping[tuple[int, ...], int]) -> list[str]:
     """Of which the name of a contact state is made: what touches, and what slips where."""
-    slides = {STICK: "", SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
+    slides = {SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
     return [
-        both([model.contacts[i].name for i in group]) + slides[state]
+        both([model.contacts[i].name for i in group]) + slides.get(state, "")
         for group, state in groups.items()
     ]
 

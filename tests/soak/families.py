@@ -603,7 +603,7 @@ _VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
     "smooth": {"ladder": _a_ladder, "before_a_stop": _a_stop},
 }
 FAMILIES = tuple(_VARIANTS)
-ALLOWED = ("statics does not tell the friction: what touches leaves no motion",)
+ALLOWED: tuple[str, ...] = ()
 """Texts of errors with which a motion may be refused."""
 
 

@@ -17,9 +17,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-OPEN, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
+OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)
 """States of a point, as programs number them."""
-SENSE = np.array([0.0, 0.0, 1.0, -1.0])
+SENSE = np.array([0.0, 0.0, 1.0, -1.0, 0.0])
 
 
 @dataclass(frozen=True)

@@ -365,6 +365,7 @@ def _landed(
     pattern = [STICK if t else OPEN for t in touching]
     normal, along = before.held(pattern)
     points = before.parts.points
+    along = [i for i in along if points[i].friction]
     v0, v1 = before.states.v, after.states.v
     given = np.einsum("kab,kb->ka", before.mass, v1 - v0)
     rows = [before.rows[:, i, 1] for i in normal] + [before.rows[:, i, 0] for i in along]
@@ -391,6 +392,58 @@ def _landed(
             f"landing momentum: {told(i)}: velocities change by no impulses of touching points, by "
             f"{strange[i] / math.sqrt(mass):.3g} m/s"
         )
+    judged = (r, events, before, after, touching, takes_part, normal, along)
+    open_share = _open_share(j[0])
+    if open_share is None:
+        yield from _shared(*judged, impulse)
+        return
+    # a smooth contact keeps feet from slipping: some share of friction and its force must fit
+    for e in range(len(events)):
+        one = np.array([e])
+        found = [
+            list(_shared(r, events[one], before[one], after[one], touching, takes_part[one],
+                         normal, along, share[None]))
+            for share in _shares(impulse[e], open_share, normal, along, points)
+        ]  # fmt: skip
+        yield from min(found, key=len)
+
+
+def _open_share(rows: np.ndarray) -> np.ndarray | None:
+    """(r,) impulses that do nothing together, where rows (r, n) depend on one another."""
+    u, sizes, _ = np.linalg.svd(rows)
+    rank = int((sizes > 1e-9 * sizes[0]).sum())
+    return u[:, -1] if rank == len(rows) - 1 else None
+
+
+def _shares(
+    impulse: np.ndarray, along_it: np.ndarray, normal: list[int], along: list[int], points
+) -> Iterator[np.ndarray]:
+    """Impulses that do the same where one of them, or what is left of a cone, is zero."""
+    rows = [*np.eye(len(impulse))]
+    for column, p in enumerate(along):
+        cone = np.zeros(len(impulse))
+        for c, other in enumerate(normal):
+            if points[other].pair == points[p].pair:
+                cone[c] = points[other].friction
+        slides = np.eye(len(impulse))[len(normal) + column]
+        rows += [cone + slides, cone - slides]
+    for row in rows:
+        if abs(row @ along_it) > 1e-9:
+            yield impulse - (row @ impulse) / (row @ along_it) * along_it
+
+
+def _shared(
+    r: Told, events: np.ndarray, before: At, after: At, touching: np.ndarray,
+    takes_part: np.ndarray, normal: list[int], along: list[int], impulse: np.ndarray,
+) -> Found:  # fmt: skip
+    """The laws of contact for given impulses of the points: (k, normal and along)."""
+
+    def told(i: int) -> str:
+        return f"landing at {r.times[events[i]]:.9g} s"
+
+    points, mass, v0, v1 = before.parts.points, before.whole, before.states.v, after.states.v
+    speed = np.sqrt(2 * before.kinetic() / mass) + 1e-6 * r.speed
+    room = (r.loose + 1e-8) * speed
     most = mass * speed
     room_i = (r.loose + 1e-7) * most
     pressed, friction = impulse[:, : len(normal)], impulse[:, len(normal) :]
