@@ -76,7 +76,7 @@ def ratio_at(law: Int, ratio: Float, impact: Int, y: Floats, p: Floats) -> float
 def time_to_rest(
     contact: Int, y: Floats, p: Floats, law: Int, ratio: Float, impacts: Int, ax: Float, ay: Float,
     tolerance: Float, w: Floats, out: Floats, kick: Floats,
-) -> tuple[float, Int]: ...  # fmt: skip
+) -> tuple[float, int]: ...  # fmt: skip
 def stand(
     contact: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, rtol: Float,
     atol: Floats, k: Floats, y_new: Floats,

@@ -21,7 +21,7 @@ stop, is frictionless, too, or has all its friction: statics leaves open what is
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, product
