@@ -24,12 +24,12 @@ if TYPE_CHECKING:  # joined before this text
         POINT,
         POINT_STATES,
         ROTATION,
-        SMOOTH,
         ROWS,
         SUBJECTS,
         acceleration_of,
         all_known,
         go_on_as,
+        is_smooth,
         meet,
         points,
         put_on,
@@ -354,7 +354,7 @@ def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
         if near[i] == 0:
             continue
         wanted[2 * i] = -known[i * POINT + 1]
-        if SMOOTH[i] == 1:
+        if is_smooth(i):
             continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK

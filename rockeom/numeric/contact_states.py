@@ -152,7 +152,9 @@ def _standing(
     if not down.any() or not free[n:].any():
         return y
     touching = np.flatnonzero(down)
-    sticky = np.array([any(row[i] == STICK for row in module.POINT_STATES) for i in range(len(down))])
+    sticky = np.array(
+        [any(row[i] == STICK for row in module.POINT_STATES) for i in range(len(down))]
+    )
     choices = [touching, *(touching[i : i + 1] for i in range(len(touching)))]
     for held in choices:
         rows = np.vstack([points.normal[held], points.tangential[held[sticky[held]]]])
@@ -255,7 +257,9 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
 def _smoothed(module: ModuleType, states: tuple[int, ...]) -> tuple[int, ...]:
     """The states of points with those that are frictionless where the same points are closed."""
     for row in module.POINT_STATES:
-        smooth = tuple(FRICTIONLESS if a == FRICTIONLESS and b else b for a, b in zip(row, states))
+        smooth = tuple(
+            FRICTIONLESS if a == FRICTIONLESS and b else b for a, b in zip(row, states, strict=True)
+        )
         if smooth == row:
             return row
     return states

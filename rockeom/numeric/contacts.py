@@ -74,10 +74,6 @@ NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is give
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
-# of each point, 1 where it has no friction whatever the parameters are: its slip is left alone
-SMOOTH = tuple(
-    0 if any(row[i] == STICK for row in POINT_STATES) else 1 for i in range(N_POINTS)
-) or (0,)
 HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
 
@@ -329,6 +325,14 @@ def put_on(rows, wanted, first, known, y):
 # -- candidates ----------------------------------------------------------------------------------
 
 
+def is_smooth(point):
+    """Whether a point has no friction whatever the parameters are: it never sticks."""
+    smooth = True
+    for contact in range(len(POINT_STATES)):
+        smooth = smooth and POINT_STATES[contact][point] != STICK
+    return smooth
+
+
 @inlined
 def may_follow(candidate, contact, near, sliding):
     """Whether a contact state has the elements of another, and its points can be as it says.
@@ -508,7 +512,7 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
         elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
             slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
             least = min(least, slips / sizes[normal + 1])
-        elif state == FRICTIONLESS and SMOOTH[i] == 0:  # it has friction, and must not slip
+        elif state == FRICTIONLESS and not is_smooth(i):  # it has friction, and must not slip
             slips = abs(exceeds(normal + 1, wanted, known, impulse))
             least = min(least, -slips / sizes[normal + 1])
     return least
@@ -795,7 +799,7 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known,
             leaving[i], near[i] = 1, 0
             continue
         rows[2 * i], wanted[2 * i] = 1, -rate
-        if SMOOTH[i] == 1:
+        if is_smooth(i):
             continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])

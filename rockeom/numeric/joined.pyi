@@ -95,7 +95,6 @@ ROWS: int
 MATRIX: int
 COUPLING: int
 N_KNOWN: int
-SMOOTH: tuple[int, ...]
 GRAIN: float
 FITS: float
 
@@ -123,6 +122,7 @@ def meet(
     contact: Int, guard: Int, near: Ints, y: Floats, p: Floats, ax: Float, ay: Float,
     later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats, out: Floats,
 ) -> tuple[Int, Int]: ...  # fmt: skip
+def is_smooth(point: Int) -> bool: ...
 def go_on_as(
     contact: Int, ends: bool, near: Ints, sliding: Floats, y: Floats, p: Floats, ax: Float,
     ay: Float, later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats,

@@ -338,7 +338,8 @@ class DerivedMechanism:
         names = ", ".join(self.model.contacts[i].name for i in self.closed)
         return ValueError(
             f"{self.model.name}: with {names} closed statics does not tell the friction: what "
-            "touches leaves no motion along it; give springs (Unilateral) where gaps hold a point"
+            "touches leaves no motion along it; give friction=0, or springs (Unilateral), where "
+            "gaps hold a point"
         )
 
     @cached_property

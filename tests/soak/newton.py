@@ -393,7 +393,8 @@ def _landed(
             f"{strange[i] / math.sqrt(mass):.3g} m/s"
         )
     judged = (r, events, before, after, touching, takes_part, normal, along)
-    open_share = _open_share(j[0])
+    smooth = any(not points[i].friction for i in normal)
+    open_share = _open_share(j[0]) if smooth else None
     if open_share is None:
         yield from _shared(*judged, impulse)
         return
@@ -441,7 +442,7 @@ def _shared(
     def told(i: int) -> str:
         return f"landing at {r.times[events[i]]:.9g} s"
 
-    points, mass, v0, v1 = before.parts.points, before.whole, before.states.v, after.states.v
+    points, mass, v1 = before.parts.points, before.whole, after.states.v
     speed = np.sqrt(2 * before.kinetic() / mass) + 1e-6 * r.speed
     room = (r.loose + 1e-8) * speed
     most = mass * speed

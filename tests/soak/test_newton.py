@@ -18,13 +18,8 @@ from tests.soak.newton import Told, on_contacts
 
 
 def some_mechanics() -> list[Mechanics]:
-    """One structure of each kind; the frictionless ones are drawn without a program."""
-    seeds = [
-        first_of(family) + n
-        for family in FAMILIES
-        if family != "smooth"
-        for n in range(3 if family == "feet" else 2)
-    ]
+    """One structure of each kind."""
+    seeds = [first_of(f) + n for f in FAMILIES for n in range(3 if f == "feet" else 2)]
     return [drawn(seed)[1] for seed in seeds]
 
 
@@ -112,8 +107,16 @@ def test_some_seeds_of_a_family(family):
             assert not found, (seed, *found)
 
 
+@pytest.mark.parametrize("number", [301, 371, 549, 1653, 1687, 2935])
+def test_a_block_that_meets_a_smooth_stop_as_a_foot_lands_or_leaves(number):
+    """Feet that the stop keeps from slipping rub at an impact; one that leaves fast stays open."""
+    motion, by_hand = drawn(first_of("smooth") + number)
+    found = list(on_contacts(Told(motion, motion.run(), by_hand)))
+    assert not [text for text in found if not text.startswith("given back")]
+
+
 def test_a_seed_of_a_family_always_gives_the_same_motion():
-    for seed in spread(21, 5, [f for f in FAMILIES if f != "smooth"]):
+    for seed in spread(21, 5, FAMILIES):
         assert str(drawn(seed)[0]) == str(drawn(seed)[0])
         assert family_of(seed) in FAMILIES
         assert model_of(seed) == model_of(seed + 6 * 1000)
