@@ -60,8 +60,14 @@ class Points:
         self.gap, self.gap_rate = rows[..., 0], rows[..., 1]
         self.normal, self.tangential = rows[..., 5 : 5 + n], rows[..., 5 + n :]
         place, motion = np.abs(y[..., :n, None]), np.abs(y[..., n:, None])
-        self.size = (np.abs(self.normal) @ place)[..., 0] + 1e-300
-        self.speed = (np.abs(self.normal) @ motion)[..., 0] + 1e-300
+        least = self._least_size(rows[..., 5:])
+        self.size = np.maximum((np.abs(self.normal) @ place)[..., 0], least) + 1e-300
+        self.speed = np.maximum((np.abs(self.normal) @ motion)[..., 0], least) + 1e-300
+
+    def _least_size(self, slopes: np.ndarray) -> np.ndarray:
+        """(..., 1) the least size of a gap [m], or of a rate [m/s], as `least_size` of the loop."""
+        turned = np.abs(value_of(slopes)) * np.tile(np.array(angles(self.module)), 2)
+        return _searching(self.module)["SMALL"] * turned.max(axis=(-2, -1), initial=0.0)[..., None]
 
     @property
     def closed(self) -> np.ndarray:
@@ -134,19 +140,7 @@ def _standing(
     n = len(module.STATES) // 2
     free = np.array([name not in named for name in module.STATES])
     free &= np.tile(np.array(angles(module)) == 0.0, 2)
-    places = free[:n]
-    for _ in range(50):
-        points = Points(module, y, p)
-        if not len(points.gap):
-            return y
-        lowest = int(np.argmin(points.gap))
-        lever = points.normal[lowest] * places
-        done = abs(points.gap[lowest]) <= 1e-15 * points.size[lowest]
-        if not lever.any() or (done and y.dtype != object):  # a gap that is none has derivatives
-            break
-        y[:n] -= points.gap[lowest] * lever / (lever @ lever)
-        if done:
-            break
+    y[:n] = _lowest_standing(module, y, p, free[:n])
     points = Points(module, y, p)
     down = points.closed
     if not down.any() or not free[n:].any():
@@ -168,6 +162,43 @@ def _standing(
         if fits[: len(held)].all() and opens[down].all():
             return moved
     return y
+
+
+def _lowest_standing(
+    module: ModuleType, y: np.ndarray, p: np.ndarray, free: np.ndarray
+) -> np.ndarray:
+    """Positions (n,), those that are free (n,) moved the least, so that the lowest points stand.
+
+    By Newton's method on the gaps of all points that were the lowest, so that a body does not
+    leave what it stands on when another one is moved.
+    """
+    y, n = y.copy(), len(free)
+    held: list[int] = []
+    for _ in range(50 if len(module.POINTS) else 0):
+        points = Points(module, y, p)
+        lowest = int(np.argmin(points.gap))
+        rounding = 1e-15 * points.size
+        if not held or points.gap[lowest] < -rounding[lowest]:
+            held = _with_independent(held, lowest, points.normal * free)
+        rows, gaps = points.normal[held] * free, points.gap[held]
+        done = bool((np.abs(gaps) <= rounding[held]).all())
+        # a gap that is none has derivatives
+        if not rows.any() or (done and y.dtype != object):
+            break
+        if len(held) == 1:
+            y[:n] -= gaps[0] * rows[0] / (rows[0] @ rows[0])
+        else:
+            y[:n] -= _least_squares(rows, gaps)
+        if done:
+            break
+    return y[:n]
+
+
+def _with_independent(held: list[int], point: int, rows: np.ndarray) -> list[int]:
+    """Points that can be placed independently, with a further one; it alone where they cannot."""
+    more = [*held, *({point} - {*held})]
+    rank = np.linalg.matrix_rank(value_of(rows[more]).astype(float))
+    return more if rank == len(more) else [point]
 
 
 def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:
