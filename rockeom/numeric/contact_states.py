@@ -133,19 +133,7 @@ def _standing(
     n = len(module.STATES) // 2
     free = np.array([name not in named for name in module.STATES])
     free &= np.tile(np.array(angles(module)) == 0.0, 2)
-    places = free[:n]
-    for _ in range(50):
-        points = Points(module, y, p)
-        if not len(points.gap):
-            return y
-        lowest = int(np.argmin(points.gap))
-        lever = points.normal[lowest] * places
-        done = abs(points.gap[lowest]) <= 1e-15 * points.size[lowest]
-        if not lever.any() or (done and y.dtype != object):  # a gap that is none has derivatives
-            break
-        y[:n] -= points.gap[lowest] * lever / (lever @ lever)
-        if done:
-            break
+    y[:n] = _touching(module, y, p, np.flatnonzero(free[:n]))
     points = Points(module, y, p)
     down = points.closed
     if not down.any() or not free[n:].any():
@@ -164,6 +152,46 @@ def _standing(
         if fits[: len(held)].all() and opens[down].all():
             return moved
     return y
+
+
+def _touching(module: ModuleType, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
+    """The coordinates (n,) with those of numbers `free` moved until the lowest points touch.
+
+    Newton's method for all gaps that were the lowest one: the lower of two bodies moves the gaps
+    of the upper one, so gaps that close one at a time do not stay closed.
+    """
+    y = y.copy()
+    held: list[int] = []
+    for _ in range(50):
+        points = Points(module, y, p)
+        if not len(points.gap):
+            break
+        gap, rounding = value_of(points.gap), 1e-15 * value_of(points.size)
+        levers, lowest = points.normal[:, free], int(np.argmin(gap))
+        if lowest not in held and (not held or gap[lowest] < -rounding[lowest]):
+            if not value_of(levers[lowest]).any():
+                break
+            held = _joined(held, lowest, value_of(levers))
+        done = bool((np.abs(gap[held]) <= rounding[held]).all())
+        if done and y.dtype != object:  # a gap that is none has derivatives
+            break
+        # places that no gap depends on stay as they are, to the last bit; they have derivatives
+        moves = np.full(len(free), True) if y.dtype == object else levers[held].any(axis=0)
+        y[free[moves]] -= _least_squares(levers[held][:, moves], points.gap[held])
+        if done:
+            break
+    return y[: len(module.STATES) // 2]
+
+
+def _joined(held: list[int], lowest: int, levers: np.ndarray) -> list[int]:
+    """The points held and the lowest one, which replaces one that cannot touch at the same time."""
+    if held:
+        share = np.linalg.lstsq(levers[held].T, levers[lowest], rcond=None)[0]
+        lacking = levers[lowest] - share @ levers[held]
+        if np.linalg.norm(lacking) <= _CLOSED * np.linalg.norm(levers[lowest]):
+            replaced = int(np.argmax(share))
+            held = [*held[:replaced], *held[replaced + 1 :]]
+    return [*held, lowest]
 
 
 def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:
