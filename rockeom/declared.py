@@ -12,13 +12,16 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from rockeom.numeric.program import announce, load_text
+from rockeom.numeric.program import announce, load_text, say
 from rockeom.numeric.store import kept
 from rockeom.numeric.structures import SHIPPED, DeclaredStructure, Structure, class_of
 from rockeom.sources import digest
 
 if TYPE_CHECKING:
     from rockeom.symbolic import RockingModel
+
+MANY_CONTACT_STATES = 30
+"""The derivation of more contact states takes many seconds, and is announced before it begins."""
 
 _CLASSES: dict[int, tuple[RockingModel, type[DeclaredStructure]]] = {}
 
@@ -71,9 +74,13 @@ def module_of(name: str, **arguments: str | int) -> ModuleType:
 def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> ModuleType:
     def text() -> bytes:
         from rockeom.codegen import module_text
+        from rockeom.codegen.text import contact_names
 
         started = time.monotonic()
         of = model()
+        states = len(contact_names(of.reduced))
+        if states > MANY_CONTACT_STATES:
+            say(f"deriving {of.name} with {states} contact states")
         found = module_text(of).encode()
         announce(f"derived {of.name}", started)
         return found

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from rockeom.codegen.text import Text
-from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.algebra import MOST_TERMS, SIDE, number_of_terms, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 TOTAL_GRAVITY = sp.Symbol("total_gravity")
@@ -49,7 +49,7 @@ def eliminated(
     """(what is to be evaluated, by name; the lines behind it that solve), see `solve`."""
 
     def collected(expr: sp.Expr) -> sp.Expr:
-        if gravity is None:
+        if gravity is None or number_of_terms(expr) > MOST_TERMS:
             return expr
         sums = by_states(text, expr)
         return _collected(text, expr, gravity) if sums is None else sums
@@ -173,6 +173,8 @@ def _collected(text: Text, expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
 
     What a sine is multiplied by is found while the processor still works on the sine.
     """
+    if number_of_terms(expr) > MOST_TERMS:
+        return expr
     expr = sp.expand(expr.subs(GROUND_Y, TOTAL_GRAVITY - gravity))
     moving = (f for f in expr.atoms(sp.sin, sp.cos) if not text.fixed(f))
 

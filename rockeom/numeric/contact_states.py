@@ -140,7 +140,7 @@ def _standing(
     n = len(module.STATES) // 2
     free = np.array([name not in named for name in module.STATES])
     free &= np.tile(np.array(angles(module)) == 0.0, 2)
-    y[:n] = _lowest_standing(module, y, p, free[:n])
+    y[:n] = _touching(module, y, p, np.flatnonzero(free[:n]))
     points = Points(module, y, p)
     down = points.closed
     if not down.any() or not free[n:].any():
@@ -164,41 +164,44 @@ def _standing(
     return y
 
 
-def _lowest_standing(
-    module: ModuleType, y: np.ndarray, p: np.ndarray, free: np.ndarray
-) -> np.ndarray:
-    """Positions (n,), those that are free (n,) moved the least, so that the lowest points stand.
+def _touching(module: ModuleType, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
+    """The coordinates (n,) with those of numbers `free` moved until the lowest points touch.
 
-    By Newton's method on the gaps of all points that were the lowest, so that a body does not
-    leave what it stands on when another one is moved.
+    Newton's method for all gaps that were the lowest one: the lower of two bodies moves the gaps
+    of the upper one, so gaps that close one at a time do not stay closed.
     """
-    y, n = y.copy(), len(free)
+    y = y.copy()
     held: list[int] = []
-    for _ in range(50 if len(module.POINTS) else 0):
+    for _ in range(50):
         points = Points(module, y, p)
-        lowest = int(np.argmin(points.gap))
-        rounding = 1e-15 * points.size
-        if not held or points.gap[lowest] < -rounding[lowest]:
-            held = _with_independent(held, lowest, points.normal * free)
-        rows, gaps = points.normal[held] * free, points.gap[held]
-        done = bool((np.abs(gaps) <= rounding[held]).all())
-        # a gap that is none has derivatives
-        if not rows.any() or (done and y.dtype != object):
+        if not len(points.gap):
             break
-        if len(held) == 1:
-            y[:n] -= gaps[0] * rows[0] / (rows[0] @ rows[0])
-        else:
-            y[:n] -= _least_squares(rows, gaps)
+        gap, rounding = value_of(points.gap), 1e-15 * value_of(points.size)
+        levers, lowest = points.normal[:, free], int(np.argmin(gap))
+        if lowest not in held and (not held or gap[lowest] < -rounding[lowest]):
+            if not value_of(levers[lowest]).any():
+                break
+            held = _joined(held, lowest, value_of(levers))
+        done = bool((np.abs(gap[held]) <= rounding[held]).all())
+        if done and y.dtype != object:  # a gap that is none has derivatives
+            break
+        # places that no gap depends on stay as they are, to the last bit; they have derivatives
+        moves = np.full(len(free), True) if y.dtype == object else levers[held].any(axis=0)
+        y[free[moves]] -= _least_squares(levers[held][:, moves], points.gap[held])
         if done:
             break
-    return y[:n]
+    return y[: len(module.STATES) // 2]
 
 
-def _with_independent(held: list[int], point: int, rows: np.ndarray) -> list[int]:
-    """Points that can be placed independently, with a further one; it alone where they cannot."""
-    more = [*held, *({point} - {*held})]
-    rank = np.linalg.matrix_rank(value_of(rows[more]).astype(float))
-    return more if rank == len(more) else [point]
+def _joined(held: list[int], lowest: int, levers: np.ndarray) -> list[int]:
+    """The points held and the lowest one, which replaces one that cannot touch at the same time."""
+    if held:
+        share = np.linalg.lstsq(levers[held].T, levers[lowest], rcond=None)[0]
+        lacking = levers[lowest] - share @ levers[held]
+        if np.linalg.norm(lacking) <= _CLOSED * np.linalg.norm(levers[lowest]):
+            replaced = int(np.argmax(share))
+            held = [*held[:replaced], *held[replaced + 1 :]]
+    return [*held, lowest]
 
 
 def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:

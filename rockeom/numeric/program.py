@@ -214,8 +214,14 @@ def announce(done: str, started: float) -> None:
     started : by time.monotonic().
     """
     took = time.monotonic() - started
-    if took > 1.0 and sys.stderr is not None:  # None: a program without a console
-        sys.stderr.write(f"rockeom: {done} in {took:.1f} s, once on this machine\n")
+    if took > 1.0:
+        say(f"{done} in {took:.1f} s, once on this machine")
+
+
+def say(line: str) -> None:
+    """Write a line about work that a user waits for to stderr."""
+    if sys.stderr is not None:  # None: a program without a console
+        sys.stderr.write(f"rockeom: {line}\n")
         sys.stderr.flush()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
+from math import comb, prod
 
 import sympy as sp
 
@@ -31,6 +32,24 @@ def square_is(expr: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
 def angles_in(expr: sp.Expr) -> list[sp.Expr]:
     found = {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}
     return sorted(found, key=sp.default_sort_key)
+
+
+MOST_TERMS = 110
+"""An expression with more terms stays a sum of products: expanded, it would take minutes and
+megabytes where two bodies turn on one another, and no term would cancel. Others have up to 103."""
+
+
+@lru_cache(maxsize=65536)  # the same factors occur in all entries of a matrix
+def number_of_terms(expr: sp.Expr) -> int:
+    """The number of terms of an expanded expression, before any of them cancel."""
+    if expr.is_Add:
+        return sum(map(number_of_terms, expr.args))
+    if expr.is_Mul:
+        return prod(map(number_of_terms, expr.args))
+    if expr.is_Pow and expr.exp.is_Integer and expr.exp > 0:
+        terms, power = number_of_terms(expr.base), int(expr.exp)
+        return comb(terms + power - 1, power)
+    return 1
 
 
 @lru_cache(maxsize=4096)  # models are derived again and again in a session

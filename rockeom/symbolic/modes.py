@@ -38,7 +38,15 @@ from rockeom.contract import (
     SLIP_RIGHT,
     STICK,
 )
-from rockeom.symbolic.algebra import SIDE, angles_in, determinant, square_is, tidy
+from rockeom.symbolic.algebra import (
+    MOST_TERMS,
+    SIDE,
+    angles_in,
+    determinant,
+    number_of_terms,
+    square_is,
+    tidy,
+)
 from rockeom.symbolic.beds import Combination, both, combinations_of
 from rockeom.symbolic.check import repeated
 from rockeom.symbolic.contacts import Model
@@ -849,7 +857,10 @@ def _words(model: Model, groups: Mapping[tuple[int, ...], int]) -> list[str]:
 
 
 def brief(expr: sp.Expr) -> sp.Expr:
-    """`tidy`, and the square of a sign of slip is 1."""
+    """`tidy`, and the square of a sign of slip is 1; an expression of too many terms stays."""
+    expr = sp.sympify(expr)
+    if number_of_terms(expr) > MOST_TERMS:
+        return expr
     expr = tidy(expr)
     for symbol in sorted(expr.free_symbols, key=str):
         if str(symbol).startswith(r"\sigma"):
@@ -893,8 +904,12 @@ def _positive_below(expr: sp.Expr) -> sp.Expr:
 
 
 def _vanishes(expr: sp.Expr) -> bool:
-    """Whether an expression is zero whatever its symbols are: square roots may hide it."""
-    if expr == 0 or not expr.atoms(sp.Pow, sp.atan):
+    """Whether an expression is zero whatever its symbols are.
+
+    Square roots may hide it, and products that are not expanded.
+    """
+    plain = not expr.atoms(sp.Pow, sp.atan) and number_of_terms(expr) <= MOST_TERMS
+    if expr == 0 or plain:
         return expr == 0
     rng = np.random.default_rng(3)
     symbols = sorted(expr.free_symbols, key=str)

@@ -183,3 +183,82 @@ def braced_block() -> Model:
         law=LAW,
     )
     return replace(of, contacts=on_feet, **maxwell(placed((0, at.symbol))[0]))
+
+
+def _of_two_bodies(name: str, more_symbols, more, second, upper, law) -> Model:
+    """A block, and a body on its top, each in axes of the ground, from its mass centre.
+
+    upper : places of the points of the second body by name, beside the ground.
+    """
+    b, h, m_2, i_2 = more_symbols
+    x, y, theta = X.position, Y.position, THETA.position
+    contacts = []
+    for foot, s in (("left", -1), ("right", 1)):
+        along, up = placed((s * b, -h))
+        contacts.append(Contact(foot, gap=up, slip=along, law=law))
+    for foot, place in upper.items():
+        dx, dy = place[0] - x, place[1] - y
+        contacts.append(
+            Contact(
+                foot,
+                gap=dx * sp.sin(theta) + dy * sp.cos(theta) - h,
+                slip=dx * sp.cos(theta) - dy * sp.sin(theta),
+                law=law,
+                place=place,
+            )
+        )
+    centre, rotation = (c.position for c in second[:2]), second[2].position if second[2:] else 0
+    bodies = (
+        Body("lower", MASS.symbol, (x, y), INERTIA.symbol, theta),
+        Body("upper", m_2, tuple(centre), i_2, rotation),
+    )
+    return Model(
+        name=name,
+        title="Two bodies in axes of the ground",
+        parameters=(MASS, INERTIA, GRAVITY, *more),
+        coordinates=(X, Y, THETA, *second),
+        bodies=bodies,
+        gravity=GRAVITY.symbol,
+        rotation=THETA,
+        contacts=tuple(contacts),
+        load_point=(x, y),
+    )
+
+
+_HALF_WIDTH = parameter("b_1", "half_width", "m", "half of the width")
+_HALF_HEIGHT = parameter("h_1", "half_height", "m", "half of the height")
+_UPPER_MASS = parameter("m_2", "upper_mass", "kg", "mass")
+X_2 = coordinate("x_2", "x2", "m", "place of the upper mass centre")
+Y_2 = coordinate("y_2", "y2", "m", "height of the upper mass centre")
+THETA_2 = coordinate("theta_2", "theta2", "rad", "rotation of the upper block")
+NEVER = Rigid(restitution=sp.S.Zero, friction=None)
+
+
+@cache
+def block_and_load() -> Model:
+    """A mass without a size on a block's top."""
+    b, h, m_2 = (p.symbol for p in (_HALF_WIDTH, _HALF_HEIGHT, _UPPER_MASS))
+    return _of_two_bodies(
+        "block_and_load", (b, h, m_2, 0), (_HALF_WIDTH, _HALF_HEIGHT, _UPPER_MASS),
+        (X_2, Y_2), {"foot": (X_2.position, Y_2.position)}, NEVER,
+    )  # fmt: skip
+
+
+@cache
+def two_blocks() -> Model:
+    """A block on a block, as `StackedBlocks`, in other coordinates."""
+    upper = [
+        parameter("b_2", "upper_half_width", "m", "half of the width"),
+        parameter("h_2", "upper_half_height", "m", "half of the height"),
+        parameter("I_2", "upper_inertia", "kg m2", "moment of inertia about the centroid"),
+    ]
+    b_2, h_2, i_2 = (p.symbol for p in upper)
+    b, h, m_2 = (p.symbol for p in (_HALF_WIDTH, _HALF_HEIGHT, _UPPER_MASS))
+    at = (X_2.position, Y_2.position, THETA_2.position)
+    corners = {
+        f"upper_{foot}": placed((s * b_2, -h_2), *at) for foot, s in (("left", -1), ("right", 1))
+    }
+    return _of_two_bodies(
+        "two_blocks", (b, h, m_2, i_2), (_HALF_WIDTH, _HALF_HEIGHT, _UPPER_MASS, *upper),
+        (X_2, Y_2, THETA_2), corners, NEVER,
+    )  # fmt: skip

@@ -21,7 +21,7 @@ def test_contacts_that_never_slip_are_not_blamed_for_their_friction(monkeypatch,
         contact_states.by_forces(STACK.module, 0, None, None, (0.0, 0.0))
     assert str(told.value).startswith(f"{many} contact state of stacked_blocks fits")
     assert "less friction" not in str(told.value)
-    with pytest.raises(ValueError, match="Painleve.: give less friction"):
+    with pytest.raises(ValueError, match=r"Painleve.: give less friction"):
         contact_states.by_forces(BLOCK.module, 0, None, None, (0.0, 0.0))
 
 
