@@ -40,6 +40,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
+from rockeom.analysis.sweeps import finished
 from rockeom.dual import Dual
 
 FEIGENBAUM = 4.669201609102990
@@ -54,6 +55,7 @@ _CLOSED = 1e-10
 _CORRECTIONS = 8
 """Steps of Newton's method after which a shorter step along the branch is tried."""
 
+_INTERRUPTED = "it was interrupted"
 _SHORTEST = 1e-10
 """Step along a branch, in parts of it, below which the branch has ended."""
 
@@ -118,6 +120,11 @@ class OrbitBranch:
             f"<OrbitBranch: {len(self.values)} motions from {self.values[0]:.6g} to "
             f"{self.values[-1]:.6g}; {', '.join((*passed, self.ended))}>"
         )
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether a keyboard interrupt ended the branch, which may go on."""
+        return self.ended == _INTERRUPTED
 
     @property
     def stable(self) -> np.ndarray:
@@ -412,7 +419,7 @@ def _followed(
                 points = [*_apart(points, step / 1000), here]
             continue
         except KeyboardInterrupt:
-            ended = "it was interrupted"
+            ended = _INTERRUPTED
             continue
         bifurcations += [bifurcation for bifurcation, _ in found]
         points += [*(point for _, point in found), there]
@@ -488,7 +495,7 @@ def period_doublings(
     stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
-    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
+    branch = finished(orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS))
     found: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
         found.append(flips[0])
@@ -498,7 +505,7 @@ def period_doublings(
         if len(found) > 1:  # the next is likely to be half as far as this end
             ahead = here + (here - found[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS)
+        branch = finished(branch.switched(found[-1], (here, last), step=0.1, until=FLIPS))
     return Cascade(tuple(found))
 
 
@@ -524,8 +531,8 @@ def bifurcation_value(
         raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
     kinds = FLIPS if multiplier < 0 else ("fold", "branch point")
     parts = tolerance / abs(between[1] - between[0])
-    branch = orbit_branch(
-        stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts
+    branch = finished(
+        orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts)
     )
     for one in branch.bifurcations:
         if one.kind in kinds:

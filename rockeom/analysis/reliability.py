@@ -29,7 +29,7 @@ import numpy as np
 from scipy.special import ndtr
 
 from rockeom.analysis.arguments import require
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, finished, outcome_labels, peaks_of
 from rockeom.dual import Dual
 
 if TYPE_CHECKING:
@@ -232,8 +232,9 @@ def monte_carlo(
     how : what else `simulate_many` takes: options, threads, progress, and store, a folder in which
         what is done is kept, so that the same call goes on where it was stopped.
 
-    Cases that were not run or gave no answer are not counted, but told: `left_out`. Raises
-    ValueError for bad arguments, and where no case gave an answer.
+    Cases that gave no answer are not counted, but told: `left_out`. An interrupt is raised, as some
+    of the samples are no sample. Raises ValueError for bad arguments, and where no case gave an
+    answer.
     """
     from rockeom.numeric.ensemble import simulate_many
 
@@ -242,7 +243,7 @@ def monte_carlo(
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(case(**space.values(u[0])))
-    sweep = simulate_many(case, space.table(u), arrays=True, quantities=kept, **how)
+    sweep = finished(simulate_many(case, space.table(u), arrays=True, quantities=kept, **how))
     fails, answered = condition.of_sweep(sweep)
     if not answered.any():
         raise ValueError(
@@ -556,12 +557,10 @@ class _Fates:
 
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
-        sweep = simulate_many(
+        sweep = finished(simulate_many(
             self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
             lanes=False, progress=False,
-        )  # fmt: skip
-        if sweep.attrs["interrupted"]:
-            raise KeyboardInterrupt
+        ))  # fmt: skip
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():
             row = int(np.argmin(answered))
