@@ -103,7 +103,7 @@ def restitution_envelope(
         i, j = lost[0]
         raise ValueError(
             f"{where}: {len(lost)} of {outcome.size} motions give no answer, so no largest one is "
-            f"known: with r = {r[i]:g} {motions[j].name!r} ends {outcome[i, j]!r} at "
+            f"known: with r = {r[i]:g} {motions[j].name!r} ends {str(outcome[i, j])!r} at "
             f"{found.final_time.values[i, j]:.4g} s: leave it out, or change the structure"
         )
     overturned = outcome == FALLS
