@@ -40,13 +40,11 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
+from rockeom.analysis.sweeps import finished
 from rockeom.dual import Dual
 
 FEIGENBAUM = 4.669201609102990
 """The limit of the ratio of distances between one period doubling and the next."""
-
-INTERRUPTED = "it was interrupted"
-"""Why a branch ended that an interrupt cut short."""
 
 FLIPS = ("symmetry breaking", "period doubling")
 """Bifurcations with a multiplier -1, behind which a motion needs twice the cycles."""
@@ -57,6 +55,7 @@ _CLOSED = 1e-10
 _CORRECTIONS = 8
 """Steps of Newton's method after which a shorter step along the branch is tried."""
 
+_INTERRUPTED = "it was interrupted"
 _SHORTEST = 1e-10
 """Step along a branch, in parts of it, below which the branch has ended."""
 
@@ -122,11 +121,10 @@ class OrbitBranch:
             f"{self.values[-1]:.6g}; {', '.join((*passed, self.ended))}>"
         )
 
-    def completed(self) -> OrbitBranch:
-        """The branch itself; raises KeyboardInterrupt where an interrupt ended it early."""
-        if self.ended == INTERRUPTED:
-            raise KeyboardInterrupt
-        return self
+    @property
+    def interrupted(self) -> bool:
+        """Whether a keyboard interrupt ended the branch, which may go on."""
+        return self.ended == _INTERRUPTED
 
     @property
     def stable(self) -> np.ndarray:
@@ -421,7 +419,7 @@ def _followed(
                 points = [*_apart(points, step / 1000), here]
             continue
         except KeyboardInterrupt:
-            ended = INTERRUPTED
+            ended = _INTERRUPTED
             continue
         bifurcations += [bifurcation for bifurcation, _ in found]
         points += [*(point for _, point in found), there]
@@ -497,7 +495,7 @@ def period_doublings(
     stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
-    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS).completed()
+    branch = finished(orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS))
     found: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
         found.append(flips[0])
@@ -507,7 +505,7 @@ def period_doublings(
         if len(found) > 1:  # the next is likely to be half as far as this end
             ahead = here + (here - found[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        branch = branch.switched(found[-1], (here, last), step=0.1, until=FLIPS).completed()
+        branch = finished(branch.switched(found[-1], (here, last), step=0.1, until=FLIPS))
     return Cascade(tuple(found))
 
 
@@ -533,9 +531,9 @@ def bifurcation_value(
         raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
     kinds = FLIPS if multiplier < 0 else ("fold", "branch point")
     parts = tolerance / abs(between[1] - between[0])
-    branch = orbit_branch(
-        stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts
-    ).completed()
+    branch = finished(
+        orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts)
+    )
     for one in branch.bifurcations:
         if one.kind in kinds:
             return one.value

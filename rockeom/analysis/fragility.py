@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from scipy.special import log_ndtr, ndtr, ndtri
 
 from rockeom.analysis.arguments import numbers, positive, require
-from rockeom.analysis.sweeps import FALLS, STANDS, check_complete, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, check_finished, outcome_labels, peaks_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,8 +122,8 @@ def fragility_of(
     demand, limit : of the state or quantity whose largest size is to stay below the limit [its
         unit]; who overturns exceeds it. If neither is given, overturning is meant.
 
-    Cases that were not run or gave no answer are not counted, but told: `left_out`. Otherwise as
-    `fit_fragility`. Raises ValueError also for names that the sweep does not have.
+    Cases that gave no answer are not counted, but told: `left_out`. Otherwise as `fit_fragility`.
+    Raises ValueError also for names that the sweep does not have, and for cases that were not run.
     """
     if (limit is None) != (demand is None):
         raise ValueError("fragility_of: demand and limit belong together: give both or neither")
@@ -132,7 +132,7 @@ def fragility_of(
             f"fragility_of: the sweep has no coordinate {intensity!r}; it has "
             f"{', '.join(map(str, sweep.coords))}"
         )
-    check_complete("fragility_of", sweep)
+    check_finished("fragility_of", sweep)
     labels = outcome_labels(sweep)
     fell = labels == FALLS
     answered = fell | labels.isin(STANDS)

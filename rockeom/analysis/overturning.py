@@ -29,7 +29,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import positive, slenderness
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
+from rockeom.analysis.sweeps import FALLS, STANDS, check_finished, finished, outcome_labels
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
@@ -142,13 +142,15 @@ def overturning_boundaries(
     their middle. An interval with a case without an answer stays as long as it is. A keyboard
     interrupt returns what there is, with `attrs["interrupted"]` 1.
 
-    Raises ValueError for a sweep that is no grid, and for names that hold no numbers.
+    Raises ValueError for a sweep that is no grid or was not run to its end, and for names that hold
+    no numbers.
     """
     (parts,) = positive("overturning_boundaries", accuracy=accuracy)
     fates = _Fates(case, most, {"arrays": arrays, "options": options, "threads": threads})
     if "low" in sweep and sweep["low"].dims == (_DIM,):
         found = _Brackets.of(sweep)
     else:
+        check_finished("overturning_boundaries", sweep)
         found = _neighbours(sweep, _along(sweep, along), fates)
     return _halved(found, float(parts), fates, progress)
 
@@ -163,10 +165,10 @@ class _Fates:
 
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
-        from rockeom.numeric.ensemble import simulate_all
+        from rockeom.numeric.ensemble import simulate_many
 
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
-        found = simulate_all(self.case, table, progress=False, **self.how)
+        found = finished(simulate_many(self.case, table, progress=False, **self.how))
         return impacts_before_overturning(found, self.most).values
 
 
@@ -343,9 +345,14 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
     boundary between standing and overturning are missing: nothing of the sweep overturned there, or
     all of it did. A window of overturning that the sweep did not see is not seen here.
 
-    Source: Zhang and Makris (2001). Raises ValueError for a name that is not there, and where
-    nothing was found along y.
+    Source: Zhang and Makris (2001). Raises ValueError for a name that is not there, where nothing
+    was found along y, and for boundaries whose search was interrupted.
     """
+    if boundaries.attrs.get("interrupted"):
+        raise ValueError(
+            "minimum_overturning: the search for the boundaries was interrupted: give them to "
+            "overturning_boundaries, which goes on from there"
+        )
     for name in (x, y):
         if name not in boundaries.coords:
             raise ValueError(

@@ -29,7 +29,7 @@ import numpy as np
 from scipy.special import ndtr
 
 from rockeom.analysis.arguments import require
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, finished, outcome_labels, peaks_of
 from rockeom.dual import Dual
 
 if TYPE_CHECKING:
@@ -232,17 +232,18 @@ def monte_carlo(
     how : what else `simulate_many` takes: options, threads, progress, and store, a folder in which
         what is done is kept, so that the same call goes on where it was stopped.
 
-    Cases that were not run or gave no answer are not counted, but told: `left_out`. Raises
-    ValueError for bad arguments, and where no case gave an answer.
+    Cases that gave no answer are not counted, but told: `left_out`. An interrupt is raised, as some
+    of the samples are no sample. Raises ValueError for bad arguments, and where no case gave an
+    answer.
     """
-    from rockeom.numeric.ensemble import simulate_all
+    from rockeom.numeric.ensemble import simulate_many
 
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(case(**space.values(u[0])))
-    sweep = simulate_all(case, space.table(u), arrays=True, quantities=kept, **how)
+    sweep = finished(simulate_many(case, space.table(u), arrays=True, quantities=kept, **how))
     fails, answered = condition.of_sweep(sweep)
     if not answered.any():
         raise ValueError(
@@ -552,14 +553,14 @@ class _Fates:
 
     def _fail(self, u: np.ndarray) -> np.ndarray:
         """(n,) whether structures with the deviates u (n, k) fail."""
-        from rockeom.numeric.ensemble import simulate_all
+        from rockeom.numeric.ensemble import simulate_many
 
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
-        sweep = simulate_all(
+        sweep = finished(simulate_many(
             self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
             lanes=False, progress=False,
-        )  # fmt: skip
+        ))  # fmt: skip
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():
             row = int(np.argmin(answered))

@@ -32,7 +32,7 @@ import xarray as xr
 
 from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
 from rockeom.analysis.orbits import StroboscopicMap
-from rockeom.analysis.sweeps import FALLS, STANDS, check_complete
+from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS, check_finished
 from rockeom.arguments import told, whole_number
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble import simulate_many
@@ -150,13 +150,15 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
 
     Returns the dataset with `fate` of each start: from 1 on the number of its orbit, the one with
     the most starts first; 0 not periodic within the cycles kept, whether chaotic, of a long period
-    or not yet settled; -1 overturned; -2 not run, or without an answer. flag_values and
+    or not yet settled; -1 overturned; -2 without an answer. flag_values and
     flag_meanings say so. orbit_cycles and orbit_state, a look at it, are those of each orbit.
 
-    Raises ValueError for sections of several maps and for a tolerance that is not positive.
+    Raises ValueError for sections of several maps or that were not run to their end, and for a
+    tolerance that is not positive.
     """
     (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
     dims_of_starts("basins", sections)  # refuses others
+    check_finished("basins", sections)
     strobe = sections["strobe"].values
     looks = strobe.reshape(-1, *strobe.shape[-2:])
     labels = sections["outcome"].values.ravel()
@@ -197,7 +199,6 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
     """
     from scipy.stats import binomtest  # takes long to import
 
-    check_complete("basin_stability", basins)
     require(0.0 < level < 1.0, "basin_stability", "level", level, "it lies between 0 and 1")
     fate = basins["fate"]
     known = fate.values[fate.values > UNKNOWN]
@@ -283,7 +284,7 @@ class _Plan:
             np.repeat(self.maps, self.starts.total),
             np.concatenate([_states(self.starts, one.structure) for one in self.maps]),
             np.full(n, "", dtype=object),
-            np.full(n, "not run", dtype=object),
+            np.full(n, NOT_RUN, dtype=object),
         )
 
     @property
@@ -425,6 +426,7 @@ class _Motions:
                 found[key][there[stands]] = sweep[key].values[stands]
         if self.interrupted:
             self.y[:] = np.nan
+            self.outcome[np.isin(self.outcome, STANDS)] = NOT_RUN
         self.how.line.add(n * cycles)
         return found
 

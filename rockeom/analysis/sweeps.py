@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol, TypeVar
+
 import numpy as np
 import xarray as xr
 
@@ -9,25 +11,45 @@ RESTS = "came to rest"
 STANDS = ("completed", RESTS)
 """Outcomes of cases that were followed to their end and did not fall."""
 FALLS = "overturned"
+NOT_RUN = "not run"
+"""The label of a case that an interrupt left out: no outcome."""
 
 
-def check_answered(where: str, sweep: xr.Dataset) -> None:
-    """Raises ValueError, naming the first case, where one ended early and did not overturn."""
-    lost = ~outcome_labels(sweep).isin((*STANDS, FALLS)).values
-    if lost.any():
-        row = tuple(np.argwhere(lost)[0])
-        outcome, dims = sweep["outcome"], sweep["outcome"].dims
-        at = ", ".join(f"{d} {sweep[d].values[i]}" for d, i in zip(dims, row, strict=True))
+Result = TypeVar("Result", bound="Interruptible | xr.Dataset")
+
+
+class Interruptible(Protocol):
+    """A result of long work, no dataset, that a keyboard interrupt may have ended early."""
+
+    @property
+    def interrupted(self) -> bool: ...
+
+
+def finished(result: Result) -> Result:
+    """A result of long work from which another answer follows, if the work was done to its end.
+
+    A call by the user returns what is done at an interrupt. A call inside the package has no reader
+    for that, so each goes through this function, which raises the interrupt again.
+    """
+    if isinstance(result, xr.Dataset):
+        interrupted = result.attrs.get("interrupted")
+    else:
+        interrupted = result.interrupted
+    if interrupted:
+        raise KeyboardInterrupt
+    return result
+
+
+def check_finished(function: str, sweep: xr.Dataset) -> None:
+    """Raises ValueError, with the remedy, for a sweep of which some cases were not run."""
+    labels = outcome_labels(sweep).values
+    missing = int((labels == NOT_RUN).sum())
+    if missing:
         raise ValueError(
-            f"{where}: the run of {at} ended at {sweep['final_time'].values[row]:.6g} s without an "
-            f"answer: its outcome is {str(outcome.values[row])!r}; leave it out"
+            f"{function}: {missing} of {labels.size} cases were not run, and no answer follows "
+            "from the others alone: run them all again, with the same store if there is one, or "
+            "select the cases that were run"
         )
-
-
-def check_complete(where: str, sweep: xr.Dataset) -> None:
-    """Raises ValueError for a sweep that was interrupted: what ran of it is no sample."""
-    if sweep.attrs.get("interrupted"):
-        raise ValueError(f"{where}: the sweep was interrupted: run it to its end first")
 
 
 def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:

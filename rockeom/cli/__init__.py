@@ -52,10 +52,18 @@ Each command explains itself: rockeom simulate --help
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run a command and return its exit code: 0 done, 1 a check failed, 2 bad input.
+    """Run a command; the exit code is 0 done, 1 a check failed, 2 bad input, 130 interrupted.
 
     Bad input ends with one message on the standard error that says what, where and the remedy.
     """
+    try:
+        return _run(argv)
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130
+
+
+def _run(argv: Sequence[str] | None) -> int:
     parser = _parser()
     args, unknown = parser.parse_known_args(argv)
     if unknown:  # told by the command itself, with its own usage
@@ -81,9 +89,6 @@ def main(argv: Sequence[str] | None = None) -> int:
             raise
         print(f"rockeom {args.command}: {error}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        return 130
 
 
 def _of_arguments() -> tuple[type, ...]:

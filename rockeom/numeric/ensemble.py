@@ -200,17 +200,6 @@ def simulate_many(
     return found
 
 
-def simulate_all(case: Callable[..., Case], over: Any, **how: Any) -> Sweep:
-    """As `simulate_many`, for callers that reduce the sweep to an answer: an interrupt is raised.
-
-    how : what else `simulate_many` takes.
-    """
-    sweep = simulate_many(case, over, **how)
-    if sweep.attrs["interrupted"]:
-        raise KeyboardInterrupt
-    return sweep
-
-
 def _check_function(case: Any, cases: Cases) -> None:
     """Raises TypeError for what is no function of the names of a sweep."""
     names = cases.values

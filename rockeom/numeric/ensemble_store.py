@@ -2,7 +2,9 @@
 
 It is a zarr group with an array of each thing that is kept, a row a case. The outcome of a chunk is
 written last; where it was not, its numbers read as zero, which stands for pending. Files are
-written beside their place and then moved, so a process that is killed leaves no half of one.
+written beside their place and then moved, so a process that is killed leaves no half of one. Each
+chunk has a file in each array, also where it holds nothing but zeros or nan: a file that is missing
+is lost, and its chunk is pending.
 """
 
 from __future__ import annotations
@@ -49,9 +51,17 @@ class Store:
     """
 
     def __init__(self, path: Path, group: Any, kept: Kept) -> None:
+        import zarr
+
         self.path, self.kept = path, kept
         self.arrays = _not_empty(kept)
-        self.on_disk = {name: group[name] for name in self.arrays}
+        lost = [name for name in self.arrays if name not in group]
+        if lost:
+            raise ValueError(
+                f"{str(path / lost[0])!r} is missing: the store is damaged, give another one"
+            )
+        with zarr.config.set({"array.write_empty_chunks": True}):
+            self.on_disk = {name: group[name] for name in self.arrays}
         for name, array in self.arrays.items():
             if self.on_disk[name].shape != array.shape:
                 raise ValueError(
@@ -65,20 +75,12 @@ class Store:
         """All chunks that are there, into memory."""
         n = len(self.kept.results.outcome)
         ran = self._read("outcome") != PENDING
-        self.written[:] = np.logical_and.reduceat(ran, np.arange(0, n, self.size))
-        # a chunk whose file was lost from one array would read as nan: it is run again
-        self.written &= [self._whole(chunk) for chunk in range(len(self.written))]
+        whole = np.logical_and.reduceat(ran, np.arange(0, n, self.size))
+        self.written[:] = [whole[chunk] and self._is_there(chunk) for chunk in range(len(whole))]
         there = np.repeat(self.written, self.size)[:n]
         for name, array in self.arrays.items():
             found = self._read(name)[there]
             array[there] = outcomes_of(found) if name == "outcome" else found
-
-    def _whole(self, chunk: int) -> bool:
-        """Whether each array has its file of a chunk."""
-        return all(
-            (self.path / name / "c" / str(chunk)).joinpath(*["0"] * (array.ndim - 1)).is_file()
-            for name, array in self.arrays.items()
-        )
 
     def keep(self, rows: np.ndarray) -> None:
         """Write the chunks that are complete with these rows."""
@@ -92,6 +94,14 @@ class Store:
                     self.on_disk[name][of] = array[of]
             self.on_disk["outcome"][of] = flags_of(outcome)
             self.written[chunk] = True
+
+    def _is_there(self, chunk: int) -> bool:
+        """Whether a chunk has its file in each array."""
+        for name, array in self.on_disk.items():
+            key = array.metadata.encode_chunk_key((chunk,) + (0,) * (array.ndim - 1))
+            if not (self.path / name / key).is_file():
+                return False
+        return True
 
     def _read(self, name: str) -> np.ndarray:
         try:
@@ -142,9 +152,7 @@ def opened(path: Any, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
         ) from error
     _check_same(path, there, definition)
     with _alone(path):
-        # chunks of zeros have files, too: one that is not there was lost
-        with zarr.config.set({"array.write_empty_chunks": True}):
-            store = Store(path, group, kept)
+        store = Store(path, group, kept)
         store.read()
         yield store
 

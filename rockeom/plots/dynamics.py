@@ -15,6 +15,7 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.sections import FALLEN, NOT_PERIODIC, UNKNOWN
+from rockeom.analysis.sweeps import check_finished
 from rockeom.plots import coordinates, style
 
 if TYPE_CHECKING:
@@ -108,6 +109,7 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
             f"{function}: the sections have no impacts: give analysis.poincare_sections impacts=, "
             "the most in a cycle"
         )
+    check_finished(function, sections)
     known = sections["state"].values.tolist()
     if at != "period" and name == "impact_time":
         found = sections[name]

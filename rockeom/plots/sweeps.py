@@ -18,7 +18,7 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.fragility import Fragility, fragility_of
 from rockeom.analysis.overturning import impacts_before_overturning
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, check_finished, outcome_labels, peaks_of
 from rockeom.plots import coordinates, style
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
@@ -206,9 +206,11 @@ def rocking_spectrum(
     Lines have gaps there, and where there is no answer. Source: Makris and Konstantinidis (2003),
     Earthquake Engineering and Structural Dynamics 32(2), 265-289.
 
-    Raises ValueError for names that the sweep does not have, and where it varies others as well.
+    Raises ValueError for names that the sweep does not have, where it varies others as well, and
+    for cases that were not run.
     """
     function = "rocking_spectrum"
+    check_finished(function, sweep)
     labels = outcome_labels(sweep)
     slenderness = (
         sweep[coordinates.known(function, sweep, alpha)] if isinstance(alpha, str) else alpha
@@ -375,13 +377,14 @@ def incremental_dynamic_analysis(
     the band where so many records overturn. Source: Vamvatsikos and Cornell (2002), Earthquake
     Engineering and Structural Dynamics 31(3), 491-514.
 
-    Raises ValueError for names that the sweep does not have, and where `record` is not told.
+    Raises ValueError for names that the sweep does not have, where `record` is not told, and for
+    cases that were not run.
     """
     function = "incremental_dynamic_analysis"
     curves, names = _by_record(function, sweep, intensity, demand, record)
     known = np.concatenate([d[np.isfinite(d)] for _, d in curves])
     if not len(known):
-        raise ValueError(f"{function}: no case has a demand: all overturned, or were not run")
+        raise ValueError(f"{function}: no case has a demand: all overturned, or gave no answer")
     last = 1.04 * known.max() or 1.0
     edge = 1.14 * last
     if ax is None:
@@ -418,6 +421,7 @@ def _by_record(
 
     Cases without an answer are nan.
     """
+    check_finished(function, sweep)
     im = sweep[coordinates.known(function, sweep, intensity)]
     labels = outcome_labels(sweep)
     found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)

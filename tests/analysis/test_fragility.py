@@ -138,7 +138,7 @@ def sweep(outcome=None) -> xr.Dataset:
         ["came to rest", "came to rest", "completed", "overturned", "overturned"],
         ["completed", "overturned", "overturned", "overturned", "overturned"],
         ["completed", "completed", "completed", "completed", "overturned"],
-        ["completed", "completed", "overturned", "not run", "completed"],
+        ["completed", "completed", "overturned", "stalled", "completed"],
     ])  # fmt: skip
     peak = np.where(labels == "overturned", 1.6, 0.02 * np.arange(1, 6))
     return xr.Dataset(
@@ -153,7 +153,7 @@ def sweep(outcome=None) -> xr.Dataset:
 
 def flagged(labels):
     """Numbers with the meanings of CF, in no order."""
-    flags = {"not_run": 0, "overturned": 7, "came_to_rest": 2, "completed": 3}
+    flags = {"stalled": 0, "overturned": 7, "came_to_rest": 2, "completed": 3}
     numbers = np.vectorize(lambda x: flags[x.replace(" ", "_")])(labels)
     attrs = {"flag_values": np.array([*flags.values()]), "flag_meanings": " ".join(flags)}
     return xr.Variable(("record", "pga"), numbers, attrs)

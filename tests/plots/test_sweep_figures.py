@@ -17,7 +17,7 @@ from rockeom.plots import (
 )
 from rockeom.plots.sweeps import _CLASSES
 
-STANDS, FELL, NOT_RUN = "completed", "overturned", "not run"
+STANDS, FELL, NOT_RUN, STALLED = "completed", "overturned", "not run", "stalled"
 
 
 def drawn(figure: Figure) -> Figure:
@@ -169,7 +169,7 @@ def spectrum_of(alphas, peaks, labels) -> xr.Dataset:
 FEW = spectrum_of(
     [0.1, 0.2],
     [[0.05, 0.04], [0.02, 0.01], [1.7, 0.08]],
-    [[STANDS, STANDS], [STANDS, STANDS], [FELL, NOT_RUN]],
+    [[STANDS, STANDS], [STANDS, STANDS], [FELL, STALLED]],
 )
 
 
@@ -232,7 +232,7 @@ def records(labels, peaks=None, names=("a", "b", "c")) -> xr.Dataset:
 SWEEP = records([
     [STANDS, STANDS, FELL, FELL],
     [STANDS, FELL, STANDS, FELL],
-    [STANDS, STANDS, NOT_RUN, STANDS],
+    [STANDS, STANDS, STALLED, STANDS],
 ])  # fmt: skip
 
 

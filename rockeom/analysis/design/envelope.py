@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import positive, require
-from rockeom.analysis.sweeps import FALLS, check_answered
+from rockeom.analysis.sweeps import FALLS, STANDS, finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
@@ -74,11 +74,11 @@ def restitution_envelope(
     motions : whose quiet time at the end is long enough to fall in. ratios (n,) in (0, 1].
     state : whose peaks are kept, the first one of the structure if not given.
 
-    Raises ValueError for a ratio outside (0, 1], an unknown state, and a motion that ended early
-    without overturning: its peak is unknown. An interrupt is raised.
+    Raises ValueError for a ratio outside (0, 1], an unknown state and a motion without an answer,
+    such as one that stalled.
     """
     from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_all
+    from rockeom.numeric.ensemble import simulate_many
     from rockeom.numeric.impact import EnergyRatio
     from rockeom.numeric.structures import Structure
 
@@ -92,12 +92,20 @@ def restitution_envelope(
         return structure(ratio, motions[motion])
 
     over = {"ratio": [float(one) for one in r], "motion": range(len(motions))}
-    found = simulate_all(case, over=over, progress=False)
+    found = finished(simulate_many(case, over=over, progress=False))
     names = [str(one) for one in found["state"].values]
     state = names[0] if state is None else state
     if state not in names:
         raise ValueError(f"{where}: state is {state!r}: choose among {', '.join(names)}")
-    check_answered(where, found)
-    overturned = (found.outcome == FALLS).values
+    outcome = found.outcome.values
+    lost = np.argwhere(~np.isin(outcome, (FALLS, *STANDS)))
+    if len(lost):
+        i, j = lost[0]
+        raise ValueError(
+            f"{where}: {len(lost)} of {outcome.size} motions give no answer, so no largest one is "
+            f"known: with r = {r[i]:g} {motions[j].name!r} ends {str(outcome[i, j])!r} at "
+            f"{found.final_time.values[i, j]:.4g} s: leave it out, or change the structure"
+        )
+    overturned = outcome == FALLS
     peaks = np.where(overturned, np.inf, found.peak.sel(state=state).values)
     return RestitutionEnvelope(r, tuple(m.name for m in motions), peaks, state, overturned)

@@ -34,7 +34,7 @@ from rockeom.analysis.damping import fema_356_damping, priestley_damping
 from rockeom.analysis.periods import rocking_period
 from rockeom.analysis.restitution import energy_ratio_of_block
 from rockeom.analysis.spectra import Spectrum, response_spectrum
-from rockeom.analysis.sweeps import check_answered
+from rockeom.analysis.sweeps import FALLS, STANDS, finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
@@ -200,6 +200,11 @@ class FemaComparison:
         return np.array([one == "overturned" for one in self.outcome])
 
     @property
+    def answered(self) -> np.ndarray:
+        """(n,) whether the block overturned in the integration, or stood to its end."""
+        return np.isin(self.outcome, (FALLS, *STANDS))
+
+    @property
     def ratio(self) -> np.ndarray:
         """(n,) estimate with 2-15 over integration; NaN where one of the two has no rotation."""
         return self._ratio(self.fema)
@@ -211,7 +216,8 @@ class FemaComparison:
 
     def _ratio(self, estimates: tuple[FemaEstimate, ...]) -> np.ndarray:
         found = np.array([one.rotation for one in estimates])
-        rocked = ~self.overturned & (self.rotation > 0) & (found > 0)
+        stood = self.answered & ~self.overturned
+        rocked = stood & (self.rotation > 0) & (found > 0)
         return np.divide(found, self.rotation, out=np.full(len(found), np.nan), where=rocked)
 
     def __str__(self) -> str:
@@ -221,18 +227,19 @@ class FemaComparison:
         alpha over the rotation found.
         """
         lines = [f"{'motion':40} {'2-15':>14} {'2-16':>14} {'integrated':>12} {'ratio':>9}"]
-        rows = zip(self.motions, self.fema, self.priestley, self.rotation, self.overturned,
+        rows = zip(self.motions, self.fema, self.priestley, self.rotation, self.outcome,
                    strict=True)  # fmt: skip
-        for name, one, other, rotation, fell in rows:
+        for name, one, other, rotation, outcome in rows:
             shown = [
                 f"{e.rotation / self.alpha:.3f}" if np.isfinite(e.rotation) else e.outcome
                 for e in (one, other)
             ]
-            found = "overturned" if fell else f"{rotation / self.alpha:.3f}"
+            stood = outcome in STANDS
+            found = f"{rotation / self.alpha:.3f}" if stood else outcome
             ratio = "-"
-            if not fell and one.outcome == CONVERGED:
+            if stood and one.outcome == CONVERGED:
                 ratio = f"{one.rotation / rotation:.2f}"
-            elif not fell and one.outcome == OVERTURNED:
+            elif stood and one.outcome == OVERTURNED:
                 ratio = f"> {self.alpha / rotation:.2f}"
             lines.append(f"{name[:40]:40} {shown[0]:>14} {shown[1]:>14} {found:>12} {ratio:>9}")
         return "\n".join([*lines, "", self.summary()])
@@ -242,6 +249,8 @@ class FemaComparison:
         number = len(self.motions)
         plural = "" if number == 1 else "s"
         text = [f"{number} motion{plural}; integrated: {self.overturned.sum()} overturned"]
+        if lost := int((~self.answered).sum()):
+            text[0] += f", {lost} without an answer"
         for name, estimates, ratio in (
             ("2-15", self.fema, self.ratio),
             ("2-16", self.priestley, self.ratio_2_16),
@@ -253,9 +262,10 @@ class FemaComparison:
             )
             known = ratio[np.isfinite(ratio)]
             fell = np.array([o == OVERTURNED for o in outcomes])
+            stood = self.answered & ~self.overturned
             text.append(
                 f"{name}: {counted}; overturned by both {(fell & self.overturned).sum()}, by the "
-                f"estimate alone {(fell & ~self.overturned).sum()}, by integration alone "
+                f"estimate alone {(fell & stood).sum()}, by integration alone "
                 f"{(~fell & self.overturned).sum()}"
             )
             if len(known):
@@ -283,15 +293,14 @@ def fema_356_against_integration(
     choices : of `fema_356_rocking`, but for the damping, which is 2-15 and 2-16 in turn.
     """
     from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_all
+    from rockeom.numeric.ensemble import simulate_many
 
     shaken = [motion.padded_by(quiet) for motion in motions]
 
     def case(motion: int) -> Case:
         return Case(block, shaken[motion], impact)
 
-    found = simulate_all(case, over={"motion": range(len(shaken))}, progress=False)
-    check_answered("compare_with_fema_356", found)
+    found = finished(simulate_many(case, over={"motion": range(len(shaken))}, progress=False))
     estimates = [
         tuple(fema_356_rocking(block, motion, damping=which, **choices) for motion in motions)
         for which in ("2-15", "2-16")

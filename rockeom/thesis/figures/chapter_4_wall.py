@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.ensemble import simulate_all
+from rockeom.analysis.sweeps import finished
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.plots import free_body as fb, style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
@@ -719,7 +719,7 @@ def figure_4_71() -> Drawn:
         )
         return rk.Case(wall, record)
 
-    found = simulate_all(shaken, over={"r": ratios})
+    found = finished(rk.simulate_many(shaken, over={"r": ratios}))
     peaks = found.peak.sel(state="u").values
     reference = peaks[len(ratios) // 2]
     figure = style.new_figure(7.6, 3.4)
@@ -844,9 +844,9 @@ def branches_of(frequency: float, start: ArrayLike) -> list[analysis.OrbitBranch
     def at(amplitude: float) -> analysis.StroboscopicMap:
         return stroboscope(frequency, amplitude)
 
-    down, up = (analysis.orbit_branch(at, (6.02, end), start).completed() for end in (5.6, 6.5))
+    down, up = (finished(analysis.orbit_branch(at, (6.02, end), start)) for end in (5.6, 6.5))
     flips = [one for one in up.bifurcations if one.kind == "period doubling"]
-    return [down, up, *(up.switched(one).completed() for one in flips[:1])]
+    return [down, up, *(finished(up.switched(one)) for one in flips[:1])]
 
 
 @thesis_figure(Source.COMPUTED)
