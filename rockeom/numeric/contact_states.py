@@ -314,21 +314,12 @@ def by_forces(
         return contact
     follows = _searching(module)["fits_by_forces"](contact, y, p, *ground)
     if follows < 0:
-        many = "no" if follows == IMPOSSIBLE else "more than one"
+        none = "no" if follows == IMPOSSIBLE else "more than one"
         raise ValueError(
-            f"{many} contact state of {module.NAME} fits the forces in this state{_why(module)}"
+            f"{none} contact state of {module.NAME} fits the forces in this state (Painleve): give "
+            "less friction, or another state"
         )
     return follows
-
-
-def _why(module: ModuleType) -> str:
-    """Why no contact state fits, or several do, and the remedy."""
-    if any(state in (SLIP_RIGHT, SLIP_LEFT) for row in module.POINT_STATES for state in row):
-        return " (Painleve): give less friction, or another state"
-    return (
-        ": its contacts never slip, and which points are open or closed follows from the forces "
-        "alone; give another state, or declare contacts with friction"
-    )
 
 
 @cache

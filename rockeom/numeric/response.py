@@ -85,8 +85,7 @@ class Outcome(StrEnum):
     )
     NO_SOLUTION = (
         OUTCOMES[contract.NO_SOLUTION],
-        "No contact state fits the forces: rigid bodies with friction may jam (Painleve), and "
-        "where contacts never slip no combination of open and closed points may carry them.",
+        "No contact state fits the forces: rigid bodies with so much friction jam (Painleve).",
     )
     SEVERAL_SOLUTIONS = (
         OUTCOMES[contract.SEVERAL_SOLUTIONS],

@@ -331,7 +331,7 @@ class Structure:
         NumPy to make of one; what is found has that shape. Where contacts may slide and open, and
         no phase is named, the contact state is that which the forces lead to: a block at rest
         slides under an acceleration that its friction cannot hold. Raises ValueError where they
-        fit none, or several.
+        fit none, or several (Painleve).
 
         >>> block.accelerations({"theta": np.linspace(0.0, 0.1, 11)}, ground_acceleration=3.0)
         """
