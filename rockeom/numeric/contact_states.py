@@ -60,14 +60,8 @@ class Points:
         self.gap, self.gap_rate = rows[..., 0], rows[..., 1]
         self.normal, self.tangential = rows[..., 5 : 5 + n], rows[..., 5 + n :]
         place, motion = np.abs(y[..., :n, None]), np.abs(y[..., n:, None])
-        least = self._least_size(rows[..., 5:])
-        self.size = np.maximum((np.abs(self.normal) @ place)[..., 0], least) + 1e-300
-        self.speed = np.maximum((np.abs(self.normal) @ motion)[..., 0], least) + 1e-300
-
-    def _least_size(self, slopes: np.ndarray) -> np.ndarray:
-        """(..., 1) the least size of a gap [m], or of a rate [m/s], as `least_size` of the loop."""
-        turned = np.abs(value_of(slopes)) * np.tile(np.array(angles(self.module)), 2)
-        return _searching(self.module)["SMALL"] * turned.max(axis=(-2, -1), initial=0.0)[..., None]
+        self.size = (np.abs(self.normal) @ place)[..., 0] + 1e-300
+        self.speed = (np.abs(self.normal) @ motion)[..., 0] + 1e-300
 
     @property
     def closed(self) -> np.ndarray:

@@ -32,7 +32,6 @@ from rockeom.marks import inlined, rolled
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
-        ANGLES,
         CLOSED,
         ELEMENT_STATES,
         GUARDS,
@@ -71,8 +70,7 @@ N_KNOWN = COUPLING + ROWS * ROWS
 GRAIN = 4e-15  # relative rounding error of a gap
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
-NOTHING = 1e-9  # of the size of a gap, or of a velocity, where a state is given
-SMALL = 1e-3  # of the structure's length: the least size of a gap, however small coordinates are
+NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
@@ -615,30 +613,13 @@ def touching_points(y, told, near, sliding):
 
     told : of `points`. One touches whose gap is closed, and does not open.
     """
-    least = least_size(told)
     for i in range(N_POINTS):
         _, size = rate_of(told, 2 * i, y, 0)
         _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
-        size, speed = max(size, least), max(speed, least)
         closed = told[i * POINT] <= NOTHING * size
         near[i] = 1 if closed and abs(told[i * POINT + 1]) <= NOTHING * speed else 0
         slip, size = rate_of(told, 2 * i + 1, y, N_COORDINATES)
-        size = max(size, least)
         sliding[i] = 0.0 if abs(slip) <= NOTHING * size else 1.0 if slip > 0.0 else -1.0
-
-
-@rolled
-def least_size(told):
-    """The least size of a gap [m], or of a rate [m/s], where a state is given.
-
-    The length of the structure is the longest arm by which a rotation moves a point: gaps are
-    compared with a part of a turn by 1 rad, rates with a part of a turn at 1 rad/s.
-    """
-    longest = 0.0
-    for r in range(ROWS):
-        for i in range(N_COORDINATES):
-            longest = max(longest, ANGLES[i] * abs(told[row_of_point(r) + i]))
-    return SMALL * longest
 
 
 def fits_by_forces(contact, y, p, ax, ay):
