@@ -70,6 +70,7 @@ GRAIN = 4e-15  # relative rounding error of a gap
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
 GIVEN = 1e-6  # relative error of a given state: of seven digits, or of a motion with rtol 1e-6
+NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as a motion has it
 STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
@@ -621,7 +622,7 @@ def touching_points(y, p, contact, known, near, sliding):
     for i in range(N_POINTS):
         length = radius_of(known, i)
         _, size = rate_of(known, 2 * i, y, 0)
-        closed = known[i * POINT] <= GIVEN * max(size, length)
+        closed = known[i * POINT] <= NOTHING * max(size, length)
         least = max(GIVEN * speeds[2 * i], STILL * math.sqrt(free[2 * i] * length))
         rate = abs(known[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
@@ -629,7 +630,7 @@ def touching_points(y, p, contact, known, near, sliding):
         least = max(GIVEN * speeds[2 * i + 1], STILL * math.sqrt(free[2 * i + 1] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
-        if sliding[i] != 0.0 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS and rate > 0.01 * abs(slip):
+        if sliding[i] != 0.0 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS and rate > 1e-3 * abs(slip):
             near[i] = 0
 
 
