@@ -12,18 +12,15 @@ from rockeom.contract import IMPOSSIBLE, LANDING, OPEN, STICK
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
-        COUPLING,
         FITS,
         GRAIN,
         GUARDS,
         KINDS,
-        MATRIX,
         N_COORDINATES,
         N_POINTS,
         N_STATES,
         POINT,
         POINT_STATES,
-        ROTATION,
         ROWS,
         SUBJECTS,
         acceleration_of,
@@ -33,6 +30,7 @@ if TYPE_CHECKING:  # joined before this text
         meet,
         points,
         put_on,
+        radius_of,
         rate_of,
         rates,
         without_forces,
@@ -185,8 +183,7 @@ def hop_of(point, contact, y, known, dy):
     """
     gap, rate = known[point * POINT], known[point * POINT + 1]
     _, size = rate_of(known, 2 * point, y, 0)
-    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    radius = math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
+    radius = radius_of(known, point)
     a = -acceleration_of(known, 2 * point, dy)
     if POINT_STATES[contact][point] != OPEN or gap > GRAIN * size:
         return 0.0, a, radius, False

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from rockeom.contract import (
     IMPOSSIBLE,
     LANDING,
     LIFTING,
+    NEVER_SLIPS,
     OPEN,
     SLIP_LEFT,
     SLIP_RIGHT,
@@ -37,7 +38,7 @@ HAPPENED = {
 """What an event of a point is called."""
 
 _CLOSED = 1e-9
-"""Relative to the terms of a gap, or of a rate: what is smaller is none, where a user says it."""
+"""Relative to the terms of a gap, or of a rate: what is smaller is none, in a motion."""
 
 
 def has_points(module: ModuleType) -> bool:
@@ -56,7 +57,7 @@ class Points:
         n, m = len(module.STATES) // 2, len(module.POINTS)
         told = _told(module, y, p)
         rows = told.reshape(*y.shape[:-1], m, 5 + 2 * n)
-        self.module, self.y, self.told = module, y, told
+        self.module, self.y, self.p, self.told = module, y, p, told
         self.gap, self.gap_rate = rows[..., 0], rows[..., 1]
         self.normal, self.tangential = rows[..., 5 : 5 + n], rows[..., 5 + n :]
         place, motion = np.abs(y[..., :n, None]), np.abs(y[..., n:, None])
@@ -72,12 +73,29 @@ class Points:
         """(..., m) the same in a motion whose coordinates are as large as places (n,)."""
         return np.abs(self.gap) <= _CLOSED * np.maximum(self.size, np.abs(self.normal) @ places)
 
-    def touching(self) -> tuple[np.ndarray, np.ndarray]:
-        """(m,) whether each point touches, and (m,) the sign of its slip, 0 where it has none."""
-        near, slides = np.zeros(len(self.gap), np.int64), np.zeros(len(self.gap))
-        if len(self.gap):
-            _searching(self.module)["touching_points"](self.y, self.told, near, slides)
-        return near == 1, slides
+    def touching(self) -> Touching:
+        """Which points touch in this state, one that is given, and how they slip."""
+        m = len(self.module.POINTS)
+        found = Touching(np.zeros(m, np.int64), np.zeros(m), np.zeros(m))
+        if m:
+            search, y, p = _searching(self.module), self.y.astype(float), self.p
+            known = np.zeros(search["N_KNOWN"])
+            search["all_known"](y, p, 0, known)  # its contact state matters to forces alone
+            search["touching_points"](y, p, 0, known, found.near, found.slides)
+            radius = [search["radius_of"](known, i) for i in range(m)]
+            found.least_gap[:] = -search["GIVEN"] * np.maximum(self.size, radius)
+        return found
+
+
+class Touching(NamedTuple):
+    """Of each point of a given state (m,)."""
+
+    near: np.ndarray
+    """1 where it touches."""
+    slides: np.ndarray
+    """The sign of its slip, 0 where it has none."""
+    least_gap: np.ndarray
+    """The lowest gap that the state may have, but for its errors [m]."""
 
 
 def _told(module: ModuleType, y: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -259,10 +277,10 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
     """
     y, p = value_of(y), value_of(p)
     points = Points(module, y, p)
-    touching, slides = points.touching()
+    touching, slides, least_gap = points.touching()
     states = []
     for i, name in enumerate(module.POINTS):
-        if points.gap[i] < -_CLOSED * points.size[i]:
+        if points.gap[i] < least_gap[i]:
             raise ValueError(
                 f"{model}: the gap of {name} is {points.gap[i]:g} in this state: it must not be "
                 "negative; leave the heights out, they follow from the rest"
@@ -309,11 +327,24 @@ def by_forces(
     follows = _searching(module)["fits_by_forces"](contact, y, p, *ground)
     if follows < 0:
         none = "no" if follows == IMPOSSIBLE else "more than one"
+        if never_slips(module, p):
+            raise ValueError(
+                f"the contacts of {module.NAME} never slip, and with that {none} combination of "
+                "open and closed contacts fits the forces in this state: declare friction for "
+                "them, or give another state"
+            )
         raise ValueError(
             f"{none} contact state of {module.NAME} fits the forces in this state (Painleve): give "
             "less friction, or another state"
         )
     return follows
+
+
+def never_slips(module: ModuleType, p: np.ndarray) -> bool:
+    """Whether no contact of a structure ever slips, whatever friction that takes."""
+    laws = np.zeros(2 * len(module.POINTS))
+    module.point_laws(p, laws)
+    return bool((laws[1::2] >= NEVER_SLIPS).all())
 
 
 @cache

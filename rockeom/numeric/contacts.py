@@ -70,7 +70,9 @@ N_KNOWN = COUPLING + ROWS * ROWS
 GRAIN = 4e-15  # relative rounding error of a gap
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
-NOTHING = 1e-9  # of the terms of a gap, or of a velocity, where a state is given
+GIVEN = 1e-6  # relative error of a given state: of seven digits, or of a motion with rtol 1e-6
+NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as a motion has it
+STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
@@ -568,6 +570,15 @@ def sizes_of(whole, known, sizes):
         sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + 1e-300
 
 
+def radius_of(known, point):
+    """The radius of gyration of what a point moves: the length with which its gap is compared.
+
+    Of rotations about all other coordinates held; 1 where nothing turns.
+    """
+    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
+    return math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
+
+
 def squared(known, x):
     """In the measure of the mass."""
     total = 0.0
@@ -608,18 +619,31 @@ def collide(contact, near, known, y):
 
 
 @rolled
-def touching_points(y, told, near, sliding):
-    """Which points touch in a state, and the signs of their slips: near and sliding (N_POINTS,).
+def touching_points(y, p, contact, known, near, sliding):
+    """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
-    told : of `points`. One touches whose gap is closed, and does not open.
+    known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
+    does not open. A gap is compared with the size of the structure, see `radius_of`; a velocity
+    with the most that the kinetic energy can give the point, or, where nothing but rounding
+    errors moves, with sqrt(a l), a the acceleration of the point in free motion.
     """
+    free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
+    wanted = np.empty(ROWS)
+    without_forces(y, p, 0.0, 0.0, contact, known, wanted, free)
+    sizes_of(squared(known, y[N_COORDINATES:]), known, speeds)
     for i in range(N_POINTS):
-        _, size = rate_of(told, 2 * i, y, 0)
-        _, speed = rate_of(told, 2 * i, y, N_COORDINATES)
-        closed = told[i * POINT] <= NOTHING * size
-        near[i] = 1 if closed and abs(told[i * POINT + 1]) <= NOTHING * speed else 0
-        slip, size = rate_of(told, 2 * i + 1, y, N_COORDINATES)
-        sliding[i] = 0.0 if abs(slip) <= NOTHING * size else 1.0 if slip > 0.0 else -1.0
+        length = radius_of(known, i)
+        _, size = rate_of(known, 2 * i, y, 0)
+        closed = known[i * POINT] <= NOTHING * max(size, length)
+        least = max(GIVEN * speeds[2 * i], STILL * math.sqrt(free[2 * i] * length))
+        rate = abs(known[i * POINT + 1])
+        near[i] = 1 if closed and rate <= least else 0
+        slip, _ = rate_of(known, 2 * i + 1, y, N_COORDINATES)
+        least = max(GIVEN * speeds[2 * i + 1], STILL * math.sqrt(free[2 * i + 1] * length))
+        sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
+        # in a hop of a point that never slips both velocities are of one size, small as they are
+        if sliding[i] != 0.0 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS and rate > 1e-3 * abs(slip):
+            near[i] = 0
 
 
 def fits_by_forces(contact, y, p, ax, ay):
@@ -630,7 +654,7 @@ def fits_by_forces(contact, y, p, ax, ay):
     known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
     all_known(y, p, contact, known)
-    touching_points(y, known, near, sliding)
+    touching_points(y, p, contact, known, near, sliding)
     for i in range(N_POINTS):
         if POINT_STATES[contact][i] != OPEN:
             near[i] = 1

@@ -85,11 +85,15 @@ class Outcome(StrEnum):
     )
     NO_SOLUTION = (
         OUTCOMES[contract.NO_SOLUTION],
-        "No contact state fits the forces: rigid bodies with so much friction jam (Painleve).",
+        "No contact state fits the forces: rigid bodies with much friction jam (Painleve); where "
+        "contacts never slip, no combination of open and closed ones fits: declare friction for "
+        "them, or restitution 0.",
     )
     SEVERAL_SOLUTIONS = (
         OUTCOMES[contract.SEVERAL_SOLUTIONS],
-        "Several contact states fit the forces, with different motions (Painleve).",
+        "Several contact states fit the forces, with different motions, as rigid bodies with much "
+        "friction have (Painleve), or those whose contacts never slip: declare less friction, or "
+        "friction where there is none declared.",
     )
 
 

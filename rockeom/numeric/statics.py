@@ -113,7 +113,7 @@ def _touching(structure: Structure, y: np.ndarray) -> tuple[np.ndarray, np.ndarr
     Those of all gaps stand before those of all slips.
     """
     points = Points(structure.module, y, structure.vector)
-    touching, _ = points.touching()
+    touching = points.touching().near == 1
     return touching, np.vstack([points.normal[touching], points.tangential[touching]])
 
 

@@ -26,7 +26,7 @@ OF_POINTS = {
     "nothing_moves", "held_upright", "time_of_bounces", "fits_by_forces", "end_closed",
     "only_hop", "to_landing", "meet", "go_on_as", "all_known", "put_on", "rate_of",
     "acceleration_of", "N_COORDINATES", "POINT", "ROW", "ROWS", "MATRIX", "COUPLING", "GRAIN",
-    "FITS", "but_for_rounding", "without_forces",
+    "FITS", "but_for_rounding", "without_forces", "radius_of",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}
