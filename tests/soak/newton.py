@@ -48,7 +48,7 @@ LOST = 1e-13
 """Hops lower than this part of it are lost among rounding errors of a gap, and may end at once."""
 STEPS = 80
 """So many steps of a motion are looked at, drawn by its seed."""
-EVENTS, RESTS = 150, 40
+EVENTS, RESTS = 150, 60
 """And at so many events from the start, and so many rests."""
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
 NODES, WEIGHTS = 0.5 + 0.5 * _POINTS, 0.5 * _WEIGHTS

@@ -148,7 +148,8 @@ def test_rest_that_swallows_a_motion_is_noticed():
     powers[first, 1] = r.first[last] - powers[first, 0]
     span = r.run.steps.span[: first + 1].copy()
     span[first, 1] = end - span[first, 0]
-    events = (r.times < r.start[first]) | (r.kinds == REST)
+    events = r.times < r.start[first]
+    events[np.flatnonzero(r.kinds == REST)[-1]] = True
     states = r.run.passages[2][events].copy()
     states[-1, 0] = powers[first, 0]
     kept = {"powers": powers, "span": span, "contact": r.contact[: first + 1]}
