@@ -46,6 +46,9 @@ class SolverOptions:
         of the motion steps are controlled.
     rest_tolerance : impacts that will all happen within this time, in units of the rocking
         motion's own time 1/sqrt(acceleration), are completed at once by their closed-form sum.
+        Where contacts open and close, the unit is sqrt(l/a), l the radius of gyration and a the
+        acceleration of a contact point in free motion. Flights lower than 1e-13 of the coordinates
+        are lost among rounding errors: they are summed up to 1e-5 of that unit, or end at once.
     max_impacts, max_steps : where a motion is given up, with an outcome that says so.
     output_step : largest spacing of the samples of the response [s]; None for 1/4000 of the
         duration.
