@@ -40,7 +40,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
-from rockeom.analysis.sweeps import finished
+from rockeom.analysis.unfinished import finished
 from rockeom.dual import Dual
 
 FEIGENBAUM = 4.669201609102990

@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 from scipy.special import log_ndtr, ndtr, ndtri
 
 from rockeom.analysis.arguments import numbers, positive, require
-from rockeom.analysis.sweeps import FALLS, STANDS, check_finished, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.unfinished import check_finished
 
 
 @dataclass(frozen=True, eq=False)

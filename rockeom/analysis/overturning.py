@@ -29,7 +29,8 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import positive, slenderness
-from rockeom.analysis.sweeps import FALLS, STANDS, check_finished, finished, outcome_labels
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
+from rockeom.analysis.unfinished import check_finished, finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:

@@ -29,7 +29,8 @@ import numpy as np
 from scipy.special import ndtr
 
 from rockeom.analysis.arguments import require
-from rockeom.analysis.sweeps import FALLS, STANDS, finished, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.unfinished import finished
 from rockeom.dual import Dual
 
 if TYPE_CHECKING:

@@ -32,7 +32,8 @@ import xarray as xr
 
 from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
 from rockeom.analysis.orbits import StroboscopicMap
-from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS, check_finished
+from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS
+from rockeom.analysis.unfinished import check_finished
 from rockeom.arguments import told, whole_number
 from rockeom.numeric.case import Case
 from rockeom.numeric.ensemble import simulate_many

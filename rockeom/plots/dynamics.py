@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.sections import FALLEN, NOT_PERIODIC, UNKNOWN
-from rockeom.analysis.sweeps import check_finished
+from rockeom.analysis.unfinished import check_finished
 from rockeom.plots import coordinates, style
 
 if TYPE_CHECKING:

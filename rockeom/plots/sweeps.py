@@ -18,7 +18,8 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.fragility import Fragility, fragility_of
 from rockeom.analysis.overturning import impacts_before_overturning
-from rockeom.analysis.sweeps import FALLS, STANDS, check_finished, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.unfinished import check_finished
 from rockeom.plots import coordinates, style
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))

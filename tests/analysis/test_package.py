@@ -24,7 +24,8 @@ def test_formula_says_what_it_takes_and_where_it_is_from(name):
 
 def test_everything_public_is_re_exported():
     for module in pkgutil.walk_packages(analysis.__path__, "rockeom.analysis."):
-        if module.name == "rockeom.analysis.arguments" or module.ispkg:
+        own = ("rockeom.analysis.arguments", "rockeom.analysis.unfinished")  # of the package itself
+        if module.name in own or module.ispkg:
             continue
         source = importlib.import_module(module.name)
         home, _, name = module.name.rpartition(".")

@@ -324,5 +324,5 @@ print(*sorted(imported - hashed))
     assert done.stdout.split() == [
         "rockeom.arguments", "rockeom.dual", "rockeom.generated", "rockeom.generated.rigid_block",
         "rockeom.hooks", "rockeom.many", "rockeom.marks", "rockeom.mathematics", "rockeom.numeric",
-        "rockeom.numeric.contact_states", "rockeom.numeric.store",
+        "rockeom.numeric.contact_states", "rockeom.numeric.store", "rockeom.writing",
     ]  # fmt: skip

@@ -23,7 +23,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import positive, require
-from rockeom.analysis.sweeps import FALLS, STANDS, finished
+from rockeom.analysis.sweeps import FALLS, STANDS
+from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:

@@ -34,7 +34,8 @@ from rockeom.analysis.damping import fema_356_damping, priestley_damping
 from rockeom.analysis.periods import rocking_period
 from rockeom.analysis.restitution import energy_ratio_of_block
 from rockeom.analysis.spectra import Spectrum, response_spectrum
-from rockeom.analysis.sweeps import FALLS, STANDS, finished
+from rockeom.analysis.sweeps import FALLS, STANDS
+from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:

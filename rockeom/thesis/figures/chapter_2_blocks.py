@@ -26,7 +26,8 @@ from rockeom.analysis.branches import (
     period_doublings,
 )
 from rockeom.analysis.orbits import PeriodicOrbit, StroboscopicMap
-from rockeom.analysis.sweeps import STANDS, finished
+from rockeom.analysis.sweeps import STANDS
+from rockeom.analysis.unfinished import finished
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.analysis.sweeps import finished
+from rockeom.analysis.unfinished import finished
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.plots import free_body as fb, style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
