@@ -798,6 +798,21 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, rtol, known,
     return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out)
 
 
+def still_closed(before, follows, guard, closed, touching):
+    """The guards that are closed as a contact state begins, with those of other elements.
+
+    Two bars on one rotation stop to yield at the same instant, one after the other: the force of
+    the first is still at its strength. closed : the guards closed before, see `is_closed`.
+    """
+    for i in range(min(GUARDS[before], GUARDS[follows])):
+        alike = KINDS[before][i] == SWITCH and KINDS[follows][i] == SWITCH
+        alike = alike and SUBJECTS[before][i] == SUBJECTS[follows][i]
+        alike = alike and SUBJECTS[before][i] != SUBJECTS[before][guard]
+        if alike and is_closed(closed, i) and not is_closed(touching, i):
+            touching = max(touching, 0) + int(1.0 / HALVES[i])
+    return touching
+
+
 def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
     """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
 

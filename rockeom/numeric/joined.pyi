@@ -118,6 +118,7 @@ def pass_on(
     contact: Int, guard: Int, h: Float, y: Floats, p: Floats, ax: Float, ay: Float,
     later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats, out: Floats,
 ) -> tuple[Int, Int]: ...  # fmt: skip
+def still_closed(before: Int, follows: Int, guard: Int, closed: Int, touching: Int) -> Int: ...
 def meet(
     contact: Int, guard: Int, near: Ints, y: Floats, p: Floats, ax: Float, ay: Float,
     later_x: Float, later_y: Float, tau: Float, rtol: Float, known: Floats, out: Floats,

@@ -107,6 +107,7 @@ if TYPE_CHECKING:  # joined before this text
         pass_on,
         rates,
         reactions,
+        still_closed,
         take_step,
         time_of_bounces,
         to_landing,
@@ -1562,6 +1563,7 @@ def integrate(
             break
         before = contact
         kind = KINDS[contact][landed]
+        closed = touching
         touching = -1
         if N_POINTS == 0:
             contact = jump(before, landed, law, ratio_at(law, ratio, impacts, y, p), y, p, after)
@@ -1576,6 +1578,8 @@ def integrate(
                 outcome = NO_SOLUTION if contact == IMPOSSIBLE else SEVERAL_SOLUTIONS
                 contact = before
                 break
+            if kind == SWITCH:
+                touching = still_closed(before, contact, landed, closed, touching)
         record_event(
             n_events, t, kind, before, contact, landed, y, after, events, event_kinds,
             event_states,
