@@ -94,7 +94,7 @@ def test_right_responses_have_no_violation():
     assert (rocked().kinds == LANDING).sum() > 2
 
 
-GOOD = {"blocks": 40, "frames": 12, "springs": 30}
+GOOD = {"blocks": 40, "stacks": 24, "feet": 24, "frames": 12, "springs": 30}
 """Families, and the number of seeds of each of which the short form looks at those of DOP853."""
 
 
@@ -113,6 +113,13 @@ def test_a_block_that_meets_a_smooth_stop_as_a_foot_lands_or_leaves(number):
     motion, by_hand = drawn(first_of("smooth") + number)
     found = list(on_contacts(Told(motion, motion.run(), by_hand)))
     assert not [text for text in found if not text.startswith("given back")]
+
+
+@pytest.mark.parametrize("number", [8, 96, 352, 356])
+def test_bars_that_stop_to_yield_at_the_same_instant_do_not_take_turns(number):
+    """Both are fixed to one block: where its rotation stops, the forces of both are at strength."""
+    motion, by_hand = drawn(first_of("bars") + number)
+    assert list(on_contacts(Told(motion, motion.run(), by_hand))) == []
 
 
 def test_a_seed_of_a_family_always_gives_the_same_motion():
