@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
+import io
 import json
 import os
 import warnings
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,6 +23,7 @@ import numpy as np
 from rockeom import __version__
 from rockeom.arguments import installed_by, is_number, told
 from rockeom.declared import class_of_model
+from rockeom.files import check_target, write
 from rockeom.motion import GroundMotion
 from rockeom.named import FAMILIES, SUPPORTS
 from rockeom.numeric.extremes import Extremes
@@ -40,10 +41,11 @@ from rockeom.numeric.impact import (
 from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.record import Samples, Steps
 from rockeom.numeric.response import KINDS, Outcome, Response
-from rockeom.numeric.store import remove_leftovers
 from rockeom.numeric.structures import SHIPPED, DeclaredStructure, Structure
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from rockeom.symbolic import RockingModel
     from rockeom.symbolic.modes import Model
 
@@ -62,7 +64,6 @@ LAWS = {
 
 _OTHERS = {"fixed_base": FixedBase, "options": SolverOptions, **SUPPORTS, **LAWS}
 _DECLARED = "declared"
-_TEMPORARY = ".rockeom.{}.tmp"
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""
 
@@ -231,6 +232,7 @@ def _checksum(definition: str, arrays: Mapping[str, np.ndarray]) -> str:
 def save(run: Response, path: str | os.PathLike[str]) -> None:
     """See `Response.save`."""
     _check_engine()
+    check_target(path)
     import xarray as xr
 
     arrays = _arrays(run)
@@ -245,10 +247,20 @@ def save(run: Response, path: str | os.PathLike[str]) -> None:
             "checksum": _checksum(definition, arrays),
         },
     )
-    with _written_whole(Path(path)) as temporary:
-        # without a value that stands for a missing one: NaN is what it is
-        encoding = {name: {"_FillValue": None} for name in arrays}
-        found.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
+    write(path, _netcdf(found, arrays))
+
+
+def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
+    """The bytes of a file, made in memory: HDF5 ends the process where a disk is full."""
+    import h5netcdf
+    from xarray.backends import H5NetCDFStore
+
+    # without a value that stands for a missing one: NaN is what it is
+    encoding = {name: {"_FillValue": None} for name in arrays}
+    made = io.BytesIO()
+    with h5netcdf.File(made, "w") as file:
+        found.dump_to_store(H5NetCDFStore(file), encoding=encoding)
+    return made.getvalue()
 
 
 def _definition(run: Response) -> dict[str, Any]:
@@ -280,24 +292,6 @@ def _definition(run: Response) -> dict[str, Any]:
 def _attrs(name: str) -> dict[str, str]:
     about, unit = _ABOUT.get(name, (name.replace("_", " "), ""))
     return {"long_name": about} | ({"units": unit} if unit else {})
-
-
-@contextmanager
-def _written_whole(path: Path) -> Iterator[Path]:
-    """A path to write to; what is written there takes the place of the file in one go."""
-    target = Path(os.path.realpath(path))
-    if not target.parent.is_dir():
-        raise FileNotFoundError(f"{path}: there is no folder {target.parent}")
-    remove_leftovers(target.parent, _TEMPORARY.format("*"))
-    temporary = target.with_name(_TEMPORARY.format(os.urandom(8).hex()))
-    try:
-        yield temporary
-        with open(temporary, "rb+") as file:
-            os.fsync(file.fileno())
-        os.replace(temporary, target)
-    finally:
-        with suppress(FileNotFoundError):
-            temporary.unlink()
 
 
 def _check_engine() -> None:

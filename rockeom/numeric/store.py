@@ -12,14 +12,12 @@ import hashlib
 import os
 import stat
 import sys
-import time
 import warnings
 from collections.abc import Callable
-from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
-_DAY = 86400.0  # s
+from rockeom.files import remove_leftovers
 
 
 def cache_folder() -> Path:
@@ -155,12 +153,3 @@ def _write(path: str, *parts: bytes) -> None:
             os.unlink(temporary)
         except OSError:
             pass  # it is in its place, or never was
-
-
-def remove_leftovers(folder: Path, pattern: str) -> None:
-    """Files of processes that were killed while they wrote, a day ago or longer."""
-    with suppress(OSError):
-        for temporary in folder.glob(pattern):
-            with suppress(OSError):
-                if temporary.lstat().st_mtime < time.time() - _DAY:
-                    temporary.unlink()

@@ -23,6 +23,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.analysis.isolation import Demands, demands, energy_balance
+from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numeric.fixed_base import FixedBase
 from rockeom.numeric.impact import ImpactLaw
@@ -312,10 +313,11 @@ class DesignReport:
         """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
         path = Path(path)
         check_name(path)
+        check_target(path)
         if path.suffix.lower() == ".pdf":
-            self.page().savefig(path)
+            style.save_figure(self.page(), path)
         else:
-            path.write_text(self.html(), encoding="utf-8")
+            write(path, self.html())
 
 
 def check_name(path: Path) -> None:
