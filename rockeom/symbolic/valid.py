@@ -6,6 +6,7 @@ Each check raises ValueError, which names what is declared, the item and the rem
 from __future__ import annotations
 
 import difflib
+import re
 import unicodedata
 from collections.abc import Iterable
 from numbers import Real
@@ -16,6 +17,26 @@ from sympy.core.function import AppliedUndef
 
 LONGEST = 100
 """Letters of a name: files are called by it."""
+
+
+def _commands(names: str) -> frozenset[str]:
+    return frozenset(rf"\{name}" for name in names.split())
+
+
+_LETTERS = _commands("""
+    alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi
+    varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi
+    Pi Sigma Upsilon Phi Psi Omega ell hbar pm prime star ast
+    dot ddot dddot hat bar tilde acute grave check breve vec mathring
+    mathrm mathit mathbf mathcal mathbb mathfrak mathsf boldsymbol
+""")
+"""Commands of TeX in symbols: letters, accents and alphabets."""
+_NOTATION = _commands("""
+    frac tfrac sqrt cdot times le ge leq geq lt gt ne approx infty partial sum int left right text
+    operatorname sin cos tan arcsin arccos arctan sinh cosh tanh exp ln log min max quad thinspace
+""")
+"""Further commands of TeX in the mathematics of a text."""
+_SYMBOL = re.compile(r"[\w\\{}', +-]*[^\W\d_][\w\\{}', +-]*")
 
 
 class ArgumentError(TypeError):
@@ -57,12 +78,32 @@ def symbols(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, sp.Symbol):
             raise ValueError(f"{what}: {item} is {value!r}: give a SymPy symbol")
+        _typeset(what, value.name)
+
+
+def _typeset(what: str, name: str) -> None:
+    """A symbol becomes a part of documents in LaTeX, and must do nothing there."""
+    known = set(re.findall(r"\\[A-Za-z]*", name)) <= _LETTERS
+    balanced = name.count("{") == name.count("}")
+    if not (_SYMBOL.fullmatch(name) and len(name) <= LONGEST and known and balanced):
+        raise ValueError(
+            f"{what}: the symbol {name[:LONGEST]!r} must consist of letters, digits, _, primes, "
+            "braces and TeX's names of letters and accents, such as theta, M_b, k_{f,1} or "
+            rf"\dot{{x}}, and have 1 to {LONGEST} letters"
+        )
 
 
 def texts(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, str):
             raise ValueError(f"{what}: {item} is {value!r}: give a text")
+        for mathematics in re.findall(r"\$([^$]*)\$", value):
+            unknown = set(re.findall(r"\\[A-Za-z]+", mathematics)) - _NOTATION - _LETTERS
+            if unknown or "^^" in mathematics:
+                raise ValueError(
+                    f"{what}: the mathematics of {item}, {mathematics!r}, holds "
+                    f"{', '.join(sorted(unknown)) or '^^'}: write letters and the usual notation"
+                )
 
 
 def name(what: str, name: Any) -> None:
@@ -99,6 +140,7 @@ def laws(what: str, symbol: Any) -> None:
         raise ValueError(
             f"{what}: its symbol is {symbol}: give a symbol, or a function of one coordinate"
         )
+    _typeset(what, symbol.func.__name__ if function else symbol.name)
 
 
 def counts(what: str, **items: Any) -> None:
