@@ -14,7 +14,9 @@ from typing import Any
 
 import rockeom as rk
 from rockeom.cli import output
+from rockeom.files import write
 from rockeom.plots import plot_comparison
+from rockeom.plots.style import save_figure
 
 COLUMN = {
     "mass": 122.6,
@@ -45,7 +47,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     for name, run in runs.items():
         output.write_csv(run, folder / f"{name.replace(', ', '_').replace(' ', '_')}.csv")
     text = in_words(motion, runs)
-    (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
+    write(folder / "summary.txt", text + "\n")
     draw(runs, folder / "el_centro.png")
     print(f"\n{text}\n\nWritten to {folder}: el_centro.png, summary.txt and a table of each run.")
     return 0
@@ -85,7 +87,7 @@ def picture(runs: dict[str, rk.Response]):
 
 def draw(runs: dict[str, rk.Response], path: Path, **options: Any) -> None:
     """Save the picture with what it shows as its description, see `shown`."""
-    picture(runs).savefig(path, metadata={"Description": shown(runs)}, **options)
+    save_figure(picture(runs), path, metadata={"Description": shown(runs)}, **options)
 
 
 def shown(runs: dict[str, rk.Response]) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
+import io
 import json
 import os
 import warnings
@@ -22,6 +23,7 @@ import numpy as np
 from rockeom import __version__
 from rockeom.arguments import installed_by, is_number, told
 from rockeom.declared import class_of_model
+from rockeom.files import check_target, write
 from rockeom.motion import GroundMotion
 from rockeom.named import FAMILIES, SUPPORTS
 from rockeom.numeric.extremes import Extremes
@@ -40,9 +42,10 @@ from rockeom.numeric.options import SolverOptions
 from rockeom.numeric.record import Samples, Steps
 from rockeom.numeric.response import KINDS, Outcome, Response
 from rockeom.numeric.structures import SHIPPED, DeclaredStructure, Structure
-from rockeom.writing import written_whole
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from rockeom.symbolic import RockingModel
     from rockeom.symbolic.modes import Model
 
@@ -229,6 +232,7 @@ def _checksum(definition: str, arrays: Mapping[str, np.ndarray]) -> str:
 def save(run: Response, path: str | os.PathLike[str]) -> None:
     """See `Response.save`."""
     _check_engine()
+    check_target(path)
     import xarray as xr
 
     arrays = _arrays(run)
@@ -243,11 +247,20 @@ def save(run: Response, path: str | os.PathLike[str]) -> None:
             "checksum": _checksum(definition, arrays),
         },
     )
+    write(path, _netcdf(found, arrays))
+
+
+def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
+    """The bytes of a file, made in memory: HDF5 ends the process where a disk is full."""
+    import h5netcdf
+    from xarray.backends import H5NetCDFStore
+
     # without a value that stands for a missing one: NaN is what it is
     encoding = {name: {"_FillValue": None} for name in arrays}
-    with written_whole(path) as temporary:
-        # made in memory: HDF5 ends the interpreter where a disk is full as it closes a file
-        temporary.write_bytes(found.to_netcdf(engine="h5netcdf", encoding=encoding))
+    made = io.BytesIO()
+    with h5netcdf.File(made, "w") as file:
+        found.dump_to_store(H5NetCDFStore(file), encoding=encoding)
+    return made.getvalue()
 
 
 def _definition(run: Response) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_details, class_of, details
 from rockeom.cli.terminal import width
+from rockeom.files import check_target, write
 
 HELP = "derive the equations of a structure and show them"
 DESCRIPTION = """\
@@ -48,12 +49,14 @@ def run(args: argparse.Namespace) -> int:
     if args.form and (args.markdown or args.code):
         kind = "--markdown" if args.markdown else "--code"
         raise UsageError(f"--form {args.form} and {kind} do not go together: leave one out")
+    if args.out is not None:
+        check_target(args.out)
     print(f"deriving {' '.join([args.name, *args.arguments])} ...", file=sys.stderr)
     text = _text(args, arguments)
     if args.out is None:
         print(text, end="")
     else:
-        args.out.write_text(text, encoding="utf-8")
+        write(args.out, text)
         print(f"wrote {args.out}", file=sys.stderr)
     return 0
 

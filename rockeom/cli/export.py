@@ -9,6 +9,7 @@ from pathlib import Path
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_details, class_of, details, made
 from rockeom.cli.simulate import add_motion, motions
+from rockeom.files import check_target, write
 
 HELP = "write the equations as C or MATLAB, or a script for OpenSees"
 DESCRIPTION = """\
@@ -71,7 +72,7 @@ def run(args: argparse.Namespace) -> int:
     else:
         text, name = _code(args)
     path = _path(args.out, f"{name}.{_ENDINGS[args.language]}", args.language)
-    path.write_text(text, encoding="utf-8")
+    write(path, text)
     print(f"wrote {path}")
     return 0
 
@@ -86,8 +87,7 @@ def _path(out: Path | None, name: str, language: str) -> Path:
                 f"--out {out}: MATLAB finds a function by its file, which is called {name}: name "
                 "a folder for it"
             )
-        if not out.parent.is_dir():
-            raise UsageError(f"--out {out}: there is no folder {out.parent}")
+        check_target(out)
         return out
     if out.exists() and not out.is_dir():
         raise UsageError(

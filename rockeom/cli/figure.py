@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
-from rockeom.writing import written_whole
+from rockeom.files import check_target
 
 if TYPE_CHECKING:
     from rockeom.thesis.figures import Drawn, ThesisFigure
@@ -43,6 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
+    from rockeom.plots.style import save_figure
     from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 
     if args.number is None:
@@ -59,13 +60,11 @@ def run(args: argparse.Namespace) -> int:
     path = args.out or Path(f"figure-{args.number}.png")
     if path.suffix.lower() not in _SUFFIXES:
         raise UsageError(f"--out {path}: the name must end in {', '.join(_SUFFIXES)}")
-    if not path.parent.is_dir():  # told before the drawing, not after
-        raise UsageError(f"--out {path}: there is no folder {path.parent}; make it first")
+    check_target(path)  # before the drawing, not after
     one = FIGURES[args.number]
     print(f"drawing figure {one.number} ...", file=sys.stderr)
     drawn = one.drawn()
-    with written_whole(path) as file:
-        drawn.figure.savefig(file)
+    save_figure(drawn.figure, path)
     print(f"wrote {path}", file=sys.stderr)
     print(_explained(one, drawn))
     return 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import math
 from collections.abc import Mapping
@@ -12,12 +13,12 @@ from typing import Any
 import numpy as np
 
 from rockeom import __version__
+from rockeom.files import write
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import ImpactLaw
 from rockeom.numeric.labelled import units
 from rockeom.numeric.plausible import forces
 from rockeom.numeric.response import MEASURABLE, Response
-from rockeom.writing import written_whole
 
 
 def in_words(run: Response) -> str:
@@ -54,18 +55,20 @@ def write_csv(run: Response, path: Path) -> None:
     unit = units(run)
     columns = [run.t, *(run[name] for name in run.main_names)]
     header = [f"t [{unit['t']}]", "phase", *(f"{name} [{unit[name]}]" for name in run.main_names)]
-    with written_whole(path) as there, there.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(header)
-        for phase, (t, *values) in zip(run.phase, zip(*columns, strict=True), strict=True):
-            writer.writerow([f"{t:.12g}", phase, *(f"{value:.12g}" for value in values)])
+    text = io.StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(header)
+    for phase, (t, *values) in zip(run.phase, zip(*columns, strict=True), strict=True):
+        writer.writerow([f"{t:.12g}", phase, *(f"{value:.12g}" for value in values)])
+    write(path, text.getvalue())
 
 
 def write_npz(run: Response, path: Path) -> None:
     """The same as arrays by name, in the units of the CSV; read with numpy.load."""
     columns: dict[str, Any] = {name: run[name] for name in run.main_names}
-    with written_whole(path) as file:
-        np.savez_compressed(file, t=run.t, phase=run.phase, **columns)
+    made = io.BytesIO()
+    np.savez_compressed(made, t=run.t, phase=run.phase, **columns)
+    write(path, made.getvalue())
 
 
 def write_json(
@@ -73,8 +76,7 @@ def write_json(
 ) -> None:
     """What was simulated and how it ended, for other programs."""
     text = json.dumps(_summary(run, law, initial), indent=2, ensure_ascii=False, allow_nan=False)
-    with written_whole(path) as file:
-        file.write_text(text + "\n", encoding="utf-8")
+    write(path, text + "\n")
 
 
 def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float]) -> dict[str, Any]:

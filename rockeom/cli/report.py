@@ -9,6 +9,7 @@ from pathlib import Path
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.simulate import add_scale, impact_law, scaled
+from rockeom.files import check_target
 from rockeom.motion import GroundMotion
 from rockeom.motion.arguments import COMPONENTS
 
@@ -77,8 +78,7 @@ def run(args: argparse.Namespace) -> int:
 
     for path in args.out:
         check_name(path)
-        if not path.parent.is_dir():  # told before the simulations, not after
-            raise UsageError(f"--out {path}: there is no folder {path.parent}; make it first")
+        check_target(path)  # before the simulations, not after
     print(f"simulating {len(motions)} records ...", file=sys.stderr)
     page = design_report(structure, motions, law, args.duration)
     for sentence in (page.title, *page.findings, *page.assumptions):

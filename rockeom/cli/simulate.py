@@ -9,6 +9,7 @@ from pathlib import Path
 from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
+from rockeom.files import check_target
 from rockeom.motion import GroundMotion
 from rockeom.numeric.impact import (
     AngularMomentum,
@@ -21,7 +22,6 @@ from rockeom.numeric.options import METHODS, SolverOptions
 from rockeom.numeric.response import Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import check_names
-from rockeom.writing import written_whole
 
 HELP = "simulate a structure under a ground motion"
 DESCRIPTION = """\
@@ -177,6 +177,9 @@ def run(args: argparse.Namespace) -> int:
     motion, vertical = motions(args)
     if args.out is not None:
         _check_folder(args.out)
+        if args.out.is_dir():
+            for path in _paths(args):
+                check_target(path)
     response = simulate(
         structure,
         motion,
@@ -205,18 +208,23 @@ def _check_folder(path: Path) -> None:
         raise UsageError(f"--out {path}: {what} is a file; name a folder")
 
 
+def _paths(args: argparse.Namespace) -> list[Path]:
+    """The files that are written: the response, its picture and its summary."""
+    return [args.out / name for name in (f"response.{args.format}", "response.png", "summary.json")]
+
+
 def _write(
     response: Response,
     law: ImpactLaw | None,
     initial: Mapping[str, float],
     args: argparse.Namespace,
 ) -> list[Path]:
-    folder: Path = args.out
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = [folder / f"response.{args.format}", folder / "response.png", folder / "summary.json"]
+    from rockeom.plots.style import save_figure  # matplotlib takes long
+
+    args.out.mkdir(parents=True, exist_ok=True)
+    paths = _paths(args)
     (output.write_csv if args.format == "csv" else output.write_npz)(response, paths[0])
-    with written_whole(paths[1]) as file:
-        response.plot().savefig(file)
+    save_figure(response.plot(), paths[1])
     output.write_json(response, law, initial, paths[2])
     return paths
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from rockeom.codegen.module import module_text
 from rockeom.codegen.names import string
 from rockeom.codegen.tables import class_name
+from rockeom.files import write
 from rockeom.symbolic import SHIPPED
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
@@ -56,7 +57,7 @@ def write_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> li
     for name, text in expected_files(names):
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
-            path.write_text(text, encoding="utf-8")
+            write(path, text)
             changed.append(path)
     return changed
 

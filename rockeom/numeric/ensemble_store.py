@@ -13,7 +13,6 @@ import hashlib
 import os
 import shutil
 import sys
-import threading
 import uuid
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -30,6 +29,7 @@ from rockeom.numeric.ensemble_cases import Cases, Source, labels
 from rockeom.numeric.ensemble_dataset import FLAGS, PENDING, flags_of, outcomes_of
 from rockeom.numeric.ensemble_results import NOT_RUN, Kept
 from rockeom.numeric.ensemble_work import Work
+from rockeom.numeric.forks import lock_held_by_forks
 
 FORMAT = 1
 """Of the files; another one is refused."""
@@ -265,7 +265,7 @@ def _check_same(path: Path, there: Mapping[str, str], here: Mapping[str, str]) -
 # -- one process at a time -----------------------------------------------------------------------
 
 _HELD: set[Path] = set()
-_TURN = threading.Lock()
+_TURN = lock_held_by_forks()
 
 
 @contextmanager

@@ -15,7 +15,6 @@ import linecache
 import math
 import os
 import sys
-import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -26,6 +25,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from rockeom.numeric.contact_states import angles, has_points
+from rockeom.numeric.forks import lock_held_by_forks
 from rockeom.numeric.machine import Function, Loaded, compiled, target
 from rockeom.numeric.machine_types import NOTHING, Array, Entry
 from rockeom.numeric.store import kept
@@ -88,11 +88,7 @@ def _of_lists(entry: list[Any]) -> tuple[Any, Any]:
     )
 
 
-_LOCK = threading.RLock()
-if hasattr(os, "register_at_fork"):  # a child forked amid a compilation would wait for it for ever
-    os.register_at_fork(
-        before=_LOCK.acquire, after_in_parent=_LOCK.release, after_in_child=_LOCK.release
-    )
+_LOCK = lock_held_by_forks()
 
 
 def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:

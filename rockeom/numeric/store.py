@@ -17,7 +17,7 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
-from rockeom.writing import remove_leftovers
+from rockeom.files import remove_leftovers
 
 
 def cache_folder() -> Path:

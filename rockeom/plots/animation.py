@@ -20,10 +20,10 @@ from matplotlib.lines import Line2D
 from PIL import Image
 
 from rockeom.arguments import number, told
+from rockeom.files import check_target, write
 from rockeom.numeric.positions import places
 from rockeom.plots import free_body, style
 from rockeom.plots.sketch import Sketch, all_points
-from rockeom.writing import written_whole
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
@@ -232,19 +232,20 @@ class Animation:
         kind = path.suffix.lower()
         if kind not in FILES:
             raise ValueError(f"{path}: the name of an animation ends in {' or '.join(FILES)}")
+        check_target(path)
         if kind == ".html":
             title = html.escape(style.title_of(self.run))
             page = '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
             page += f"<title>{title}</title></head>\n<body>{self._repr_html_()}</body></html>\n"
-            with written_whole(path) as file:
-                file.write_text(page, encoding="utf-8")
+            write(path, page)
             return
         first, *rest = (Image.open(io.BytesIO(frame)) for frame in self.frames)
         # it counts hundredths of a second: rounded so that no frame is late
         ticks = np.round(100 * np.arange(len(self) + 1) / self.frames_per_second)
         lasting = [10 * int(n) for n in np.diff(ticks)]
-        with written_whole(path) as file:
-            first.save(file, "GIF", save_all=True, append_images=rest, duration=lasting, loop=0)
+        made = io.BytesIO()
+        first.save(made, "GIF", save_all=True, append_images=rest, duration=lasting, loop=0)
+        write(path, made.getvalue())
 
     def _repr_html_(self) -> str:
         return _player(self.frames, self.frames_per_second, self.run)

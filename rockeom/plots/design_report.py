@@ -23,6 +23,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.analysis.isolation import Demands, demands, energy_balance
+from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numeric.fixed_base import FixedBase
 from rockeom.numeric.impact import ImpactLaw
@@ -31,7 +32,6 @@ from rockeom.numeric.response import Outcome, Response
 from rockeom.numeric.simulate import simulate
 from rockeom.numeric.structures import Structure
 from rockeom.plots import style
-from rockeom.writing import written_whole
 
 A4 = (8.27, 11.69)  # in
 SHOWN = 12
@@ -313,11 +313,11 @@ class DesignReport:
         """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
         path = Path(path)
         check_name(path)
-        with written_whole(path) as file:
-            if path.suffix.lower() == ".pdf":
-                self.page().savefig(file)
-            else:
-                file.write_text(self.html(), encoding="utf-8")
+        check_target(path)
+        if path.suffix.lower() == ".pdf":
+            style.save_figure(self.page(), path)
+        else:
+            write(path, self.html())
 
 
 def check_name(path: Path) -> None:

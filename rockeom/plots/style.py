@@ -6,6 +6,7 @@ import functools
 import io
 import textwrap
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
@@ -15,6 +16,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
 from rockeom.contract import IMPACT, LANDING
+from rockeom.files import write
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.numeric import units
 from rockeom.numeric.contact_states import landing_speeds
@@ -82,6 +84,13 @@ class NotebookFigure(Figure):
         buffer = io.BytesIO()
         self.savefig(buffer, format="png", dpi=120)
         return buffer.getvalue()
+
+
+def save_figure(figure: Figure, path: Path, **options: Any) -> None:
+    """Write a figure in the format that the name of the file ends in; options : of savefig."""
+    made = io.BytesIO()
+    figure.savefig(made, format=path.suffix[1:].lower(), **options)
+    write(path, made.getvalue())
 
 
 def new_figure(width: float, height: float) -> NotebookFigure:

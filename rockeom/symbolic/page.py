@@ -5,6 +5,7 @@ Text holds mathematics between dollar signs and code between backquotes.
 
 from __future__ import annotations
 
+import html
 import re
 import unicodedata
 from collections.abc import Iterator
@@ -119,7 +120,17 @@ def _layout(lines: tuple[str, ...]) -> list[list[str]]:
     return found
 
 
+def _markdown_text(text: str) -> str:
+    """Text without HTML; in $mathematics$ no sign can open a tag either."""
+    parts = re.split(r"(\$[^$]*\$)", text)
+    return "".join(
+        part.replace("<", r"\lt ") if i % 2 else html.escape(part, quote=False)
+        for i, part in enumerate(parts)
+    )
+
+
 def to_markdown(blocks: list[Block]) -> str:
+    """A page; the texts of a declaration are data and hold no HTML."""
     parts = []
     for block in blocks:
         match block:
@@ -127,25 +138,19 @@ def to_markdown(blocks: list[Block]) -> str:
                 parts.append(f"{'#' * level} {_markdown_text(text)}")
             case Table(header, rows):
                 table = [" | ".join(cells) for cells in (header, ("---",) * len(header))]
-                shown = [[_markdown_text(c).replace("|", r"\|") for c in cells] for cells in rows]
-                table += map(" | ".join, shown)
+                table += [
+                    " | ".join(_markdown_text(c).replace("|", r"\|") for c in cells)
+                    for cells in rows
+                ]
                 parts.append("\n".join(f"| {line} |" for line in table))
             case Display(lines):
-                broken_lines = [line for equation in _layout(lines) for line in equation]
+                broken_lines = [
+                    line.replace("<", r"\lt ") for equation in _layout(lines) for line in equation
+                ]
                 parts.append(f"$$\n{environment('aligned', broken_lines)}\n$$")
             case str(text):
                 parts.append(_markdown_text(text))
     return "\n\n".join(parts) + "\n"
-
-
-def _markdown_text(text: str) -> str:
-    """Text in which no HTML tag begins; `code` is literal in Markdown."""
-    return "".join(
-        part
-        if part.startswith("`") and len(part) > 1
-        else re.sub(r"<(?=[A-Za-z/!?])", "&lt;", part)
-        for part in re.split(r"(`[^`]*`)", text)
-    )
 
 
 def to_latex(blocks: list[Block]) -> str:

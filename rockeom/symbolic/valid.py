@@ -19,6 +19,26 @@ LONGEST = 100
 """Letters of a name: files are called by it."""
 
 
+def _commands(names: str) -> frozenset[str]:
+    return frozenset(rf"\{name}" for name in names.split())
+
+
+_LETTERS = _commands("""
+    alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi
+    varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi
+    Pi Sigma Upsilon Phi Psi Omega ell hbar pm prime star ast
+    dot ddot dddot hat bar tilde acute grave check breve vec mathring
+    mathrm mathit mathbf mathcal mathbb mathfrak mathsf boldsymbol
+""")
+"""Commands of TeX in symbols: letters, accents and alphabets."""
+_NOTATION = _commands("""
+    frac tfrac sqrt cdot times le ge leq geq lt gt ne approx infty partial sum int left right text
+    operatorname sin cos tan arcsin arccos arctan sinh cosh tanh exp ln log min max quad thinspace
+""")
+"""Further commands of TeX in the mathematics of a text."""
+_SYMBOL = re.compile(r"[\w\\{}', +-]*[^\W\d_][\w\\{}', +-]*")
+
+
 class ArgumentError(TypeError):
     """Arguments that a structure of several lacks or does not take."""
 
@@ -58,26 +78,18 @@ def symbols(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, sp.Symbol):
             raise ValueError(f"{what}: {item} is {value!r}: give a SymPy symbol")
-        _printable(what, value.name)
+        _typeset(what, value.name)
 
 
-_COMMANDS = {
-    *("dot", "ddot", "dddot", "hat", "tilde", "bar", "vec", "prime", "mathrm", "mathit", "mathbf"),
-    *("text", "pm", "ell", "varepsilon", "varphi", "vartheta", "varrho", "varsigma"),
-    *("Delta", "Gamma", "Lambda", "Omega", "Phi", "Pi", "Psi", "Sigma", "Theta", "Upsilon", "Xi"),
-    *("alpha", "beta", "chi", "delta", "epsilon", "eta", "gamma", "iota", "kappa", "lambda", "mu"),
-    *("nu", "omega", "phi", "pi", "psi", "rho", "sigma", "tau", "theta", "upsilon", "xi", "zeta"),
-}
-"""Commands of LaTeX that a symbol may hold: accents, fonts and Greek letters."""
-
-
-def _printable(what: str, symbol: str) -> None:
-    """A symbol is copied into LaTeX, where other commands would read files or define macros."""
-    letters = re.sub(r"\\([A-Za-z]+)", lambda m: "a" if m[1] in _COMMANDS else m[0], symbol)
-    if not re.fullmatch(r"[\w{}^,'*+ -]+", letters):
+def _typeset(what: str, name: str) -> None:
+    """A symbol becomes a part of documents in LaTeX, and must do nothing there."""
+    known = set(re.findall(r"\\[A-Za-z]*", name)) <= _LETTERS
+    balanced = name.count("{") == name.count("}")
+    if not (_SYMBOL.fullmatch(name) and len(name) <= LONGEST and known and balanced):
         raise ValueError(
-            f"{what}: the symbol {symbol!r} must consist of letters, digits, underscores, ^, "
-            r"braces and the names of Greek letters and accents, such as \theta or \dot{x}"
+            f"{what}: the symbol {name[:LONGEST]!r} must consist of letters, digits, _, primes, "
+            "braces and TeX's names of letters and accents, such as theta, M_b, k_{f,1} or "
+            rf"\dot{{x}}, and have 1 to {LONGEST} letters"
         )
 
 
@@ -85,6 +97,13 @@ def texts(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, str):
             raise ValueError(f"{what}: {item} is {value!r}: give a text")
+        for mathematics in re.findall(r"\$([^$]*)\$", value):
+            unknown = set(re.findall(r"\\[A-Za-z]+", mathematics)) - _NOTATION - _LETTERS
+            if unknown or "^^" in mathematics:
+                raise ValueError(
+                    f"{what}: the mathematics of {item}, {mathematics!r}, holds "
+                    f"{', '.join(sorted(unknown)) or '^^'}: write letters and the usual notation"
+                )
 
 
 def name(what: str, name: Any) -> None:
@@ -121,7 +140,7 @@ def laws(what: str, symbol: Any) -> None:
         raise ValueError(
             f"{what}: its symbol is {symbol}: give a symbol, or a function of one coordinate"
         )
-    _printable(what, symbol.name if isinstance(symbol, sp.Symbol) else symbol.func.__name__)
+    _typeset(what, symbol.func.__name__ if function else symbol.name)
 
 
 def counts(what: str, **items: Any) -> None:

@@ -322,7 +322,8 @@ print(*sorted(imported - hashed))
     # hooks come with the package; what contact states add to a text is in the text, and they read
     # points of many states, where nothing is compiled
     assert done.stdout.split() == [
-        "rockeom.arguments", "rockeom.dual", "rockeom.generated", "rockeom.generated.rigid_block",
+        "rockeom.arguments", "rockeom.dual", "rockeom.files", "rockeom.generated",
+        "rockeom.generated.rigid_block",
         "rockeom.hooks", "rockeom.many", "rockeom.marks", "rockeom.mathematics", "rockeom.numeric",
-        "rockeom.numeric.contact_states", "rockeom.numeric.store", "rockeom.writing",
+        "rockeom.numeric.contact_states", "rockeom.numeric.forks", "rockeom.numeric.store",
     ]  # fmt: skip

@@ -18,7 +18,8 @@ import pytest
 import xarray as xr
 
 import rockeom as rk
-from rockeom import saved, writing
+from rockeom import saved
+from rockeom.files import TEMPORARY
 from rockeom.numeric import extremes
 from rockeom.numeric.record import Steps
 from rockeom.numeric.response import KINDS, Response
@@ -496,13 +497,12 @@ def test_without_the_extra_the_remedy_is_named(package, file, monkeypatch):
 
 
 def test_a_write_that_fails_leaves_the_file_that_was_there(file, monkeypatch):
-    before, write = file.read_bytes(), Path.write_bytes
+    before = file.read_bytes()
 
-    def fails(self, data):
-        write(self, bytes(data)[:100])
+    def fails(_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_bytes", fails)
+    monkeypatch.setattr(os, "fsync", fails)
     with pytest.raises(OSError, match="No space"):
         made_up(column()).save(file)
     assert file.read_bytes() == before
@@ -518,7 +518,7 @@ def test_a_file_is_replaced_through_a_link_and_by_another_response(file):
 
 
 def test_what_a_killed_process_left_is_removed_in_time(file):
-    left, new = (file.with_name(writing._TEMPORARY.format(name)) for name in ("left", "new"))
+    left, new = (file.with_name(TEMPORARY.format(name)) for name in ("left", "new"))
     for path in (left, new):
         path.touch()
     os.utime(left, (0, time.time() - 2 * 86400))

@@ -131,3 +131,12 @@ def test_package_lists_what_is_ours():
     assert public == {*rk.__all__, "analysis", "plots"}
     assert rk.plots is plots
     assert all(re.fullmatch(r"__\w+__", name) for name in set(dir(rk)) - public)
+
+
+def test_names_are_data_in_pages_that_are_files(tmp_path):
+    plots.design_report(BLOCK, [NAMED], duration=0.5).write(tmp_path / "report.html")
+    RUN.animate(tmp_path / "block.html", end=0.2, frames_per_second=5)
+    for name, scripts in (("report.html", 0), ("block.html", 1)):  # that of the player
+        text = (tmp_path / name).read_text(encoding="utf-8")
+        assert text.count("<script") == scripts
+        assert "&lt;script&gt;" in text
