@@ -239,7 +239,7 @@ def test_derive_into_a_file(tmp_path, capsys):
     [
         (["rigid_blok"], ["rigid_blok", "did you mean rigid_block?"]),
         (["rigid_block", "--code", "--form", "polar"], ["--form polar", "--code", "leave"]),
-        (["rigid_block", "--out", "no/such/folder/x"], ["no/such/folder/x", "path"]),
+        (["rigid_block", "--out", "no/such/folder/x"], ["no/such/folder/x", "there is no folder"]),
         (["shear_frame"], ["'storeys'", "it takes storeys=, support="]),
         (["shear_frame", "storeys=two"], ["storeys is 'two'", "whole number"]),
         (["shear_frame", "3"], ["3: write name=value, as in storeys=3"]),
