@@ -706,10 +706,12 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     everywhere: list[Fit] = []
     last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
     closed = np.array(r.pattern(last_mode)) != OPEN
-    for near in (1e-14, 1e-11, 1e-7):  # that is not decided by what a gap may be wrong by
-        touching = closed | (at.gaps[0] <= near * r.by_hand.size)
+    arriving = at.rates[0, :, 1] <= 0.0
+    # that is not decided by what a gap may be wrong by, nor by points that have just left
+    for near, may in ((1e-14, arriving), (1e-14, True), (1e-11, True), (1e-7, True)):
+        touching = closed | ((at.gaps[0] <= near * r.by_hand.size) & may)
         fits = modes_that_fit(at, ax, ay, touching, r.speed, margin)
-        distinct = _distinct([fit for fit in fits if _lasts(at, fit, ax, ay)])
+        distinct = _distinct([fit for fit in fits if _lasts(r, at, fit, last)])
         if len(distinct) != 1:
             return
         everywhere += distinct
@@ -720,9 +722,10 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         yield f"{word}: at {last:.9g} s, where one mode fits: {', '.join(states)}"
 
 
-def _lasts(at: At, fit: Fit, ax: float, ay: float) -> bool:
-    """Whether the points of a pattern still press a little later, as they move by it."""
+def _lasts(r: Told, at: At, fit: Fit, last: float) -> bool:
+    """Whether the points of a pattern still press a little later, as they and the ground move."""
     tau = 1e-4 * math.sqrt(at.of.size / at.of.gravity)
+    ax, ay = (float(a[0]) for a in r.shaking(np.array([last + tau])))
     q, v = at.states.q, at.states.v
     moved = q + tau * v + 0.5 * tau**2 * fit.motion
     later = at.of.at(moved, v + tau * fit.motion, at.states.internal)
