@@ -75,6 +75,7 @@ NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as
 STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
+SLOW = 1e-6  # of sqrt(a l): the speed of landings between whose outcomes nothing decides
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
 HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
@@ -588,13 +589,14 @@ def squared(known, x):
     return total
 
 
-def collide(contact, near, known, y):
+def collide(contact, near, slowest, known, y):
     """Velocities y[n:] after all touching points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
     closed, or faster where nothing presses; friction opposes the slip after the impact; all points
     at once. Returns a contact state of the impulses that fit, the best of those that lead to the
-    same velocities, or IMPOSSIBLE, or AMBIGUOUS.
+    same velocities, or IMPOSSIBLE, or AMBIGUOUS. slowest : what counts as the same, squared in the
+    measure of the mass, at least.
     """
     n = N_COORDINATES
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
@@ -609,8 +611,9 @@ def collide(contact, near, known, y):
         wanted[r] = -arriving
         if 2 * int(r * 0.5) == r:
             wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
+    alike = max(1e-18 * whole, slowest)
     found, _ = fitting_states(
-        contact, -1, near, sliding, wanted, known, sizes, FITS, 1e-18 * whole, fitting, change
+        contact, -1, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
     )
     if found >= 0:
         for i in range(n):
@@ -798,6 +801,21 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, rtol, known,
     return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out)
 
 
+def slow_landing(contact, near, y, p, ax, ay, known):
+    """How slow a landing is at which it does not matter what follows, see `collide`.
+
+    The speed is SLOW times sqrt(a l), a the acceleration of a point in free motion and l the radius
+    of gyration, as of bounces that end at once.
+    """
+    sizes, wanted = np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    slowest = np.inf
+    for i in range(N_POINTS):
+        if near[i] == 1:  # the force that holds a point, times the length
+            slowest = min(slowest, sizes[ROWS + i] * radius_of(known, i))
+    return SLOW * SLOW * slowest
+
+
 def still_closed(before, follows, guard, closed, touching):
     """The guards that are closed as a contact state begins, with those of other elements.
 
@@ -822,7 +840,10 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known,
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     as_said = contact  # by the velocities of this contact state
     if kind == LANDING:
-        as_said = collide(contact, near, known, out)
+        as_said = collide(contact, near, 0.0, known, out)
+        if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
+            slowest = slow_landing(contact, near, y, p, ax, ay, known)
+            as_said = collide(contact, near, slowest, known, out)
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave
