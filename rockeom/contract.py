@@ -39,6 +39,9 @@ KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
 # zero, its friction reaches the bound, its slip comes to a stop
 LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
 
+STEPPED_OVER = -2
+"""In place of the guard of a REST that is a step over events without end, see `step_over`."""
+
 # States of such a point, and what is said where no contact state follows, or several may
 # (one that is closed without friction slips or not, as the rest of the structure moves it)
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)

@@ -1,4 +1,4 @@
-"""When the infinitely many impacts to come will all have happened, and what follows then.
+"""What ends events without end: infinitely many impacts to come, or any events at one instant.
 
 Joined behind contacts.py, whose passages the impacts are, see `rockeom.numeric.program`.
 """
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rockeom.contract import IMPOSSIBLE, LANDING, OPEN, STICK
+from rockeom.contract import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
@@ -16,15 +16,20 @@ if TYPE_CHECKING:  # joined before this text
         GRAIN,
         GUARDS,
         KINDS,
+        LAWS,
+        MATRIX,
         N_COORDINATES,
         N_POINTS,
         N_STATES,
         POINT,
         POINT_STATES,
         ROWS,
+        SIGN_OF,
         SUBJECTS,
         acceleration_of,
         all_known,
+        collide,
+        free_motion,
         go_on_as,
         is_smooth,
         meet,
@@ -33,11 +38,14 @@ if TYPE_CHECKING:  # joined before this text
         radius_of,
         rate_of,
         rates,
+        squared,
+        through_mass,
         without_forces,
     )
 
 LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
+SLOWEST = 10.0  # changes of velocity that are stepped over, in accelerations times the time
 LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
@@ -71,7 +79,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
         total = 0.0
         for i in range(N_POINTS):
             bouncing[i] = 0
-        follows = all_closed(contact, bouncing, 0.0, p, ax, ay, rtol, known, near, y, out)
+        follows = all_closed(contact, bouncing, 0.0, 0.0, p, ax, ay, rtol, known, near, y, out)
     for _ in range(N_POINTS):
         if not (total < np.inf and follows >= 0 and any_lost(follows, out, p, ax, ay, known, dy)):
             break
@@ -80,7 +88,7 @@ def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
             w[i] = out[i]
         for i in range(N_POINTS):
             bouncing[i] = 0
-        follows = all_closed(follows, bouncing, 0.0, p, ax, ay, rtol, known, near, w, out)
+        follows = all_closed(follows, bouncing, 0.0, 0.0, p, ax, ay, rtol, known, near, w, out)
     return (total, follows) if follows >= 0 else (np.inf, follows)
 
 
@@ -118,6 +126,10 @@ def sum_of_flights(
         if _turn > 0:
             rates(here, w, p, ax, ay, dy)
         flight, which = next_landing(here, bouncing, heights, known, dy)
+        slips, guard = next_stop(here, w, known, dy)
+        stops = slips < flight
+        if stops:
+            flight = slips
         if have_ended(here, bouncing, heights, start, known, w, dy):
             break
         if not total + flight <= limit:
@@ -125,33 +137,34 @@ def sum_of_flights(
             if not (last <= 1e-6 * total and some_ended(here, bouncing)):
                 return np.inf, contact
             break
-        rate = known[which * POINT + 1]
-        alike = which == first and here == first_here
-        if alike:
-            ratio, period = rate / rate_then, total - first_total
-            left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
-            if total + left * period > limit:
-                return np.inf, contact
-            all_landed = True
-            for i in range(N_POINTS):
-                all_landed = all_landed and landed[i] >= bouncing[i]
-            if left > 0.0 and all_landed and abs(ratio - ratio_then) <= 1e-9 * (1.0 - ratio):
-                to_the_end(ratio, period, w_then, w)
-                total += left * period
-                break
-            ratio_then = ratio
-        if alike or first < 0 or flights == patience:
-            if flights == patience and not alike:
-                patience *= 2
-            first, first_here, first_total, rate_then, flights = which, here, total, rate, 0
-            for i in range(N_STATES):
-                w_then[i] = w[i]
-            for i in range(N_POINTS):
-                landed[i] = 0
-        flights += 1
-        last = flight
+        if not stops:
+            rate = known[which * POINT + 1]
+            alike = which == first and here == first_here
+            if alike:
+                ratio, period = rate / rate_then, total - first_total
+                left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
+                if total + left * period > limit:
+                    return np.inf, contact
+                all_landed = True
+                for i in range(N_POINTS):
+                    all_landed = all_landed and landed[i] >= bouncing[i]
+                if left > 0.0 and all_landed and abs(ratio - ratio_then) <= 1e-9 * (1.0 - ratio):
+                    to_the_end(ratio, period, w_then, w)
+                    total += left * period
+                    break
+                ratio_then = ratio
+            if alike or first < 0 or flights == patience:
+                if flights == patience and not alike:
+                    patience *= 2
+                first, first_here, first_total, rate_then, flights = which, here, total, rate, 0
+                for i in range(N_STATES):
+                    w_then[i] = w[i]
+                for i in range(N_POINTS):
+                    landed[i] = 0
+            guard, last = landing_of(here, which), flight
+            flights += 1
         total += flight
-        fly(here, which, flight, known, dy, bouncing, heights, near, w)
+        fly(here, -1 if stops else which, flight, known, dy, bouncing, heights, near, w)
         for i in range(N_POINTS):
             met[i] = near[i]
             landed[i] = max(landed[i], near[i])
@@ -159,8 +172,7 @@ def sum_of_flights(
             out[i] = w[i]
         points(w, p, known)
         here, _ = meet(
-            here, landing_of(here, which), near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known,
-            out,
+            here, guard, near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known, out
         )  # fmt: skip
         if here < 0:
             return np.inf, contact
@@ -170,7 +182,7 @@ def sum_of_flights(
         for i in range(N_POINTS):
             if met[i] == 1 and POINT_STATES[here][i] == OPEN and known[i * POINT + 1] > 0.0:
                 bouncing[i] = 1
-    follows = all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out)
+    follows = all_closed(here, bouncing, start, limit, p, ax, ay, rtol, known, near, w, out)
     return (total, follows) if follows >= 0 else (np.inf, contact)
 
 
@@ -262,6 +274,22 @@ def next_landing(here, bouncing, heights, told, dy):
     return flight, which
 
 
+def next_stop(here, w, told, dy):
+    """(time, guard) of the next end of a slip, as friction and what else acts now slow it."""
+    time, guard = np.inf, -1
+    for i in range(GUARDS[here]):
+        if KINDS[here][i] != STICKING:
+            continue
+        point = SUBJECTS[here][i]
+        sign = SIGN_OF[POINT_STATES[here][point]]
+        slip, _ = rate_of(told, 2 * point + 1, w, N_COORDINATES)
+        slows = -sign * acceleration_of(told, 2 * point + 1, dy)
+        lasts = max(sign * slip, 0.0) / slows if slows > 0.0 else np.inf
+        if lasts < time:
+            time, guard = lasts, i
+    return time, guard
+
+
 def landing_of(contact, point):
     """The guard of a point's landing."""
     guard = -1
@@ -324,20 +352,26 @@ def to_the_end(ratio, period, w_then, w):
         w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
 
 
-def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
+def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out):
     """The contact state that follows once all points that bounce are closed, or a negative number.
 
-    So are others whose flights are lost. w : the state until then; out : with them closed.
+    So are others whose flights are lost. A slip has ended, too, that is slower than `start`, or
+    that friction stops within `time`. w : the state until then; out : with them closed.
     known, near : scratch.
     """
     n = N_COORDINATES
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
+    stopped = np.empty(N_POINTS)
     for i in range(N_STATES):
         out[i] = w[i]
     all_known(out, p, here, known)
     rates(here, w, p, ax, ay, dy)
+    without_forces(out, p, ax, ay, here, known, wanted, sizes)
     for i in range(N_POINTS):
+        friction = known[LAWS + 2 * i + 1]
+        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
+        stopped[i] = max(start, time * slows)
         _, _, _, lost = hop_of(i, here, w, known, dy)
         closed = lost or bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
@@ -355,10 +389,59 @@ def all_closed(here, bouncing, start, p, ax, ay, rtol, known, near, w, out):
             continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK
-        if sticks or abs(slip) <= start + FITS * size:  # so slow a slip has ended, too
+        if sticks or abs(slip) <= stopped[i] + FITS * size:
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
     return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes)
+
+
+def step_over(contact, y, p, ax, ay, tolerance, longest, fits, rtol, known, out):
+    """(time, contact): a step over events without end, or over one that nothing may follow.
+
+    It is a time step of Moreau: in `tolerance` times sqrt(l/a), see `time_of_bounces`, but no
+    more than `longest`, velocities change by what moves the structure freely, and by impulses at
+    the points that touch, which do not bounce. out (N,) : the state after it. The time is inf, and
+    the contact state IMPOSSIBLE or AMBIGUOUS, where no impulses fit, where they change velocities
+    by more than accelerations can in such a time, or, if `fits`, where no forces fit after it.
+    """
+    n = N_COORDINATES
+    w, dy, forces = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_COORDINATES)
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    near, bouncing = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    all_known(y, p, contact, known)
+    whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    time = np.inf
+    for i in range(N_POINTS):
+        time = min(time, math.sqrt(radius_of(known, i) / sizes[2 * i]))
+    time = min(tolerance * time, longest)
+    rates(contact, y, p, ax, ay, dy)
+    free_motion(y, p, ax, ay, contact, known[MATRIX:], forces)
+    through_mass(known[MATRIX:], forces, 1)
+    for i in range(n):
+        massless = known[MATRIX + i * n + i] == 0.0
+        w[n + i] = y[n + i] + time * (dy[n + i] if massless else forces[i])
+    alike = np.inf
+    for i in range(N_POINTS):
+        gap, rate = known[i * POINT], known[i * POINT + 1]
+        falls, _ = rate_of(known, 2 * i, w, n)
+        least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[2 * i]
+        _, size = rate_of(known, 2 * i, y, 0)
+        near[i] = 1 if POINT_STATES[contact][i] != OPEN or least <= GRAIN * size else 0
+        if near[i] == 1:
+            alike = min(alike, time * time * sizes[ROWS + i] * sizes[2 * i])
+        known[LAWS + 2 * i] = 0.0  # restitution
+    as_said = collide(contact, near, alike, known, w)
+    if as_said < 0:
+        return np.inf, as_said
+    for i in range(n):
+        forces[i] = w[n + i] - y[n + i]
+        w[i] = y[i] + time * w[n + i]
+    if squared(known, forces) > SLOWEST * SLOWEST * time * time * whole:
+        return np.inf, IMPOSSIBLE
+    follows = all_closed(as_said, bouncing, 0.0, time, p, ax, ay, rtol, known, near, w, out)
+    if follows < 0 and fits:
+        return np.inf, follows
+    return time, follows if follows >= 0 else as_said

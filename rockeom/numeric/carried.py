@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rockeom.contract import GRAZES, IMPACT, LANDING, OTHER_WAY, REST
+from rockeom.contract import GRAZES, IMPACT, LANDING, OTHER_WAY, REST, STEPPED_OVER
 from rockeom.marks import (
     Duals,
     Duals2,
@@ -218,6 +218,8 @@ def pass_through(
     before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
     moved, behind = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE]
     t, contact, guard = events[e], event_kinds[e, 1], event_kinds[e, 3]
+    if guard == STEPPED_OVER:
+        return GRAZES, e, impacts, False
     for j in range(N_STATES):
         before[j] = event_states[e, 0, j]
     put(y, before)
@@ -234,6 +236,8 @@ def pass_through(
     while True:
         rested = event_kinds[e, 0] == REST
         kind, contact, guard = event_kinds[e, 0], event_kinds[e, 1], event_kinds[e, 3]
+        if guard == STEPPED_OVER:
+            return GRAZES, e, impacts, False
         ax, ay = shaking(dual_gx, t + tau), shaking(dual_gy, t + tau)
         if kind == REST:  # after the last impact, at t
             rests, follows = comes_to_rest(

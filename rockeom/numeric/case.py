@@ -179,6 +179,10 @@ def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate(parts), np.array([places[id(table)] for table in tables])
 
 
+AT_THE_END = 1e-9
+"""So far beyond the bound of overturning, relative to it, may be the last state of a motion."""
+
+
 @dataclass(frozen=True)
 class Case:
     """A structure, its ground motion and start; the arguments are those of `simulate`.
@@ -216,7 +220,7 @@ class Case:
         rotation = y0[structure.module.ROTATION]
         for name, fallen in structure.falls.items():
             value = y0[structure.states.index(name)]
-            if abs(value) >= fallen:
+            if abs(value) > fallen * (1.0 + AT_THE_END):
                 raise ValueError(
                     f"initial {name} is {value}: the structure lies on the ground from "
                     f"{fallen:.6g} on; start below"

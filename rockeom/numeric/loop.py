@@ -47,6 +47,7 @@ from rockeom.contract import (
     SLIPPING,
     STALLED,
     STAYS_OPEN,
+    STEPPED_OVER,
     STEPS_KEPT,
     SWITCH,
     TAKEN,
@@ -107,6 +108,7 @@ if TYPE_CHECKING:  # joined before this text
         pass_on,
         rates,
         reactions,
+        step_over,
         still_closed,
         take_step,
         time_of_bounces,
@@ -114,6 +116,8 @@ if TYPE_CHECKING:  # joined before this text
     )
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
+MOST_IDLE, MOST_IDLE_POINTS = 100, 1000  # events at one instant; with more they are chatter
+CROWDED = 20  # after so many of them points step over the time of a rest
 CLOSED_GAP = 1e-12  # of the overturning rotation: by so much feet may miss the ground on landing
 
 # Places in the loop's scratch array
@@ -1556,73 +1560,89 @@ def integrate(
 
         # -- the event: pass into the contact state that follows
         idle += 1
-        if idle > 100:
+        before, kind, closed = contact, KINDS[contact][landed], touching
+        touching = -1
+        ax, ay = shaking(gx, t), shaking(gy, t)
+        rests, stepped, stepped_to = np.inf, False, 0
+        if N_POINTS > 0 and CROWDED * int(idle / CROWDED) == idle:
+            rests, stepped_to = step_over(
+                before, y, p, ax, ay, rest_tolerance, last - t, False, rtol, known, y_new
+            )
+            stepped = rests < np.inf
+        if idle > (MOST_IDLE if N_POINTS == 0 else MOST_IDLE_POINTS):
             outcome = CHATTER
             if follows < 0:  # the bounces have an end, but nothing that may follow it
                 outcome = NO_SOLUTION if follows == IMPOSSIBLE else SEVERAL_SOLUTIONS
             break
-        before = contact
-        kind = KINDS[contact][landed]
-        closed = touching
-        touching = -1
         if N_POINTS == 0:
             contact = jump(before, landed, law, ratio_at(law, ratio, impacts, y, p), y, p, after)
-        else:
+        elif not stepped:
             length = max(h, min(h_next, last - t))
             tau = 1e-5 * length
             contact, touching = pass_on(
-                before, landed, length, y, p, shaking(gx, t), shaking(gy, t),
-                shaking(gx, t + tau), shaking(gy, t + tau), tau, rtol, known, after,
+                before, landed, length, y, p, ax, ay, shaking(gx, t + tau), shaking(gy, t + tau),
+                tau, rtol, known, after,
             )  # fmt: skip
             if contact < 0:
                 outcome = NO_SOLUTION if contact == IMPOSSIBLE else SEVERAL_SOLUTIONS
                 contact = before
-                break
-            if kind == SWITCH:
+                rests, stepped_to = step_over(
+                    before, y, p, ax, ay, rest_tolerance, last - t, True, rtol, known, y_new
+                )
+                # what has come to its end and goes on as before is no way out
+                stepped = rests < np.inf and (kind == LANDING or stepped_to != before)
+                if not stepped:
+                    break
+                outcome = COMPLETED
+            elif kind == SWITCH:
                 touching = still_closed(before, contact, landed, closed, touching)
-        record_event(
-            n_events, t, kind, before, contact, landed, y, after, events, event_kinds,
-            event_states,
-        )  # fmt: skip
-        n_events += 1
-        for i in range(N_STATES):
-            y[i] = after[i]
-        rocks = rocking(contact)
-        side = SIDES[contact]
-        fresh = news = 1
-        if N_POINTS == 0 and (kind != IMPACT or SIDES[contact] != 0.0):
-            touching = CLOSED[before][landed]
-        if kind in (UPLIFT, LIFTING):
-            h_next = 0.0  # the gap opens slowly: its first moments want a short step
-        if kind != IMPACT and kind != LANDING:
-            continue
-        if N_POINTS == 0 and idle > 1 and SIDES[contact] == 0.0:
-            # it opened and closed in no time: that uplift was none
-            for i in range(GUARDS[contact]):
-                if TARGETS[contact][i] == before:
-                    touching = i
-        impacts += 1
-        if impacts > max_impacts:
-            outcome = TOO_MANY_IMPACTS
-            break
-        ax, ay = shaking(gx, t), shaking(gy, t)
-        # -- the rest of infinitely many impacts at once
-        if N_POINTS > 0:
-            rests, follows = time_of_bounces(
-                contact, y, p, ax, ay, rest_tolerance, rtol, known, y_new
-            )
-        elif SIDES[contact] == 0.0:
-            continue
+        if stepped:
+            follows = stepped_to
+            fresh = news = 1
         else:
-            rates(contact, y, p, ax, ay, k)
-            if not may_fade(side, y, k, law, ratio, rest_tolerance):
-                if rocks and t < last and h_next != 0.0:
-                    fresh = news = 0  # the next step begins with these rates
+            record_event(
+                n_events, t, kind, before, contact, landed, y, after, events, event_kinds,
+                event_states,
+            )  # fmt: skip
+            n_events += 1
+            for i in range(N_STATES):
+                y[i] = after[i]
+            rocks = rocking(contact)
+            side = SIDES[contact]
+            fresh = news = 1
+            if N_POINTS == 0 and (kind != IMPACT or SIDES[contact] != 0.0):
+                touching = CLOSED[before][landed]
+            if kind in (UPLIFT, LIFTING):
+                h_next = 0.0  # the gap opens slowly: its first moments want a short step
+            if kind != IMPACT and kind != LANDING:
                 continue
-            rests, follows = time_to_rest(
-                contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after, coefficients
-            )
-        if not (t + rests < last or rests < 16.0 * EPS * t):
+            if N_POINTS == 0 and idle > 1 and SIDES[contact] == 0.0:
+                # it opened and closed in no time: that uplift was none
+                for i in range(GUARDS[contact]):
+                    if TARGETS[contact][i] == before:
+                        touching = i
+            impacts += 1
+            if impacts > max_impacts:
+                outcome = TOO_MANY_IMPACTS
+                break
+            # -- the rest of infinitely many impacts at once
+            if N_POINTS > 0:
+                rests, follows = time_of_bounces(
+                    contact, y, p, ax, ay, rest_tolerance, rtol, known, y_new
+                )
+            elif SIDES[contact] == 0.0:
+                continue
+            else:
+                rates(contact, y, p, ax, ay, k)
+                if not may_fade(side, y, k, law, ratio, rest_tolerance):
+                    if rocks and t < last and h_next != 0.0:
+                        fresh = news = 0  # the next step begins with these rates
+                    continue
+                rests, follows = time_to_rest(
+                    contact, y, p, law, ratio, impacts, ax, ay, rest_tolerance, w, after,
+                    coefficients,
+                )  # fmt: skip
+        if not (stepped or t + rests < last or rests < 16.0 * EPS * t):
             continue
         kept = contact  # in which the time of the rest is recorded
         if N_POINTS > 0:
@@ -1642,10 +1662,11 @@ def integrate(
         if keep and t + rests > t:
             record_step(n_steps, t, rests, kept, coefficients, steps, step_contact, step_states)
             n_steps += 1
-        t += rests
+        t = min(t + rests, last) if stepped else t + rests
         record_event(
-            n_events, t, REST, contact, follows, -1, w, y_new, events, event_kinds, event_states
-        )
+            n_events, t, REST, contact, follows, STEPPED_OVER if stepped else -1, w, y_new, events,
+            event_kinds, event_states,
+        )  # fmt: skip
         n_events += 1
         if follow:
             widen(peaks, y_new)

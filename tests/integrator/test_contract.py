@@ -23,11 +23,11 @@ TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAs
 OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
     "points", "point_laws", "guard_noise", "longest_turn", "fall_within", "pass_on", "is_closed",
-    "nothing_moves", "held_upright", "time_of_bounces", "fits_by_forces", "end_closed",
+    "nothing_moves", "held_upright", "time_of_bounces", "step_over", "fits_by_forces", "end_closed",
     "only_hop", "to_landing", "meet", "go_on_as", "all_known", "put_on", "rate_of",
     "acceleration_of", "N_COORDINATES", "POINT", "ROW", "ROWS", "MATRIX", "COUPLING", "GRAIN",
     "FITS", "but_for_rounding", "without_forces", "radius_of",
-    "is_smooth", "still_closed",
+    "is_smooth", "still_closed", "collide", "through_mass", "squared", "LAWS", "SIGN_OF",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}

@@ -101,6 +101,18 @@ class Told(Record):
         mass = first.whole
         return math.sqrt(2 * kinetic / mass) + SLACK * self.motion.options.atol / self.loose
 
+    def step_of_rest(self, event: int) -> np.ndarray:
+        """The step of a rest, if it takes any time: it goes from its state before in a line."""
+        ends = np.flatnonzero(self.stop == self.times[event])
+        return ends[(self.first[ends] == self.before[event]).all(axis=1)]
+
+    @cached_property
+    def rests(self) -> np.ndarray:
+        found = np.zeros(len(self.start), bool)
+        for event in np.flatnonzero(self.kinds == REST):
+            found[self.step_of_rest(event)] = True
+        return found
+
     def pattern(self, contact: int) -> tuple[int, ...]:
         """The states of the points."""
         return tuple(self.program.POINT_STATES[contact]) if self.by_hand.has_points else ()
@@ -461,7 +473,7 @@ def _shared(
         bound = np.zeros(len(events))
         for c, other in enumerate(normal):
             if points[other].pair == points[p].pair:
-                presses = pressed[:, c] > room_i
+                presses = pressed[:, c] > (room_i if math.isinf(points[other].friction) else 0.0)
                 bound[presses] += points[other].friction * pressed[presses, c]
         over = np.abs(friction[:, column]) - bound - room_i
         if math.isinf(points[p].friction):  # it is held until its normal impulse is zero
@@ -511,7 +523,9 @@ def rested(r: Told) -> Found:
         return
     size, tolerance = r.by_hand.size, r.motion.options.rest_tolerance
     before, after = r.at(r.before[rests]), r.at(r.after[rests])
-    began = r.times[rests - 1]  # each follows a landing at once
+    began = r.times[rests].copy()
+    for i, e in enumerate(rests):
+        began[i] = min(r.start[r.step_of_rest(e)], default=began[i])
     ax, ay = r.shaking(began)
     lasts = r.times[rests] - began
     for i, e in enumerate(rests):
@@ -598,9 +612,9 @@ def _rested(
             yield f"rest slip: {where}: {names[i]} sticks and slips at {rate[0]:.3g} m/s after it"
     gained = float((two.kinetic() + two.potential - one.kinetic() - one.potential)[0])
     mass = one.whole
-    if gained > mass * (speed + most) * (hard * lasts + rounding) + 1e-12 * abs(
-        float(one.potential[0])
-    ):
+    may = mass * (speed + most) * (hard * lasts + rounding) + 1e-12 * abs(float(one.potential[0]))
+    may += GENTLE * mass * hard * float(np.maximum(-one.gaps[0], 0.0).max())  # put on the ground
+    if gained > may:
         yield f"rest energy: {where}: the energy grows by {gained:.3g} J in {lasts:.3g} s"
 
 
@@ -694,6 +708,9 @@ def _stands(r: Told) -> Found:
 
 @dataclass(frozen=True)
 class Fit:
+    """A pattern whose forces fit after a landing, that state, and its accelerations."""
+
+    at: At
     pattern: tuple[int, ...]
     motion: np.ndarray
 
@@ -711,7 +728,7 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     for near, may in ((1e-14, arriving), (1e-14, True), (1e-11, True), (1e-7, True)):
         touching = closed | ((at.gaps[0] <= near * r.by_hand.size) & may)
         fits = modes_that_fit(at, ax, ay, touching, r.speed, margin)
-        distinct = _distinct([fit for fit in fits if _lasts(r, at, fit, last)])
+        distinct = _distinct([fit for fit in fits if _lasts(r, fit, last)])
         if len(distinct) != 1:
             return
         everywhere += distinct
@@ -722,8 +739,9 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         yield f"{word}: at {last:.9g} s, where one mode fits: {', '.join(states)}"
 
 
-def _lasts(r: Told, at: At, fit: Fit, last: float) -> bool:
+def _lasts(r: Told, fit: Fit, last: float) -> bool:
     """Whether the points of a pattern still press a little later, as they and the ground move."""
+    at = fit.at
     tau = 1e-4 * math.sqrt(at.of.size / at.of.gravity)
     ax, ay = (float(a[0]) for a in r.shaking(np.array([last + tau])))
     q, v = at.states.q, at.states.v
@@ -749,10 +767,10 @@ def modes_that_fit(
     """Patterns of one state whose forces fit; none where velocities after a landing are not one.
 
     touching : of each point, whether it does. margin : of forces and accelerations, by which a
-    pattern may miss.
+    pattern may miss, ten times that of velocities.
     """
     size = at.of.size
-    small = 1e-7 * (speed + math.sqrt(at.of.gravity * size) * 1e-6)
+    small = 0.1 * margin * (speed + math.sqrt(at.of.gravity * size) * 1e-6)
     closing = touching & (at.rates[0, :, 1] < -small)
     if closing.any():
         after = _after_landing(at, touching, small)
@@ -794,7 +812,7 @@ def modes_that_fit(
             for i, s in enumerate(pattern)
         ):
             continue
-        found.append(Fit(pattern, solved.motion[0]))
+        found.append(Fit(at, pattern, solved.motion[0]))
     return found
 
 
