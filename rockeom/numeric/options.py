@@ -49,6 +49,9 @@ class SolverOptions:
         Where contacts open and close, the unit is sqrt(l/a), l the radius of gyration and a the
         acceleration of a contact point in free motion. Flights lower than 1e-13 of the coordinates
         are lost among rounding errors: they are summed up to 1e-5 of that unit, or end at once.
+        Events that follow one another without end at one instant, and slow landings that no
+        contact state may follow, are stepped over: a time step of Moreau, as long as a rest may
+        be, without restitution.
     max_impacts, max_steps : where a motion is given up, with an outcome that says so.
     output_step : largest spacing of the samples of the response [s]; None for 1/4000 of the
         duration.

@@ -122,6 +122,28 @@ def test_bars_that_stop_to_yield_at_the_same_instant_do_not_take_turns(number):
     assert list(on_contacts(Told(motion, motion.run(), by_hand))) == []
 
 
+WITHOUT_END = {
+    "a block on smooth feet begins to slip again and again": 1_000_000_000_861,
+    "a block on rough feet begins to slip again and again": 1_000_000_001_660,
+    "blocks of a stack meet in turn until no impulses fit": 2_000_000_001_168,
+    "three feet bounce, and slip ends between two landings": 3_000_000_002_176,
+    "two feet of a frame land in turn": 4_000_000_000_625,
+    "two bars yield in turn": 6_000_000_000_512,
+    "two feet bounce, and slip ends between two landings": 6_000_000_001_656,
+    "a foot that lands as its pads press leaves again and again": 6_000_000_002_003,
+    "a stop is met again and again as a foot lands": 7_000_000_000_565,
+}
+"""Seeds with events that had no end: chatter, a stall, or more impacts than any other motion has."""
+
+
+@pytest.mark.parametrize("what", WITHOUT_END)
+def test_events_without_end_at_one_instant_are_stepped_over(what):
+    motion, by_hand = drawn(WITHOUT_END[what])
+    told = Told(motion, motion.run(), by_hand)
+    assert told.run.outcome in ("came to rest", "completed", "overturned")
+    assert not list(on_contacts(told))
+
+
 def test_a_seed_of_a_family_always_gives_the_same_motion():
     for seed in spread(21, 5, FAMILIES):
         assert str(drawn(seed)[0]) == str(drawn(seed)[0])
