@@ -48,7 +48,14 @@ def size(structure: Structure) -> tuple[str, ...]:
 
 def damping(structure: Structure) -> tuple[str, ...]:
     """A damping ratio that was given for a damping in N s/m."""
-    if not structure.rocks_on_rigid_ground or structure.vector.dtype != float:
+    if structure.vector.dtype != float:
+        return ()
+    return _of_columns(structure) or _of_dampers(structure)
+
+
+def _of_columns(structure: Structure) -> tuple[str, ...]:
+    """By the first mode on a fixed base."""
+    if not structure.rocks_on_rigid_ground:
         return ()
     units = zip(structure.module.PARAMETER_UNITS, structure.vector, strict=False)
     if not any(unit == "N s/m" and value > 0.0 for unit, value in units):
@@ -65,6 +72,26 @@ def damping(structure: Structure) -> tuple[str, ...]:
         f"ratio given for a damping in N s/m? A ratio of 0.05 takes {0.05 / ratio:.3g} times as "
         "much.",
     )
+
+
+def _of_dampers(structure: Structure) -> tuple[str, ...]:
+    """By the stiffness beside each damper and the largest mass, which tell the order of a ratio."""
+    module = structure.module
+    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
+    values = dict(zip(module.PARAMETERS, structure.vector.tolist(), strict=False))
+    mass = max((values[name] for name, unit in units.items() if unit == "kg"), default=0.0)
+    for name, unit in units.items():
+        spring = name.replace("damping", "stiffness")
+        if unit != "N s/m" or units.get(spring) != "N/m":
+            continue
+        critical = 2.0 * math.sqrt(values[spring] * mass)
+        if 0.0 < values[name] < LEAST_DAMPING * critical:
+            return (
+                f"{name} is {values[name]:.4g} N s/m, about {values[name] / critical:.1g} of the "
+                f"critical damping of {mass:.4g} kg on {spring}: was a damping ratio given for it? "
+                f"A ratio of 0.05 is about {0.05 * critical:.3g} N s/m.",
+            )
+    return ()
 
 
 def shaking(run: Response) -> tuple[str, ...]:

@@ -99,6 +99,23 @@ def test_damping_ratio_that_was_given_for_a_damping():
     assert "damping ratio" in frame.hints()[0]
 
 
+def test_damping_ratio_that_was_given_for_the_dampers_of_a_foundation():
+    """Two springs under a mass: heave has the damping ratio 2 c / (2 sqrt(2 k m))."""
+    k, m = 1e6, 1.5e3
+
+    def hints(c):
+        return rk.LumpedMassStructure(
+            mass=1e3, height=2.0, inertia=0.0, base_mass=m - 1e3, base_height=0.0,
+            base_inertia=100.0, half_width=0.5, support=rk.TwoSprings(stiffness=k, damping=c),
+        ).hints()  # fmt: skip
+
+    (hint,) = hints(0.05)
+    assert hint.startswith("foundation_damping is 0.05 N s/m")
+    told = float(re.findall(r"is about (\S+) N s/m", hint)[0])
+    assert told == pytest.approx(0.05 * math.sqrt(2 * k * m), rel=0.5)
+    assert hints(told) == () == hints(0.0)
+
+
 @pytest.mark.parametrize(
     "structure",
     [
