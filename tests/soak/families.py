@@ -149,7 +149,7 @@ def _a_block(dice: Dice, structure: Structure, by_hand: Mechanics, b: float, h: 
     kind = dice.one_of("rest", "leaning", "leaning", "moving", "dropped", "sliding")
     initial: dict[str, float] = {}
     if kind != "rest":
-        initial["theta"] = slenderness * dice.between(-1.2, 1.2)
+        initial["theta"] = min(slenderness, 1.3) * dice.between(-1.2, 1.2)  # upright, not fallen
     if kind == "moving":
         initial["theta_dot"] = math.sqrt(GRAVITY / h) * slenderness * dice.between(-1.5, 1.5)
     if kind == "dropped":
