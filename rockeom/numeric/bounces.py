@@ -45,7 +45,7 @@ if TYPE_CHECKING:  # joined before this text
 
 LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
-SLOWEST = 10.0  # changes of velocity that are stepped over, in accelerations times the time
+SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
 LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
@@ -379,8 +379,13 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
     points(out, p, known)
+    largest = 0.0
     for i in range(N_POINTS):
-        if near[i] == 0 and known[i * POINT] <= 0.0 and known[i * POINT + 1] <= 0.0:
+        _, size = rate_of(known, 2 * i, out, 0)
+        largest = max(largest, size)
+    for i in range(N_POINTS):
+        gap, rate = known[i * POINT], known[i * POINT + 1]
+        if near[i] == 0 and (gap <= 0.0 >= rate or (gap <= GRAIN * largest and rate < 0.0)):
             return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue

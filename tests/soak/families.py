@@ -89,7 +89,7 @@ def _options(seed: int) -> rk.SolverOptions:
     family = family_of(seed)
     assert family is not None
     method = METHODS[seed % BASE // len(_VARIANTS[family]) % len(METHODS)]
-    limits = {"max_impacts": 100_000, "max_steps": 400_000}
+    limits = {"max_impacts": 300_000, "max_steps": 1_000_000}
     if method == "RK45 1e-6":
         return rk.SolverOptions(method="RK45", rtol=1e-6, **limits)
     return rk.SolverOptions(method=method.split()[0], **limits)

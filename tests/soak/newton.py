@@ -723,10 +723,11 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     everywhere: list[Fit] = []
     last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
     closed = np.array(r.pattern(last_mode)) != OPEN
-    arriving = at.rates[0, :, 1] <= 0.0
-    # that is not decided by what a gap may be wrong by, nor by points that have just left
-    for near, may in ((1e-14, arriving), (1e-14, True), (1e-11, True), (1e-7, True)):
-        touching = closed | ((at.gaps[0] <= near * r.by_hand.size) & may)
+    # whether a point touches that is as near as rounding, or has just left, is not decided
+    beside = np.flatnonzero(~closed & (at.gaps[0] <= 1e-7 * r.by_hand.size))
+    for count in range(2 ** len(beside)):
+        touching = closed.copy()
+        touching[[i for k, i in enumerate(beside) if count >> k & 1]] = True
         fits = modes_that_fit(at, ax, ay, touching, r.speed, margin)
         distinct = _distinct([fit for fit in fits if _lasts(r, fit, last)])
         if len(distinct) != 1:

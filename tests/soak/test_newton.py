@@ -133,7 +133,7 @@ WITHOUT_END = {
     "a foot that lands as its pads press leaves again and again": 6_000_000_002_003,
     "a stop is met again and again as a foot lands": 7_000_000_000_565,
 }
-"""Seeds with events that had no end: chatter, a stall, or more impacts than any other motion has."""
+"""Seeds with events that had no end: chatter, a stall, or more impacts than other motions have."""
 
 
 @pytest.mark.parametrize("what", WITHOUT_END)
