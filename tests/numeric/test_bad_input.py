@@ -122,10 +122,16 @@ def test_phase_that_contradicts_the_state(initial, phase):
         rk.simulate(BLOCK, QUIET, initial=initial, phase=phase)
 
 
-@pytest.mark.parametrize("theta", [math.pi / 2, -2.0])
+@pytest.mark.parametrize("theta", [math.pi / 2 + 1e-6, -2.0])
 def test_start_beyond_overturning(theta):
     with raises(ValueError, "theta", "ground", "start below"):
         rk.simulate(BLOCK, QUIET, initial={"theta": theta})
+
+
+@pytest.mark.parametrize("digits", [-1e-12, 0.0, 1e-12])
+def test_the_last_state_of_a_motion_that_overturned_is_a_start(digits):
+    initial = {"theta": math.pi / 2 * (1 + digits), "theta_dot": 0.1}
+    assert rk.simulate(BLOCK, QUIET, initial=initial).outcome == "overturned"
 
 
 # -- duration and options
