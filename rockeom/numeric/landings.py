@@ -15,6 +15,7 @@ from rockeom.marks import inlined
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
         ANGLES,
+        GRAIN,
         GUARDS,
         KINDS,
         N_COORDINATES,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:  # joined before this text
         guards,
         is_closed,
         points,
+        rate_of,
         shaking,
     )
 
@@ -166,15 +168,30 @@ def to_landing(contact, guard, y, p, dy):
     """Time from the end of a step to the landing beside it; infinite where the gap does not close.
 
     By the parabola there, from which it differs by the third power of that time. dy (N,) : rates.
+    The gap is that of the guard, as `fall_within` sees it: what drift closed points have is none
+    of it.
     """
-    told = np.empty(POINT * N_POINTS)
+    told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
     points(y, p, told)
+    guards(contact, y, p, 0.0, 0.0, g)
     point = SUBJECTS[contact][guard]
-    gap, rate = told[point * POINT], told[point * POINT + 1]
+    rate = told[point * POINT + 1]
     if not rate < 0.0:
         return np.inf
-    move = -gap / rate
+    move = -g[guard] / rate
     return move - 0.5 * acceleration_of(told, 2 * point, dy) * move * move / rate
+
+
+def is_rounding(contact, guard, y, p):
+    """Whether a gap is closed but for the rounding errors of the places of all points."""
+    told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, told)
+    guards(contact, y, p, 0.0, 0.0, g)
+    largest = 0.0
+    for i in range(N_POINTS):
+        _, size = rate_of(told, 2 * i, y, 0)
+        largest = max(largest, size)
+    return abs(g[guard]) <= GRAIN * largest
 
 
 def end_closed(contact, samples):

@@ -98,6 +98,7 @@ if TYPE_CHECKING:  # joined before this text
         held_guards,
         held_upright,
         is_closed,
+        is_rounding,
         jump,
         kinematics,
         longest_turn,
@@ -1426,6 +1427,8 @@ def integrate(
                     misplaced = misplaced or (
                         not (rocks or lands) and closed_before(contact, target, h, y_new, g, b)
                     )
+                    if N_POINTS > 0 and misplaced and KINDS[contact][target] == LANDING:
+                        misplaced = not is_rounding(contact, target, y_new, p)
                     if misplaced and h > 1e-6 * longest:
                         # the guard is not where its polynomial put it: look again in less time
                         h *= 0.5

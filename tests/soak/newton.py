@@ -881,6 +881,7 @@ def _after_landing(at: At, touching: np.ndarray, small: float) -> list[np.ndarra
             SENSE[s] * rate[i, 0] < -small and points[i].friction for i, s in enumerate(pattern)
         ):
             continue
-        if all(np.abs(after - other).max() > 1e-5 * np.abs(after).max() for other in found):
+        apart = 1e-5 * np.abs(after - v).max() + 1e-12 * np.abs(after).max()
+        if all(np.abs(after - other).max() > apart for other in found):
             found.append(after)
     return found
