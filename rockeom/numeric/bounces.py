@@ -30,6 +30,7 @@ if TYPE_CHECKING:  # joined before this text
         all_known,
         collide,
         free_motion,
+        gap_rounding,
         go_on_as,
         is_smooth,
         meet,
@@ -362,16 +363,12 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
     n = N_COORDINATES
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
-    stopped = np.empty(N_POINTS)
     for i in range(N_STATES):
         out[i] = w[i]
     all_known(out, p, here, known)
     rates(here, w, p, ax, ay, dy)
     without_forces(out, p, ax, ay, here, known, wanted, sizes)
     for i in range(N_POINTS):
-        friction = known[LAWS + 2 * i + 1]
-        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
-        stopped[i] = max(start, time * slows)
         _, _, _, lost = hop_of(i, here, w, known, dy)
         closed = lost or bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
@@ -379,13 +376,10 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
     points(out, p, known)
-    largest = 0.0
-    for i in range(N_POINTS):
-        _, size = rate_of(known, 2 * i, out, 0)
-        largest = max(largest, size)
+    rounding = gap_rounding(known, out)
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
-        if near[i] == 0 and (gap <= 0.0 >= rate or (gap <= GRAIN * largest and rate < 0.0)):
+        if near[i] == 0 and (gap <= 0.0 >= rate or (gap <= rounding and rate < 0.0)):
             return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue
@@ -394,7 +388,9 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
             continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         sticks = POINT_STATES[here][i] == STICK
-        if sticks or abs(slip) <= stopped[i] + FITS * size:
+        friction = known[LAWS + 2 * i + 1]
+        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
+        if sticks or abs(slip) <= max(start, time * slows) + FITS * size:
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0

@@ -284,6 +284,15 @@ def rate_of(told, row, y, first):
     return total, size
 
 
+def gap_rounding(told, y):
+    """The rounding error of a gap where other points are closed: by the largest terms of any."""
+    largest = 0.0
+    for i in range(N_POINTS):
+        _, size = rate_of(told, 2 * i, y, 0)
+        largest = max(largest, size)
+    return GRAIN * largest
+
+
 @inlined
 def acceleration_of(told, row, dy):
     """Of a gap or a slip, from the rates (N,) of the state."""

@@ -15,7 +15,6 @@ from rockeom.marks import inlined
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
         ANGLES,
-        GRAIN,
         GUARDS,
         KINDS,
         N_COORDINATES,
@@ -24,10 +23,10 @@ if TYPE_CHECKING:  # joined before this text
         ROW,
         SUBJECTS,
         acceleration_of,
+        gap_rounding,
         guards,
         is_closed,
         points,
-        rate_of,
         shaking,
     )
 
@@ -187,11 +186,7 @@ def is_rounding(contact, guard, y, p):
     told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
     points(y, p, told)
     guards(contact, y, p, 0.0, 0.0, g)
-    largest = 0.0
-    for i in range(N_POINTS):
-        _, size = rate_of(told, 2 * i, y, 0)
-        largest = max(largest, size)
-    return abs(g[guard]) <= GRAIN * largest
+    return abs(g[guard]) <= gap_rounding(told, y)
 
 
 def end_closed(contact, samples):

@@ -1567,16 +1567,16 @@ def integrate(
         touching = -1
         ax, ay = shaking(gx, t), shaking(gy, t)
         rests, stepped, stepped_to = np.inf, False, 0
-        if N_POINTS > 0 and CROWDED * int(idle / CROWDED) == idle:
-            rests, stepped_to = step_over(
-                before, y, p, ax, ay, rest_tolerance, last - t, False, rtol, known, y_new
-            )
-            stepped = rests < np.inf
         if idle > (MOST_IDLE if N_POINTS == 0 else MOST_IDLE_POINTS):
             outcome = CHATTER
             if follows < 0:  # the bounces have an end, but nothing that may follow it
                 outcome = NO_SOLUTION if follows == IMPOSSIBLE else SEVERAL_SOLUTIONS
             break
+        if N_POINTS > 0 and CROWDED * int(idle / CROWDED) == idle:
+            rests, stepped_to = step_over(
+                before, y, p, ax, ay, rest_tolerance, last - t, False, rtol, known, y_new
+            )
+            stepped = rests < np.inf
         if N_POINTS == 0:
             contact = jump(before, landed, law, ratio_at(law, ratio, impacts, y, p), y, p, after)
         elif not stepped:

@@ -27,7 +27,7 @@ OF_POINTS = {
     "only_hop", "to_landing", "meet", "go_on_as", "all_known", "put_on", "rate_of",
     "acceleration_of", "N_COORDINATES", "POINT", "ROW", "ROWS", "MATRIX", "COUPLING", "GRAIN",
     "FITS", "but_for_rounding", "without_forces", "radius_of",
-    "is_smooth", "is_rounding", "still_closed",
+    "is_smooth", "is_rounding", "gap_rounding", "still_closed",
     "collide", "through_mass", "squared", "LAWS", "SIGN_OF",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
