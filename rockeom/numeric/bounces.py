@@ -12,6 +12,7 @@ from rockeom.contract import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STIC
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.numeric.joined import (
+        COUPLING,
         FITS,
         GRAIN,
         GUARDS,
@@ -47,6 +48,8 @@ if TYPE_CHECKING:  # joined before this text
 LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
 SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
+TURNS = 4000  # landings and ends of slips that are followed, until few and slow ones are left
+SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
 LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
@@ -123,15 +126,19 @@ def sum_of_flights(
     first, first_here, first_total, rate_then, ratio_then = -1, -1, 0.0, 0.0, 0.0
     w_then = np.empty(N_STATES)
     flights, patience = 0, 2
-    for _turn in range(4000):
-        if _turn > 0:
+    for turn in range(TURNS + 1):
+        if turn > 0:
             rates(here, w, p, ax, ay, dy)
-        flight, which = next_landing(here, bouncing, heights, known, dy)
+        flight, which = next_landing(here, bouncing, heights, w, known, dy)
         slips, guard = next_stop(here, w, known, dy)
         stops = slips < flight
         if stops:
             flight = slips
-        if have_ended(here, bouncing, heights, start, known, w, dy):
+        if have_ended(here, bouncing, heights, 1e-7 * start, known, w, dy):
+            break
+        if turn == TURNS:
+            if not have_ended(here, bouncing, heights, 1e-2 * start, known, w, dy):
+                return np.inf, contact
             break
         if not total + flight <= limit:
             # where the last flights were nothing, some have come to their end and others fly on
@@ -254,7 +261,7 @@ def beside_bounces(contact, limit, known, dy, bouncing, heights):
                 bouncing[i], heights[i] = 1, gap
 
 
-def next_landing(here, bouncing, heights, told, dy):
+def next_landing(here, bouncing, heights, w, told, dy):
     """(time, point) of the next landing of those that bounce: (inf, -1) where none lands by itself.
 
     A gap that opens faster and faster waits for the landing of another.
@@ -263,7 +270,10 @@ def next_landing(here, bouncing, heights, told, dy):
     for i in range(N_POINTS):
         if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
             continue
-        rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
+        a = -acceleration_of(told, 2 * i, dy)
+        rate, size = rate_of(told, 2 * i, w, N_COORDINATES)
+        if heights[i] == 0.0 and -FITS * size <= rate < 0.0:
+            rate = 0.0  # it would land again and again, and nothing would change
         square = rate * rate + 2.0 * a * heights[i]
         lasts = np.inf
         if rate < 0.0 and square >= 0.0:
@@ -300,8 +310,8 @@ def landing_of(contact, point):
     return guard
 
 
-def have_ended(here, bouncing, heights, start, told, w, dy):
-    """Whether nothing but the digits of other velocities is left of those of the bounces."""
+def have_ended(here, bouncing, heights, slow, told, w, dy):
+    """Whether the bounces are slower than `slow`, or than the digits of other velocities."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
@@ -309,7 +319,7 @@ def have_ended(here, bouncing, heights, start, told, w, dy):
             fastest = max(fastest, math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[i]))
         _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
-    return fastest <= max(1e-7 * start, 1e-8 * whole)
+    return fastest <= max(slow, 1e-8 * whole)
 
 
 def some_ended(here, bouncing):
@@ -356,9 +366,8 @@ def to_the_end(ratio, period, w_then, w):
 def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out):
     """The contact state that follows once all points that bounce are closed, or a negative number.
 
-    So are others whose flights are lost. A slip has ended, too, that is slower than `start`, or
-    that friction stops within `time`. w : the state until then; out : with them closed.
-    known, near : scratch.
+    So are others whose flights are lost. w : the state until then; out : with them closed, and with
+    slips ended, see `end_slips`. known, near : scratch.
     """
     n = N_COORDINATES
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
@@ -384,40 +393,86 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
         if near[i] == 0:
             continue
         wanted[2 * i] = -known[i * POINT + 1]
-        if is_smooth(i):
-            continue
-        slip, size = rate_of(known, 2 * i + 1, out, n)
-        sticks = POINT_STATES[here][i] == STICK
-        friction = known[LAWS + 2 * i + 1]
-        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
-        if sticks or abs(slip) <= max(start, time * slows) + FITS * size:
+        if POINT_STATES[here][i] == STICK:
+            slip, _ = rate_of(known, 2 * i + 1, out, n)
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
-        else:
-            sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, known, out)
+    end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
     points(out, p, known)
     return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes)
+
+
+def end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
+    """End the slips that are slower than `start`, or that friction stops within `time`.
+
+    The other slips go into sliding. So do all of them where they end only together with faster
+    motions: those take longer. rows, wanted : what is held already, and is changed.
+    """
+    n = N_COORDINATES
+    held = np.empty(N_COORDINATES)
+    by_itself = 0.0
+    for i in range(n):
+        held[i] = out[n + i]
+    for i in range(N_POINTS):
+        wanted[2 * i] = wanted[2 * i + 1] = 0.0
+        if near[i] == 0 or is_smooth(i) or POINT_STATES[here][i] == STICK:
+            continue
+        row = 2 * i + 1
+        slip, size = rate_of(known, row, out, n)
+        friction = known[LAWS + row]
+        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
+        sliding[i] = 1.0 if slip > 0.0 else -1.0
+        if abs(slip) <= max(start, time * slows) + FITS * size:
+            rows[row], wanted[row] = 1, -slip
+            least = max(abs(slip), FITS * size)
+            by_itself += least * least / known[COUPLING + row * ROWS + row]
+    put_on(rows, wanted, n, known, out)
+    for i in range(n):
+        held[i] -= out[n + i]
+    together = squared(known, held) > SLOWEST * SLOWEST * by_itself
+    for i in range(n):
+        if together:
+            out[n + i] += held[i]
+    for i in range(N_POINTS):
+        if rows[2 * i + 1] == 1 and not together:
+            sliding[i] = 0.0
 
 
 def step_over(contact, y, p, ax, ay, tolerance, longest, fits, rtol, known, out):
     """(time, contact): a step over events without end, or over one that nothing may follow.
 
-    It is a time step of Moreau: in `tolerance` times sqrt(l/a), see `time_of_bounces`, but no
-    more than `longest`, velocities change by what moves the structure freely, and by impulses at
-    the points that touch, which do not bounce. out (N,) : the state after it. The time is inf, and
-    the contact state IMPOSSIBLE or AMBIGUOUS, where no impulses fit, where they change velocities
-    by more than accelerations can in such a time, or, if `fits`, where no forces fit after it.
+    In `tolerance` times sqrt(l/a), see `time_of_bounces`, but no more than `longest`, and in a
+    shorter time where a faster landing lies within it. out (N,) : the state after it. The time is
+    inf, and the contact state IMPOSSIBLE or AMBIGUOUS, where no impulses fit, where they change
+    velocities by more than accelerations can in such a time, or, if `fits`, where no forces fit
+    after it.
     """
-    n = N_COORDINATES
-    w, dy, forces = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_COORDINATES)
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
-    near, bouncing = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     all_known(y, p, contact, known)
     whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
-    time = np.inf
+    time, taken, follows = np.inf, np.inf, IMPOSSIBLE
     for i in range(N_POINTS):
         time = min(time, math.sqrt(radius_of(known, i) / sizes[2 * i]))
     time = min(tolerance * time, longest)
+    for _ in range(SHORTER):
+        if not taken < np.inf:
+            taken, follows = step_of_moreau(
+                contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known, out
+            )
+            time *= 0.1
+    return taken, follows
+
+
+def step_of_moreau(contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known, out):
+    """(time, contact) of a time step of Moreau, or inf, see `step_over`.
+
+    Velocities change by what moves the structure freely, and by impulses at the points that touch,
+    which do not bounce. whole, sizes : of `without_forces`.
+    """
+    n = N_COORDINATES
+    w, dy, forces = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_COORDINATES)
+    near, bouncing = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    all_known(y, p, contact, known)
     rates(contact, y, p, ax, ay, dy)
     free_motion(y, p, ax, ay, contact, known[MATRIX:], forces)
     through_mass(known[MATRIX:], forces, 1)

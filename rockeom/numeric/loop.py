@@ -1425,7 +1425,8 @@ def integrate(
                         continue
                     misplaced = abs(move) >= 0.01 * h
                     misplaced = misplaced or (
-                        not (rocks or lands) and closed_before(contact, target, h, y_new, g, b)
+                        not (rocks or lands)
+                        and fell_before(contact, target, touching, h, y_new, g, b)
                     )
                     if N_POINTS > 0 and misplaced and KINDS[contact][target] == LANDING:
                         misplaced = not is_rounding(contact, target, y_new, p)
@@ -1716,13 +1717,20 @@ def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g, later, noise):
 
 
 @inlined
-def closed_before(contact, target, h, y, g, b):
-    """Whether a gap has closed before the event that a step ends on, by more than rounding."""
+def fell_before(contact, target, touching, h, y, g, b):
+    """Whether another guard fell before the event that a step ends on, by more than rounding.
+
+    An event at which a guard hardly touches zero is corrected by much: it may pass another one.
+    Forces are judged by `settle` after it.
+    """
     for i in range(GUARDS[contact]):
-        kind = KINDS[contact][i]
-        if i != target and kind == IMPACT and -g[i] > 1e-9 * h * abs(y[ROTATION_RATE]):
-            return True
-        if i != target and kind == LANDING and -g[i] > 1e-9 * size(b, 8 * i):
+        if i == target or KINDS[contact][i] in (UPLIFT, LIFTING, SLIPPING):
+            continue
+        if KINDS[contact][i] == IMPACT:
+            fell = -g[i] > 1e-9 * h * abs(y[ROTATION_RATE])
+        else:
+            fell = -g[i] > 1e-9 * size(b, 8 * i) and not is_known(touching, i)
+        if fell:
             return True
     return False
 

@@ -132,13 +132,31 @@ WITHOUT_END = {
     "two feet bounce, and slip ends between two landings": 6_000_000_001_656,
     "a foot that lands as its pads press leaves again and again": 6_000_000_002_003,
     "a stop is met again and again as a foot lands": 7_000_000_000_565,
+    "a stop is met again and again before a faster landing": 7_000_000_028_473,
+    "a point that leaves as slowly as rounding errors lands again and again": 2_000_000_005_023,
 }
 """Seeds with events that had no end: chatter, a stall, or more impacts than other motions have."""
+
+OUT_OF_ORDER = {
+    "a bar yields back just before a slip ends": 6_000_000_010_702,
+    "a pad touches just before a slip ends": 6_000_000_027_607,
+    "a slow slip that only a faster landing could end": 7_000_000_015_899,
+    "a fast landing within the sum of slow bounces": 2_000_000_028_523,
+}
+"""Seeds in which an event was taken after a later one, with a jump of place or velocity."""
 
 
 @pytest.mark.parametrize("what", WITHOUT_END)
 def test_events_without_end_at_one_instant_are_stepped_over(what):
     motion, by_hand = drawn(WITHOUT_END[what])
+    told = Told(motion, motion.run(), by_hand)
+    assert told.run.outcome in ("came to rest", "completed", "overturned")
+    assert not list(on_contacts(told))
+
+
+@pytest.mark.parametrize("what", OUT_OF_ORDER)
+def test_events_close_to_each_other_come_in_their_order(what):
+    motion, by_hand = drawn(OUT_OF_ORDER[what])
     told = Told(motion, motion.run(), by_hand)
     assert told.run.outcome in ("came to rest", "completed", "overturned")
     assert not list(on_contacts(told))
