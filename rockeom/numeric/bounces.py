@@ -137,7 +137,7 @@ def sum_of_flights(
         if have_ended(here, bouncing, heights, 1e-7 * start, known, w, dy):
             break
         if turn == TURNS:
-            if not have_ended(here, bouncing, heights, 1e-2 * start, known, w, dy):
+            if fast_fly_on(here, bouncing, heights, start, known, dy):
                 return np.inf, contact
             break
         if not total + flight <= limit:
@@ -322,6 +322,21 @@ def have_ended(here, bouncing, heights, slow, told, w, dy):
     return fastest <= max(slow, 1e-8 * whole)
 
 
+def fast_fly_on(here, bouncing, heights, start, told, dy):
+    """Take the bounces back of points that are as fast as at the start: whether all are.
+
+    start : the rate of the fastest then.
+    """
+    every = True
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+            rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
+            fast = rate * rate + 2.0 * max(a, 0.0) * heights[i] > start * start
+            bouncing[i] = 0 if fast else 1
+        every = every and bouncing[i] == 0
+    return every
+
+
 def some_ended(here, bouncing):
     """Whether some points that bounced are closed: of those still in flight it is taken back."""
     ended = False
@@ -396,36 +411,39 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
         if POINT_STATES[here][i] == STICK:
             slip, _ = rate_of(known, 2 * i + 1, out, n)
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
-    put_on(rows, wanted, n, known, out)
-    end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
+    close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
     points(out, p, known)
     return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes)
 
 
-def end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
-    """End the slips that are slower than `start`, or that friction stops within `time`.
+def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
+    """Close points, and end slips that are slower than `start`, or that friction stops in `time`.
 
-    The other slips go into sliding. So do all of them where they end only together with faster
-    motions: those take longer. rows, wanted : what is held already, and is changed.
+    rows, wanted : what closes the points, and is changed. sliding : set for the slips that go on;
+    all of them do where they end only together with faster motions, since those take longer.
     """
     n = N_COORDINATES
-    held = np.empty(N_COORDINATES)
-    by_itself = 0.0
-    for i in range(n):
-        held[i] = out[n + i]
+    held, ends = np.empty(N_COORDINATES), np.zeros(N_POINTS, np.int64)
     for i in range(N_POINTS):
-        wanted[2 * i] = wanted[2 * i + 1] = 0.0
         if near[i] == 0 or is_smooth(i) or POINT_STATES[here][i] == STICK:
             continue
-        row = 2 * i + 1
-        slip, size = rate_of(known, row, out, n)
-        friction = known[LAWS + row]
+        slip, size = rate_of(known, 2 * i + 1, out, n)
+        friction = known[LAWS + 2 * i + 1]
         slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
         sliding[i] = 1.0 if slip > 0.0 else -1.0
-        if abs(slip) <= max(start, time * slows) + FITS * size:
+        ends[i] = 1 if abs(slip) <= max(start, time * slows) + FITS * size else 0
+    put_on(rows, wanted, n, known, out)
+    by_itself = 0.0
+    for i in range(N_POINTS):
+        wanted[2 * i] = wanted[2 * i + 1] = 0.0
+        if ends[i] == 1:
+            row = 2 * i + 1
+            slip, size = rate_of(known, row, out, n)
             rows[row], wanted[row] = 1, -slip
             least = max(abs(slip), FITS * size)
             by_itself += least * least / known[COUPLING + row * ROWS + row]
+    for i in range(n):
+        held[i] = out[n + i]
     put_on(rows, wanted, n, known, out)
     for i in range(n):
         held[i] -= out[n + i]
@@ -434,7 +452,7 @@ def end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
         if together:
             out[n + i] += held[i]
     for i in range(N_POINTS):
-        if rows[2 * i + 1] == 1 and not together:
+        if ends[i] == 1 and not together:
             sliding[i] = 0.0
 
 

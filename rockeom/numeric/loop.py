@@ -1729,7 +1729,7 @@ def fell_before(contact, target, touching, h, y, g, b):
         if KINDS[contact][i] == IMPACT:
             fell = -g[i] > 1e-9 * h * abs(y[ROTATION_RATE])
         else:
-            fell = -g[i] > 1e-9 * size(b, 8 * i) and not is_known(touching, i)
+            fell = -g[i] > 1e-9 * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(touching, i)
         if fell:
             return True
     return False
