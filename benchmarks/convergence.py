@@ -15,8 +15,8 @@ from mpmath import mpf
 
 import rockeom as rk
 from benchmarks import reference, report, with_rockeom, workloads as w
-from rockeom.numeric.program import program
-from rockeom.numeric.simulate import run
+from rockeom.integrator.program import program
+from rockeom.simulation.simulate import run
 
 P, ALPHA, RATIO, RELEASE = 2.0, 0.3, 0.9, 0.12
 MOTION = rk.GroundMotion.harmonic(0.5, period=2.0, phase=0.4, duration=8.0)

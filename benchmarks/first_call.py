@@ -8,8 +8,8 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 
-from rockeom.numeric.options import METHODS
-from rockeom.numeric.structures import SHIPPED
+from rockeom.simulation.options import METHODS
+from rockeom.structures.classes import SHIPPED
 from tests.readme.blocks import declaration
 from tests.shipped import plain
 

@@ -17,10 +17,10 @@ import numpy as np
 
 import rockeom as rk
 from benchmarks import report, timing, ways, with_c, with_rockeom, workloads as w
-from rockeom.numeric.case import Problems
-from rockeom.numeric.ensemble_cases import Part
-from rockeom.numeric.ensemble_results import Results
-from rockeom.numeric.program import program
+from rockeom.integrator.program import program
+from rockeom.simulation.case import Problems
+from rockeom.sweeps.cases import Part
+from rockeom.sweeps.results import Results
 
 RTOL = 1e-6
 """Of the controlled steps: so loose that hardly one is shorter than a sample."""

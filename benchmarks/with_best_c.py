@@ -17,7 +17,7 @@ import numpy as np
 import rockeom as rk
 from benchmarks import with_c, workloads as w
 from benchmarks.with_c import Prepared, at, vector
-from rockeom.numeric.tableau import Tableau, tableau
+from rockeom.integrator.methods.tableau import Tableau, tableau
 
 FLAGS = (*with_c.FLAGS, "-DSMALL_ANGLES", "-fopenmp-simd")
 """Only the loop over the ground's sines, which says so, is done in vectors."""

@@ -20,8 +20,7 @@ import numpy as np
 
 import rockeom as rk
 from benchmarks import workloads as w
-from rockeom.numeric.options import SolverOptions
-from rockeom.numeric.tableau import (
+from rockeom.integrator.methods.tableau import (
     NODES,
     Tableau,
     bernstein_at,
@@ -29,6 +28,7 @@ from rockeom.numeric.tableau import (
     samples_to_bernstein,
     tableau,
 )
+from rockeom.simulation.options import SolverOptions
 
 FOLDER = Path(__file__).parent / "c"
 

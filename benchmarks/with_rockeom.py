@@ -10,13 +10,13 @@ import numpy as np
 
 import rockeom as rk
 from benchmarks import workloads as w
-from rockeom.contract import IMPACT, REST
-from rockeom.numeric.case import Case, Problems
-from rockeom.numeric.ensemble_cases import Part
-from rockeom.numeric.ensemble_results import Results
-from rockeom.numeric.program import program
-from rockeom.numeric.record import AllSteps
-from rockeom.numeric.simulate import run
+from rockeom.codes import IMPACT, REST
+from rockeom.integrator.program import program
+from rockeom.simulation.case import Case, Problems
+from rockeom.simulation.recorder import AllSteps
+from rockeom.simulation.simulate import run
+from rockeom.sweeps.cases import Part
+from rockeom.sweeps.results import Results
 
 
 def options(rtol: float, **changes) -> rk.SolverOptions:

@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 import rockeom as rk
-from rockeom.numeric.case import Case
+from rockeom.simulation.case import Case
 
 REFERENCE = Path(__file__).parent / "reference.json"
 

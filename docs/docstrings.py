@@ -18,7 +18,7 @@ FOREIGN |= {"Axes", "Figure", "SubFigure", "ModuleType"}  # as annotations name 
 
 def structures() -> str:
     """The lines that show the classes of all shipped structures."""
-    from rockeom.numeric.structures import SHIPPED
+    from rockeom.structures.classes import SHIPPED
 
     return "\n".join(f".. autoclass:: rockeom.{cls.__name__}" for cls in SHIPPED.values())
 

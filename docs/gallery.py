@@ -22,8 +22,8 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import cli, plots
-from rockeom.numeric.structures import SHIPPED
 from rockeom.plots import style
+from rockeom.structures.classes import SHIPPED
 from rockeom.thesis.figures import FIGURES
 
 HERE = Path(__file__).parent

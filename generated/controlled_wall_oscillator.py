@@ -53,7 +53,7 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.compiler.decorators import fused, inlined
 
 SOURCE_HASH = "b767bfa612a63d86"
 

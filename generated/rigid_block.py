@@ -34,7 +34,7 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.compiler.decorators import fused, inlined
 
 SOURCE_HASH = "8d795a5c416b551a"
 

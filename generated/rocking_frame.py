@@ -35,7 +35,7 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.compiler.decorators import fused, inlined
 
 SOURCE_HASH = "4ad52f81c8c07245"
 

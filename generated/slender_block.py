@@ -34,7 +34,7 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.compiler.decorators import fused, inlined
 
 SOURCE_HASH = "e36cb45a4bcd9ac3"
 

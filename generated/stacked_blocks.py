@@ -43,7 +43,7 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import everywhere, fused, inlined
+from rockeom.compiler.decorators import everywhere, fused, inlined
 
 SOURCE_HASH = "7810bb29697c568a"
 

@@ -37,7 +37,7 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.marks import fused, inlined
+from rockeom.compiler.decorators import fused, inlined
 
 SOURCE_HASH = "f1d8860af341c7d6"
 

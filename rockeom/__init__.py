@@ -21,16 +21,16 @@ from rockeom import hooks
 __version__ = "0.1.0"
 
 _NAMES_OF = {
-    "rockeom.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
-    "rockeom.dual": ("Dual", "duals"),
+    "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
+    "rockeom.numbers.dual": ("Dual", "duals"),
     "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet"),
-    "rockeom.named": ("structure",),
-    "rockeom.numeric.case": ("Case",),
-    "rockeom.numeric.ensemble": ("simulate_many",),
-    "rockeom.numeric.ensemble_dataset": ("Sweep",),
-    "rockeom.numeric.extremes": ("Extremes",),
-    "rockeom.numeric.fixed_base": ("rayleigh_damping",),
-    "rockeom.numeric.impact": (
+    "rockeom.modelling.named": ("structure",),
+    "rockeom.simulation.case": ("Case",),
+    "rockeom.sweeps.run": ("simulate_many",),
+    "rockeom.sweeps.dataset": ("Sweep",),
+    "rockeom.simulation.extremes": ("Extremes",),
+    "rockeom.structures.fixed_base": ("rayleigh_damping",),
+    "rockeom.structures.impact_laws": (
         "AngularMomentum",
         "EnergyLossAtSpeed",
         "EnergyRatio",
@@ -39,13 +39,13 @@ _NAMES_OF = {
         "RandomEnergyRatio",
         "VelocityRatio",
     ),
-    "rockeom.numeric.options": ("SolverOptions",),
-    "rockeom.numeric.response": ("Impact", "Outcome", "Response"),
-    "rockeom.numeric.sensitivity": ("Sensitivity", "sensitivity"),
-    "rockeom.numeric.simulate": ("simulate",),
-    "rockeom.numeric.structures": ("Structure",),
-    "rockeom.numeric.tangents": ("Tangents", "tangents"),
-    "rockeom.saved": ("load",),
+    "rockeom.simulation.options": ("SolverOptions",),
+    "rockeom.simulation.response": ("Impact", "Outcome", "Response"),
+    "rockeom.sweeps.sensitivity": ("Sensitivity", "sensitivity"),
+    "rockeom.simulation.simulate": ("simulate",),
+    "rockeom.structures.classes": ("Structure",),
+    "rockeom.sweeps.tangents": ("Tangents", "tangents"),
+    "rockeom.exports.responses": ("load",),
     "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
 }
 _NAMESPACES = ("analysis", "plots")
@@ -69,31 +69,38 @@ _SYNONYMS = {
 def _classes() -> dict[str, str]:
     """The home of the class of each shipped structure, as `rockeom generate` has listed them."""
     found = import_module("rockeom.generated.shipped_structures").SHIPPED
-    return dict.fromkeys(found.values(), "rockeom.numeric.structures")
+    return dict.fromkeys(found.values(), "rockeom.structures.classes")
 
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
-    from rockeom.composed import (
+    from rockeom.exports.responses import load as load
+    from rockeom.modelling.composed import (
         Pinned as Pinned,
         ShearFrame as ShearFrame,
         Sliding as Sliding,
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
-    from rockeom.dual import Dual as Dual, duals as duals
+    from rockeom.modelling.named import structure as structure
     from rockeom.motion import (
         GroundMotion as GroundMotion,
         MotionError as MotionError,
         MotionSet as MotionSet,
     )
-    from rockeom.named import structure as structure
-    from rockeom.numeric.case import Case as Case
-    from rockeom.numeric.ensemble import simulate_many as simulate_many
-    from rockeom.numeric.ensemble_dataset import Sweep as Sweep
-    from rockeom.numeric.extremes import Extremes as Extremes
-    from rockeom.numeric.fixed_base import rayleigh_damping as rayleigh_damping
-    from rockeom.numeric.impact import (
+    from rockeom.numbers.dual import Dual as Dual, duals as duals
+    from rockeom.simulation.case import Case as Case
+    from rockeom.simulation.extremes import Extremes as Extremes
+    from rockeom.simulation.options import SolverOptions as SolverOptions
+    from rockeom.simulation.response import (
+        Impact as Impact,
+        Outcome as Outcome,
+        Response as Response,
+    )
+    from rockeom.simulation.simulate import simulate as simulate
+    from rockeom.structures.classes import *  # noqa: F403
+    from rockeom.structures.fixed_base import rayleigh_damping as rayleigh_damping
+    from rockeom.structures.impact_laws import (
         AngularMomentum as AngularMomentum,
         EnergyLossAtSpeed as EnergyLossAtSpeed,
         EnergyRatio as EnergyRatio,
@@ -102,20 +109,13 @@ if TYPE_CHECKING:
         RandomEnergyRatio as RandomEnergyRatio,
         VelocityRatio as VelocityRatio,
     )
-    from rockeom.numeric.options import SolverOptions as SolverOptions
-    from rockeom.numeric.response import (
-        Impact as Impact,
-        Outcome as Outcome,
-        Response as Response,
-    )
-    from rockeom.numeric.sensitivity import (
+    from rockeom.sweeps.dataset import Sweep as Sweep
+    from rockeom.sweeps.run import simulate_many as simulate_many
+    from rockeom.sweeps.sensitivity import (
         Sensitivity as Sensitivity,
         sensitivity as sensitivity,
     )
-    from rockeom.numeric.simulate import simulate as simulate
-    from rockeom.numeric.structures import *  # noqa: F403
-    from rockeom.numeric.tangents import Tangents as Tangents, tangents as tangents
-    from rockeom.saved import load as load
+    from rockeom.sweeps.tangents import Tangents as Tangents, tangents as tangents
     from rockeom.symbolic import (
         Body as Body,
         Mechanism as Mechanism,
@@ -134,7 +134,7 @@ _ANSWERS = {
     "plot_response": ("rockeom.plots", "plot_response"),
     "plot_spectra": ("rockeom.plots", "plot_spectra"),
     "response_spectrum": ("rockeom.analysis", "response_spectrum"),
-    "save_response": ("rockeom.saved", "save"),
+    "save_response": ("rockeom.exports.responses", "save"),
     "thesis_wall": ("rockeom.analysis", "Wall.thesis"),
 }
 """Of each call of `hooks`, where it is answered and by what."""
@@ -168,7 +168,7 @@ def __getattr__(name: str) -> Any:
         message = f"module {__name__!r} has no attribute {name!r}"
         if name.startswith("_"):
             raise AttributeError(message)
-        unknown = import_module("rockeom.arguments").UnknownAttributeError
+        unknown = import_module("rockeom.numbers.checks").UnknownAttributeError
         raise unknown(message, name, import_module(__name__), _SYNONYMS)
     value = getattr(import_module(home), name)
     globals()[name] = value  # found directly from now on

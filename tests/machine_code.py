@@ -4,14 +4,14 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-from rockeom.numeric.machine import Loaded, compiled
-from rockeom.numeric.printer import Program, Text
-from rockeom.numeric.program import texts
+from rockeom.compiler.machine import Loaded, compiled
+from rockeom.compiler.printer import Program, Text
+from rockeom.integrator.program import texts
 
 HEAD = """
 import math
 import numpy as np
-from rockeom.marks import *
+from rockeom.compiler.decorators import *
 """
 """What a text needs that stands alone."""
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rockeom.numeric.structures import SHIPPED
+from rockeom.structures.classes import SHIPPED
 
 
 def plain(name: str, size: Callable[[], float] | None = None) -> dict[str, float]:

@@ -140,7 +140,7 @@ def test_a_path_that_cannot_be_written_is_told_before_the_work(tmp_path, monkeyp
     def worked(*_, **__):
         raise AssertionError("worked first")
 
-    monkeypatch.setattr("rockeom.saved._arrays", worked)
+    monkeypatch.setattr("rockeom.exports.responses._arrays", worked)
     monkeypatch.setattr("rockeom.plots.animation.Animation.frames", property(worked))
     monkeypatch.setattr(type(REPORT), "page", worked)
     monkeypatch.setattr("rockeom.cli.derive._text", worked)
@@ -166,4 +166,4 @@ def test_nothing_else_in_the_package_writes_files():
         for line in path.read_text(encoding="utf-8").splitlines()
         if writes.search(line) and not line.startswith("with open(out")  # of a script, as text
     }
-    assert found == {"files.py", "numeric/store.py", "numeric/ensemble_store.py"}
+    assert found == {"files.py", "compiler/cache.py", "sweeps/store.py"}

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 import rockeom
-from rockeom.numeric.structures import SHIPPED
+from rockeom.structures.classes import SHIPPED
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -96,7 +96,7 @@ import numpy, llvmlite.binding
 import sys
 before = set(sys.modules)
 import rockeom as rk
-import rockeom.numeric.machine, rockeom.numeric.simulate
+import rockeom.compiler.machine, rockeom.simulation.simulate
 rk.ControlledWall.thesis().vector, rk.FlexibleControlledWall.thesis().vector
 rk.GroundMotion.single_sine(amplitude=2.8, period=0.5, duration=2.0).segments
 here = set(sys.modules) - before
@@ -113,8 +113,8 @@ def test_a_program_is_made_without_scipy_and_sympy():
     """SciPy alone takes as long to import as a program to compile."""
     code = """
 import rockeom.generated.rigid_block as module
-from rockeom.numeric.printer import Program
-from rockeom.numeric.program import texts
+from rockeom.compiler.printer import Program
+from rockeom.integrator.program import texts
 import sys
 for method in ("DOP853", "RK45", "Radau"):
     assert Program(texts(module, method)).ir()
@@ -199,7 +199,7 @@ def test_no_package_reaches_another_by_a_string():
 )
 def test_call_upwards_by_a_string_is_noticed(tmp_path, monkeypatch, text):
     monkeypatch.setattr(sys.modules[__name__], "ROOT", tmp_path)
-    path = tmp_path / "rockeom" / "numeric" / "response.py"
+    path = tmp_path / "rockeom" / "simulation" / "response.py"
     path.parent.mkdir(parents=True)
     path.write_text(text, encoding="utf-8")
     found = imports_by_string(path)
@@ -209,7 +209,7 @@ def test_call_upwards_by_a_string_is_noticed(tmp_path, monkeypatch, text):
 def test_every_hook_has_an_answer_wherever_an_import_begins():
     """Of users who go straight into a package, too."""
     code = """
-from rockeom.numeric.structures import ControlledWall
+from rockeom.structures.classes import ControlledWall
 from rockeom import hooks
 wall = ControlledWall.thesis(initial_force=111e3)
 print(wall.initial_force, all(

@@ -28,9 +28,9 @@ from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.sweeps import FALLS, RESTS, STANDS
 
 if TYPE_CHECKING:
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.options import SolverOptions
-    from rockeom.numeric.tangents import Tangents
+    from rockeom.simulation.case import Case
+    from rockeom.simulation.options import SolverOptions
+    from rockeom.sweeps.tangents import Tangents
 
 _LONGER = 5
 """So many times a motion is made twice as long, to see how it ends."""
@@ -171,8 +171,8 @@ class _Run:
         values: np.ndarray,
         options: SolverOptions | None,
     ) -> _Run:
-        from rockeom.dual import duals
-        from rockeom.numeric.tangents import tangents
+        from rockeom.numbers.dual import duals
+        from rockeom.sweeps.tangents import tangents
 
         made = case(**duals(**dict(zip(names, values.tolist(), strict=True))))
         return cls(made, options, tangents(made, options))
@@ -206,7 +206,7 @@ class _Run:
 
     def longer(self) -> Iterator[Tangents]:
         """The motion as it is, and ever longer while it moves; it is kept as it was made last."""
-        from rockeom.numeric.tangents import tangents
+        from rockeom.sweeps.tangents import tangents
 
         for _ in range(_LONGER):
             yield self.found

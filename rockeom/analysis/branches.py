@@ -41,7 +41,7 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
 from rockeom.analysis.unfinished import finished
-from rockeom.dual import Dual
+from rockeom.numbers.dual import Dual
 
 FEIGENBAUM = 4.669201609102990
 """The limit of the ratio of distances between one period doubling and the next."""

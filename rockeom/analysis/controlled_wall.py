@@ -32,9 +32,9 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numeric.impact import EnergyRatioAtSpeed
-from rockeom.numeric.states import at_states
-from rockeom.numeric.structures import ControlledWallOscillator
+from rockeom.structures.classes import ControlledWallOscillator
+from rockeom.structures.evaluation import at_states
+from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 
 # --- the rotation centre and the tendon
 

@@ -17,11 +17,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers
-from rockeom.arguments import near
-from rockeom.numeric.states import at_states
+from rockeom.numbers.checks import near
+from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
-    from rockeom.numeric.structures import Structure
+    from rockeom.structures.classes import Structure
 
 
 class Energies(NamedTuple):

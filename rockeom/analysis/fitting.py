@@ -29,10 +29,10 @@ from rockeom.analysis.free_vibration import coefficient_of_determination
 from rockeom.analysis.measured import rotation_centre
 
 if TYPE_CHECKING:
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.options import SolverOptions
-    from rockeom.numeric.response import Response
-    from rockeom.numeric.tangents import Tangents
+    from rockeom.simulation.case import Case
+    from rockeom.simulation.options import SolverOptions
+    from rockeom.simulation.response import Response
+    from rockeom.sweeps.tangents import Tangents
 
 CONFIDENCE = 0.95
 STEP = 1e-4
@@ -369,7 +369,7 @@ def _swings_moved(
     That of the time of a peak is -x_tp/x_tt, of the exact x_t and x_p a little before and behind
     it. Raises ValueError where there are none.
     """
-    from rockeom.numeric.tangents import tangents
+    from rockeom.sweeps.tangents import tangents
 
     carried = tangents(case, options)
     if carried.grazing:
@@ -400,9 +400,9 @@ def _swings_moved(
 
 def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
     """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
-    from rockeom.dual import tangent_of, with_tangent
-    from rockeom.numeric.sensitivity import quantity_of
-    from rockeom.numeric.states import filled
+    from rockeom.numbers.dual import tangent_of, with_tangent
+    from rockeom.structures.evaluation import filled
+    from rockeom.sweeps.sensitivity import quantity_of
 
     run, m = carried.response, len(carried.end_time)
     module, p = run.structure.module, run.structure.vector
@@ -492,7 +492,7 @@ def fit_free_vibration(
         return of_each([found.peak, found.peak_time + shift, found.crossing_time + shift])
 
     def derivatives(**parameters: float) -> np.ndarray:
-        from rockeom.dual import duals
+        from rockeom.numbers.dual import duals
 
         seeds = duals(**parameters)
         along = np.zeros(len(seeds))
@@ -522,7 +522,7 @@ def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -
 
 
 def _run(case: Case, options: SolverOptions | None) -> Response:
-    from rockeom.numeric.simulate import simulate
+    from rockeom.simulation.simulate import simulate
 
     return simulate(
         case.structure, case.motion, impact=case.impact, initial=case.initial,

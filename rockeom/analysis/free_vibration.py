@@ -29,7 +29,7 @@ from rockeom.analysis.noise import noise_level
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
 
-    from rockeom.numeric.structures import Structure
+    from rockeom.structures.classes import Structure
 
 
 class QuarterPeriods(NamedTuple):

@@ -26,10 +26,10 @@ from rockeom.analysis.free_vibration import coefficient_of_determination
 from rockeom.analysis.noise import COVERED, Noise
 from rockeom.analysis.records import MeasuredRecord
 from rockeom.analysis.restitution import spring_energy
-from rockeom.numeric.states import at_states
+from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
-    from rockeom.numeric.structures import Structure
+    from rockeom.structures.classes import Structure
 
 
 def _rotation_of(structure: Structure) -> str:

@@ -14,15 +14,15 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from rockeom.arguments import told
-from rockeom.numeric.quantities import EnergyBalance
+from rockeom.numbers.checks import told
+from rockeom.simulation.quantities import EnergyBalance
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
-    from rockeom.numeric.impact import ImpactLaw
-    from rockeom.numeric.options import SolverOptions
-    from rockeom.numeric.response import Response
-    from rockeom.numeric.structures import Structure
+    from rockeom.simulation.options import SolverOptions
+    from rockeom.simulation.response import Response
+    from rockeom.structures.classes import Structure
+    from rockeom.structures.impact_laws import ImpactLaw
 
 
 class Demands(NamedTuple):
@@ -87,8 +87,8 @@ def beside_fixed_base(
     >>> found = [beside_fixed_base(column, record.scaled(a)) for a in (1, 2, 4)]
     >>> [one.ratios["base_shear"] for one in found]
     """
-    from rockeom.numeric.simulate import simulate
-    from rockeom.numeric.structures import Structure
+    from rockeom.simulation.simulate import simulate
+    from rockeom.structures.classes import Structure
 
     if not isinstance(structure, Structure):
         raise TypeError(f"structure is {told(structure)}: give one such as FlexibleStructure(...)")

@@ -31,11 +31,11 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.arguments import require
 from rockeom.analysis.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
-from rockeom.arguments import whole_number
-from rockeom.dual import Dual
-from rockeom.numeric.case import Case
-from rockeom.numeric.ensemble_work import Progress
-from rockeom.numeric.tangents import tangents
+from rockeom.numbers.checks import whole_number
+from rockeom.numbers.dual import Dual
+from rockeom.simulation.case import Case
+from rockeom.sweeps.tangents import tangents
+from rockeom.sweeps.workers import Progress
 
 BATCHES = 20
 """Of the cycles, whose means tell the error of the exponents."""

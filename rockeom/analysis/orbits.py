@@ -38,15 +38,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
-from rockeom.contract import SWITCH
-from rockeom.dual import Dual, directions, value_of
+from rockeom.codes import SWITCH
+from rockeom.numbers.dual import Dual, directions, value_of
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
-    from rockeom.numeric.impact import ImpactLaw
-    from rockeom.numeric.options import SolverOptions
-    from rockeom.numeric.response import Response
-    from rockeom.numeric.structures import Structure
+    from rockeom.simulation.options import SolverOptions
+    from rockeom.simulation.response import Response
+    from rockeom.structures.classes import Structure
+    from rockeom.structures.impact_laws import ImpactLaw
 
 _SINGULAR = 1e-8
 """Of a direction, in parts of the states: no step of Newton's method is made along it."""
@@ -286,7 +286,7 @@ class StroboscopicMap:
         if not self.states:
             object.__setattr__(self, "states", known)
         if self.options is None:
-            from rockeom.numeric.options import SolverOptions
+            from rockeom.simulation.options import SolverOptions
 
             object.__setattr__(self, "options", SolverOptions(rtol=1e-12, atol=1e-14))
 
@@ -451,7 +451,7 @@ class StroboscopicMap:
         return dict(zip(self.states, x, strict=True))
 
     def _simulated(self, x: np.ndarray, duration: float) -> Response:
-        from rockeom.numeric.simulate import simulate
+        from rockeom.simulation.simulate import simulate
 
         run = simulate(
             self.structure,
@@ -471,8 +471,8 @@ class StroboscopicMap:
 
     def _tangents(self, x: np.ndarray, m: int) -> Any:
         """The cycle from a state, with derivatives in m directions, those of the state first."""
-        from rockeom.numeric.case import Case
-        from rockeom.numeric.tangents import tangents
+        from rockeom.simulation.case import Case
+        from rockeom.sweeps.tangents import tangents
 
         initial = self._named([Dual(v, e) for v, e in zip(x, np.eye(len(x), m), strict=True)])
         case = Case(self.structure, self.motion, self.impact, initial, self.cycle)

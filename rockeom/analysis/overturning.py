@@ -34,10 +34,10 @@ from rockeom.analysis.unfinished import check_finished, finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.impact import ImpactLaw
-    from rockeom.numeric.options import SolverOptions
-    from rockeom.numeric.structures import Structure
+    from rockeom.simulation.case import Case
+    from rockeom.simulation.options import SolverOptions
+    from rockeom.structures.classes import Structure
+    from rockeom.structures.impact_laws import ImpactLaw
 
 MOST = 3
 """So many impacts before overturning and more are one fate, if nothing else is asked for."""
@@ -88,7 +88,7 @@ def dimensionless_pulses(
     rate = _unit(where, structure, "p", p)
     least = _unit(where, structure, "acceleration", acceleration)
 
-    from rockeom.numeric.case import Case
+    from rockeom.simulation.case import Case
 
     def case(frequency: float, amplitude: float) -> Case:
         """A pulse of `frequency` [p] and `amplitude` [acceleration]."""
@@ -166,7 +166,7 @@ class _Fates:
 
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
-        from rockeom.numeric.ensemble import simulate_many
+        from rockeom.sweeps.run import simulate_many
 
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
         found = finished(simulate_many(self.case, table, progress=False, **self.how))
@@ -305,7 +305,7 @@ def _halved(
     brackets: _Brackets, accuracy: float, fates: _Fates, progress: bool | None
 ) -> xr.Dataset:
     """All intervals as narrow as asked for, or as far as an interrupt let them come."""
-    from rockeom.numeric.ensemble_work import Progress
+    from rockeom.sweeps.workers import Progress
 
     ended: list[_Brackets] = []
     interrupted = 0
@@ -401,9 +401,9 @@ def rocking_spectrum(
     """
     where = "rocking_spectrum"
     lengths, angles = positive(where, periods=np.ravel(periods))[0], slenderness(where, alpha)
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_many
-    from rockeom.numeric.structures import RigidBlock
+    from rockeom.simulation.case import Case
+    from rockeom.structures.classes import RigidBlock
+    from rockeom.sweeps.run import simulate_many
 
     def case(motion: GroundMotion, period: float, alpha: float) -> Case:
         block = RigidBlock.from_frequency(p=2.0 * math.pi / period, alpha=alpha)

@@ -31,13 +31,13 @@ from scipy.special import ndtr
 from rockeom.analysis.arguments import require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import finished
-from rockeom.dual import Dual
+from rockeom.numbers.dual import Dual
 
 if TYPE_CHECKING:
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble_dataset import Sweep
-    from rockeom.numeric.options import SolverOptions
-    from rockeom.numeric.response import Response
+    from rockeom.simulation.case import Case
+    from rockeom.simulation.options import SolverOptions
+    from rockeom.simulation.response import Response
+    from rockeom.sweeps.dataset import Sweep
 
 _LEAST = 1e-300
 """Instead of 0, where the medians lie on the boundary."""
@@ -237,7 +237,7 @@ def monte_carlo(
     of the samples are no sample. Raises ValueError for bad arguments, and where no case gave an
     answer.
     """
-    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.sweeps.run import simulate_many
 
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
@@ -491,8 +491,8 @@ class _Margin:
     options: SolverOptions | None
 
     def __call__(self, **parameters: Dual) -> Any:
-        from rockeom.numeric.sensitivity import answer
-        from rockeom.numeric.tangents import tangents
+        from rockeom.sweeps.sensitivity import answer
+        from rockeom.sweeps.tangents import tangents
 
         found = tangents(self.case(**parameters), self.options)
         if found.response.outcome == FALLS:
@@ -554,7 +554,7 @@ class _Fates:
 
     def _fail(self, u: np.ndarray) -> np.ndarray:
         """(n,) whether structures with the deviates u (n, k) fail."""
-        from rockeom.numeric.ensemble import simulate_many
+        from rockeom.sweeps.run import simulate_many
 
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
@@ -619,7 +619,7 @@ class _Overturning:
 
     def normal(self, ray: np.ndarray) -> np.ndarray:
         """Gradient of the rotation that falls, when the motions on both sides have parted."""
-        from rockeom.numeric.tangents import tangents
+        from rockeom.sweeps.tangents import tangents
 
         low, high = self.ends
         stands, falls = (high, low) if self.fates.failed else (low, high)
@@ -633,7 +633,7 @@ class _Overturning:
         return _unit(slope) * np.sign(slope @ ray)
 
     def _run(self, u: np.ndarray, duration: float | None = None) -> Response:
-        from rockeom.numeric.simulate import simulate
+        from rockeom.simulation.simulate import simulate
 
         self.own_runs += 1
         case = self.fates.case(**self.space.values(u))

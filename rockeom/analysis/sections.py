@@ -34,14 +34,14 @@ from rockeom.analysis.arguments import dims_of_starts, numbers, positive, requir
 from rockeom.analysis.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS
 from rockeom.analysis.unfinished import check_finished
-from rockeom.arguments import told, whole_number
-from rockeom.numeric.case import Case
-from rockeom.numeric.ensemble import simulate_many
-from rockeom.numeric.ensemble_cases import ROW, WORTHWHILE, Cases
-from rockeom.numeric.ensemble_work import Progress
-from rockeom.numeric.quantities import units_of
-from rockeom.numeric.structures import Structure
-from rockeom.numeric.units import in_udunits, time_unit
+from rockeom.numbers.checks import told, whole_number
+from rockeom.simulation.case import Case
+from rockeom.simulation.quantities import units_of
+from rockeom.structures.classes import Structure
+from rockeom.structures.units import in_udunits, time_unit
+from rockeom.sweeps.cases import ROW, WORTHWHILE, Cases
+from rockeom.sweeps.run import simulate_many
+from rockeom.sweeps.workers import Progress
 
 
 def poincare_sections(

@@ -93,7 +93,7 @@ def _run(argv: Sequence[str] | None) -> int:
 
 def _of_arguments() -> tuple[type, ...]:
     """The errors of arguments that tell what is wrong; those of what is derived where it was."""
-    from rockeom.numeric.structures import ParameterError
+    from rockeom.structures.classes import ParameterError
 
     valid = sys.modules.get("rockeom.symbolic.valid")
     return (ParameterError, *([valid.ArgumentError] if valid else []))

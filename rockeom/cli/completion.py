@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rockeom.cli.simulate import PULSES
-from rockeom.named import FAMILIES
-from rockeom.numeric.structures import SHIPPED
+from rockeom.modelling.named import FAMILIES
+from rockeom.structures.classes import SHIPPED
 
 HELP = "print the script by which a shell completes commands"
 DESCRIPTION = """\

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
-from rockeom.named import FAMILIES
-from rockeom.numeric.structures import SHIPPED
+from rockeom.modelling.named import FAMILIES
+from rockeom.structures.classes import SHIPPED
 
 if TYPE_CHECKING:
     from rockeom.thesis import Decision, Equation

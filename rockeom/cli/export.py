@@ -99,9 +99,9 @@ def _path(out: Path | None, name: str, language: str) -> Path:
 
 def _code(args: argparse.Namespace) -> tuple[str, str]:
     """The text of c or matlab, and the name of its file."""
-    from rockeom.declared import module_of
     from rockeom.exports import code
     from rockeom.exports.code import file_name
+    from rockeom.modelling.declared import module_of
 
     given = [
         option

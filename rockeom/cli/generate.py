@@ -7,8 +7,8 @@ import sys
 from collections.abc import Collection
 from pathlib import Path
 
-from rockeom.arguments import near
 from rockeom.cli.errors import UsageError
+from rockeom.numbers.checks import near
 
 HELP = "rewrite generated/ from the symbolic models, or check it"
 DESCRIPTION = """\

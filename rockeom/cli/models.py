@@ -9,8 +9,8 @@ from types import ModuleType
 from typing import Any
 
 from rockeom.cli.errors import UsageError, lists, numbers, words
-from rockeom.declared import module_of
-from rockeom.named import (
+from rockeom.modelling.declared import module_of
+from rockeom.modelling.named import (
     FAMILIES,
     SUPPORTS,
     class_named,
@@ -18,8 +18,8 @@ from rockeom.named import (
     structure,
     takes_support,
 )
-from rockeom.numeric.impact import Impulsive, default_law
-from rockeom.numeric.structures import SHIPPED, Structure
+from rockeom.structures.classes import SHIPPED, Structure
+from rockeom.structures.impact_laws import Impulsive, default_law
 
 HELP = "list the structures, or explain one of them"
 DESCRIPTION = """\

@@ -15,10 +15,10 @@ import numpy as np
 from rockeom import __version__
 from rockeom.files import write
 from rockeom.motion import GroundMotion
-from rockeom.numeric.impact import ImpactLaw
-from rockeom.numeric.labelled import units
-from rockeom.numeric.plausible import forces
-from rockeom.numeric.response import MEASURABLE, Response
+from rockeom.simulation.plausible import forces
+from rockeom.simulation.response import MEASURABLE, Response
+from rockeom.simulation.tables import units
+from rockeom.structures.impact_laws import ImpactLaw
 
 
 def in_words(run: Response) -> str:

@@ -11,17 +11,17 @@ from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
 from rockeom.files import check_target
 from rockeom.motion import GroundMotion
-from rockeom.numeric.impact import (
+from rockeom.simulation.options import METHODS, SolverOptions
+from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulate
+from rockeom.structures.classes import check_names
+from rockeom.structures.impact_laws import (
     AngularMomentum,
     EnergyRatio,
     ImpactLaw,
     Impulsive,
     VelocityRatio,
 )
-from rockeom.numeric.options import METHODS, SolverOptions
-from rockeom.numeric.response import Response
-from rockeom.numeric.simulate import simulate
-from rockeom.numeric.structures import check_names
 
 HELP = "simulate a structure under a ground motion"
 DESCRIPTION = """\

@@ -15,7 +15,7 @@ import sympy as sp
 from rockeom.codegen.outputs import Columns
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.text import Text
-from rockeom.contract import (
+from rockeom.codes import (
     FRICTIONLESS,
     LANDING,
     LIFTING,

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from rockeom.sources import digest
+from rockeom.compiler.sources import digest
 from rockeom.symbolic.model import RockingModel
 
 

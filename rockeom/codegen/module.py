@@ -41,7 +41,7 @@ Operations before and after common subexpressions were shared:
 
 IMPORTS = """
 
-{imports}from rockeom.marks import {marks}
+{imports}from rockeom.compiler.decorators import {marks}
 
 SOURCE_HASH = "{digest}"
 """

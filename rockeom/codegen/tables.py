@@ -12,7 +12,7 @@ from rockeom.codegen.names import string
 from rockeom.codegen.parameters import sizes_to_check
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.text import Text
-from rockeom.contract import FRICTIONLESS, IMPULSIVE, KIND_OF, MOST_DIGITS, RATIO, SWITCH
+from rockeom.codes import FRICTIONLESS, IMPULSIVE, KIND_OF, MOST_DIGITS, RATIO, SWITCH
 from rockeom.symbolic.contacts import Model
 from rockeom.symbolic.model import Parameter, RockingModel
 from rockeom.symbolic.modes import Modes

@@ -1,6 +1,6 @@
 """The functions of a generated module as they are written out for another language.
 
-Generated modules stand in a closed part of Python, see `rockeom.numeric.printer`: numbers, tuples
+Generated modules stand in a closed part of Python, see `rockeom.compiler.printer`: numbers, tuples
 of them, arrays that are passed in, calls, `while`, `for`, `if`. What a language with declared types
 must be told is found out here: the type of each variable, which arrays a function fills, what is
 needed of its values, and which names would mean something else there.
@@ -19,8 +19,8 @@ from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 
-from rockeom.numeric.machine_types import MATH
-from rockeom.numeric.printer import Program, Text
+from rockeom.compiler.printer import Program, Text
+from rockeom.compiler.types import MATH
 
 INT, BOOL, FLOAT = "int", "bool", "float"
 

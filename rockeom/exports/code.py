@@ -13,13 +13,11 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.resources import files
 from types import ModuleType
 from typing import Any
 
 from rockeom import __version__
-from rockeom.arguments import near, told
-from rockeom.declared import class_of_model
+from rockeom.compiler.printer import Text
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import (
     FLOAT,
@@ -32,9 +30,10 @@ from rockeom.exports.closed import (
     in_plain_letters,
     printable,
 )
-from rockeom.numeric.contact_states import has_points
-from rockeom.numeric.printer import Text
-from rockeom.numeric.program import source
+from rockeom.integrator.schema import SEARCHED, has_points
+from rockeom.integrator.texts import source, text_of
+from rockeom.modelling.declared import class_of_model
+from rockeom.numbers.checks import near, told
 
 WHOLE = ("contact", "guard", "law", "number")
 ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")
@@ -233,8 +232,7 @@ def code(module: ModuleType, language: str) -> str:
 def _described(module: ModuleType) -> Described:
     texts = [Text(f"{module.NAME}.py", source(module))]
     if has_points(module):
-        contacts = (files("rockeom.numeric") / "contacts.py").read_text(encoding="utf-8")
-        texts += [Text("contacts.py", contacts), Text("impact", _OF_POINTS)]
+        texts += [Text(SEARCHED, text_of(SEARCHED)), Text("impact", _OF_POINTS)]
     texts.append(Text("sine and cosine", _SINE_COSINE))
     entries = _entries(texts, ("impact",))
     functions = Functions(texts, entries)

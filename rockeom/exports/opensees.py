@@ -14,9 +14,9 @@ from string import Template
 import numpy as np
 
 from rockeom import __version__
-from rockeom.arguments import number
 from rockeom.motion import GroundMotion
-from rockeom.numeric.structures import Structure, check_states
+from rockeom.numbers.checks import number
+from rockeom.structures.classes import Structure, check_states
 
 _BODY = Template('''
 # Nodes: 1 the middle of the base, 2 and 3 its feet, 4 and 5 the masses, 6 and 7 the ground

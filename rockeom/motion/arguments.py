@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.arguments import number, whole_number
-from rockeom.mathematics import isfinite
 from rockeom.motion.errors import MotionError
+from rockeom.numbers.checks import number, whole_number
+from rockeom.numbers.functions import isfinite
 
 COMPONENTS = ("horizontal", "vertical", "all")
 """Components of records that a set may hold."""

@@ -14,10 +14,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom import hooks
-from rockeom.arguments import number, numbers, told
-from rockeom.dual import nominal, value_of
-from rockeom.many import Many, one_of
-from rockeom.mathematics import mathematics
 from rockeom.motion.arguments import finite as _finite, positive as _positive
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
@@ -43,6 +39,10 @@ from rockeom.motion.segments import (
     velocity as _velocity,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
+from rockeom.numbers.batch import Many, one_of
+from rockeom.numbers.checks import number, numbers, told
+from rockeom.numbers.dual import nominal, value_of
+from rockeom.numbers.functions import mathematics
 
 if TYPE_CHECKING:
     from rockeom.motion.intensity import Measures

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
-from rockeom.arguments import installed_by, told
 from rockeom.motion.errors import MotionError
 from rockeom.motion.stored import COLLECTIONS, Stored
+from rockeom.numbers.checks import installed_by, told
 
 
 @cache

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom import hooks
-from rockeom.arguments import near, told
 from rockeom.motion import intensity as measured
 from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
@@ -21,6 +20,7 @@ from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recordings import Recording, chosen, recordings
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import near, told
 
 Intensity = str | Callable[[GroundMotion], float]
 

@@ -11,11 +11,11 @@ from fractions import Fraction
 
 import numpy as np
 
-from rockeom.arguments import told
 from rockeom.motion.arguments import finite, positive, whole
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.segments import cut
+from rockeom.numbers.checks import told
 
 _INTEGRALS = {"acceleration": 0, "velocity": 1, "displacement": 2}
 """What a baseline is fitted to: how often the acceleration is integrated for it."""

@@ -26,10 +26,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rockeom.arguments import is_number, told
 from rockeom.motion import components
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
+from rockeom.numbers.checks import is_number, told
 
 Column = str | int
 

@@ -6,11 +6,11 @@ import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from rockeom.arguments import told
 from rockeom.motion.arguments import COMPONENTS
 from rockeom.motion.components import split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.numbers.checks import told
 
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5

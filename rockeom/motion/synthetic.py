@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.arguments import numbers, told
 from rockeom.motion.arguments import positive, whole
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.numbers.checks import numbers, told
 
 Filter = tuple[float, float]
 """Angular frequency [rad/s] and damping ratio of an oscillator."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from rockeom.arguments import is_number, told
 from rockeom.motion.errors import MotionError
+from rockeom.numbers.checks import is_number, told
 
 STANDARD_GRAVITY = 9.81
 """What "g" stands for in a record [m/s2] unless the reader is told otherwise: the value that the

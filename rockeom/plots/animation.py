@@ -19,15 +19,15 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from PIL import Image
 
-from rockeom.arguments import number, told
 from rockeom.files import check_target, write
-from rockeom.numeric.positions import places
+from rockeom.numbers.checks import number, told
 from rockeom.plots import free_body, style
 from rockeom.plots.sketch import Sketch, all_points
+from rockeom.structures.positions import places
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
-    from rockeom.numeric.response import Impact, Response
+    from rockeom.simulation.response import Impact, Response
 
 MOST_FRAMES = 2000
 FLASH = 0.2

@@ -9,11 +9,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
-from rockeom.numeric.response import MEASURABLE
 from rockeom.plots import style
+from rockeom.simulation.response import MEASURABLE
 
 if TYPE_CHECKING:
-    from rockeom.numeric.response import Response
+    from rockeom.simulation.response import Response
 
 
 @style.styled

@@ -25,13 +25,13 @@ from matplotlib.figure import Figure
 from rockeom.analysis.isolation import Demands, demands, energy_balance
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
-from rockeom.numeric.fixed_base import FixedBase
-from rockeom.numeric.impact import ImpactLaw
-from rockeom.numeric.plausible import ROUGHEST, default_masses, forces, shaking
-from rockeom.numeric.response import Outcome, Response
-from rockeom.numeric.simulate import simulate
-from rockeom.numeric.structures import Structure
 from rockeom.plots import style
+from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
+from rockeom.simulation.response import Outcome, Response
+from rockeom.simulation.simulate import simulate
+from rockeom.structures.classes import Structure
+from rockeom.structures.fixed_base import FixedBase
+from rockeom.structures.impact_laws import ImpactLaw
 
 A4 = (8.27, 11.69)  # in
 SHOWN = 12

@@ -19,12 +19,12 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.sweeps import outcome_labels
 from rockeom.motion import GroundMotion
-from rockeom.numeric.ensemble import Sweep
-from rockeom.numeric.response import Response
-from rockeom.numeric.structures import Structure
 from rockeom.plots import style
 from rockeom.plots.response import plot_response
 from rockeom.plots.sketch import draw_structure
+from rockeom.simulation.response import Response
+from rockeom.structures.classes import Structure
+from rockeom.sweeps.run import Sweep
 
 _CELL = 'style="text-align:left"'
 

@@ -10,12 +10,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rockeom.contract import IMPACT, LANDING
-from rockeom.numeric.response import Response
+from rockeom.codes import IMPACT, LANDING
 from rockeom.plots import style
+from rockeom.simulation.response import Response
 
 if TYPE_CHECKING:
-    from rockeom.numeric.structures import Structure
+    from rockeom.structures.classes import Structure
 
 
 @style.styled

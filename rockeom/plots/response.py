@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 from rockeom.plots import style
 
 if TYPE_CHECKING:
-    from rockeom.numeric.response import Response
+    from rockeom.simulation.response import Response
 
 Draw = Callable[[Axes, "Response"], None]
 

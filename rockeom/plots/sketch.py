@@ -10,12 +10,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rockeom.numeric.positions import BODIES, places, positions_of, rotations_of
 from rockeom.plots import free_body, style
+from rockeom.structures.positions import BODIES, places, positions_of, rotations_of
 
 if TYPE_CHECKING:
-    from rockeom.numeric.positions import Member
-    from rockeom.numeric.structures import Structure
+    from rockeom.structures.classes import Structure
+    from rockeom.structures.positions import Member
 
 
 @style.styled

@@ -15,14 +15,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
-from rockeom.contract import IMPACT, LANDING
+from rockeom.codes import IMPACT, LANDING
 from rockeom.files import write
 from rockeom.motion import STANDARD_GRAVITY
-from rockeom.numeric import units
-from rockeom.numeric.contact_states import landing_speeds
+from rockeom.structures import units
+from rockeom.structures.contact_modes import landing_speeds
 
 if TYPE_CHECKING:
-    from rockeom.numeric.response import Response
+    from rockeom.simulation.response import Response
 
 INK = "0.25"
 LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito (2008)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from rockeom.contract import MOST_CONTACT_STATES
+from rockeom.codes import MOST_CONTACT_STATES
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.check import (

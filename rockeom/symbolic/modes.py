@@ -30,7 +30,7 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from rockeom.contract import (
+from rockeom.codes import (
     FRICTIONLESS,
     MOST_CONTACT_STATES,
     OPEN,

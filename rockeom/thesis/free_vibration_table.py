@@ -17,7 +17,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.impact import ImpactLaw
+from rockeom.structures.impact_laws import ImpactLaw
 
 WALL = analysis.Wall.thesis()
 STIFFER = 1.06

@@ -17,8 +17,8 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.impact import ImpactLaw
-from rockeom.numeric.response import Response
+from rockeom.simulation.response import Response
+from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis.free_vibration_table import STIFFER
 from rockeom.thesis.tables import COLUMN, TABLE_4_1
 

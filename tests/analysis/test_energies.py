@@ -7,8 +7,8 @@ import pytest
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.states import at_states
-from rockeom.numeric.structures import SHIPPED, class_of
+from rockeom.structures.classes import SHIPPED, class_of
+from rockeom.structures.evaluation import at_states
 from tests.numeric.structures import FOUNDATION_STIFFNESS, S1, column, every_structure
 from tests.shipped import plain
 

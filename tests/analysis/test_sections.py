@@ -9,7 +9,7 @@ from hypothesis import given, strategies as st
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.ensemble_results import Kept
+from rockeom.sweeps.results import Kept
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 PERIOD = 3.0

@@ -17,8 +17,8 @@ import rockeom as rk
 from rockeom import analysis, plots
 from rockeom.analysis import branches as branches_module
 from rockeom.cli import main
-from rockeom.numeric import ensemble
-from rockeom.numeric.ensemble_results import Kept
+from rockeom.sweeps import run as ensemble
+from rockeom.sweeps.results import Kept
 from rockeom.thesis.figures import chapter_2_blocks, chapter_4_wall
 from tests.interrupts import interrupted_at
 

@@ -14,8 +14,8 @@ from rockeom import __version__
 from rockeom.cli import main
 from rockeom.cli.plain import mathematics
 from rockeom.codegen.write import write_generated
-from rockeom.named import FAMILIES, SUPPORTS, parameters_of
-from rockeom.numeric.structures import SHIPPED
+from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of
+from rockeom.structures.classes import SHIPPED
 
 COMMANDS = (
     "models",

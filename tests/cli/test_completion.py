@@ -10,7 +10,7 @@ import subprocess
 import pytest
 
 from rockeom.cli import main
-from rockeom.numeric.structures import SHIPPED
+from rockeom.structures.classes import SHIPPED
 
 BASH = shutil.which("bash")
 

@@ -14,11 +14,11 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.contract import IMPULSIVE
-from rockeom.mathematics import of_compounds
-from rockeom.numeric.machine_types import WIDTH
-from rockeom.numeric.program import _own, source
-from rockeom.numeric.structures import SHIPPED
+from rockeom.codes import IMPULSIVE
+from rockeom.compiler.types import WIDTH
+from rockeom.integrator.texts import source, text_of
+from rockeom.numbers.functions import of_compounds
+from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from tests.codegen.test_generated_functions import JUMPS, STRUCTURES, Sample, model, module
 from tests.evaluation import Values
@@ -49,7 +49,7 @@ def carried_jump(
 @functools.cache
 def compiled(name):
     jumps = JUMP if name in PINNED else ""
-    return functions(source(module(name)) + _own("slopes.py") + ENTRIES + jumps)
+    return functions(source(module(name)) + text_of("integrator/derivatives.py") + ENTRIES + jumps)
 
 
 class Carried:

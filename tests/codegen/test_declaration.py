@@ -11,7 +11,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import declaration_digest
-from rockeom.sources import sources
+from rockeom.compiler.sources import sources
 from rockeom.symbolic.structures.flexible import flexible_structure
 
 
@@ -77,7 +77,7 @@ def test_every_file_that_derives_or_writes_counts():
         [sys.executable, "-c", LOADED], env=environment, capture_output=True, text=True, check=True
     )
     loaded = {Path(line) for line in done.stdout.splitlines()}
-    assert {"contract.py", "lagrange.py", "guards.py"} <= {path.name for path in loaded}
+    assert {"codes.py", "lagrange.py", "guards.py"} <= {path.name for path in loaded}
     assert loaded <= set(sources())
 
 

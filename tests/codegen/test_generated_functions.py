@@ -18,7 +18,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 import rockeom as rk
-from rockeom.contract import IMPULSIVE, RATIO
+from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.generated import rigid_block
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import reactions

@@ -60,8 +60,8 @@ def test_module_imports_only_math_numpy_and_marks(name):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             found.add(node.module)
-    assert "rockeom.marks" in found
-    assert found <= {"math", "numpy", "rockeom.marks"}
+    assert "rockeom.compiler.decorators" in found
+    assert found <= {"math", "numpy", "rockeom.compiler.decorators"}
 
 
 def bound_in(text):

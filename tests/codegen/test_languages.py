@@ -15,11 +15,11 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.contract import LANDING
-from rockeom.declared import class_of_model
+from rockeom.codes import LANDING
 from rockeom.exports import LANGUAGES, code
 from rockeom.exports.code import FILLED, file_name
-from rockeom.numeric.structures import SHIPPED
+from rockeom.modelling.declared import class_of_model
+from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
 from tests.shipped import plain
 

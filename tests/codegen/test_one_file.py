@@ -129,7 +129,7 @@ def test_two_files_that_declare_one_name_are_told():
 
 def test_order_of_lists_is_that_of_the_declarations():
     """Every list of all, by what derives and by what simulates."""
-    from rockeom.numeric.structures import SHIPPED
+    from rockeom.structures.classes import SHIPPED
 
     assert [*SHIPPED] == [*rk.models()]
     assert [cls.__name__ for cls in SHIPPED.values()] == [*rk._classes()]

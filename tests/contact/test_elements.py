@@ -11,8 +11,8 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.contract import SWITCH
-from rockeom.numeric.program import load_text
+from rockeom.codes import SWITCH
+from rockeom.integrator.texts import load_text
 from rockeom.symbolic import Model, Unilateral
 from tests.contact import declared
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.contract import OPEN
-from rockeom.numeric.contact_states import Points
+from rockeom.codes import OPEN
+from rockeom.structures.contact_modes import Points
 from tests.soak.cases import Motion
 from tests.soak.mechanics import of_sliding_block, of_stack
 from tests.soak.newton import Told, on_contacts

@@ -19,8 +19,8 @@ from scipy.optimize import brentq
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.contract import OPEN, STICK
-from rockeom.numeric.program import load_text
+from rockeom.codes import OPEN, STICK
+from rockeom.integrator.texts import load_text
 from rockeom.symbolic import Force, internal_variable
 from tests.contact import declared
 

@@ -14,9 +14,9 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.contract import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
-from rockeom.declared import class_of_model
-from rockeom.numeric.contact_states import Points
+from rockeom.codes import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
+from rockeom.modelling.declared import class_of_model
+from rockeom.structures.contact_modes import Points
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.modes import _inverse

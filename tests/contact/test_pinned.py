@@ -11,7 +11,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.generated import flexible_structure as flexible_structure_module
-from rockeom.numeric.program import load_text
+from rockeom.integrator.texts import load_text
 from rockeom.symbolic import (
     Body,
     Contact,

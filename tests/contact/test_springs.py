@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 
 from rockeom.codegen import module_text
-from rockeom.numeric.program import load_text
-from rockeom.numeric.structures import SHIPPED
+from rockeom.integrator.texts import load_text
+from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic import Spring, Unilateral, rocking_structure
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.structures.flexible import flexible_structure

@@ -6,8 +6,8 @@ from functools import cache
 import pytest
 
 import rockeom as rk
-from rockeom.contract import IMPOSSIBLE
-from rockeom.numeric import contact_states
+from rockeom.codes import IMPOSSIBLE
+from rockeom.structures import contact_modes as contact_states
 
 from .declared import four_feet
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom import codegen, declared as of_declarations
-from rockeom.numeric.contact_states import Points
+from rockeom.structures.contact_modes import Points
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.modes import _vanishes, brief

@@ -254,7 +254,7 @@ def gallery():
 
 
 def test_every_shipped_structure_has_an_example_that_makes_it(gallery):
-    from rockeom.numeric.structures import SHIPPED
+    from rockeom.structures.classes import SHIPPED
 
     assert set(gallery.STRUCTURES) == set(SHIPPED)
     for name, example in gallery.STRUCTURES.items():

@@ -6,7 +6,7 @@ import itertools
 import sympy as sp
 
 import rockeom as rk
-from rockeom.numeric.structures import class_of
+from rockeom.structures.classes import class_of
 from rockeom.symbolic.model import (
     Body,
     Mechanism,

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric.case import Case
-from rockeom.numeric.choice import chosen
-from rockeom.numeric.structures import SHIPPED
+from rockeom.simulation.case import Case
+from rockeom.simulation.method_selection import chosen
+from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
 from .test_stiff import LIFTING, MASS, STIFF, on_springs

@@ -19,9 +19,9 @@ import sympy as sp
 import rockeom as rk
 from rockeom import declared
 from rockeom.codegen import module_text
-from rockeom.numeric import program as programs
-from rockeom.numeric.program import load_text
-from rockeom.numeric.structures import SHIPPED
+from rockeom.integrator import program as programs
+from rockeom.integrator.texts import load_text
+from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
 from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION, rigid_block
 from tests.shipped import plain
@@ -30,7 +30,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 DECAY = """
 import rockeom as rk
-from rockeom.numeric import program as programs
+from rockeom.integrator import program as programs
 made, make = [], programs._made
 programs._made = lambda *given: made.append(1) or make(*given)
 block = rk.RigidBlock(half_width=0.25, half_height=1.0, gravity=9.81)
@@ -291,13 +291,13 @@ def test_every_file_that_has_part_in_a_program_is_in_its_name():
     code = """
 import sys
 import rockeom.generated.rigid_block as module
-from rockeom.numeric import program as programs
+from rockeom.integrator import program as programs
 
-hashed, own = set(), programs._own
+hashed, own = set(), programs.text_of
 
-def noted(name, package="rockeom.numeric"):
-    hashed.add(f"{package}.{name.removesuffix('.py')}")
-    return own(name, package)
+def noted(path):
+    hashed.add("rockeom." + path.removesuffix(".py").replace("/", "."))
+    return own(path)
 
 class Named(Exception):
     pass
@@ -305,12 +305,12 @@ class Named(Exception):
 def kept(name, digest, make):
     raise Named
 
-programs._own, programs.kept = noted, kept
+programs.text_of, programs.kept = noted, kept
 try:
     programs.program(module, "DOP853", lanes=True)
 except Named:
     pass
-programs._own = own
+programs.text_of = own
 programs.texts(module, "DOP853", lanes=True), programs.texts(module, "Radau")
 imported = {name for name in sys.modules if name.startswith("rockeom.")}
 print(*sorted(imported - hashed))
@@ -322,8 +322,8 @@ print(*sorted(imported - hashed))
     # hooks come with the package; what contact states add to a text is in the text, and they read
     # points of many states, where nothing is compiled
     assert done.stdout.split() == [
-        "rockeom.arguments", "rockeom.dual", "rockeom.files", "rockeom.generated",
+        "rockeom.numbers.checks", "rockeom.numbers.dual", "rockeom.files", "rockeom.generated",
         "rockeom.generated.rigid_block",
-        "rockeom.hooks", "rockeom.many", "rockeom.marks", "rockeom.mathematics", "rockeom.numeric",
-        "rockeom.numeric.contact_states", "rockeom.numeric.forks", "rockeom.numeric.store",
+        "rockeom.hooks", "rockeom.numbers.batch", "rockeom.compiler.decorators", "rockeom.numbers.functions", "rockeom.numeric",
+        "rockeom.structures.contact_modes", "rockeom.compiler.locks", "rockeom.compiler.cache",
     ]  # fmt: skip

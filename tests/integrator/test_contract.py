@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom import contract
-from rockeom.numeric.printer import _BUILT_IN
-from rockeom.numeric.program import texts
+from rockeom import codes
+from rockeom.compiler.printer import _BUILT_IN
+from rockeom.integrator.program import texts
+from rockeom.integrator.texts import text_of
 
-DECLARED = ast.parse((Path(rk.__file__).parent / "numeric" / "joined.pyi").read_text())
+DECLARED = ast.parse((Path(rk.__file__).parent / "integrator" / "interface.pyi").read_text())
 FUNCTIONS = {
     node.name: [a.arg for a in node.args.args]
     for node in DECLARED.body
@@ -50,7 +51,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
     lanes = method != "Radau"
     joined = {"__name__": "joined"}
     for text in texts(generated, method, lanes):
-        if text.name not in ("loop.py", "lanes.py"):
+        if not text.name.endswith(("/loop.py", "/lanes.py")):
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
     elsewhere = OF_LOOP | OF_PRINTER | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
@@ -63,7 +64,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
 
 
 def test_loop_and_printer_define_what_else_is_asked_for():
-    source = (Path(rk.__file__).parent / "numeric" / "loop.py").read_text()
+    source = text_of("integrator/loop.py")
     loop = {n.name: n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef)}
     for function in OF_LOOP:
         assert [a.arg for a in loop[function].args.args] == FUNCTIONS[function]
@@ -73,32 +74,32 @@ def test_loop_and_printer_define_what_else_is_asked_for():
 
 def test_every_name_that_is_declared_is_asked_for():
     asked = set()
-    parts = "loop", "lanes", "contacts", "landings", "bounces", "slopes", "carried"
-    for text in (f"{part}.py" for part in parts):
-        source = (Path(rk.__file__).parent / "numeric" / text).read_text()
+    searched = (f"transitions/{part}" for part in ("searched", "landings", "zeno"))
+    for part in ("loop", "lanes", "derivatives", "variational", *searched):
+        source = text_of(f"integrator/{part}.py")
         asked |= {n.id for n in ast.walk(ast.parse(source)) if isinstance(n, ast.Name)}
     assert FUNCTIONS.keys() | TABLES <= asked
 
 
 def test_outcomes_are_numbered_as_the_loop_numbers_them():
     for number, outcome in enumerate(rk.Outcome):
-        assert getattr(contract, outcome.name) == number
-    assert len(rk.Outcome) == contract.FULL
+        assert getattr(codes, outcome.name) == number
+    assert len(rk.Outcome) == codes.FULL
 
 
 def test_kinds_and_laws_are_those_of_the_generated_modules():
     for name in rk.models():
         m = importlib.import_module(f"rockeom.generated.{name}")
-        assert (m.RATIO, m.IMPULSIVE) == (contract.RATIO, contract.IMPULSIVE)
+        assert (m.RATIO, m.IMPULSIVE) == (codes.RATIO, codes.IMPULSIVE)
         for contact, kinds in zip(m.CONTACTS, m.KINDS, strict=True):
-            leaving = [contract.KIND_OF[k] for source, _, k in m.TRANSITIONS if source == contact]
+            leaving = [codes.KIND_OF[k] for source, _, k in m.TRANSITIONS if source == contact]
             assert [*kinds[: len(leaving)]] == leaving
 
 
 def test_a_motion_begins_without_a_past():
-    begins = contract.AT_THE_START
-    assert begins[contract.TOUCHING] == -1
-    assert begins[contract.NEWS] == begins[contract.FRESH] == 1
+    begins = codes.AT_THE_START
+    assert begins[codes.TOUCHING] == -1
+    assert begins[codes.NEWS] == begins[codes.FRESH] == 1
     assert np.count_nonzero(begins) == 3
     with pytest.raises(ValueError, match="read-only"):
         begins[0] = 1

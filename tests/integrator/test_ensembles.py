@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.numeric.ensemble_cases import Cases, Source
+from rockeom.sweeps.cases import Cases, Source
 from tests.interrupts import interrupted_at
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric import ensemble_work
+from rockeom.sweeps import workers as ensemble_work
 from tests.interrupts import interrupted_at
 
 pytest.importorskip("zarr")
@@ -252,10 +252,10 @@ def test_a_chunk_is_pending_until_all_of_it_is_written(whole, store):
 def test_other_equations_or_another_loop_are_refused(begun, monkeypatch):
     """Here, and where a worker has them."""
     with ThreadPoolExecutor(1) as pool:
-        monkeypatch.setattr("rockeom.numeric.ensemble_work.revision", lambda *_: "another")
+        monkeypatch.setattr("rockeom.sweeps.workers.revision", lambda *_: "another")
         with pytest.raises(RuntimeError, match=r"another rigid_block.*install the same"):
             swept(executor=pool)
-    monkeypatch.setattr("rockeom.numeric.ensemble.revision", lambda *_: "another")
+    monkeypatch.setattr("rockeom.sweeps.run.revision", lambda *_: "another")
     with pytest.raises(ValueError, match=r"equations and loop .* there, another here"):
         swept(store=begun)
 

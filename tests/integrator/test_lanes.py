@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.numeric.case import Problems
-from rockeom.numeric.ensemble import lanes_pay
-from rockeom.numeric.ensemble_cases import Part
-from rockeom.numeric.ensemble_results import Results
-from rockeom.numeric.machine import Loaded, compiled
-from rockeom.numeric.printer import Program as Printed
-from rockeom.numeric.program import GLUE, LOOP, VECTORS, joined_texts
+from rockeom.compiler.machine import Loaded, compiled
+from rockeom.compiler.printer import Program as Printed
+from rockeom.integrator.program import GLUE, LOOP, VECTORS, joined_texts
+from rockeom.simulation.case import Problems
+from rockeom.sweeps.cases import Part
+from rockeom.sweeps.results import Results
+from rockeom.sweeps.run import lanes_pay
 
 STEP = rk.SolverOptions(steps_per_segment=1)
 

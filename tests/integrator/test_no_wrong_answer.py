@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.contract import FULL
-from rockeom.numeric.program import program
+from rockeom.codes import FULL
+from rockeom.integrator.program import program
 from tests.numeric.structures import S1
 
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, example, given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.numeric.tableau import NODES, powers_to_bernstein, samples_to_bernstein
+from rockeom.integrator.methods.tableau import NODES, powers_to_bernstein, samples_to_bernstein
 from tests import machine_code
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric.implicit import radau
+from rockeom.integrator.methods.radau import radau
 
 from .test_tableaux import of_impacts, shaken, slopes, stage_values, trees, worst
 

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.many import Differs, Many
-from rockeom.mathematics import mathematics
-from rockeom.numeric.case import Case, Problems
-from rockeom.numeric.ensemble_cases import Cases, Source
-from rockeom.numeric.structures import SHIPPED
+from rockeom.numbers.batch import Differs, Many
+from rockeom.numbers.functions import mathematics
+from rockeom.simulation.case import Case, Problems
+from rockeom.structures.classes import SHIPPED
+from rockeom.sweeps.cases import Cases, Source
 from tests.interrupts import interrupted_at
 from tests.numeric.structures import S1
 from tests.shipped import plain

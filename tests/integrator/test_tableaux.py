@@ -11,8 +11,8 @@ import pytest
 from scipy import integrate
 
 import rockeom as rk
-from rockeom.numeric import coefficients
-from rockeom.numeric.tableau import step_text, tableau
+from rockeom.integrator.methods import coefficients
+from rockeom.integrator.methods.tableau import step_text, tableau
 
 METHODS = pytest.mark.parametrize("name", ["RK45", "DOP853"])
 ORDER = {"RK45": 5, "DOP853": 8}
@@ -79,12 +79,12 @@ def test_every_order_condition(name):
 def test_a_pair_is_added_in_one_file():
     """All that asks for a method by its name finds it: Dormand and Prince's by another."""
     code = """
-from rockeom.numeric import coefficients
+from rockeom.integrator.methods import coefficients
 coefficients.PAIRS["Prince"] = coefficients.RK45
 import rockeom as rk
 import rockeom.generated.rigid_block as module
-from rockeom.numeric.printer import Program
-from rockeom.numeric.program import texts
+from rockeom.compiler.printer import Program
+from rockeom.integrator.program import texts
 assert rk.SolverOptions(method="Prince").method == "Prince"
 for lanes in (False, True):
     one, other = (Program(texts(module, m, lanes)).ir() for m in ("Prince", "RK45"))

@@ -11,9 +11,9 @@ import xarray as xr
 from scipy.stats import qmc
 
 import rockeom as rk
-from rockeom.numeric.ensemble_cases import Cases, Source
-from rockeom.numeric.ensemble_dataset import dataset
-from rockeom.numeric.ensemble_results import Asked, Kept, Results
+from rockeom.sweeps.cases import Cases, Source
+from rockeom.sweeps.dataset import dataset
+from rockeom.sweeps.results import Asked, Kept, Results
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 N = 40

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric.case import Case
-from rockeom.numeric.program import program
-from rockeom.numeric.record import AllSteps
-from rockeom.numeric.simulate import run
+from rockeom.integrator.program import program
+from rockeom.simulation.case import Case
+from rockeom.simulation.recorder import AllSteps
+from rockeom.simulation.simulate import run
 
 COLUMN = {
     "mass": 122.6, "height": 1.05, "half_width": 0.285, "stiffness": 571.8e3, "damping": 502.4

@@ -12,7 +12,7 @@ import pytest
 import xarray as xr
 
 import rockeom as rk
-from rockeom.numeric.structures import SHIPPED
+from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
 from .structures import S1, column, on_springs

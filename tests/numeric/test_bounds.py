@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric import program
-from rockeom.numeric.machine import OutOfBoundsError
+from rockeom.compiler.machine import OutOfBoundsError
+from rockeom.integrator import program
 from tests.machine_code import HEAD, functions
 
 TEXT = (

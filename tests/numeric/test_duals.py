@@ -11,10 +11,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.dual import nominal
-from rockeom.mathematics import FUNCTIONS, mathematics
-from rockeom.numeric.case import Case, parted
-from rockeom.numeric.structures import SHIPPED
+from rockeom.numbers.dual import nominal
+from rockeom.numbers.functions import FUNCTIONS, mathematics
+from rockeom.simulation.case import Case, parted
+from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
 BLOCK = rk.RigidBlock(half_width=0.1, half_height=0.4)

@@ -9,7 +9,7 @@ import pytest
 PROGRAM = """
 import os, sys, threading, time
 import rockeom as rk
-from rockeom.numeric import program
+from rockeom.integrator import program
 
 block = rk.RigidBlock(half_width=0.1, half_height=0.4)
 motion = rk.GroundMotion.single_sine(3.0, 0.5, 1.0)

@@ -20,10 +20,10 @@ import xarray as xr
 import rockeom as rk
 from rockeom import saved
 from rockeom.files import TEMPORARY
-from rockeom.numeric import extremes
-from rockeom.numeric.record import Steps
-from rockeom.numeric.response import KINDS, Response
-from rockeom.numeric.structures import SHIPPED
+from rockeom.simulation import extremes
+from rockeom.simulation.recorder import Steps
+from rockeom.simulation.response import KINDS, Response
+from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
 from tests.numeric.structures import S1, column
 from tests.pipes import pipe

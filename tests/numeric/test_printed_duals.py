@@ -10,9 +10,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from rockeom.numeric.machine_types import WIDTH
-from rockeom.numeric.printer import Program, Refused, Text
-from rockeom.numeric.program import _own
+from rockeom.compiler.printer import Program, Refused, Text
+from rockeom.compiler.types import WIDTH
+from rockeom.integrator.texts import text_of
 from tests.machine_code import HEAD, functions
 
 KEPLER = """
@@ -85,7 +85,7 @@ def dual(values, along):
 
 
 def of_duals(text):
-    return functions(HEAD + _own("slopes.py") + text, contract=False)
+    return functions(HEAD + text_of("integrator/derivatives.py") + text, contract=False)
 
 
 def test_root_that_a_loop_finds_has_the_derivatives_of_the_equation():

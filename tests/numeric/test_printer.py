@@ -14,10 +14,10 @@ import timeit
 import numpy as np
 import pytest
 
-from rockeom.numeric import machine_lines, printer
-from rockeom.numeric.machine import Loaded, compiled
-from rockeom.numeric.machine_lines import Lines
-from rockeom.numeric.printer import GROWTH, Program, Refused, Text
+from rockeom.compiler import lines as machine_lines, printer
+from rockeom.compiler.lines import Lines
+from rockeom.compiler.machine import Loaded, compiled
+from rockeom.compiler.printer import GROWTH, Program, Refused, Text
 from tests.machine_code import HEAD, functions
 
 GREATEST_DIVISOR = """

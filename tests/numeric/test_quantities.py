@@ -10,11 +10,11 @@ from hypothesis import given, settings, strategies as st
 from scipy import linalg, signal
 
 import rockeom as rk
-from rockeom.mathematics import FUNCTIONS, mathematics
-from rockeom.numeric.jets import Jet
-from rockeom.numeric.positions import places
-from rockeom.numeric.quantities import _word, families, main_units
-from rockeom.numeric.structures import SHIPPED
+from rockeom.numbers.functions import FUNCTIONS, mathematics
+from rockeom.numbers.jet import Jet
+from rockeom.simulation.quantities import _word, families, main_units
+from rockeom.structures.classes import SHIPPED
+from rockeom.structures.positions import places
 from tests.shipped import plain
 
 from .structures import DAMPING, S1, STIFFNESS, TOTAL_MASS, column

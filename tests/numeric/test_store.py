@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from rockeom.numeric import store
-from rockeom.numeric.store import cache_folder, kept
+from rockeom.compiler import cache as store
+from rockeom.compiler.cache import cache_folder, kept
 
 ROOT = Path(__file__).resolve().parents[2]
 CODE = b"machine code\n\0" + bytes(range(0, 256, 16))
@@ -100,7 +100,7 @@ def start(folder: Path, code: str) -> subprocess.Popen[str]:
     """A new process that stores in the folder; CODE, kept and say() are there for it."""
     lines = f"""
 import os, signal, sys
-from rockeom.numeric.store import kept
+from rockeom.compiler.cache import kept
 CODE = {CODE!r}
 def say(text):
     print(text, flush=True)

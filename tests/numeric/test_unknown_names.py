@@ -7,7 +7,7 @@ import timeit
 import pytest
 
 import rockeom as rk
-from rockeom.numeric import structures
+from rockeom.structures import classes as structures
 from tests.numeric.structures import column
 
 BLOCK = rk.RigidBlock(half_width=0.2, half_height=1.0)
@@ -59,7 +59,7 @@ def test_probing_for_attributes_searches_nothing(monkeypatch):
     def searched(*_):
         raise AssertionError("a name was searched")
 
-    monkeypatch.setattr("rockeom.arguments.near", searched)
+    monkeypatch.setattr("rockeom.numbers.checks.near", searched)
     for owner in (BLOCK, rk):
         for name in ("p", "_repr_png_", "_ipython_canary_method_should_not_exist_", "__array__"):
             assert not hasattr(owner, name)

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.numeric.program import texts
+from rockeom.integrator.program import texts
 from tests.machine_code import HEAD, functions
 
 Ways = dict[str, Callable[..., Any]]

@@ -9,7 +9,7 @@ import pytest
 
 import rockeom as rk
 from rockeom import plots
-from rockeom.numeric.ensemble import Sweep
+from rockeom.sweeps.run import Sweep
 from tests.contact import declared
 
 NASTY = '<script>alert("a & b")</script> $\\frac{ $'

@@ -8,7 +8,6 @@ import functools
 import importlib
 import types
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,15 +16,15 @@ from hypothesis import given, strategies as st
 import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.codegen.names import Names, is_own
-from rockeom.numeric.lanes_text import lanes_text
-from rockeom.numeric.structures import class_of
-from rockeom.numeric.tableau import step_text, tableau
+from rockeom.integrator.lanes_text import lanes_text
+from rockeom.integrator.methods.tableau import step_text, tableau
+from rockeom.integrator.texts import text_of
+from rockeom.structures.classes import class_of
 from rockeom.symbolic import Coordinate, Mechanism, RockingModel, Transition
 from rockeom.symbolic.evaluate import NumpyPhase
 
 from .blocks import two_storey
 
-NUMERIC = Path(rk.__file__).parent / "numeric"
 VALUES = {
     "base_mass": 10e3,
     "mass_1": 20e3,
@@ -223,7 +222,7 @@ def bound_by(text: str) -> set[str]:
 def test_no_contact_state_can_meet_what_is_joined_to_the_module(method):
     """In the joined program numbers of contact states are global, as all of the loop's names."""
     frame = importlib.import_module("rockeom.generated.flexible_structure")
-    joined = [(NUMERIC / name).read_text(encoding="utf-8") for name in ("loop.py", "lanes.py")]
+    joined = [text_of(f"integrator/{name}.py") for name in ("loop", "lanes")]
     joined += [step_text(tableau(method), 2), lanes_text(tableau(method), frame)]
     names = set().union(*map(bound_by, joined))
     assert {"REST", "IMPACT", "EPS"} <= names

@@ -14,7 +14,7 @@ from hypothesis import given, settings, strategies as st
 from scipy.linalg import eigh
 
 import rockeom as rk
-from rockeom.numeric.program import program
+from rockeom.integrator.program import program
 
 from .blocks import ROOT, declaration, two_storey
 
@@ -228,7 +228,7 @@ def test_second_process_derives_and_compiles_nothing(shaken):
     code = f"""{declaration()}
 import rockeom as rk
 from rockeom import codegen
-from rockeom.numeric import program as programs
+from rockeom.integrator import program as programs
 codegen.module_text = None
 made, make = [], programs._made
 programs._made = lambda *given: made.append(1) or make(*given)

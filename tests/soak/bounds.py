@@ -9,9 +9,9 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 import rockeom as rk
-from rockeom.numeric.ensemble import lanes_pay
-from rockeom.numeric.machine import OutOfBoundsError
-from rockeom.numeric.structures import Structure
+from rockeom.compiler.machine import OutOfBoundsError
+from rockeom.structures.classes import Structure
+from rockeom.sweeps.run import lanes_pay
 from tests.contact import declared
 from tests.contact.test_yielding import WALL, held_block, wall_with_bars
 from tests.soak.cases import METHODS, MODELS, Dice, draw

@@ -15,7 +15,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom.motion.segments import COLUMNS
-from rockeom.numeric.structures import SHIPPED, Structure
+from rockeom.structures.classes import SHIPPED, Structure
 from tests.shipped import plain
 
 NEWER = ("sliding_block", "stacked_blocks", "rocking_frame", "wall_with_frame")

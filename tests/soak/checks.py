@@ -15,9 +15,9 @@ from functools import cached_property
 import numpy as np
 
 import rockeom as rk
-from rockeom.contract import IMPACT, REST, SWITCH, UPLIFT
+from rockeom.codes import IMPACT, REST, SWITCH, UPLIFT
 from rockeom.motion.segments import C0, C1, C2, END, KIND, LINEAR, SINE, START
-from rockeom.numeric.ensemble import lanes_pay
+from rockeom.sweeps.run import lanes_pay
 from tests.soak.cases import Dice, Motion, draw, is_even, other_side
 from tests.soak.physics import Physics, physics
 from tests.soak.tangents import wrong_tangents

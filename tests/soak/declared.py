@@ -11,7 +11,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.numeric.structures import Structure
+from rockeom.structures.classes import Structure
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import (
     Body,

@@ -15,9 +15,9 @@ from dataclasses import dataclass, field
 from functools import cache
 
 import rockeom as rk
-from rockeom.contract import IMPACT
-from rockeom.numeric.states import at_states
-from rockeom.numeric.structures import Structure
+from rockeom.codes import IMPACT
+from rockeom.structures.classes import Structure
+from rockeom.structures.evaluation import at_states
 from tests.soak.cases import Dice
 
 ROUNDING = 1e-11

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import rockeom
-from rockeom.numeric.store import cache_folder
+from rockeom.compiler.cache import cache_folder
 
 ROOT = Path(rockeom.__file__).parent.parent
 
@@ -48,9 +48,9 @@ class Fault:
         return text
 
 
-LOOP, LANES = "rockeom/numeric/loop.py", "rockeom/numeric/lanes.py"
-CARRIED = "rockeom/numeric/carried.py"
-STRUCTURES = "rockeom/numeric/structures.py"
+LOOP, LANES = "rockeom/integrator/loop.py", "rockeom/integrator/lanes.py"
+CARRIED = "rockeom/integrator/variational.py"
+STRUCTURES = "rockeom/structures/classes.py"
 _FULL = """\
         full = (keep and n_steps + 2 > steps.shape[0]) or n_events + 2 > events.shape[0]
         if full or taken > turn:
@@ -129,7 +129,7 @@ FAULTS = {
     ),
     "upright": Fault(
         "where shaking begins by nothing, the side is that of the middle of its first law",
-        "rockeom/numeric/case.py",
+        "rockeom/simulation/case.py",
         (("1e-3 * min(", "0.5 * (end - start) + 0.0 * min("),),
         ("dirac_delta_block", "controlled_wall_oscillator"),
         ("mirror",),
@@ -174,7 +174,7 @@ FAULTS = {
     ),
     "pushover": Fault(
         "unknowns of a pushover in metres, equations in newtons",
-        "rockeom/numeric/statics.py",
+        "rockeom/structures/statics.py",
         (
             ("    found = optimize.root(", "    length[:] = 1.0\n    found = optimize.root("),
             ("lacking(length * x)[0] / (stiffness * length)", "lacking(length * x)[0]"),

@@ -29,7 +29,7 @@ from functools import cached_property
 import numpy as np
 
 import rockeom as rk
-from rockeom.contract import LANDING, REST
+from rockeom.codes import LANDING, REST
 from tests.soak.checks import FINEST, Record, finite, joined, ordered
 from tests.soak.mechanics import OPEN, SENSE, SLIP_LEFT, SLIP_RIGHT, STICK, At, Mechanics, Solved
 

@@ -22,7 +22,7 @@ import numpy as np
 import sympy as sp
 
 import rockeom as rk
-from rockeom.numeric.store import cache_folder
+from rockeom.compiler.cache import cache_folder
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel
 
 

@@ -3,8 +3,9 @@
 import pytest
 
 import rockeom as rk
-from rockeom.numeric import program
-from rockeom.numeric.machine import OutOfBoundsError
+from rockeom.compiler.machine import OutOfBoundsError
+from rockeom.integrator import program
+from rockeom.integrator.schema import SEARCHED
 from tests.soak import bounds
 
 
@@ -16,13 +17,11 @@ def test_no_index_leaves_its_array_in_motions_lanes_and_derivatives(name):
 
 def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
     """The one that these programs once had: of a foot's friction, in the row behind the last."""
-    right = program._own("contacts.py")
+    right = program.text_of(SEARCHED)
     wrong = right.replace("row + friction[s]", "row + unknown[s] + 1")
     assert wrong != right
-    own = program._own
-    monkeypatch.setattr(
-        program, "_own", lambda name, *of: wrong if name == "contacts.py" else own(name, *of)
-    )
+    own = program.text_of
+    monkeypatch.setattr(program, "text_of", lambda path: wrong if path == SEARCHED else own(path))
     program._of_parts.cache_clear()
     line = wrong[: wrong.index("row + unknown[s] + 1")].count("\n") + 1
     stack = rk.StackedBlocks(

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.contract import LANDING, REST
-from rockeom.numeric.response import Outcome
+from rockeom.codes import LANDING, REST
+from rockeom.simulation.response import Outcome
 from tests.soak.cases import Motion
 from tests.soak.families import FAMILIES, drawn, family_of, first_of, model_of, spread
 from tests.soak.mechanics import Mechanics, of_sliding_block, of_stack

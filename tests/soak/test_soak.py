@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.numeric.response import Outcome
+from rockeom.simulation.response import Outcome
 from tests.soak.cases import MODELS, draw, method_of, model_of
 from tests.soak.checks import IMPACT, Record, on_record
 from tests.soak.declared import pushed

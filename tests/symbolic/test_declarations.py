@@ -13,7 +13,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.numeric.structures import class_of
+from rockeom.structures.classes import class_of
 from rockeom.symbolic import (
     Body,
     Definition,

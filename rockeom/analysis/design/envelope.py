@@ -28,8 +28,8 @@ from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.structures import Structure
+    from rockeom.simulation.case import Case
+    from rockeom.structures.classes import Structure
 
 
 @dataclass(frozen=True)
@@ -78,10 +78,10 @@ def restitution_envelope(
     Raises ValueError for a ratio outside (0, 1], an unknown state and a motion without an answer,
     such as one that stalled.
     """
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_many
-    from rockeom.numeric.impact import EnergyRatio
-    from rockeom.numeric.structures import Structure
+    from rockeom.simulation.case import Case
+    from rockeom.structures.classes import Structure
+    from rockeom.structures.impact_laws import EnergyRatio
+    from rockeom.sweeps.run import simulate_many
 
     where = "restitution_envelope"
     (r,) = positive(where, ratios=np.atleast_1d(ratios))

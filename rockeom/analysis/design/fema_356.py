@@ -39,8 +39,8 @@ from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 
 if TYPE_CHECKING:
-    from rockeom.numeric.impact import ImpactLaw
-    from rockeom.numeric.structures import RigidBlock
+    from rockeom.structures.classes import RigidBlock
+    from rockeom.structures.impact_laws import ImpactLaw
 
 NO_ROCKING = "no rocking"
 CONVERGED = "converged"
@@ -293,8 +293,8 @@ def fema_356_against_integration(
         the block has to fall or to come to rest after the shaking [s].
     choices : of `fema_356_rocking`, but for the damping, which is 2-15 and 2-16 in turn.
     """
-    from rockeom.numeric.case import Case
-    from rockeom.numeric.ensemble import simulate_many
+    from rockeom.simulation.case import Case
+    from rockeom.sweeps.run import simulate_many
 
     shaken = [motion.padded_by(quiet) for motion in motions]
 

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.response import Response
 from rockeom.plots import style
+from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
 from rockeom.thesis.figures.chapter_4_shaken import forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE

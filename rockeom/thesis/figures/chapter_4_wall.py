@@ -19,8 +19,8 @@ from numpy.typing import ArrayLike
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis.unfinished import finished
-from rockeom.numeric.impact import ImpactLaw
 from rockeom.plots import free_body as fb, style
+from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL

@@ -18,8 +18,8 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.numeric.response import Response
 from rockeom.plots import free_body as fb, style
+from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.tables import COLUMN, GAUGE, TABLES

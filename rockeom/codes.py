@@ -1,0 +1,89 @@
+"""The numbers that stand for words wherever parts of a program meet, each in its only home.
+
+A generated module, the step of a method, the loop, lanes and Python take them from here. What the
+parts ask of one another by name is declared in `rockeom/integrator/interface.pyi`.
+"""
+
+import numpy as np
+
+# How a motion ended
+(
+    COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE,
+    NO_SOLUTION, SEVERAL_SOLUTIONS,
+) = range(9)  # fmt: skip
+OUTCOMES = {
+    COMPLETED: "completed",
+    CAME_TO_REST: "came to rest",
+    OVERTURNED: "overturned",
+    TOO_MANY_IMPACTS: "too many impacts",
+    STALLED: "stalled",
+    CHATTER: "chatter",
+    NOT_FINITE: "not finite",
+    NO_SOLUTION: "no solution",
+    SEVERAL_SOLUTIONS: "several solutions",
+}
+"""The word of each outcome, in `rockeom.simulation.response.Outcome`, in sweeps and in files."""
+
+GRAZES, OTHER_WAY = 1, 2
+"""Why derivatives are not carried on: the time of an event is not known, or what followed it is not
+found again."""
+
+FULL = 9  # it has not: the records must be emptied before the loop goes on, or a turn is over
+
+# Kinds of guards, by the passage that they end a contact state with; and the end of infinitely
+# many impacts, a kind of event without a guard
+IMPACT, UPLIFT, SWITCH, REST = range(4)
+KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
+
+# and of those of a point that may open, slide and bounce: its gap closes, its normal force falls to
+# zero, its friction reaches the bound, its slip comes to a stop
+LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
+
+STEPPED_OVER = -2
+"""In place of the guard of a REST that is a step over events without end, see `step_over`."""
+
+# States of such a point, and what is said where no contact state follows, or several may
+# (one that is closed without friction slips or not, as the rest of the structure moves it)
+OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)
+IMPOSSIBLE, AMBIGUOUS = -1, -2
+
+# What is said of a step in which no guard is known to fall
+STAYS_OPEN, UNCLEAR = -1, -2
+
+MOST_DIGITS = 52
+"""Of a number that says which guards of a contact state are closed: as a float it is exact."""
+
+MOST_CONTACT_STATES = 4096
+"""Of a structure whose contacts may open, slide and bounce, or whose elements switch."""
+
+NEVER_SLIPS = 1e300
+"""The coefficient of friction of a point that never does."""
+
+ENERGY_ROUNDING = 1e-9
+"""An impact gains energy where the kinetic energy grows by more than this part of itself."""
+
+# Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
+# momentum is conserved; the ratio of the energies, by the speed, or by the foot that lands and the
+# speed; the ratio of the rates, by that foot and the number of the impact
+RATIO, IMPULSIVE, AT_SPEED, BY_FOOT, BY_NUMBER = range(5)
+
+# What `integrate` must know of a motion to go on with it, by columns of `status`
+(
+    CONTACT,
+    TOUCHING,  # the guard that is closed now, or -1
+    IMPACTS,  # so far
+    TAKEN,  # steps so far, with those refused
+    IDLE,  # passages since time last moved
+    NEWS,  # 1 where a guard may be due
+    FRESH,  # 1 where the rate must be found anew
+    STEPS_KEPT,  # in the record, since it was emptied
+    EVENTS_KEPT,
+    REFINED,  # laws of the ground in which equal steps would have been too long
+) = range(10)
+AT_THE_START = np.array([0, -1, 0, 0, 0, 1, 1, 0, 0, 0])
+AT_THE_START.flags.writeable = False
+"""The status of a motion that begins in contact state 0."""
+
+# and of `clock`: time, the next step (0: unknown), the error of the last step (0: of none), the end
+# of the law whose equal steps are refined (0: of none)
+TIME, NEXT_STEP, LAST_ERROR, REFINED_TO = range(4)

@@ -1,0 +1,1071 @@
+"""Plain numeric Python as LLVM's intermediate representation.
+
+Generated modules, steps, the loop and the lanes are written in a closed part of Python: numbers,
+tuples of them, arrays that are passed in, calls, `while`, `for ... in range(...)`, `if`. Its
+meaning here is that of Python, but for what is said of machine numbers below; everything else is
+refused by file and line.
+
+    int       64 bits; what overflows is undefined. a // b and a % b for what cannot be negative
+    float     64 bits; no exception: 1.0 / 0.0 is inf, math.sqrt(-1.0) is nan. x**n is a product
+              where n is a whole number from 1 to 9
+    bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
+    tuple     of any of these; indices are constants. One that is an argument is not assigned
+    array     of int or float, in C order, never out of bounds: indices are not checked, unless the
+              program is printed with `bounds`. A negative index counts from the end; with `bounds`
+              only a constant one does. numpy.empty, zeros and array make one that lasts as long as
+              the function's call, of constant size
+    variable  one type: that of all values that it is given, float where some are int. Each is
+              assigned before it is read, whatever way the function takes
+    dual      a float with its derivatives in some directions: what is printed for it carries them
+              along by the rules of calculus, so that a text printed for duals is its own
+              derivative. Comparisons are of the numbers; arrays that the function makes are of
+              duals. Where a function f has a rule of its own, it is a function `f_of_duals`; that
+              of `math.f` is a function `f_slope`
+
+How it works: a function is printed for the types of its arguments, line after line, each variable
+a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
+variable, the function is printed once more. Nothing but what is marked @inlined is written out
+where it is called; a tuple is passed by its place on the stack.
+
+The same text gives the same numbers on every machine, but for `contract`: a*b + c is rounded once
+where the text is a fused one and the processor can.
+"""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from types import CodeType
+from typing import Any, NamedTuple, NoReturn
+
+import numpy as np
+
+from rockeom.compiler.lines import (
+    Lines,
+    Unfit,
+    Value,
+    a_tuple,
+    item_of,
+    joined,
+    literal,
+    parts_of,
+    returned,
+    told,
+)
+from rockeom.compiler.types import (
+    BOOL,
+    DUAL,
+    FLOAT,
+    INT,
+    MATH,
+    NOTHING,
+    WIDTH,
+    Array,
+    Entry,
+    Tuple,
+    Type,
+)
+
+# -- what the texts are --------------------------------------------------------------------------
+
+ANNOTATIONS: dict[str, Type] = {
+    "int": INT, "float": FLOAT, "bool": BOOL,
+    "Floats": Array(FLOAT, 1), "Floats2": Array(FLOAT, 2), "Floats3": Array(FLOAT, 3),
+    "Ints": Array(INT, 1), "Ints2": Array(INT, 2),
+    "Duals": Array(DUAL, 1), "Duals2": Array(DUAL, 2), "Duals3": Array(DUAL, 3),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Text:
+    """A part of a program: its file's name, its source, whether a*b + c may be rounded once.
+
+    elsewhere : its entries are another program's, which this one calls.
+    """
+
+    name: str
+    source: str
+    fused: bool = False
+    elsewhere: bool = False
+
+
+GROWTH = 5000.0
+"""Lines; beyond it compiling takes much longer, and calls cost less than code that is far apart."""
+
+
+class Refused(SyntaxError):  # noqa: N818
+    """A text that is not in the closed part of Python, with its file and line."""
+
+
+class Definition(NamedTuple):
+    """A function as it stands in a text."""
+
+    tree: ast.FunctionDef
+    text: Text
+    marks: frozenset[str]
+
+    def refuse(self, node: ast.AST | None, why: str) -> NoReturn:
+        line = getattr(node, "lineno", self.tree.lineno)
+        raise Refused(f"{self.text.name}, line {line}, in {self.tree.name}: {why}")
+
+    def arguments(self) -> tuple[tuple[str, Type], ...]:
+        """Names and annotated types of the arguments of an entry."""
+        found = []
+        for argument in self.tree.args.args:
+            annotation = argument.annotation
+            if not isinstance(annotation, ast.Name) or annotation.id not in ANNOTATIONS:
+                self.refuse(argument, f"{argument.arg} has no annotation that is known")
+            found.append((argument.arg, ANNOTATIONS[annotation.id]))
+        return tuple(found)
+
+
+class Program:
+    """Texts that know one another's names, and what is printed of them so far.
+
+    contract : False rounds every operation by itself.
+    growth : lines by which the program may grow by one function that is written out wherever it is
+        called; what would make it longer is called, whatever its mark says.
+    bounds : every index and slice is checked; one that leaves its array is reported to the
+        function `out_of_bounds`, which whoever loads the program provides, see `machine.Loaded`.
+
+    The texts are run as Python, but for their functions, to learn their constants.
+    """
+
+    def __init__(
+        self,
+        texts: Sequence[Text],
+        contract: bool = True,
+        growth: float = GROWTH,
+        bounds: bool = False,
+    ) -> None:
+        self.texts, self.contract, self.growth, self.bounds = texts, contract, growth, bounds
+        self.names: dict[str, Any] = {"__name__": "rockeom.integrator.program"}
+        self.definitions: dict[str, Definition] = {}
+        self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
+        self.bodies: dict[str, str] = {}  # of each function, by its symbol
+        self.of_text: dict[str, Text] = {}  # in which it stands
+        self.sizes: dict[str, int] = {}  # lines of each function that is marked @inlined
+        self.written_out: set[str] = set()  # those of them that are written out at every call
+        self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
+        self.declared: dict[str, str] = {}
+        self.entries: dict[str, Entry] = {}
+        for text in texts:
+            functions, rest = _parsed(text.source, text.name)
+            for node in functions:
+                marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
+                self.definitions[node.name] = Definition(node, text, marks)
+            exec(rest, self.names)
+        for name, definition in self.definitions.items():
+            if "entry" in definition.marks and not definition.text.elsewhere:
+                self.entry(name, definition)
+
+    def entry(self, name: str, definition: Definition) -> None:
+        """Print a function, and one that takes all its arguments from a row of 64-bit places.
+
+        Arrays come as address and shape. What is returned stands in the place behind them.
+        """
+        arguments = definition.arguments()
+        types = tuple(type_ for _, type_ in arguments)
+        symbol, returns = self.function(name, types, None, definition)
+        if returns not in (FLOAT, INT, BOOL, NOTHING):
+            definition.refuse(None, f"an entry returns a number, not {told(returns)}")
+        lines, operands = [], []
+        parts = [part for type_ in types for part in parts_of(type_)]
+        for i, part in enumerate(parts):
+            kind = INT if part == BOOL else part
+            lines += [f"%p{i} = getelementptr i64, ptr %row, i64 {i}"]
+            lines += [f"%x{i} = load {kind}, ptr %p{i}"]
+            if part == BOOL:
+                lines += [f"%b{i} = icmp ne i64 %x{i}, 0"]
+            operands.append(f"{part} %{'b' if part == BOOL else 'x'}{i}")
+        call = f"call {returned(returns)} @{symbol}({', '.join(operands)})"
+        if returns == NOTHING:
+            lines.append(call)
+        else:
+            lines += [f"%r = {call}", f"%place = getelementptr i64, ptr %row, i64 {len(parts)}"]
+            if returns == BOOL:
+                lines += ["%wide = zext i1 %r to i64", "store i64 %wide, ptr %place"]
+            else:
+                lines.append(f"store {returns} %r, ptr %place")
+        body = "\n".join(f"  {line}" for line in [*lines, "ret void"])
+        self.bodies[name] = f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}"
+        self.of_text[name] = definition.text
+        self.entries[name] = Entry(arguments, returns)
+
+    def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
+        """Print a function that calls an entry of another program by its row of places."""
+        arguments, annotation = definition.arguments(), definition.tree.returns
+        returns = ANNOTATIONS.get(annotation.id) if isinstance(annotation, ast.Name) else NOTHING
+        if returns is None:
+            definition.refuse(None, "what it returns has no annotation that is known")
+        parts = [part for _, type_ in arguments for part in parts_of(type_)]
+        lines = [f"%row = alloca i64, i64 {len(parts) + 1}"]
+        for i, part in enumerate(parts):
+            lines.append(f"%p{i} = getelementptr i64, ptr %row, i64 {i}")
+            if part == BOOL:
+                lines.append(f"%w{i} = zext i1 %x{i} to i64")
+            wide = f"i64 %w{i}" if part == BOOL else f"{part} %x{i}"
+            lines.append(f"store {wide}, ptr %p{i}")
+        lines.append(f"call void @{name}(ptr %row)")
+        if returns == NOTHING:
+            lines.append("ret void")
+        else:
+            lines.append(f"%place = getelementptr i64, ptr %row, i64 {len(parts)}")
+            lines += [f"%r = load {returns}, ptr %place", f"ret {returns} %r"]
+        operands = ", ".join(f"{part} %x{i}" for i, part in enumerate(parts))
+        body = "\n".join(f"  {line}" for line in lines)
+        self.bodies[symbol] = (
+            f"define internal {returned(returns)} @{symbol}({operands}) {{\n{body}\n}}"
+        )
+        self.of_text[symbol] = definition.text
+        self.declared[name] = f"void @{name}(ptr)"
+        return returns
+
+    def function(
+        self, name: str, types: tuple[Type, ...], node: ast.AST | None, caller: Definition
+    ) -> tuple[str, Type]:
+        """Symbol and type of what is returned, of a function for these types of arguments."""
+        if f"{name}_of_duals" in self.definitions and any(map(has_duals, types)):
+            name = f"{name}_of_duals"
+        key = name, types
+        if key not in self.printed:
+            if name not in self.definitions:
+                caller.refuse(node, f"no function {name} is known")
+            self.printed[key] = None
+            symbol = f"{name}.{sum(of == name for of, _ in self.printed)}"
+            definition = self.definitions[name]
+            if "entry" in definition.marks and definition.text.elsewhere:
+                if tuple(type_ for _, type_ in definition.arguments()) != types:
+                    caller.refuse(node, f"arguments of {name} are not as it is annotated")
+                self.printed[key] = symbol, self.elsewhere(name, symbol, definition)
+                return self.function(name, types, node, caller)
+            function = _Function(self, definition, types)
+            if definition.marks & {"inlined", "everywhere"}:
+                self.sizes[symbol] = function.size
+                grows = function.size * (self.calls(name) - 1)
+                if grows <= self.growth or "everywhere" in definition.marks:
+                    self.written_out.add(symbol)
+            self.bodies[symbol] = function.body(symbol)
+            self.of_text[symbol] = definition.text
+            self.printed[key] = symbol, function.returns
+        found = self.printed[key]
+        if found is None:
+            caller.refuse(node, f"{name} calls itself")
+        return found
+
+    def calls(self, name: str) -> int:
+        """How often a function is called in the texts, or a little more: words are counted."""
+        return sum(text.source.count(f"{name}(") for text in self.texts) - 1  # its definition
+
+    def constant(self, value: Any) -> Value | None:
+        """A table of numbers as an array of the program, or None if it is none."""
+        try:
+            table = np.array(value)
+        except ValueError:  # rows of different lengths
+            return None
+        if table.dtype.kind not in "if":
+            return None
+        element = FLOAT if table.dtype.kind == "f" else INT
+        key = element, table.shape, table.tobytes()
+        if key not in self.constants:
+            self.constants[key] = f"@table.{len(self.constants)}"
+        return Value(Array(element, table.ndim), (self.constants[key], *map(str, table.shape)))
+
+    def ir(self) -> str:
+        """All that is printed so far."""
+        bodies = "\n".join(self.bodies.values())
+        return _joined(self.constants, self.declared.values(), [bodies, *self._checks(bodies)])
+
+    def site(self, text: Text, line: int) -> str:
+        """Operands that say where a check is; empty where there are none."""
+        if not self.bounds:
+            return ""
+        number = next(i for i, one in enumerate(self.texts) if one is text)
+        return f"ptr @text.{number}, i64 {line}"
+
+    def _checks(self, bodies: str) -> list[str]:
+        """The function that checks an index, and names of texts, where functions have checks."""
+        if not self.bounds:
+            return []
+        named = []
+        for i, text in enumerate(self.texts):
+            name = text.name.encode() + b"\0"
+            spelt = "".join(f"\\{byte:02X}" for byte in name)
+            if f"@text.{i}," in bodies:
+                named.append(f'@text.{i} = private constant [{len(name)} x i8] c"{spelt}"')
+        return [*named, _CHECKS]
+
+    def halves(self, own: Sequence[Text]) -> tuple[str, str]:
+        """The same as two programs that call one another: of the texts `own`, and of the others.
+
+        Where something of `own` is written out in a function of the others, that one is in the
+        first, too. The second is the same, to the letter, for all programs that have the same
+        other texts and the same constants in them.
+        """
+        ours = {s for s, text in self.of_text.items() if any(text is one for one in own)}
+        calls = {
+            symbol: [(m[1], bool(m[2])) for m in _CALLS.finditer(body) if m[1] in self.bodies]
+            for symbol, body in self.bodies.items()
+        }
+
+        def grown(symbols: set[str], by: Callable[[set[str]], set[str]]) -> set[str]:
+            while not (more := by(symbols)) <= symbols:
+                symbols = symbols | more
+            return symbols
+
+        def writers(symbols: set[str]) -> set[str]:
+            return {s for s, all_ in calls.items() if any(out and c in symbols for c, out in all_)}
+
+        def written_out(symbols: set[str]) -> set[str]:
+            return {called for s in symbols for called, out in calls[s] if out}
+
+        ours = grown(ours, writers)
+        first, second = grown(ours, written_out), grown({*self.bodies} - ours, written_out)
+        of_second = {called for s in first for called, _ in calls[s]} - first
+        of_first = {called for s in second for called, _ in calls[s]} - second
+        return self._half(first, of_first, of_second), self._half(second, of_second, of_first)
+
+    def _half(self, symbols: set[str], shown: set[str], asked: set[str]) -> str:
+        """Functions in the order of their names, and the tables that they want.
+
+        shown : those of them that the other half calls. asked : those of the other that they call.
+        """
+        heads = (_HEAD.match(self.bodies[symbol]) for symbol in sorted(asked))
+        declared = [_NAMES.sub("", head[1]) for head in heads if head]
+        bodies = [
+            self.bodies[s].replace("define internal", "define", s in shown) for s in sorted(symbols)
+        ]
+        text = "\n".join(bodies)
+        declared += [d for name, d in sorted(self.declared.items()) if f"@{name}(" in text]
+        tables = dict(zip(self.constants.values(), self.constants, strict=True))
+        used = {name: f"@table_{i}" for i, name in enumerate(dict.fromkeys(_TABLE.findall(text)))}
+        renamed = {tables[name]: new for name, new in used.items()}
+        text = _TABLE.sub(lambda name: used[name[0]], text)
+        return _joined(renamed, declared, [text, *self._checks(text)])
+
+
+def _joined(
+    constants: Mapping[tuple[str, tuple[int, ...], bytes], str],
+    declared: Iterable[str],
+    bodies: Iterable[str],
+) -> str:
+    """A whole program: tables by their places, what others have, and functions."""
+    tables = []
+    for (element, _, data), name in constants.items():
+        numbers = np.frombuffer(data, np.float64 if element == FLOAT else np.int64).tolist()
+        items = ", ".join(f"{element} {literal(x) if element == FLOAT else x}" for x in numbers)
+        tables.append(
+            f"{name} = private unnamed_addr constant [{len(numbers)} x {element}] [{items}]"
+        )
+    return "\n".join([*tables, *(f"declare {d}" for d in declared), *bodies, _ROLLED]) + "\n"
+
+
+# of what is printed: calls, and whether they are written out; heads of functions; names in them
+_CALLS = re.compile(r"call [^@\n]*@([\w.]+)\(.*\)( alwaysinline)?$", re.MULTILINE)
+_HEAD = re.compile(r"define internal (.*?\)) \S")
+_NAMES = re.compile(r" %[\w.]+(?=[,)])")
+_TABLE = re.compile(r"@table\.\d+")
+_ROLLED = """!0 = distinct !{!0, !1}
+!1 = !{!"llvm.loop.unroll.disable"}"""
+"""What is said of the loops of a function that is marked @rolled."""
+
+_CHECK = """define internal i1 @{}(i64 %index, i64 %size, ptr %text, i64 %line) noinline nounwind {{
+  %inside = icmp {} i64 %index, %size
+  br i1 %inside, label %end, label %report
+report:
+  call void @out_of_bounds(i64 %index, i64 %size, ptr %text, i64 %line)
+  br label %end
+end:
+  ret i1 %inside
+}}"""
+"""An index, or an end of a slice, which may be the size; a negative one is large without a sign."""
+_CHECKS = f"""@spare = internal global [{1 + WIDTH} x i64] zeroinitializer
+declare void @out_of_bounds(i64, i64, ptr, i64)
+{_CHECK.format("below", "ult")}
+{_CHECK.format("up_to", "ule")}"""
+"""With a place that is read and written after a report."""
+
+
+@lru_cache(maxsize=16)  # the loop and the steps are those of many structures
+def _parsed(source: str, name: str) -> tuple[list[ast.FunctionDef], CodeType]:
+    """The functions of a text, which stay as they are, and all else as code to be run."""
+    tree = ast.parse(source, name)
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
+    return functions, compile(tree, name, "exec")
+
+
+# -- one function --------------------------------------------------------------------------------
+
+
+class _Later(Exception):  # noqa: N818
+    """A variable whose type is not known yet: the function is printed again when it is."""
+
+
+_UNKNOWN = object()
+"""The value of an expression that is not known before the program runs."""
+
+
+@dataclass
+class _Loop:
+    """Where `continue` and `break` go, and what is assigned wherever `break` leaves it."""
+
+    again: str
+    end: str
+    broken: list[set[str]] = field(default_factory=list)
+
+
+class _Function:
+    """Prints one function for one set of types.
+
+    What Python's statements and expressions mean is said here, and which of them are refused; what
+    that is in LLVM, by `Lines`.
+    """
+
+    def __init__(self, program: Program, definition: Definition, types: tuple[Type, ...]) -> None:
+        self.program, self.definition = program, definition
+        self.refuse = definition.refuse
+        tree = definition.tree
+        arguments = tree.args
+        if (
+            arguments.vararg or arguments.kwarg or arguments.kwonlyargs or arguments.defaults
+            or arguments.posonlyargs
+        ):  # fmt: skip
+            self.refuse(None, "arguments have names, and no default values")
+        self.arguments = [a.arg for a in arguments.args]
+        if len(self.arguments) != len(types):
+            self.refuse(None, f"it takes {len(self.arguments)} arguments, and got {len(types)}")
+        self.locals = _stored(tree) | set(self.arguments)
+        self.fused = program.contract and (definition.text.fused or "fused" in definition.marks)
+        self.types: dict[str, Type] = dict(zip(self.arguments, types, strict=True))
+        self.element = DUAL if any(map(has_duals, types)) else FLOAT  # of arrays that are made
+        self.returns: Type = NOTHING
+        self.returned = False
+        self.unknown: set[ast.expr] = set()  # what was asked for in vain before
+        while True:
+            self._start()
+            self._block(tree.body)
+            if self.ir.open and self.returned and self.returns != NOTHING:
+                self.refuse(tree.body[-1], "it ends without `return`")
+            if not self.changed:
+                break
+        self.size += len(self.ir.lines)
+        if self.later is not None:
+            self.refuse(self.later, "the type of this cannot be found out")
+
+    def _start(self) -> None:
+        again = ", !llvm.loop !0" if "rolled" in self.definition.marks else ""
+        self.ir = Lines(self.arguments, self.fused, self.program.declared, again)
+        self.size = 0  # lines of what is written out in this function
+        self.loops: list[_Loop] = []
+        self.assigned = set(self.arguments)
+        self.natural: set[str] = set()  # variables of loops, while they cannot be negative
+        self.changed = False
+        self.later: ast.AST | None = None
+
+    def body(self, symbol: str) -> str:
+        """The whole function as text."""
+        how = "noinline " if "apart" in self.definition.marks else ""
+        return self.ir.function(symbol, self.types, self.returns, f"{how}nounwind ")
+
+    # -- constants ----------------------------------------------------------------------------
+
+    def _known(self, node: ast.expr) -> Any:
+        """The value of an expression of constants alone, or _UNKNOWN."""
+        if node in self.unknown:
+            return _UNKNOWN
+        value = self._constant(node)
+        if value is _UNKNOWN:
+            self.unknown.add(node)
+        return value
+
+    def _constant(self, node: ast.expr) -> Any:
+        match node:
+            case ast.Constant():
+                return node.value
+            case ast.Name():
+                value = self.program.names.get(node.id)
+                if node.id not in self.locals and value is not None and not callable(value):
+                    return value
+            case ast.BinOp() if type(node.op) in _KNOWN:
+                return self._of_known(_KNOWN[type(node.op)], node.left, node.right)
+            case ast.Subscript() if not isinstance(node.slice, ast.Slice):
+                return self._of_known(operator.getitem, node.value, node.slice)
+            case ast.UnaryOp() if type(node.op) in _KNOWN:
+                return self._of_known(_KNOWN[type(node.op)], node.operand)
+            case ast.Compare(ops=[op]) if type(op) in _KNOWN:
+                return self._of_known(_KNOWN[type(op)], node.left, *node.comparators)
+            case ast.BoolOp(op=ast.And()):
+                if any(self._known(part) is False for part in node.values):
+                    return False
+            case ast.Attribute(value=ast.Name(id="math" | "np" as library)):
+                value = getattr(self.program.names[library], node.attr, None)
+                if isinstance(value, float):
+                    return value
+            case ast.Tuple():
+                return self._of_known(_as_tuple, *node.elts)
+            case ast.Call(func=ast.Name(id="len"), args=[of]):
+                return self._of_known(len, of)
+        return _UNKNOWN
+
+    def _of_known(self, operation: Callable[..., Any], *nodes: ast.expr) -> Any:
+        """What Python makes of some values, if all are known."""
+        values = []
+        for node in nodes:
+            value = self._known(node)
+            if value is _UNKNOWN:
+                return _UNKNOWN
+            values.append(value)
+        return operation(*values)
+
+    def _maybe(self, node: ast.expr) -> Any:
+        """The value of an expression of constants, or None."""
+        value = self._known(node)
+        return None if value is _UNKNOWN else value
+
+    def _whole(self, node: ast.expr) -> int | None:
+        """The same, if it is a whole number."""
+        value = self._maybe(node)
+        return value if isinstance(value, int) and not isinstance(value, bool) else None
+
+    def _literal(self, value: Any, node: ast.expr) -> Value:
+        if isinstance(value, bool | np.bool_):
+            return Value(BOOL, ("true" if value else "false",))
+        if isinstance(value, int | np.integer):
+            return Value(INT, (str(int(value)),))
+        if isinstance(value, float | np.floating):
+            return Value(FLOAT, (literal(float(value)),))
+        if isinstance(value, tuple):
+            return a_tuple([self._literal(item, node) for item in value])
+        found = self.program.constant(value) if isinstance(value, np.ndarray) else None
+        if found is None:
+            self.refuse(node, f"{type(value).__name__} is no number and no table of numbers")
+        return found
+
+    # -- expressions --------------------------------------------------------------------------
+
+    def _value(self, node: ast.expr) -> Value:
+        if isinstance(node, ast.Name) and node.id in self.locals:  # most are
+            return self._name(node)
+        known = self._known(node)
+        if known is not _UNKNOWN:
+            return self._literal(known, node)
+        print_it = getattr(self, f"_{type(node).__name__.lower()}", None)
+        if print_it is None:
+            self.refuse(node, f"{type(node).__name__} is not among the expressions")
+        try:
+            return print_it(node)
+        except Unfit as why:
+            self.refuse(node, str(why))
+
+    def _of_type(self, node: ast.expr, types: Sequence[Type], wanted: str) -> Value:
+        value = self._value(node)
+        if value.type not in types:
+            self.refuse(node, f"{wanted}, and this is {told(value.type)}")
+        return value
+
+    def _number(self, node: ast.expr) -> Value:
+        return self._of_type(node, (FLOAT, INT, DUAL), "a number is wanted")
+
+    def _int(self, node: ast.expr) -> str:
+        return self._of_type(node, (INT,), "a whole number is wanted").operand
+
+    def _type_of(self, node: ast.Name) -> Type:
+        """The type of a variable that is read."""
+        if node.id not in self.locals:
+            self.refuse(node, f"{node.id} is not known")
+        if node.id not in self.assigned:
+            self.refuse(node, f"{node.id} may be read before it is assigned")
+        if node.id not in self.types:
+            raise _Later
+        return self.types[node.id]
+
+    def _name(self, node: ast.Name) -> Value:
+        return self.ir.load(node.id, self._type_of(node))
+
+    def _tuple(self, node: ast.Tuple) -> Value:
+        return a_tuple([self._value(item) for item in node.elts])
+
+    def _attribute(self, node: ast.Attribute) -> Value:
+        value = self._value(node.value)
+        if node.attr != "shape" or not isinstance(value.type, Array):
+            self.refuse(node, f".{node.attr} is not known")
+        return Value(Tuple((INT,) * value.type.dimensions), value.parts[1:])
+
+    def _unaryop(self, node: ast.UnaryOp) -> Value:
+        if isinstance(node.op, ast.Not | ast.Invert):
+            value = self._of_type(node.operand, (BOOL,), "`not` and ~ take a bool")
+            return self.ir.number(BOOL, f"xor i1 {value.operand}, true")
+        value = self._number(node.operand)
+        return value if isinstance(node.op, ast.UAdd) else self.ir.negative(value)
+
+    def _binop(self, node: ast.BinOp) -> Value:
+        if isinstance(node.op, ast.Pow):
+            n = self._whole(node.right)
+            if n is not None and 0 < n < 10:
+                return self.ir.power(self._number(node.left), n)
+            base, exponent = self._number(node.left), self._number(node.right)
+            if exponent.type == DUAL:
+                self.refuse(node, "an exponent has no derivatives here")
+            return self._through("power", "llvm.pow.f64", node, base, exponent)
+        left, right = self._value(node.left), self._value(node.right)
+        found = self.ir.arithmetic(type(node.op).__name__, left, right)
+        divides = isinstance(node.op, ast.FloorDiv | ast.Mod)
+        if divides and not (self._is_natural(node.left) and self._is_natural(node.right)):
+            self.refuse(node, _NO_REMAINDER)
+        return found
+
+    def _compare(self, node: ast.Compare) -> Value:
+        """All comparisons of a chain; the values in it have no side effects."""
+        left = self._value(node.left)
+        every = ""
+        for op, second in zip(node.ops, node.comparators, strict=True):
+            if isinstance(op, ast.In | ast.NotIn):
+                one = self._among(left, op, second)
+            else:
+                right = self._value(second)
+                one, left = self.ir.compared(type(op).__name__, left, right), right
+            every = self.ir.new(f"and i1 {every}, {one}") if every else one
+        return Value(BOOL, (every,))
+
+    def _among(self, left: Value, op: ast.cmpop, items: ast.expr) -> str:
+        if not isinstance(items, ast.Tuple):
+            self.refuse(items, "`in` takes a tuple that is written out")
+        found = "false"
+        for item in items.elts:
+            one = self.ir.compared("Eq", left, self._value(item))
+            found = self.ir.new(f"or i1 {found}, {one}")
+        return found if isinstance(op, ast.In) else self.ir.new(f"xor i1 {found}, true")
+
+    def _boolop(self, node: ast.BoolOp) -> Value:
+        yes, no, end = self.ir.label(), self.ir.label(), self.ir.label()
+        self._branch(node, yes, no)
+        for label in (yes, no):
+            self.ir.begin(label)
+            self.ir.jump(end)
+        self.ir.begin(end)
+        return self.ir.number(BOOL, f"phi i1 [true, %{yes}], [false, %{no}]")
+
+    def _branch(self, test: ast.expr, yes: str, no: str) -> None:
+        """Jump to one of two labels, looking at no more of a test than decides it."""
+        known = self._maybe(test)
+        if known is not None:
+            self.ir.jump(yes if known else no)
+        elif isinstance(test, ast.BoolOp):
+            for part in test.values[:-1]:
+                go_on = self.ir.label()
+                self._branch(part, *((go_on, no) if isinstance(test.op, ast.And) else (yes, go_on)))
+                self.ir.begin(go_on)
+            self._branch(test.values[-1], yes, no)
+        elif isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
+            self._branch(test.operand, no, yes)
+        else:
+            value = self._of_type(test, (BOOL,), "a test is a bool")
+            self.ir.branch(value.operand, yes, no)
+
+    def _ifexp(self, node: ast.IfExp) -> Value:
+        known = self._maybe(node.test)
+        if known is not None:
+            return self._value(node.body if known else node.orelse)
+        yes, no, end = self.ir.label(), self.ir.label(), self.ir.label()
+        self._branch(node.test, yes, no)
+        self.ir.begin(yes)
+        first, block = self._value(node.body), self.ir.block
+        mark = len(self.ir.lines)
+        self.ir.begin(no)
+        second, blocks = self._value(node.orelse), (block, self.ir.block)
+        type_ = joined(first.type, second.type)
+        if type_ is None:
+            self.refuse(node, f"either {told(first.type)} or {told(second.type)}")
+        # only now is the type known to which the first is widened, at the end of its block
+        self.ir.lines, after = self.ir.lines[:mark], self.ir.lines[mark:]
+        first = self.ir.widened(first, type_)
+        self.ir.jump(end)
+        self.ir.lines += after
+        second = self.ir.widened(second, type_)
+        self.ir.jump(end)
+        self.ir.begin(end)
+        return self.ir.either(type_, first, second, blocks)
+
+    # -- arrays and tuples --------------------------------------------------------------------
+
+    def _is_natural(self, node: ast.expr) -> bool:
+        """Whether a whole number clearly cannot be negative, by what it is made of."""
+        known = self._maybe(node)
+        if known is not None:
+            return known >= 0
+        match node:
+            case ast.Name():
+                return node.id in self.natural
+            case ast.BinOp(op=ast.Add() | ast.Mult() | ast.FloorDiv() | ast.Mod()):
+                return self._is_natural(node.left) and self._is_natural(node.right)
+            case ast.Subscript(value=ast.Attribute(attr="shape")) | ast.Call(func=ast.Name("len")):
+                return True
+        return False
+
+    def _index(self, node: ast.expr, length: str) -> str:
+        """An index as an operand; a negative one counts from the end."""
+        operand = self._int(node)
+        self.ir.site = self.program.site(self.definition.text, node.lineno)
+        return operand if self._is_natural(node) else self.ir.from_end(operand, length)
+
+    def _part(self, node: ast.Subscript) -> Value:
+        """What is subscripted, as an array without dimensions if it is a single number of one."""
+        indices: list[ast.expr] = []
+        base: ast.expr = node
+        value: Value | None = None
+        while value is None and isinstance(base, ast.Subscript) and not _is_slice(base):
+            indices[:0] = base.slice.elts if isinstance(base.slice, ast.Tuple) else [base.slice]
+            base = base.value
+            known = self._maybe(base)
+            value = None if known is None else self.program.constant(known)
+        value = value or self._value(base)
+        while indices and isinstance(value.type, Tuple):
+            number, length = self._whole(indices[0]), len(value.type.items)
+            if number is None:
+                self.refuse(node, "the index of a tuple is a constant")
+            if not -length <= number < length:
+                self.refuse(node, f"a tuple of {length} has no item {number}")
+            value = item_of(value, number % length)
+            del indices[0]
+        if not indices:
+            return value
+        if not isinstance(value.type, Array):
+            self.refuse(node, f"{told(value.type)} has no items")
+        if len(indices) > value.type.dimensions:
+            self.refuse(node, f"{len(indices)} indices of an {told(value.type)}")
+        operands = map(self._index, indices, value.parts[1:])
+        return self.ir.place(value, operands, len(indices))
+
+    def _subscript(self, node: ast.Subscript) -> Value:
+        if isinstance(node.slice, ast.Slice):
+            return self._slice(node, node.slice)
+        found = self._part(node)
+        return self.ir.read(found) if _is_place(found) else found
+
+    def _slice(self, node: ast.Subscript, part: ast.Slice) -> Value:
+        """From one index of the first dimension to another; they are not cut to the length."""
+        array = self._value(node.value)
+        if not isinstance(array.type, Array) or part.step is not None:
+            self.refuse(node, "a slice is array[first:last]")
+        length = array.parts[1]
+        first = "0" if part.lower is None else self._index(part.lower, length)
+        last = length if part.upper is None else self._index(part.upper, length)
+        self.ir.site = self.program.site(self.definition.text, node.lineno)
+        return self.ir.part(array, first, last)
+
+    def _made_array(self, node: ast.Call, how: str) -> Value:
+        """numpy.empty, zeros and array: on the stack, of constant shape."""
+        if how == "array":
+            if len(node.args) != 1 or not isinstance(node.args[0], ast.List):
+                self.refuse(node, "np.array takes a list of numbers that is written out")
+            return self.ir.listed([self._number(item) for item in node.args[0].elts])
+        shape = self._maybe(node.args[0]) if node.args else None
+        shape = (shape,) if isinstance(shape, int) else shape
+        if not isinstance(shape, tuple) or not all(isinstance(n, int) for n in shape):
+            self.refuse(node, "the shape of an array is constant")
+        make = self.ir.zeros if how == "zeros" else self.ir.new_array
+        return make(INT if len(node.args) > 1 else self.element, shape)
+
+    # -- calls --------------------------------------------------------------------------------
+
+    def _call(self, node: ast.Call) -> Value:
+        function = node.func
+        if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
+            self.refuse(node, "arguments are given by their place")
+        if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name):
+            return self._library_call(node, function.value.id, function.attr)
+        if not isinstance(function, ast.Name) or function.id in self.locals:
+            self.refuse(node, "only functions with a name of their own are called")
+        name = function.id
+        if name in _BUILT_IN and name not in self.program.definitions:
+            if len(node.args) != _TAKES.get(name, 1) and (
+                name not in ("max", "min") or not node.args
+            ):
+                self.refuse(node, f"{name} of {len(node.args)} is not among the functions")
+            return _BUILT_IN[name](self.ir, *map(self._value, node.args))
+        given = [self._given(a) for a in node.args]
+        types = tuple(type_ for type_, _ in given)
+        symbol, returns = self.program.function(name, types, node, self.definition)
+        how = ""
+        if self._written_out(symbol, node):
+            self.size += self.program.sizes[symbol]
+            how = " alwaysinline"
+        return self.ir.call(symbol, returns, [o for _, operands in given for o in operands], how)
+
+    def _written_out(self, symbol: str, node: ast.Call) -> bool:
+        """Whether a function is written out at this call."""
+        if symbol not in self.program.sizes or symbol in self.program.written_out:
+            return symbol in self.program.written_out
+        # where an argument is a constant, little of it may be left
+        folds = any(self._maybe(argument) is not None for argument in node.args)
+        return folds and 3 * self.program.sizes[symbol] <= self.program.growth
+
+    def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
+        """Type and operands of an argument of a call; a variable is not copied if it is a tuple."""
+        if isinstance(node, ast.Name) and node.id in self.locals:
+            type_ = self._type_of(node)
+            if isinstance(type_, Tuple):
+                return type_, [f"ptr {self.ir.whole(node.id)}"]
+        value = self._value(node)
+        return value.type, self.ir.given(value)
+
+    def _library_call(self, node: ast.Call, library: str, name: str) -> Value:
+        if library == "np" and name in ("empty", "zeros", "array"):
+            return self._made_array(node, name)
+        if library != "math" and f"{library}.{name}" != "np.int64":
+            self.refuse(node, f"{library}.{name} is not among the functions")
+        if len(node.args) == 1 and library == "np":
+            return self.ir.as_int(self._value(node.args[0]))
+        if len(node.args) == 1 and name == "isfinite":
+            return self.ir.is_finite(self.ir.value(self._number(node.args[0])).operand)
+        if len(node.args) == 1 and name in MATH:
+            return self._through(name, MATH[name], node, self._number(node.args[0]))
+        self.refuse(node, f"{library}.{name} of {len(node.args)} is not among the functions")
+
+    def _through(self, name: str, symbol: str, node: ast.AST, number: Value, *more: Value) -> Value:
+        """A function of another library; of a number with derivatives, by the text of its slope."""
+        given = [self.ir.value(x) for x in (number, *more)]
+        found = self.ir.external(symbol, *(x.operand for x in given))
+        if number.type != DUAL:
+            return found
+        slope, returns = self.program.function(
+            f"{name}_slope", (FLOAT,) * len(given), node, self.definition
+        )
+        operands = [operand for x in given for operand in self.ir.given(x)]
+        return self.ir.through(number, found, self.ir.call(slope, returns, operands))
+
+    # -- statements ---------------------------------------------------------------------------
+
+    def _block(self, body: Sequence[ast.stmt]) -> None:
+        for statement in body:
+            if not self.ir.open:
+                self.refuse(statement, "this is never reached")
+            print_it = getattr(self, f"_do_{type(statement).__name__.lower()}", None)
+            if print_it is None:
+                self.refuse(statement, f"{type(statement).__name__} is not among the statements")
+            try:
+                print_it(statement)
+            except Unfit as why:
+                self.refuse(statement, str(why))
+            except _Later:
+                self.later = statement
+                self.assigned |= _stored(statement)
+
+    def _do_pass(self, statement: ast.Pass) -> None:
+        pass
+
+    def _do_expr(self, statement: ast.Expr) -> None:
+        if not isinstance(statement.value, ast.Constant):  # a docstring
+            self._value(statement.value)
+
+    def _do_assign(self, statement: ast.Assign) -> None:
+        value = self._value(statement.value)
+        for target in statement.targets:
+            self._store(target, value)
+
+    def _do_augassign(self, statement: ast.AugAssign) -> None:
+        target, word = statement.target, type(statement.op).__name__
+        if isinstance(statement.op, ast.FloorDiv | ast.Mod):
+            self.refuse(target, _NO_REMAINDER)
+        if isinstance(target, ast.Subscript):
+            place = self._part(target)
+            if not _is_place(place):
+                self.refuse(target, "only a number is changed in its place")
+            old = self.ir.read(place)
+            self.ir.write(self.ir.arithmetic(word, old, self._value(statement.value)), place)
+        elif isinstance(target, ast.Name):
+            old = self._name(target)
+            new = self.ir.arithmetic(word, old, self._value(statement.value))
+            self._store_name(target, new)
+        else:
+            self.refuse(target, "only a variable or a place of an array is changed")
+
+    def _store(self, target: ast.expr, value: Value) -> None:
+        if isinstance(target, ast.Name):
+            self._store_name(target, value)
+        elif isinstance(target, ast.Tuple):
+            if not isinstance(value.type, Tuple) or len(value.type.items) != len(target.elts):
+                self.refuse(target, f"{told(value.type)} for {len(target.elts)} names")
+            for i, part in enumerate(target.elts):
+                self._store(part, item_of(value, i))
+        elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Slice):
+            self.ir.fill(self._slice(target, target.slice), value)
+        elif isinstance(target, ast.Subscript):
+            place = self._part(target)
+            if not _is_place(place):
+                self.refuse(target, "a number of an array is assigned, or array[first:last]")
+            self.ir.write(value, place)
+        else:
+            self.refuse(target, f"{type(target).__name__} is not assigned to")
+
+    def _store_name(self, target: ast.Name, value: Value) -> None:
+        name = target.id
+        if name == "_":
+            return
+        if value.type == NOTHING:
+            self.refuse(target, "this call gives nothing back")
+        old = self.types.get(name, value.type)
+        type_ = joined(old, value.type)
+        if type_ is None:
+            self.refuse(target, f"{name} was {told(old)}, and would become {told(value.type)}")
+        if name in self.arguments and isinstance(old, Tuple):
+            self.refuse(target, f"the argument {name} is a tuple, and stays what it is")
+        if name in self.arguments and type_ != old:
+            self.refuse(target, f"the argument {name} is {told(old)}, and would change that")
+        # what was left out may read a variable that is new
+        self.changed |= type_ != old or (name not in self.types and self.later is not None)
+        self.types[name] = type_
+        self.ir.store(name, self.ir.widened(value, type_))
+        self.assigned.add(name)
+
+    def _do_return(self, statement: ast.Return) -> None:
+        value = Value(NOTHING, ()) if statement.value is None else self._value(statement.value)
+        type_ = joined(self.returns, value.type) if self.returned else value.type
+        if type_ is None:
+            self.refuse(statement, f"it returned {told(self.returns)}, now {told(value.type)}")
+        self.changed |= self.returned and type_ != self.returns
+        self.returns, self.returned = type_, True
+        self.ir.give_back(self.ir.widened(value, type_))
+
+    def _do_if(self, statement: ast.If) -> None:
+        known = self._maybe(statement.test)
+        if known is not None:
+            self._block(statement.body if known else statement.orelse)
+            return
+        yes, no, end = self.ir.label(), self.ir.label(), self.ir.label()
+        self._branch(statement.test, yes, no)
+        before, natural = set(self.assigned), set(self.natural)
+        after: list[set[str]] = []
+        for label, body in ((yes, statement.body), (no, statement.orelse)):
+            self.ir.begin(label)
+            self.assigned, self.natural = set(before), set(natural)
+            self._block(body)
+            if self.ir.open:
+                self.ir.jump(end)
+                after.append(self.assigned)
+        self.natural = natural - _stored(statement)
+        if after:
+            self.ir.begin(end)
+            self.assigned = set.intersection(*after)
+
+    def _do_while(self, statement: ast.While) -> None:
+        if statement.orelse:
+            self.refuse(statement, "a loop has no `else`")
+        top, body, end = self.ir.label(), self.ir.label(), self.ir.label()
+        self.natural -= _stored(statement)
+        self.ir.jump(top)
+        self.ir.begin(top)
+        endless = self._maybe(statement.test) is True
+        self._branch(statement.test, body, end)
+        ways = [] if endless else [set(self.assigned)]
+        self.ir.begin(body)
+        ways += self._repeated(statement.body, _Loop(top, end))
+        if self.ir.open:
+            self.ir.jump(top)
+        if ways:
+            self.ir.begin(end)
+            self.assigned = set.intersection(*ways)
+
+    def _repeated(self, body: Sequence[ast.stmt], loop: _Loop) -> list[set[str]]:
+        """Print what is within a loop; returns what is assigned at each `break`."""
+        self.loops.append(loop)
+        self._block(body)
+        return self.loops.pop().broken
+
+    def _do_for(self, statement: ast.For) -> None:
+        call, target = statement.iter, statement.target
+        if not isinstance(call, ast.Call) or ast.unparse(call.func) != "range" or statement.orelse:
+            self.refuse(statement, "a loop is `for name in range(...)`, without `else`")
+        if not isinstance(target, ast.Name) or not 1 <= len(call.args) <= 3:
+            self.refuse(statement, "a loop is `for name in range(...)`")
+        step = self._whole(call.args[2]) if len(call.args) == 3 else 1
+        if not step:
+            self.refuse(statement, "the step of a range is a constant")
+        first_node = call.args[0] if len(call.args) > 1 else ast.Constant(0)
+        last_node = call.args[0] if len(call.args) == 1 else call.args[1]
+        first, last = self._int(first_node), self._int(last_node)
+        # counting down it stays above its last, which is not below -1
+        least = self._maybe(last_node) if step < 0 else None
+        natural = self._is_natural(first_node) if step > 0 else least is not None and least >= -1
+        self.natural -= _stored(statement)
+        before = set(self.assigned)
+        with self.ir.counting(first, last, step) as loop:
+            self._store_name(target, Value(INT, (loop.at,)))
+            if natural and not any(target.id in _stored(inner) for inner in statement.body):
+                self.natural.add(target.id)
+            self._repeated(statement.body, _Loop(loop.again, loop.end))
+        self.natural.discard(target.id)
+        self.assigned = before
+
+    def _do_break(self, statement: ast.Break) -> None:
+        self.loops[-1].broken.append(set(self.assigned))
+        self.ir.jump(self.loops[-1].end)
+
+    def _do_continue(self, statement: ast.Continue) -> None:
+        self.ir.jump(self.loops[-1].again)
+
+
+_NO_REMAINDER = "// and % are for numbers that clearly cannot be negative"
+
+
+def has_duals(type_: Type) -> bool:
+    """Whether a value of a type has derivatives somewhere."""
+    if isinstance(type_, Tuple):
+        return any(map(has_duals, type_.items))
+    return (type_.element if isinstance(type_, Array) else type_) == DUAL
+
+
+def _is_slice(node: ast.Subscript) -> bool:
+    return isinstance(node.slice, ast.Slice)
+
+
+def _is_place(value: Value) -> bool:
+    """Whether a value is the place of one number of an array."""
+    return isinstance(value.type, Array) and value.type.dimensions == 0
+
+
+@lru_cache(maxsize=10_000)  # asked for by every statement that another one is within
+def _stored(statement: ast.stmt) -> frozenset[str]:
+    """Names that are assigned somewhere in a statement."""
+    match statement:
+        case ast.Assign(targets=targets):
+            pass
+        case ast.AugAssign(target=target) | ast.For(target=target):
+            targets = [target]
+        case _:
+            targets = []
+    found = {
+        node.id
+        for target in targets
+        for node in ast.walk(target)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
+    for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
+        found |= _stored(inner)
+    return frozenset(found)
+
+
+def _as_tuple(*items: Any) -> tuple[Any, ...]:
+    return items
+
+
+_BUILT_IN: dict[str, Callable[..., Value]] = {
+    "abs": Lines.absolute, "max": Lines.largest, "min": Lines.least, "len": Lines.length,
+    "float": Lines.as_float, "int": Lines.as_int,
+    "value": Lines.value, "moving": Lines.moving, "rate": Lines.rate,
+}  # fmt: skip
+_TAKES = {"moving": 2}
+"""How many arguments they take, if not one."""
+_KNOWN: dict[type, Callable[..., Any]] = {
+    ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_,
+    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Pow: operator.pow,
+    ast.Div: operator.truediv, ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod,
+    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
+    ast.Eq: operator.eq, ast.NotEq: operator.ne,
+}  # fmt: skip
+"""What Python does with constants."""

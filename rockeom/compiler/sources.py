@@ -1,0 +1,32 @@
+"""What a generated module follows from, besides its declaration: known without loading SymPy."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def sources() -> list[Path]:
+    """The files that derive and write, and those of the numbers that are written."""
+    folders = (ROOT / "symbolic", ROOT / "codegen")
+    found = sorted(f for folder in folders for f in folder.rglob("*.py"))
+    return [ROOT / "codes.py", Path(__file__).resolve(), *found]
+
+
+def digest(*parts: str) -> str:
+    """Hash of what is declared, of SymPy and of the derivation."""
+    whole = "\0".join([version("sympy"), _derivation(), *parts])
+    return hashlib.sha256(whole.encode("utf-8", "surrogatepass")).hexdigest()[:20]
+
+
+@cache
+def _derivation() -> str:
+    """Hash of the sources."""
+    found = hashlib.sha256()
+    for file in sources():
+        found.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
+    return found.hexdigest()

@@ -1,0 +1,795 @@
+"""Many motions as lanes of one stream of instructions: the loop of `simulate_many`.
+
+This file is not imported. `rockeom.integrator.program` joins it to the text of the scalar loop and
+to that of a step of many lanes (step_lanes, judge_lanes, judge_held_lanes, accept_lanes).
+
+Each lane has a time, a step and a control of its error of its own. All lanes take their next step
+together, whatever it is to each of them: an ordinary one, one more of those that were refused, or
+one that is to end at an impact. The quintic of the gap through both ends of a step says what
+becomes of it: it stands, it is repeated to end at the impact, or it has ended there. In all other
+cases, an uplift, a fall, a doubt, the lane is taken out, and `integrate` carries it: to the end of
+that step or its first event, or, where steps are equal ones, to the end of the ground's law.
+
+No lane's numbers depend on another's, nor on its place: so the results are the same to the last
+bit for any order and number of motions.
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import (
+    COMPLETED,
+    CONTACT,
+    EVENTS_KEPT,
+    FRESH,
+    FULL,
+    IDLE,
+    IMPACT,
+    IMPACTS,
+    LAST_ERROR,
+    NEWS,
+    NEXT_STEP,
+    STALLED,
+    STEPS_KEPT,
+    TAKEN,
+    TIME,
+    TOO_MANY_IMPACTS,
+    TOUCHING,
+    UPLIFT,
+)
+from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.interface import (
+        CLOSED,
+        DAMPING,
+        GAP_SIDES,
+        KINDS,
+        LANES,
+        N_PARAMETERS,
+        N_STATES,
+        NODE_PLACES,
+        PLACES,
+        ROTATION,
+        ROTATION_RATE,
+        SIDES,
+        STAGE_PLACES,
+        accept_lanes,
+        bend_x_lanes,
+        bend_y_lanes,
+        control_lanes,
+        judge_held_lanes,
+        judge_lanes,
+        jump,
+        opening_acceleration,
+        rates,
+        shake_lanes,
+        step_lanes,
+    )
+    from rockeom.integrator.loop import (
+        _AFTER,
+        _GUARDS,
+        _K,
+        _POWERS,
+        _W,
+        _Y_NEW,
+        EPS,
+        SCRATCH,
+        TURN,
+        add_gain,
+        first_step,
+        integrate,
+        jumps,
+        most_error,
+        pulse,
+        ratio_at,
+        row_at,
+        sampling_step,
+        shaking,
+        stand,
+        time_to_rest,
+    )
+
+# Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
+# constants, leave the compiler no doubt that lanes are independent.
+(
+    Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
+    Z_LAST,  # end of the present laws of the ground
+    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2, Z_X3,  # the ground's horizontal law
+    Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2, Z_Y3,
+    Z_LONGEST,  # step in full contact
+    Z_EQUAL,  # length of equal steps, 0 where the error is controlled
+    Z_CONTACT, Z_SIDE, Z_TOUCHING,  # as in the loop
+    Z_FALLEN,  # bound of the rotation
+    Z_TAKEN,  # steps taken
+    Z_LANDING,  # how often the step was repeated to end at an impact
+    Z_VERDICT,  # what becomes of the step
+    Z_ERROR,  # its estimated error, 1 at the tolerance
+    Z_NEXT,  # step that the control of the error proposes, 0 if none
+    Z_DAMP,  # what the last error damps the answer to the next one by
+    Z_IMPACT, Z_FLIGHT,  # time of the last impact, and the parabola's length of the flight from it
+) = (i * LANES for i in range(32))  # fmt: skip
+Z_Q = 32 * LANES  # positions
+Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
+Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
+Z_MOST = Z_LEAST + N_STATES * LANES
+Z_P = Z_MOST + N_STATES * LANES
+Z_K = Z_P + N_PARAMETERS * LANES  # rates of the states at the start of a step, and at its end
+Z_K_NEW = Z_K + N_STATES * LANES
+Z_AX = Z_K_NEW + N_STATES * LANES  # the ground at the stages of a step, or at its nodes
+Z_AY = Z_AX + PLACES * LANES
+Z_SIZE = Z_AY + PLACES * LANES
+
+# Rows of whole numbers: the case of a lane (-1: none), the rows of its two tables
+W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
+W_SIZE = 3 * LANES
+
+DOUBTFUL, REFUSED, REPEATED, TURNS, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
+"""Verdicts on a step; what has landed stands, too. One is refused where its error is too large."""
+
+HOP, TURN_AT_END = 0.5, -1.0
+"""Z_LANDING of a flight so short that its first step is to end at the next impact, and of a step
+that is to end where a state has a new extreme."""
+
+NEAR = 1e-8
+"""A landing may miss the impact by so much of its step, which a Taylor series then passes."""
+
+
+@inlined
+def ground_x(z, lane):
+    return (
+        z[Z_START_X + lane], np.inf, z[Z_KIND_X + lane], z[Z_X0 + lane], z[Z_X1 + lane],
+        z[Z_X2 + lane], z[Z_X3 + lane],
+    )  # fmt: skip
+
+
+@inlined
+def ground_y(z, lane):
+    return (
+        z[Z_START_Y + lane], np.inf, z[Z_KIND_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane],
+        z[Z_Y2 + lane], z[Z_Y3 + lane],
+    )  # fmt: skip
+
+
+@inlined
+def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, q1, v1, a1):
+    """(verdict, length of the step when repeated) by the quintic through both ends of a step.
+
+    Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
+    gap stays open. If they change their sign once, it closes once, where Newton's method finds;
+    the step repeated to there corrects the place by what is left of the gap.
+
+    left : of the ground's law. upright : whether it has not fallen. within : whether no state has a
+    new extreme inside.
+    """
+    q0, v0, a0 = side * q0, side * h * v0, side * h * h * a0
+    q1, v1, a1 = side * q1, side * h * v1, side * h * h * a1
+    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+    least = 1e-3 * max(q0, q1)
+    open_ = (q0 > least) | touching
+    open_ &= (b1 > least) & (b2 > least) & (b3 > least) & (b4 > least) & (q1 > least)
+
+    # positive ones, then doubtful ones, then negative ones
+    doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    closes = ((q0 > 0.0) | (touching & (b1 > 0.0))) & (q1 < -doubt)
+    closes &= (b1 > doubt) | (b2 <= doubt) | touching
+    closes &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
+    closes &= ((b1 >= -doubt) | (b2 < -doubt)) & ((b2 >= -doubt) | (b3 < -doubt))
+    closes &= (b3 >= -doubt) | (b4 < -doubt)
+
+    # the quintic, or its quotient by x where it begins at zero, from the root of a parabola on
+    c3 = 10.0 * (q1 - q0) - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1
+    c4 = -15.0 * (q1 - q0) + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1
+    c5 = 6.0 * (q1 - q0) - 3.0 * (v0 + v1) - 0.5 * a0 + 0.5 * a1
+    bend = q1 - q0 - v0
+    above, below = 2.0 * q0, math.sqrt(max(v0 * v0 - 4.0 * q0 * bend, 0.0)) - v0
+    x = (-v0 if touching else above) / (bend if touching else below)
+    e0, e1, e2 = v0 if touching else q0, 0.5 * a0 if touching else v0, c3 if touching else 0.5 * a0
+    e3, e4, e5 = c4 if touching else c3, c5 if touching else c4, 0.0 if touching else c5
+    move = 0.0
+    for _ in range(3):
+        value = e0 + x * (e1 + x * (e2 + x * (e3 + x * (e4 + x * e5))))
+        slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
+        move = value / slope
+        x = x - move
+    found = (abs(move) < 1e-4) & (x * h > 8.0 * EPS * max(t, h))
+    closes &= found & (x < 1.0)
+
+    # by what a step that is to end at the impact misses it
+    first, hop = landing <= 0.0, landing == HOP
+    miss, speed = abs(h * q1), abs(v1)
+    falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
+    falls &= ~touching | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
+    landed = falls & (miss <= max(NEAR * h, 2.0 * EPS * (t + h)) * speed) & upright
+    again = falls & (landing < 4.0) & found & (x * h < left)
+
+    repeated = closes & ~open_ if first else again & ~landed
+    stands = (open_ & upright) if first else landed
+    verdict = REFUSED if hop else DOUBTFUL
+    verdict = REPEATED if repeated else verdict
+    verdict = (TURNS if ~within else (STANDS if first else LANDED)) if stands else verdict
+    return verdict, x * h if repeated else h
+
+
+@inlined
+def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fastest):
+    """The opposite of `widens` for one coordinate and its rate.
+
+    One that turns at an end of the step may miss it by a little: that makes an error of its square.
+    """
+    v0, v1 = h * v0, h * v1
+    a0, a1 = h * h * a0, h * h * a1
+    soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
+    miss = 1e-5 * max(abs(v0), abs(v1))
+    up = (v0 >= -miss) & (soon >= -miss) & (late >= -miss) & (v1 >= -miss)
+    down = (v0 <= miss) & (soon <= miss) & (late <= miss) & (v1 <= miss)
+    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+    d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
+    least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
+    margin = 1e-3 * (most - least)
+    miss = max(1e-5 * (most - least), 1e-6 * h * (fastest - slowest))
+    faster = (d1 >= v0 - miss) & (d2 >= d1) & (d3 >= d2) & (v1 >= d3 - miss)
+    slower = (d1 <= v0 + miss) & (d2 <= d1) & (d3 <= d2) & (v1 <= d3 + miss)
+    rate = least - margin >= min(h * slowest, min(v0, v1))
+    rate &= most + margin <= max(h * fastest, max(v0, v1))
+    least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
+    margin = 1e-3 * (most - least)
+    known = (least - margin >= least_known) & (most + margin <= most_known)
+    return (rate | faster | slower) & (up | down | known)
+
+
+def plan_lanes(z, h_max):
+    """The next step of each lane; that of a lane which is landing is known."""
+    for lane in range(LANES):
+        t, last, planned = z[Z_T + lane], z[Z_LAST + lane], z[Z_LANDING + lane] != 0.0
+        equal = z[Z_EQUAL + lane]
+        z[Z_NEXT + lane] = equal if equal > 0.0 else z[Z_NEXT + lane]
+        h = min(z[Z_NEXT + lane], h_max)
+        h = min(h, z[Z_LONGEST + lane]) if z[Z_SIDE + lane] == 0.0 else h
+        cut = t + 1.1 * h >= last
+        z[Z_H + lane] = z[Z_H + lane] if planned else (last - t if cut else h)
+        z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
+
+
+@inlined
+def slope_root(c0, c1, c2, c3, c4):
+    """Where on [0, 1] a quartic in Bernstein form, of other signs at its ends, is zero."""
+    low, high = 0.0, 1.0
+    x = c0 / (c0 - c4)
+    for _ in range(12):
+        y = 1.0 - x
+        b0, b1, b2, b3 = y * c0 + x * c1, y * c1 + x * c2, y * c2 + x * c3, y * c3 + x * c4
+        b0, b1, b2 = y * b0 + x * b1, y * b1 + x * b2, y * b2 + x * b3
+        b0, b1 = y * b0 + x * b1, y * b1 + x * b2
+        value, slope = y * b0 + x * b1, 4.0 * (b1 - b0)
+        if value * c0 > 0.0:
+            low = x
+        else:
+            high = x
+        move = -value / slope
+        x += move
+        if abs(move) < 1e-9:
+            break
+        if not low < x < high:
+            x = 0.5 * (low + high)
+    return x
+
+
+def turn(lane, z):
+    """Let a lane's step end at the first extreme of a state inside it; whether one was found."""
+    n, h, place = N_STATES // 2, z[Z_H + lane], 1.0
+    for i in range(n):
+        q0, q1 = z[Z_Q + i * LANES + lane], z[Z_Q_NEW + i * LANES + lane]
+        v0, v1 = h * z[Z_K + i * LANES + lane], h * z[Z_K_NEW + i * LANES + lane]
+        at, at_new = Z_K + (n + i) * LANES + lane, Z_K_NEW + (n + i) * LANES + lane
+        a0, a1 = h * h * z[at], h * h * z[at_new]
+        least, most = z[Z_LEAST + i * LANES + lane], z[Z_MOST + i * LANES + lane]
+        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
+        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+        inside = min(min(b1, b2), min(b3, b4)) > least and max(max(b1, b2), max(b3, b4)) < most
+        d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
+        if v0 * v1 < 0.0 and not inside:
+            place = min(place, slope_root(v0, d1, d2, d3, v1))
+        slowest, fastest = z[Z_LEAST + (n + i) * LANES + lane], z[Z_MOST + (n + i) * LANES + lane]
+        inside = min(d1, min(d2, d3)) > h * slowest and max(d1, max(d2, d3)) < h * fastest
+        if a0 * a1 < 0.0 and not inside:
+            c1, c2 = 4.0 * (d2 - d1), 4.0 * (d3 - d2)
+            # a cubic, raised to a quartic
+            place = min(
+                place,
+                slope_root(a0, 0.25 * a0 + 0.75 * c1, 0.5 * (c1 + c2), 0.75 * c2 + 0.25 * a1, a1),
+            )
+    if not 0.001 < place < 0.999:
+        return False
+    z[Z_LANDING + lane], z[Z_H + lane] = TURN_AT_END, place * h
+    z[Z_T_NEW + lane] = z[Z_T + lane] + place * h
+    return True
+
+
+# -- one lane ------------------------------------------------------------------------------------
+
+
+def take_in(lane, z, w, home, fallen):
+    """A case's own state into its lane."""
+    status, clock, states, rates_, peaks, _, _, _ = home
+    case, n = w[W_CASE + lane], N_STATES // 2
+    z[Z_T + lane], z[Z_NEXT + lane] = clock[case, TIME], clock[case, NEXT_STEP]
+    last_error = clock[case, LAST_ERROR]
+    z[Z_DAMP + lane] = last_error**DAMPING if last_error > 0.0 else 1.0
+    z[Z_CONTACT + lane] = status[case, CONTACT]
+    z[Z_SIDE + lane] = GAP_SIDES[status[case, CONTACT]]
+    z[Z_TOUCHING + lane] = status[case, TOUCHING]
+    z[Z_TAKEN + lane] = status[case, TAKEN]
+    z[Z_FALLEN + lane] = fallen[case]
+    z[Z_LANDING + lane] = z[Z_FLIGHT + lane] = 0.0
+    for i in range(n):
+        z[Z_Q + i * LANES + lane] = states[case, i]
+        z[Z_K + i * LANES + lane] = states[case, n + i]
+        z[Z_K + (n + i) * LANES + lane] = rates_[case, n + i]
+    for i in range(N_STATES):
+        z[Z_LEAST + i * LANES + lane] = peaks[case, 0, i]
+        z[Z_MOST + i * LANES + lane] = peaks[case, 1, i]
+
+
+def take_out(lane, z, w, home):
+    """A lane's state back into its case's own arrays."""
+    status, clock, states, rates_, peaks, _, _, _ = home
+    case, n = w[W_CASE + lane], N_STATES // 2
+    if z[Z_T + lane] > clock[case, TIME]:
+        status[case, IDLE] = 0
+    clock[case, TIME], clock[case, NEXT_STEP] = z[Z_T + lane], z[Z_NEXT + lane]
+    clock[case, LAST_ERROR] = z[Z_DAMP + lane] ** (1.0 / DAMPING)
+    status[case, CONTACT] = int(z[Z_CONTACT + lane])
+    status[case, TOUCHING] = int(z[Z_TOUCHING + lane])
+    status[case, TAKEN] = int(z[Z_TAKEN + lane])
+    for i in range(n):
+        states[case, i] = z[Z_Q + i * LANES + lane]
+        states[case, n + i] = rates_[case, i] = z[Z_K + i * LANES + lane]
+        rates_[case, n + i] = z[Z_K + (n + i) * LANES + lane]
+    for i in range(N_STATES):
+        peaks[case, 0, i] = z[Z_LEAST + i * LANES + lane]
+        peaks[case, 1, i] = z[Z_MOST + i * LANES + lane]
+
+
+def alone(lane, z, w, home, ground, data, how, work, until):
+    """Carry a lane by the scalar loop until a time; where the error is controlled, to an event."""
+    status, clock, states, rates_, peaks, outcome, impact_times, gains = home
+    horizontal, h_rows, vertical, v_rows, _ = ground
+    p, law, ratio, fallen = data
+    rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps = how
+    steps, step_contact, step_states, events, event_kinds, event_states, scratch = work
+    take_out(lane, z, w, home)
+    case = w[W_CASE + lane]
+    code = FULL
+    controlled = z[Z_EQUAL + lane] == 0.0
+    room = 2 if controlled else 64
+    while code == FULL:
+        noted = status[case, IMPACTS]
+        status[case, STEPS_KEPT] = status[case, EVENTS_KEPT] = 0
+        code = integrate(
+            status[case], clock[case], states[case], rates_[case], until,
+            horizontal[w[W_NX + lane] : h_rows[case, 1]],
+            vertical[w[W_NY + lane] : v_rows[case, 1]], p[case], law[case], ratio[case], rtol, atol,
+            h_max, fixed, fallen[case], rest_tolerance, max_impacts, max_steps,
+            steps, step_contact, step_states, events[:room], event_kinds, event_states,
+            peaks[case], scratch,
+        )  # fmt: skip
+        for e in range(status[case, EVENTS_KEPT]):
+            if event_kinds[e, 0] != IMPACT:
+                continue
+            if noted < impact_times.shape[1]:
+                impact_times[case, noted] = events[e]
+                noted += 1
+            add_gain(
+                event_kinds[e, 1],
+                event_kinds[e, 2],
+                event_states[e, 0],
+                event_states[e, 1],
+                p[case],
+                scratch[_POWERS:_GUARDS],
+                gains[case],
+            )
+        if controlled:
+            break
+    if code != COMPLETED and code != FULL:
+        outcome[case] = code
+    take_in(lane, z, w, home, fallen)
+
+
+@inlined
+def hop(lane, z, t, flight):
+    """Let the first step of a short flight end at the next impact.
+
+    What the flight before it had more than its parabola, in proportion to the square of their
+    length as without shaking, this one has, too.
+    """
+    length, last = flight, z[Z_FLIGHT + lane]
+    if last > 0.0:
+        more = ((t - z[Z_IMPACT + lane]) / last - 1.0) * (flight / last) * (flight / last)
+        if abs(more) < 0.05:
+            length = flight * (1.0 + more)
+    z[Z_IMPACT + lane], z[Z_FLIGHT + lane] = t, flight
+    if 0.0 < length < z[Z_NEXT + lane] and t + length < z[Z_LAST + lane]:
+        z[Z_LANDING + lane], z[Z_H + lane], z[Z_T_NEW + lane] = HOP, length, t + length
+
+
+def impact(lane, z, w, home, stop, data, how, work):
+    """Pass a lane that has landed into the contact state that follows, as the loop does."""
+    status, _, states, rates_, _, outcome, impact_times, gains = home
+    p, law, ratio, _ = data
+    rtol, atol, rest_tolerance, max_impacts, scratch = how[0], how[1], how[4], how[5], work[6]
+    case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
+    y, rate = states[case], rates_[case]
+    after, y_w = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW]
+    # what is left of the gap
+    left = -z[Z_Q + ROTATION * LANES + lane] / z[Z_K + ROTATION * LANES + lane]
+    t = min(t + left, stop[case])
+    z[Z_T + lane] = t
+    for i in range(n):
+        v, a = z[Z_K + i * LANES + lane], z[Z_K + (n + i) * LANES + lane]
+        y[i], y[n + i] = z[Z_Q + i * LANES + lane] + left * (v + 0.5 * left * a), v + left * a
+    if status[case, IMPACTS] < impact_times.shape[1]:
+        impact_times[case, status[case, IMPACTS]] = t
+    before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
+    passed = ratio_at(law[case], ratio[case], status[case, IMPACTS], y, p[case])
+    contact = jump(before, 0, law[case], passed, y, p[case], after)
+    add_gain(before, contact, y, after, p[case], scratch[_POWERS:_GUARDS], gains[case])
+    touching = -1
+    status[case, IMPACTS] += 1
+    status[case, NEWS] = status[case, FRESH] = 1
+    for i in range(N_STATES):
+        y[i] = after[i]
+    if status[case, IMPACTS] > max_impacts:
+        outcome[case] = TOO_MANY_IMPACTS
+    elif SIDES[contact] != 0.0:
+        touching = CLOSED[before][0]
+        ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+        rates(contact, y, p[case], ax, ay, rate)
+        status[case, NEWS] = status[case, FRESH] = 0
+        for i in range(n):
+            z[Z_K + (n + i) * LANES + lane] = rate[n + i]
+        # the flight to come, if short enough, is the first of those that time_to_rest adds up
+        a, v = -SIDES[contact] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+        flight, loss = 2.0 * v / a, 1.0 - v / speed
+        rests, follows = np.inf, contact
+        # nor is it asked while what this impact has lost says that the sum is far too long
+        if a > 0.0 and not flight > min(2.0 * loss, 1.0) * rest_tolerance / math.sqrt(a):
+            rests, follows = time_to_rest(
+                contact, y, p[case], law[case], ratio[case], status[case, IMPACTS], ax, ay,
+                rest_tolerance, y_w, after, scratch[_POWERS:_GUARDS],
+            )  # fmt: skip
+        hop(lane, z, t, flight)
+        short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
+        if short and stand(
+            follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
+            scratch[_K:_W], y_w,
+        ):  # fmt: skip
+            for i in range(N_STATES):
+                y[i] = y_w[i]
+            z[Z_T + lane] = t + rests
+            z[Z_NEXT + lane] = z[Z_LANDING + lane] = 0.0
+            contact, touching = follows, -1
+            status[case, NEWS] = status[case, FRESH] = 1
+            for i in range(N_STATES):
+                least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
+                z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
+    z[Z_CONTACT + lane], z[Z_SIDE + lane] = contact, GAP_SIDES[contact]
+    z[Z_TOUCHING + lane] = touching
+    for i in range(n):
+        z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
+
+
+def fresh_rates(lane, z, case, home, p):
+    """The rates of a lane at its time, found anew."""
+    states, rates_ = home[2], home[3]
+    t, n = z[Z_T + lane], N_STATES // 2
+    y, rate = states[case], rates_[case]
+    for i in range(n):
+        y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
+    ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+    rates(int(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
+    for i in range(n):
+        z[Z_K + (n + i) * LANES + lane] = rate[n + i]
+
+
+def next_step(lane, z, case, home, p, how, work):
+    """Let a lane's next step be a first one, as the loop chooses it."""
+    contact, scratch = int(z[Z_CONTACT + lane]), work[6]
+    z[Z_NEXT + lane] = first_step(
+        contact, z[Z_T + lane], home[2][case], home[3][case], p, ground_x(z, lane),
+        ground_y(z, lane), how[0], how[1], scratch[_W:_Y_NEW], scratch[_AFTER:_POWERS],
+    )  # fmt: skip
+
+
+@inlined
+def next_laws(lane, z, w, case, ground, fixed):
+    """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
+    horizontal, h_rows, vertical, v_rows, stop = ground
+    t, jumped = z[Z_T + lane], False
+    if t >= z[Z_END_X + lane]:
+        before = shaking(ground_x(z, lane), t)
+        n, row = row_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
+        w[W_NX + lane] = n
+        z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
+        z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
+        z[Z_X3 + lane] = row[6]
+        jumped = jumps(before, shaking(row, t))
+    if t >= z[Z_END_Y + lane]:
+        before = shaking(ground_y(z, lane), t)
+        n, row = row_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
+        w[W_NY + lane] = n
+        z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
+        z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
+        z[Z_Y3 + lane] = row[6]
+        jumped |= jumps(before, shaking(row, t))
+    z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
+    span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
+    z[Z_EQUAL + lane] = span / fixed if fixed > 0 and span < np.inf else 0.0
+    z[Z_LONGEST + lane] = min(sampling_step(ground_x(z, lane)), sampling_step(ground_y(z, lane)))
+    return jumped
+
+
+@inlined
+def straight_on(lane, z, w, case, ground, fixed):
+    """Pass to the next segment of a record where nothing else changes; whether it is so."""
+    rows, n, t = ground[0], w[W_NX + lane] + 1, z[Z_T + lane]
+    until = min(z[Z_END_Y + lane], ground[4][case])
+    if n >= ground[1][case, 1] or not t < until or z[Z_KIND_X + lane] != 0.0:
+        return False
+    start, end, x0, x1 = rows[n, 0], rows[n, 1], rows[n, 3], rows[n, 4]
+    before = z[Z_X0 + lane] + z[Z_X1 + lane] * (t - z[Z_START_X + lane])
+    if rows[n, 2] != 0.0 or not t < end or jumps(before, x0 + x1 * (t - start)):
+        return False
+    w[W_NX + lane] = n
+    z[Z_START_X + lane], z[Z_END_X + lane], z[Z_X0 + lane], z[Z_X1 + lane] = start, end, x0, x1
+    z[Z_LAST + lane] = min(end, until)
+    span = min(end - start, z[Z_END_Y + lane] - z[Z_START_Y + lane])
+    z[Z_EQUAL + lane] = span / fixed if fixed > 0 else 0.0
+    return True
+
+
+def skip_laws(lane, z, w, case, home, ground, up, down, doubt):
+    """Pass laws of the horizontal ground in which no foot lifts, while the vertical one is none."""
+    rows, n = ground[0], w[W_NX + lane] + 1
+    ay, first = z[Z_Y0 + lane], n
+    still_up, still_down = up[0] + up[2] * ay, down[0] + down[2] * ay
+    while n < ground[1][case, 1] and rows[n, 2] == 0.0 and rows[n, 1] < ground[4][case]:
+        ax = rows[n, 3]
+        ax_end = ax + rows[n, 4] * (rows[n, 1] - rows[n, 0])
+        opens = max(still_up + up[1] * ax, still_down + down[1] * ax)
+        opens = max(opens, max(still_up + up[1] * ax_end, still_down + down[1] * ax_end))
+        if not opens < -doubt:
+            break
+        n += 1
+    if n > first:
+        w[W_NX + lane] = n - 1
+        z[Z_T + lane] = rows[n - 1, 1]
+        z[Z_TOUCHING + lane] = -1.0
+        home[0][case, NEWS] = home[0][case, FRESH] = 1
+
+
+def pass_rest(lane, z, w, case, home, ground, p, fixed):
+    """Pass a structure that cannot move on both its feet over the laws in which it stays there.
+
+    The accelerations with which its feet would lift are linear in those of the ground, so that
+    both ends of a linear law decide; it ends where a curved one begins.
+    """
+    status, y = home[0], home[2][case]
+    up = down = (0.0, 0.0, 0.0)
+    for c in range(len(SIDES)):
+        if SIDES[c] != 0.0:
+            still = opening_acceleration(c, y, p, 0.0, 0.0)
+            by_x = opening_acceleration(c, y, p, 1.0, 0.0) - still
+            by_y = opening_acceleration(c, y, p, 0.0, 1.0) - still
+            if SIDES[c] > 0.0:
+                up = (still, by_x, by_y)
+            else:
+                down = (still, by_x, by_y)
+    doubt = 1e-9 * (abs(up[0]) + abs(down[0]))
+    while z[Z_T + lane] < ground[4][case]:
+        if z[Z_T + lane] >= z[Z_LAST + lane]:
+            if z[Z_END_Y + lane] == np.inf and z[Z_KIND_Y + lane] == 0.0 == z[Z_Y1 + lane]:
+                skip_laws(lane, z, w, case, home, ground, up, down, doubt)
+            next_laws(lane, z, w, case, ground, fixed)
+        if z[Z_KIND_X + lane] != 0.0 or z[Z_KIND_Y + lane] != 0.0:
+            return
+        for end in range(2):
+            t = z[Z_LAST + lane] if end == 1 else z[Z_T + lane]
+            ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+            opens = max(up[0] + up[1] * ax + up[2] * ay, down[0] + down[1] * ax + down[2] * ay)
+            if not opens < -doubt:
+                return
+        z[Z_T + lane] = z[Z_LAST + lane]
+        z[Z_TOUCHING + lane] = -1.0
+        status[case, NEWS] = status[case, FRESH] = 1
+
+
+@inlined
+def ready(lane, z, w, home, ground, data, how, work):
+    """Bring a lane to where it takes its next step with the others; False where its way ends."""
+    status, outcome, stop = home[0], home[5], ground[4]
+    fixed = how[3]
+    case = w[W_CASE + lane]
+    while outcome[case] == FULL and z[Z_T + lane] < stop[case]:
+        if z[Z_TAKEN + lane] >= how[6]:
+            outcome[case] = STALLED
+            break
+        if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground, fixed):
+            status[case, NEWS] = status[case, FRESH] = 1
+        if z[Z_SIDE + lane] != 0.0:
+            if status[case, FRESH] == 1:
+                fresh_rates(lane, z, case, home, data[0][case])
+                status[case, NEWS] = status[case, FRESH] = 0
+            if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
+                next_step(lane, z, case, home, data[0][case], how, work)
+            return True
+        if N_STATES == 2 and KINDS[int(z[Z_CONTACT + lane])][0] == UPLIFT:
+            t = z[Z_T + lane]
+            pass_rest(lane, z, w, case, home, ground, data[0][case], fixed)
+            if z[Z_T + lane] > t:
+                continue
+        elif status[case, FRESH] == 0 and z[Z_TOUCHING + lane] == -1.0:
+            return True
+        elif z[Z_EQUAL + lane] == 0.0:
+            if z[Z_NEXT + lane] == 0.0:
+                fresh_rates(lane, z, case, home, data[0][case])
+                next_step(lane, z, case, home, data[0][case], how, work)
+            until = end_of_step(lane, z, z[Z_NEXT + lane])
+            alone(lane, z, w, home, ground, data, how, work, until)
+            continue
+        alone(lane, z, w, home, ground, data, how, work, z[Z_LAST + lane])
+    return False
+
+
+@inlined
+def end_of_step(lane, z, h):
+    """Where a step ends that a lane takes alone; at the end of the law if time does not move."""
+    t, last = z[Z_T + lane], z[Z_LAST + lane]
+    return last if t + 1.1 * h >= last or t + h <= t else t + h
+
+
+def shake_all(z, times):
+    """Find the ground at some places of the step of each lane."""
+    bent_x = bent_y = wavelets = False
+    for lane in range(LANES):
+        kind_x, kind_y = z[Z_KIND_X + lane], z[Z_KIND_Y + lane]
+        bent_x |= kind_x == 1.0
+        bent_y |= kind_y == 1.0
+        wavelets |= (kind_x > 1.0) | (kind_y > 1.0)
+    shake_lanes(z, times)
+    if bent_x:
+        bend_x_lanes(z, times)
+    if bent_y:
+        bend_y_lanes(z, times)
+    if wavelets:
+        for lane in range(LANES):
+            t, h = z[Z_T + lane], z[Z_H + lane]
+            for j in range(PLACES):
+                if z[Z_KIND_X + lane] > 1.0:
+                    z[Z_AX + j * LANES + lane] = pulse(ground_x(z, lane), t + times[j] * h)
+                if z[Z_KIND_Y + lane] > 1.0:
+                    z[Z_AY + j * LANES + lane] = pulse(ground_y(z, lane), t + times[j] * h)
+
+
+def run_lanes(first, z, w, home, ground, data, how, work):
+    """Run cases from `first` on to their times `stop`, or to the outcomes that end them.
+
+    Returns the next one when a TURN is over, or -1 when all have ended.
+
+    z, w : the lanes, as the last call left them. home : what each case is taken in from and out to.
+    ground, data, how : motions, structures and options, as in `integrate_lanes`. work : records and
+    scratch of `integrate`.
+    """
+    p, fallen = data[0], data[3]
+    h_rows, v_rows, stop = ground[1], ground[3], ground[4]
+    h_max = how[2]
+    coarse = most_error(how[0])  # such an equal step is left to `integrate`
+    waiting, left = first, TURN
+    while True:
+        if left < 0:
+            return waiting
+        running, held, controlled = 0, False, False
+        for lane in range(LANES):
+            verdict = z[Z_VERDICT + lane]
+            if w[W_CASE + lane] >= 0 and verdict == TURNS:
+                verdict = DOUBTFUL
+                # equal steps stay equal
+                if (
+                    z[Z_EQUAL + lane] == 0.0
+                    and z[Z_LANDING + lane] != TURN_AT_END
+                    and turn(lane, z)
+                ):
+                    verdict = REPEATED
+            steps = verdict in (REPEATED, REFUSED)
+            if w[W_CASE + lane] >= 0 and verdict == STANDS:
+                # on both feet a structure of one coordinate passes many segments at once
+                steps = z[Z_T + lane] < z[Z_LAST + lane] or (
+                    (N_STATES > 2 or z[Z_SIDE + lane] != 0.0)
+                    and straight_on(lane, z, w, w[W_CASE + lane], ground, how[3])
+                )
+            if steps and w[W_CASE + lane] >= 0 and z[Z_TAKEN + lane] < how[6]:
+                running += 1
+                held = held or z[Z_SIDE + lane] == 0.0
+                controlled = controlled or z[Z_EQUAL + lane] == 0.0
+                continue
+            goes_on = False
+            if w[W_CASE + lane] >= 0:
+                if verdict == LANDED:
+                    impact(lane, z, w, home, stop, data, how, work)
+                elif verdict == DOUBTFUL:
+                    until = z[Z_LAST + lane]
+                    # nan: beyond an eighth of a turn lanes know no sine, nor soon behind it
+                    if z[Z_EQUAL + lane] == 0.0 and z[Z_ERROR + lane] == z[Z_ERROR + lane]:
+                        until = end_of_step(lane, z, z[Z_H + lane])
+                    alone(lane, z, w, home, ground, data, how, work, until)
+                goes_on = True
+            while True:
+                if goes_on:
+                    if ready(lane, z, w, home, ground, data, how, work):
+                        running += 1
+                        held = held or z[Z_SIDE + lane] == 0.0
+                        controlled = controlled or z[Z_EQUAL + lane] == 0.0
+                        break
+                    take_out(lane, z, w, home)
+                w[W_CASE + lane] = -1
+                z[Z_KIND_X + lane] = z[Z_KIND_Y + lane] = 0.0
+                if waiting == len(stop):
+                    break
+                # the next case
+                w[W_CASE + lane] = waiting
+                w[W_NX + lane], w[W_NY + lane] = h_rows[waiting, 0] - 1, v_rows[waiting, 0] - 1
+                for place in range(Z_LAST, Z_CONTACT, LANES):
+                    z[place + lane] = 0.0
+                for i in range(N_PARAMETERS):
+                    z[Z_P + i * LANES + lane] = p[waiting, i]
+                take_in(lane, z, w, home, fallen)
+                waiting += 1
+                goes_on = True
+        if running == 0:
+            return -1
+        left -= running
+        plan_lanes(z, h_max)
+        shake_all(z, STAGE_PLACES)
+        step_lanes(z, how[0], how[1])
+        if controlled:
+            control_lanes(z)
+        judge_lanes(z, coarse)
+        if held:
+            shake_all(z, NODE_PLACES)
+            judge_held_lanes(z, coarse)
+        accept_lanes(z)
+
+
+@entry
+def integrate_lanes(
+    first: int, z: Floats, w: Ints, status: Ints2, clock: Floats2, states: Floats2,
+    rates: Floats2, stop: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2,
+    v_rows: Ints2, p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float,
+    fixed: int, fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int,
+    outcome: Ints, peaks: Floats3, impact_times: Floats2, gains: Floats2,
+) -> int:  # fmt: skip
+    """Integrate n motions, each to its time `stop`.
+
+    first : the motion to begin with. Returns the one that the next call begins with, where a TURN
+    is over, or -1 where all have ended. z (Z_SIZE,), w (W_SIZE,) : the lanes, zeros and -1 at
+    first; what a call leaves there the next one goes on with.
+
+    status (n, 10), clock (n, 4), states and rates (n, N) are those of `integrate`, so that it may
+    go on from there. outcome (n,) gets that of a motion that ends before, and is FULL at the start.
+    The rest as in `integrate_many`.
+    """
+    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
+    events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
+    event_states = np.empty((64, 2, N_STATES))
+    return run_lanes(
+        first, z, w,
+        (status, clock, states, rates, peaks, outcome, impact_times, gains),
+        (horizontal, h_rows, vertical, v_rows, stop),
+        (p, law, ratio, fallen),
+        (rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps),
+        (steps, step_contact, step_states, events, event_kinds, event_states, np.zeros(SCRATCH)),
+    )  # fmt: skip

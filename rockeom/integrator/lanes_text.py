@@ -1,0 +1,332 @@
+"""The text of one step of many lanes, for the vectoriser of the compiler."""
+
+from __future__ import annotations
+
+from textwrap import indent
+from types import ModuleType
+
+import numpy as np
+
+from rockeom.codes import IMPACT, UPLIFT
+from rockeom.integrator.methods.tableau import (
+    NODES,
+    Tableau,
+    _stage,
+    _sum,
+    bernstein_at,
+    error_text,
+    samples_to_bernstein,
+)
+
+LANES = 16
+"""Motions that step together: two of the widest vectors that processors have."""
+
+
+def _padded(times: list[float], places: int) -> list[float]:
+    return times + [1.0] * (places - len(times))
+
+
+def _shaken(places: int) -> str:
+    """Functions that find the ground at all places, by linear laws and by sines."""
+    known = "".join(f"    c{j} = times[{j}]\n" for j in range(places))
+    text = f"""
+
+@entry
+def shake_lanes(z: Floats, times: Floats):
+    \"\"\"The ground at some times of a step, by linear laws.\"\"\"
+{known}    for lane in range(LANES):
+        t, h = z[Z_T + lane], z[Z_H + lane]
+        start_x, x0, x1 = z[Z_START_X + lane], z[Z_X0 + lane], z[Z_X1 + lane]
+        start_y, y0, y1 = z[Z_START_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane]
+"""
+    for j in range(places):
+        text += f"        tau = t + c{j} * h\n"
+        text += f"        z[Z_AX + {j} * LANES + lane] = x0 + x1 * (tau - start_x)\n"
+        text += f"        z[Z_AY + {j} * LANES + lane] = y0 + y1 * (tau - start_y)\n"
+    for axis, name in (("X", "x"), ("Y", "y")):
+        text += f"""
+
+@entry
+def bend_{name}_lanes(z: Floats, times: Floats):
+    \"\"\"The same of lanes whose law is a sine; others keep what they have.\"\"\"
+{known}    for lane in range(LANES):
+        t, h, start = z[Z_T + lane], z[Z_H + lane], z[Z_START_{axis} + lane]
+        size, rate = z[Z_{axis}0 + lane], z[Z_{axis}1 + lane]
+        phase, bent = z[Z_{axis}2 + lane], z[Z_KIND_{axis} + lane] == 1.0
+"""
+        for j in range(places):
+            place = f"z[Z_A{axis} + {j} * LANES + lane]"
+            text += f"        tau = t + c{j} * h\n"
+            text += "        bend = size * sine(rate * (tau - start) + phase)\n"
+            text += f"        {place} = bend if bent else {place}\n"
+    return text
+
+
+ROOTS = 6
+"""Powers of errors are products of their 2nd, 4th, ... 64th roots."""
+
+
+def _powers(exponent: float) -> str:
+    """A power of `error` as a product of its roots r1, r2, ...; the exponent within a 128th."""
+    bits = round(exponent * 2**ROOTS)
+    return " * ".join(f"r{k}" for k in range(1, ROOTS + 1) if bits >> (ROOTS - k) & 1)
+
+
+SINES = """
+
+@inlined
+def sine_cosine(x):
+    \"\"\"Sine and cosine up to an eighth of a turn; not a number beyond, where the loop goes on.
+
+    It has no branches, so that all contact states share what they have of it.
+    \"\"\"
+    r = x if abs(x) <= 0.7853981633974483 else np.nan
+    z = r * r
+    zz = z * z
+    s0 = -1 / 6 + z * (1 / 120)
+    s1 = -1 / 5040 + z * (1 / 362880)
+    s2 = -1 / 39916800 + z * (1 / 6227020800)
+    c0 = 1 / 24 - z * (1 / 720)
+    c1 = 1 / 40320 - z * (1 / 3628800)
+    c2 = 1 / 479001600 - z * (1 / 87178291200)
+    s1 += zz * (s2 - zz * (1 / 1307674368000))
+    c1 += zz * (c2 + zz * (1 / 20922789888000))
+    return r + r * z * (s0 + zz * s1), 1.0 - (0.5 * z - zz * (c0 + zz * c1))
+"""
+"""What takes the place of a generated module's `sine_cosine` in the step of lanes."""
+
+
+def _accelerations(generated: ModuleType) -> str:
+    """A function of all contact states without branches: what they have in common is found once."""
+    n = generated.N_STATES // 2
+    arguments = ", ".join([f"q_{i}" for i in range(n)] + [f"v_{i}" for i in range(n)])
+    text = f"\n\n@inlined\ndef accelerations_of_lanes(contact, {arguments}, p, ax, ay):\n"
+    if len(_held(generated)) < 2:
+        return f"{text}    return accelerations(contact, {arguments}, p, ax, ay)\n"
+    for c in range(len(generated.CONTACTS)):
+        found = ", ".join(f"{'b' if c else 'a'}_{i}" for i in range(n))
+        text += f"    ({found},) = accelerations({c}, {arguments}, p, ax, ay)\n"
+        if c:
+            text += "".join(f"    a_{i} = b_{i} if contact == {c} else a_{i}\n" for i in range(n))
+    return f"{text}    return ({', '.join(f'a_{i}' for i in range(n))},)\n"
+
+
+def gap_sides(generated: ModuleType) -> tuple[float, ...]:
+    """Of each contact state that an impact ends, and nothing else, its side; 0 of all others."""
+    return tuple(
+        side if kinds[:guards] == (IMPACT,) else 0.0
+        for side, guards, kinds in zip(
+            generated.SIDES, generated.GUARDS, generated.KINDS, strict=True
+        )
+    )
+
+
+def _held(generated: ModuleType) -> list[int]:
+    """Contact states that all their guards are asked of, sampled in a step."""
+    return [c for c, side in enumerate(gap_sides(generated)) if side == 0.0]
+
+
+def _sampled(generated: ModuleType) -> str:
+    """Lines that find whether all guards clearly stay open, as `stays_held` of the loop does.
+
+    They are sampled on the quintics through both ends of a step. A guard that a contact state has
+    not is open.
+    """
+    n, r, states = generated.N_STATES // 2, generated.ROTATION, _held(generated)
+    still = all(generated.KINDS[c][0] == UPLIFT for c in states)  # then it does not rotate, either
+    text = ""
+    to_samples, to_slopes = bernstein_at(NODES, 5), 5.0 * bernstein_at(NODES, 4)
+    moving = [i for i in range(n) if i != r or not still]
+    for i in moving:
+        text += f"        b0_{i}, b5_{i} = q0_{i}, q1_{i}\n"
+        text += f"        b1_{i}, b4_{i} = q0_{i} + 0.2 * h * v0_{i}, q1_{i} - 0.2 * h * v1_{i}\n"
+        text += f"        b2_{i} = q0_{i} + 0.4 * h * v0_{i} + 0.05 * h * h * a0_{i}\n"
+        text += f"        b3_{i} = q1_{i} - 0.4 * h * v1_{i} + 0.05 * h * h * a1_{i}\n"
+        text += "".join(f"        d{j}_{i} = (b{j + 1}_{i} - b{j}_{i}) / h\n" for j in range(5))
+    functions = generated.N_GUARDS + generated.N_PARTS
+    for m in range(len(NODES)):
+        for i in range(n):
+            q = v = "0.0"
+            if i in moving:
+                q = _sum(to_samples[m], f"b{{}}_{i}", " " * 12)
+                v = _sum(to_slopes[m], f"d{{}}_{i}", " " * 12)
+            text += f"        y[{i}] = (\n            {q}\n        )\n"
+            text += f"        y[{n + i}] = (\n            {v}\n        )\n"
+        text += f"        ax, ay = z[Z_AX + {m} * LANES + lane], z[Z_AY + {m} * LANES + lane]\n"
+        for c in states:
+            text += "".join(f"        g[{f}] = 1.0\n" for f in range(functions))
+            text += f"        guards({c}, y, p, ax, ay, g)\n"
+            for f in range(functions):
+                other = f"g[{f}]" if c == states[0] else f"g[{f}] if contact == {c} else g{f}_{m}"
+                text += f"        g{f}_{m} = {other}\n"
+    for f in range(functions):
+        text += f"        most = abs(g{f}_0)\n"
+        text += "".join(f"        most = max(most, abs(g{f}_{m}))\n" for m in range(1, 8))
+        text += f"        open_{f} = True\n"
+        for row in samples_to_bernstein():
+            coefficient = _sum(row, f"g{f}_{{}}", " " * 12)
+            text += f"        open_{f} &= (\n            {coefficient}\n        ) > 1e-3 * most\n"
+    text += "        held = True\n"
+    for guard in range(generated.N_GUARDS):
+        text += f"        clear = open_{guard}\n"
+        for place in range(generated.N_GUARDS, functions, 2):
+            of = [c for c in states if generated.PARTS[c][guard] == place]
+            if of:  # the larger of two parts
+                where = " | ".join(f"(contact == {c})" for c in of)
+                text += f"        clear = (open_{place} | open_{place + 1}) if {where} else clear\n"
+        text += "        held &= clear\n"
+    return text
+
+
+def lanes_text(method: Tableau, generated: ModuleType) -> str:
+    """Source of one step of `LANES` motions of a structure at once; `lanes.py` says of what.
+
+    Each loop over the lanes holds the whole work of a lane in plain numbers and without branches,
+    at places that differ by constants: so the compiler makes vector instructions of it.
+    """
+    s, size, r = method.stages, generated.N_STATES, generated.ROTATION
+    n = size // 2
+    parameters = len(generated.prepare(np.ones(len(generated.PARAMETERS))))
+    method_exponent = -1.0 / (method.error_order + 1)
+    damping = round(-0.4 * method_exponent * 2**ROOTS) / 2**ROOTS
+    roots = "        r1 = math.sqrt(error)\n"
+    roots += "".join(f"        r{k} = math.sqrt(r{k - 1})\n" for k in range(2, ROOTS + 1))
+
+    def at(rows: str, i: int) -> str:
+        return f"z[{rows} + {i} * LANES + lane]"
+
+    start_of = f"""        t, h = z[Z_T + lane], z[Z_H + lane]
+        p = ({", ".join(at("Z_P", i) for i in range(parameters))},)
+"""
+    start, end, kept, within, taken = "", "", "", "", ""
+    for i in range(n):
+        start += f"        q0_{i} = {at('Z_Q', i)}\n"
+        start += f"        v0_{i} = {at('Z_K', i)}\n        a0_{i} = {at('Z_K', n + i)}\n"
+        end += f"        q1_{i} = {at('Z_Q_NEW', i)}\n"
+        end += f"        v1_{i} = {at('Z_K_NEW', i)}\n        a1_{i} = {at('Z_K_NEW', n + i)}\n"
+        kept += f"        {at('Z_Q_NEW', i)} = q{s}_{i}\n"
+        kept += (
+            f"        {at('Z_K_NEW', i)} = v{s}_{i}\n        {at('Z_K_NEW', n + i)} = a{s}_{i}\n"
+        )
+        within += f"""        within &= turns_within(
+            h, q0_{i}, v0_{i}, a0_{i}, q1_{i}, v1_{i}, a1_{i},
+            {at("Z_LEAST", i)}, {at("Z_MOST", i)}, {at("Z_LEAST", n + i)}, {at("Z_MOST", n + i)},
+        )
+"""
+        taken += f"        {at('Z_Q', i)} = q1_{i} if stands else q0_{i}\n"
+        taken += f"        {at('Z_K', i)} = v1_{i} if stands else v0_{i}\n"
+        taken += f"        {at('Z_K', n + i)} = a1_{i} if stands else a0_{i}\n"
+        for state, old, new in ((i, f"q0_{i}", f"q1_{i}"), (n + i, f"v0_{i}", f"v1_{i}")):
+            least, most = at("Z_LEAST", state), at("Z_MOST", state)
+            taken += f"        {least} = min({least}, {new} if stands else {old})\n"
+            taken += f"        {most} = max({most}, {new} if stands else {old})\n"
+    # stage j is shaken as place j - 1, the last two, at the end of the step, as one
+    times = method.c[1:s].tolist()
+    assert method.c[s] == times[-1]
+    places = max(len(times), len(NODES))
+
+    def stage(j: int) -> str:
+        place = min(j, len(times)) - 1
+        ground = f"{at('Z_AX', place)}, {at('Z_AY', place)}"
+        return _stage(method, j, n, ground, "accelerations_of_lanes")
+
+    stages = "".join(stage(j) for j in range(1, s + 1))
+    errors = indent(error_text(method, n, in_lanes=True), "    ")
+    gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
+
+    held = _held(generated)
+
+    return f'''
+from rockeom.compiler.decorators import Floats, entry, inlined
+
+LANES = {LANES}
+N_PARAMETERS = {parameters}
+PLACES = {places}  # of a step at which the ground is found at once
+STAGE_PLACES = np.array({_padded(times, places)!r})
+NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
+DAMPING = {damping!r}
+GAP_SIDES = {gap_sides(generated)!r}  # of contact states that end by an impact alone; 0 of others
+{_accelerations(generated)}{_shaken(places)}
+
+@entry
+def control_lanes(z: Floats):
+    """The next step of each lane by proportional-integral control, as in the loop.
+
+    A step that is cut, or is to end at an impact, says nothing of it unless it is refused. Powers
+    are products of roots.
+    """
+    for lane in range(LANES):
+        h, error, last = z[Z_H + lane], max(z[Z_ERROR + lane], 1e-10), z[Z_DAMP + lane]
+        equal = z[Z_EQUAL + lane] > 0.0
+{roots}        refused = (error > 1.0) & ~equal
+        cut, first = z[Z_T_NEW + lane] >= z[Z_LAST + lane], z[Z_LANDING + lane] == 0.0
+        tells = (error <= 1.0) & first & ~cut & ~equal
+        factor = (0.9 if refused else 0.9 * last) / (
+            {_powers(-method_exponent)} if refused else {_powers(-0.7 * method_exponent)}
+        )
+        factor = max(0.1 if refused else 0.2, factor)
+        z[Z_NEXT + lane] = h * min(5.0, factor) if refused | tells else z[Z_NEXT + lane]
+        z[Z_DAMP + lane] = {_powers(damping)} if tells else last
+
+
+@entry
+def step_lanes(z: Floats, rtol: float, tolerances: Floats):
+    """One step of all lanes: the states and accelerations at its end, and its estimated error."""
+    atol = ({", ".join(f"tolerances[{i}]" for i in range(size))},)
+    for lane in range(LANES):
+        contact = z[Z_CONTACT + lane]
+{start_of}        hh = h * h
+{start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
+
+
+@entry
+def judge_lanes(z: Floats, coarse: float):
+    """What becomes of the step of each rocking lane; the length of one to be repeated.
+
+    One with an error above its bound, `coarse` for an equal step, is refused, or doubtful if it is
+    an equal one; as one that is not finite.
+    """
+    for lane in range(LANES):
+        t, h, side = z[Z_T + lane], z[Z_H + lane], z[Z_SIDE + lane]
+        touching, landing = z[Z_TOUCHING + lane] == 0.0, z[Z_LANDING + lane]
+{start}{end}        upright, within = abs(q1_{r}) < z[Z_FALLEN + lane], True
+{within}        verdict, new_h = judge_gap(
+            t, h, z[Z_LAST + lane] - t, side, touching, landing, upright, within,
+            {gap},
+        )
+        error, equal = z[Z_ERROR + lane], z[Z_EQUAL + lane] > 0.0
+        refused = (error > 1.0) & (error < np.inf) & (h > 64.0 * EPS * t) & ~equal
+        verdict = verdict if error <= (coarse if equal else 1.0) else DOUBTFUL
+        z[Z_VERDICT + lane] = REFUSED if refused else verdict
+        z[Z_H + lane] = h if refused else new_h
+
+
+@entry
+def judge_held_lanes(z: Floats, coarse: float):
+    """What becomes of the step of each lane in other contact states: it stands where they last."""
+    y, g = np.empty({size}), np.empty({generated.N_GUARDS + generated.N_PARTS})
+    for lane in range(LANES):
+        contact = {"z[Z_CONTACT + lane]" if len(held) > 1 else held[0]}
+{start_of}{start}{end}{_sampled(generated)}        held &= z[Z_SIDE + lane] == 0.0
+        held &= abs(q1_{r}) < z[Z_FALLEN + lane]
+        held &= z[Z_ERROR + lane] <= (coarse if z[Z_EQUAL + lane] > 0.0 else 1.0)
+        within = True
+{within}        stands = STANDS if within else TURNS
+        z[Z_VERDICT + lane] = stands if held else z[Z_VERDICT + lane]
+
+
+@entry
+def accept_lanes(z: Floats):
+    """Move the lanes whose step stands to its end."""
+    for lane in range(LANES):
+        stands = z[Z_VERDICT + lane] >= STANDS
+        repeated = z[Z_VERDICT + lane] == REPEATED
+        t, h = z[Z_T + lane], z[Z_H + lane]
+{start}{end}        z[Z_T + lane] = z[Z_T_NEW + lane] if stands else t
+        z[Z_T_NEW + lane] = t + h if repeated else z[Z_T_NEW + lane]
+        landing = z[Z_LANDING + lane]
+        kept = landing if z[Z_VERDICT + lane] == TURNS else 0.0
+        z[Z_LANDING + lane] = max(landing, 0.0) + 1.0 if repeated else kept
+        z[Z_TOUCHING + lane] = -1.0 if stands else z[Z_TOUCHING + lane]
+        z[Z_TAKEN + lane] = z[Z_TAKEN + lane] + 1.0
+{taken}'''

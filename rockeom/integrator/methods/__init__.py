@@ -1,0 +1,1 @@
+"""Methods of integration: coefficients, and the text of a step."""

@@ -1,0 +1,38 @@
+"""Texts of modules: those of this package, generated ones, and modules made from a text."""
+
+from __future__ import annotations
+
+import hashlib
+import linecache
+import sys
+from functools import cache
+from importlib.resources import files
+from types import ModuleType
+
+
+@cache
+def text_of(path: str) -> str:
+    """Text of a file of rockeom, by its path within the package."""
+    return files("rockeom").joinpath(*path.split("/")).read_text(encoding="utf-8")
+
+
+def digest(*texts: str) -> str:
+    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:20]
+
+
+def source(generated: ModuleType) -> str:
+    """Of a file, or of what `load_text` has put in its place."""
+    return "".join(linecache.getlines(str(generated.__file__)))
+
+
+def load_text(name: str, text: str) -> ModuleType:
+    """A module of a generated text; the same text gives the same module."""
+    module_name = f"rockeom_{name}_{digest(name, text)}"
+    if module_name not in sys.modules:
+        module = ModuleType(module_name)
+        module.__file__ = f"<{module_name}>"
+        lines = text.splitlines(keepends=True)
+        linecache.cache[module.__file__] = len(text), None, lines, module.__file__
+        exec(compile(text, module.__file__, "exec"), vars(module))
+        sys.modules[module_name] = module
+    return sys.modules[module_name]

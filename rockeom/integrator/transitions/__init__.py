@@ -1,0 +1,1 @@
+"""Transitions between modes that are searched, not declared."""

@@ -1,0 +1,217 @@
+"""Where in a step a guard of points that may open, slide and bounce falls, where that is clear.
+
+Joined behind searched.py, see `rockeom.integrator.program`. The loop decides what four samples of
+each guard leave unclear.
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import LANDING, STAYS_OPEN, UNCLEAR
+from rockeom.compiler.decorators import inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.interface import (
+        ANGLES,
+        GUARDS,
+        KINDS,
+        N_COORDINATES,
+        N_POINTS,
+        POINT,
+        ROW,
+        SUBJECTS,
+        acceleration_of,
+        gap_rounding,
+        guards,
+        is_closed,
+        points,
+        shaking,
+    )
+
+INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope
+    (0.5, 0.15625, -0.15625, 0.015625, 0.015625, 1.875, -0.4375, -0.4375, -0.03125, 0.03125),
+    (
+        459 / 512, 39 / 1024, -189 / 1024, 9 / 2048, 27 / 2048, 135 / 128, -95 / 256, 81 / 256,
+        -21 / 512, -27 / 512,
+    ),
+)  # fmt: skip
+
+
+@inlined
+def longest_turn(y):
+    """The longest step in which angles change so little that eight samples follow a gap."""
+    fastest = 1e-300
+    for i in range(N_COORDINATES):
+        fastest = max(fastest, ANGLES[i] * abs(y[N_COORDINATES + i]))
+    return 1.0 / fastest
+
+
+def only_hop(contact, touching, y, p, dy):
+    """(guard, time): the one gap that opens from closed, and when its parabola closes it again.
+
+    (-1, inf) where none does, or several. dy (N,) : rates. touching : see `is_closed`.
+    """
+    told = np.empty(POINT * N_POINTS)
+    points(y, p, told)
+    hop, lasts = -1, np.inf
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] != LANDING or not is_closed(touching, i):
+            continue
+        point = SUBJECTS[contact][i]
+        rate, a = told[point * POINT + 1], -acceleration_of(told, 2 * point, dy)
+        # a hop must not be lost among the smallest numbers
+        if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > 1e-290 * a):
+            return -1, np.inf
+        hop, lasts = i, 2.0 * rate / a
+    return hop, lasts
+
+
+def fall_within(
+    contact, t, h, y, y_new, k, end, p, gx, gy, w, samples, sampled, touching, hop
+):  # fmt: skip
+    """(guard, place): which guard of a contact state falls through zero in a step, and where.
+
+    STAYS_OPEN where all of them stay far from zero, UNCLEAR where that cannot be said so easily.
+    They are sampled on the quintics through both ends: parabolas through the ends and the middle,
+    but for what they miss at three quarters.
+
+    k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
+    samples : four rows of all guards: at the start, in the middle, at three quarters, at the end.
+    sampled : they are those of the step before, whose last are the first of this one.
+    touching : which are closed, see `is_closed`.
+    hop : a gap that opens at the start and should be closed again at the end, or -1.
+    """
+    at_end = samples[3 * ROW :]
+    if sampled:
+        for i in range(GUARDS[contact]):
+            samples[i] = at_end[i]
+    else:
+        guards_at(contact, t, y, p, gx, gy, samples)
+    between(h, 0, y, y_new, k, end, w)
+    guards_at(contact, t + 0.5 * h, w, p, gx, gy, samples[ROW:])
+    between(h, 1, y, y_new, k, end, w)
+    guards_at(contact, t + 0.75 * h, w, p, gx, gy, samples[2 * ROW :])
+    guards_at(contact, t + h, y_new, p, gx, gy, at_end)
+    falls, place = STAYS_OPEN, 0.0
+    for i in range(GUARDS[contact]):
+        opens = touching > 0 and is_closed(touching, i)
+        if i != hop and stays_open_by(samples, i, opens):
+            continue
+        if falls != STAYS_OPEN or KINDS[contact][i] != LANDING:
+            return UNCLEAR, 0.0
+        falls, place = i, falls_by(samples, i, opens, i == hop)
+        if place == 0.0:
+            return UNCLEAR, 0.0
+    return falls, place
+
+
+@inlined
+def guards_at(contact, t, y, p, gx, gy, g):
+    """Guards of a state at a time of the ground's laws, into g."""
+    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
+
+
+@inlined
+def parabola_of(samples, i, opens):
+    """(first, bend, last, missed) of guard i: Bernstein coefficients, and what misses them.
+
+    missed : by how much it is none, at three quarters. opens : it is closed at
+    the start.
+    """
+    first = 0.0 if opens else samples[i]
+    middle, later, last = samples[ROW + i], samples[2 * ROW + i], samples[3 * ROW + i]
+    bend = 2.0 * middle - 0.5 * (first + last)
+    return first, bend, last, later - (0.0625 * first + 0.375 * bend + 0.5625 * last)
+
+
+@inlined
+def stays_open_by(samples, i, opens):
+    """Whether guard i stays above a quarter of its size; `opens` from closed, and as clearly."""
+    first, bend, last, missed = parabola_of(samples, i, opens)
+    least = min(bend, last) if opens else min(first, min(bend, last))
+    if not least > 0.25 * max(first, max(abs(bend), last)):
+        return False
+    most = 0.02 if opens else 0.1  # it must not turn the slope at the start, either
+    return abs(missed) <= most * least
+
+
+def falls_by(samples, i, opens, at_end):
+    """Where guard i falls through zero, if it clearly does once; or zero.
+
+    A parabola from f to -g has one root between, where its slope is at least 2 sqrt(f g); one that
+    opens from zero has the slope there, and less that slope where it falls. What it misses at three
+    quarters, d, and not at the ends and in the middle, has a slope less than 11 d if it is a cubic.
+    So there is one root as long as f, or half of the slope, and g are above 6 d; here they are far
+    above, for what is no cubic.
+
+    at_end : whether it should open from zero, and be beside zero at the end.
+    """
+    first, bend, last, missed = parabola_of(samples, i, opens)
+    if at_end:
+        return 1.0 if abs(missed) <= 0.02 * bend and abs(last) < 0.1 * bend else 0.0
+    if not min(bend if opens else first, -last) > 50.0 * abs(missed):
+        return 0.0
+    rise, curve, cubic = 2.0 * (bend - first), first - 2.0 * bend + last, missed / -0.046875
+    root = math.sqrt(rise * rise - 4.0 * curve * first)
+    x = (rise + root) / (-2.0 * curve) if rise > 0.0 else 2.0 * first / (root - rise)
+    for _ in range(3):
+        value = first + x * (rise + x * curve) + cubic * x * (x - 0.5) * (x - 1.0)
+        slope = rise + 2.0 * x * curve + cubic * (x * (3.0 * x - 3.0) + 0.5)
+        x -= value / slope
+    return x if 1e-6 < x < 1.0 else 0.0
+
+
+def to_landing(contact, guard, y, p, dy):
+    """Time from the end of a step to the landing beside it; infinite where the gap does not close.
+
+    By the parabola there, from which it differs by the third power of that time. dy (N,) : rates.
+    The gap is that of the guard, as `fall_within` sees it: what drift closed points have is none
+    of it.
+    """
+    told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, told)
+    guards(contact, y, p, 0.0, 0.0, g)
+    point = SUBJECTS[contact][guard]
+    rate = told[point * POINT + 1]
+    if not rate < 0.0:
+        return np.inf
+    move = -g[guard] / rate
+    return move - 0.5 * acceleration_of(told, 2 * point, dy) * move * move / rate
+
+
+def is_rounding(contact, guard, y, p):
+    """Whether a gap is closed but for the rounding errors of the places of all points."""
+    told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, told)
+    guards(contact, y, p, 0.0, 0.0, g)
+    return abs(g[guard]) <= gap_rounding(told, y)
+
+
+def end_closed(contact, samples):
+    """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
+    closed = False
+    for i in range(GUARDS[contact]):
+        closed = closed or samples[3 * ROW + i] < 0.0
+    return closed
+
+
+@inlined
+def between(h, place, y, y_new, k, end, w):
+    """The state in the middle of a step, or at three quarters, on the quintics through both ends.
+
+    place : the row of INSIDE. w (N,) : the state.
+    """
+    n, rate, hh = N_COORDINATES, 1.0 / h, h * h
+    for i in range(n):
+        way, v0, v1 = y_new[i] - y[i], h * y[n + i], h * y_new[n + i]
+        a0, a1 = hh * k[n + i], hh * k[end + n + i]
+        w[i] = y[i] + (
+            INSIDE[place][0] * way + INSIDE[place][1] * v0 + INSIDE[place][2] * v1
+            + INSIDE[place][3] * a0 + INSIDE[place][4] * a1
+        )  # fmt: skip
+        w[n + i] = rate * (
+            INSIDE[place][5] * way + INSIDE[place][6] * v0 + INSIDE[place][7] * v1
+            + INSIDE[place][8] * a0 + INSIDE[place][9] * a1
+        )  # fmt: skip

@@ -1,0 +1,936 @@
+"""Passages between contact states that are found: which one follows is not declared.
+
+Joined to the generated modules of structures whose contacts may open, slide and bounce, see
+`rockeom.integrator.program`. There a contact state says of each point whether it is open, sticks or
+slips to a side. Where one ends, all that may follow are tried: at a landing, those whose impulses
+fit the velocities after them; then those whose forces fit the accelerations. What fits none, or
+several that move differently, ends the motion.
+
+Velocities and accelerations of a point are those of its gap (normal) and of its slip (tangential).
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import (
+    AMBIGUOUS,
+    FRICTIONLESS,
+    IMPOSSIBLE,
+    LANDING,
+    LIFTING,
+    MOST_DIGITS,
+    NEVER_SLIPS,
+    OPEN,
+    SLIPPING,
+    STICK,
+    STICKING,
+    SWITCH,
+)
+from rockeom.compiler.decorators import inlined, rolled
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.interface import (
+        CLOSED,
+        ELEMENT_STATES,
+        GUARDS,
+        KINDS,
+        N_ELEMENTS,
+        N_GUARDS,
+        N_PARTS,
+        N_POINTS,
+        N_STATES,
+        POINT_STATES,
+        ROTATION,
+        SHARED,
+        SUBJECTS,
+        free_motion,
+        guards,
+        jump,
+        point_laws,
+        points,
+        rates,
+    )
+
+N_COORDINATES = N_STATES // 2
+POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
+N_MATRIX = N_COORDINATES * N_COORDINATES
+ROW = N_GUARDS + N_PARTS  # what `guards` fills
+ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
+
+# Places in what is known of the points of a state, `known` (N_KNOWN,): what `points` tells, the
+# laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
+LAWS = POINT * N_POINTS
+MATRIX = LAWS + ROWS
+SPREAD = MATRIX + N_MATRIX
+COUPLING = SPREAD + N_COORDINATES * ROWS
+N_KNOWN = COUPLING + ROWS * ROWS
+
+GRAIN = 4e-15  # relative rounding error of a gap
+FITS = 1e-11  # relative rounding error of what a candidate must fulfil
+NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
+GIVEN = 1e-6  # relative error of a given state: of seven digits, or of a motion with rtol 1e-6
+NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as a motion has it
+STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
+STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
+ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
+SLOW = 1e-6  # of sqrt(a l): the speed of landings between whose outcomes nothing decides
+SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
+HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
+
+
+@inlined
+def is_closed(touching, i):
+    """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
+    n = int(touching * HALVES[i])
+    return touching > 0 and n - 2 * int(n * 0.5) == 1
+
+
+def guard_noise(contact, index, y, p, ax, ay, h, b, stride):
+    """Size of the rounding errors of a guard in a step h.
+
+    For a gap, by the terms whose difference it is, and by what acts on it; for a force, by the
+    largest of them and by what would hold the structure: b holds `stride` numbers of each guard,
+    in a step or at an instant.
+    """
+    kind = KINDS[contact][index]
+    if kind != LANDING and kind != LIFTING and kind != SLIPPING:
+        return 0.0
+    known, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    point = SUBJECTS[contact][index]
+    all_known(y, p, contact, known)
+    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    if kind == LANDING:
+        _, size = rate_of(known, 2 * point, y, 0)
+        return GRAIN * size + 1e-13 * sizes[2 * point] * h * h
+    largest = 0.0
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] == LIFTING or KINDS[contact][i] == SLIPPING:
+            for j in range(stride * i, stride * i + stride):
+                largest = max(largest, abs(b[j]))
+    return max(1e-13 * largest, FITS * sizes[ROWS + point])
+
+
+# -- linear equations ----------------------------------------------------------------------------
+
+
+@rolled
+def eliminate(a, order, width):
+    """Solve a x = b in place, by Gauss and Jordan with complete pivoting; b stands behind a.
+
+    a (order, width) row by row, of which the first `order` columns are the matrix; order is at most
+    ROWS, width one more. Unknowns that the equations do not determine are zero.
+    """
+    if order == 0 or solved_at_once(a, order):
+        return
+    column = np.empty(ROWS, np.int64)
+    for i in range(order):
+        column[i] = i
+    largest = 0.0
+    for i in range(order):
+        for j in range(order):
+            largest = max(largest, abs(a[i * width + j]))
+    rank = order
+    for n in range(order):
+        best, row, col = 0.0, n, n
+        for i in range(n, order):
+            for j in range(n, order):
+                if abs(a[i * width + j]) > best:
+                    best, row, col = abs(a[i * width + j]), i, j
+        if best <= 1e-12 * largest:
+            rank = n
+            break
+        if row != n:
+            for j in range(n, width):
+                swapped = a[n * width + j]
+                a[n * width + j] = a[row * width + j]
+                a[row * width + j] = swapped
+        if col != n:
+            for i in range(order):
+                swapped = a[i * width + n]
+                a[i * width + n] = a[i * width + col]
+                a[i * width + col] = swapped
+            kept = column[n]
+            column[n] = column[col]
+            column[col] = kept
+        pivot = 1.0 / a[n * width + n]
+        for j in range(n, width):
+            a[n * width + j] *= pivot
+        for i in range(order):
+            factor = a[i * width + n]
+            if i != n:
+                for j in range(n, width):
+                    a[i * width + j] -= factor * a[n * width + j]
+    # back to the order of the unknowns
+    found = np.empty(ROWS)
+    for n in range(order):
+        found[column[n]] = a[n * width + order] if n < rank else 0.0
+    for n in range(order):
+        a[n * width + order] = found[n]
+
+
+def solved_at_once(a, order):
+    """Whether it was one equation, or two or three that are far from saying the same: solved then.
+
+    Most of those at an event are; arguments as of `eliminate`.
+    """
+    if order == 1:
+        a[1] = a[1] / a[0] if a[0] != 0.0 else 0.0
+        return True
+    if order == 2:
+        largest = max(max(abs(a[0]), abs(a[1])), max(abs(a[3]), abs(a[4])))
+        determinant = a[0] * a[4] - a[1] * a[3]
+        if not abs(determinant) > 1e-6 * largest * largest:
+            return False
+        inverse = 1.0 / determinant
+        a[2], a[5] = (a[2] * a[4] - a[1] * a[5]) * inverse, (a[0] * a[5] - a[2] * a[3]) * inverse
+        return True
+    if order > 3:
+        return False
+    # by the crosswise products of the last two rows, and of each with the right-hand side
+    c0, c1, c2 = a[5] * a[10] - a[6] * a[9], a[6] * a[8] - a[4] * a[10], a[4] * a[9] - a[5] * a[8]
+    largest = 0.0
+    for i in range(3):
+        for j in range(3):
+            largest = max(largest, abs(a[4 * i + j]))
+    determinant = a[0] * c0 + a[1] * c1 + a[2] * c2
+    if not abs(determinant) > 1e-4 * largest * largest * largest:
+        return False
+    inverse = 1.0 / determinant
+    d0, d1, d2 = a[7] * a[8] - a[4] * a[11], a[7] * a[9] - a[5] * a[11], a[7] * a[10] - a[6] * a[11]
+    x = a[3] * c0 - a[1] * d2 + a[2] * d1
+    y = a[3] * c1 + a[0] * d2 - a[2] * d0
+    z = a[3] * c2 - a[0] * d1 + a[1] * d0
+    a[3], a[7], a[11] = x * inverse, y * inverse, z * inverse
+    return True
+
+
+@rolled
+def through_mass(matrix, b, width):
+    """Solve M x = b in place, b (n, width), by Gauss without a search for pivots: M is positive.
+
+    matrix (n, n) : M, which is kept. What has no inertia does not move.
+    """
+    n = N_COORDINATES
+    a, inverse = np.empty(N_MATRIX), np.empty(N_COORDINATES)
+    for i in range(n * n):
+        a[i] = matrix[i]
+    for i in range(n):
+        pivot = a[i * n + i]
+        inverse[i] = 1.0 / pivot if pivot > 1e-13 * matrix[i * n + i] else 0.0
+        for j in range(i + 1, n):
+            factor = a[i * n + j] * inverse[i]
+            for m in range(j, n):
+                a[j * n + m] -= factor * a[i * n + m]
+            for m in range(width):
+                b[j * width + m] -= factor * b[i * width + m]
+    for back in range(n):
+        i = n - 1 - back
+        for m in range(width):
+            value = b[i * width + m]
+            for j in range(i + 1, n):
+                value -= a[i * n + j] * b[j * width + m]
+            b[i * width + m] = value * inverse[i]
+
+
+@rolled
+def all_known(y, p, contact, known):
+    """What is known of the points in a state, into known (N_KNOWN,), with what impulses do there.
+
+    All but what `points` tells follows from the places alone.
+    """
+    n = N_COORDINATES
+    forces = np.empty(N_COORDINATES)
+    matrix, spread, coupling = known[MATRIX:], known[SPREAD:], known[COUPLING:]
+    points(y, p, known)
+    point_laws(p, known[LAWS:])
+    free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
+    for i in range(n):
+        for r in range(N_POINTS):
+            spread[i * ROWS + 2 * r] = known[r * POINT + 5 + i]
+            spread[i * ROWS + 2 * r + 1] = known[r * POINT + 5 + n + i]
+    through_mass(matrix, spread, ROWS)
+    for r in range(ROWS):
+        for s in range(r, ROWS):
+            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(known, r, spread, s, ROWS)
+
+
+@inlined
+def along(told, row, b, s, width):
+    """J of a row times column s of b (n, width)."""
+    start = row_of_point(row)
+    total = 0.0
+    for i in range(N_COORDINATES):
+        total += told[start + i] * b[i * width + s]
+    return total
+
+
+@inlined
+def row_of_point(row):
+    """Where the Jacobian of a row begins in what `points` tells."""
+    point = int(row * 0.5)
+    return point * POINT + 5 + (row - 2 * point) * N_COORDINATES
+
+
+def rate_of(told, row, y, first):
+    """J of a row times y[first : first + n], and the sum of the terms' sizes."""
+    start = row_of_point(row)
+    total = size = 0.0
+    for i in range(N_COORDINATES):
+        term = told[start + i] * y[first + i]
+        total += term
+        size += abs(term)
+    return total, size
+
+
+def gap_rounding(told, y):
+    """The rounding error of a gap where other points are closed: by the largest terms of any."""
+    largest = 0.0
+    for i in range(N_POINTS):
+        _, size = rate_of(told, 2 * i, y, 0)
+        largest = max(largest, size)
+    return GRAIN * largest
+
+
+@inlined
+def acceleration_of(told, row, dy):
+    """Of a gap or a slip, from the rates (N,) of the state."""
+    total, _ = rate_of(told, row, dy, N_COORDINATES)
+    point = int(row * 0.5)
+    return total + told[point * POINT + 3 + row - 2 * point]
+
+
+@inlined
+def but_for_rounding(sum_, size):
+    """A sum, zero where nothing but rounding errors is left of its terms."""
+    return sum_ if abs(sum_) > 1e-14 * size else 0.0
+
+
+@rolled
+def put_on(rows, wanted, first, known, y):
+    """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
+
+    rows (ROWS,) : 1 where a row is held.
+    """
+    a, held = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
+    order = 0
+    for r in range(ROWS):
+        if rows[r] == 1:
+            held[order] = r
+            order += 1
+    width = order + 1
+    for r in range(order):
+        for s in range(order):
+            a[r * width + s] = known[COUPLING + held[r] * ROWS + held[s]]
+        a[r * width + order] = wanted[held[r]]
+    eliminate(a, order, width)
+    for i in range(N_COORDINATES):
+        value, size = y[first + i], abs(y[first + i])
+        for r in range(order):
+            change = known[SPREAD + i * ROWS + held[r]] * a[r * width + order]
+            value += change
+            size += abs(change)
+        y[first + i] = but_for_rounding(value, size)
+
+
+# -- candidates ----------------------------------------------------------------------------------
+
+
+def is_smooth(point):
+    """Whether a point has no friction whatever the parameters are: it never sticks."""
+    smooth = True
+    for contact in range(len(POINT_STATES)):
+        smooth = smooth and POINT_STATES[contact][point] != STICK
+    return smooth
+
+
+@inlined
+def may_follow(candidate, contact, near, sliding):
+    """Whether a contact state has the elements of another, and its points can be as it says.
+
+    near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
+    it does not move.
+    """
+    for i in range(N_ELEMENTS):
+        if ELEMENT_STATES[candidate][i] != ELEMENT_STATES[contact][i]:
+            return False
+    for i in range(N_POINTS):
+        state = POINT_STATES[candidate][i]
+        if state == OPEN:
+            continue
+        if near[i] == 0:
+            return False
+        if state != FRICTIONLESS and sliding[i] != 0.0 and SIGN_OF[state] != sliding[i]:
+            return False
+    return True
+
+
+def impulses_of(candidate, wanted, known, impulse):
+    """The impulses, or forces, with which points come to be as a contact state says, (ROWS,).
+
+    wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
+    """
+    closed = point = 0
+    for i in range(N_POINTS):
+        impulse[2 * i] = impulse[2 * i + 1] = 0.0
+        if POINT_STATES[candidate][i] != OPEN:
+            closed, point = closed + 1, i
+    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, known, impulse)):
+        return
+    fractions = np.empty(N_POINTS)
+    for i in range(N_POINTS):
+        fractions[i] = np.nan
+    held_by(candidate, wanted, known, fractions, impulse)
+    if share(candidate, known, impulse, fractions):
+        held_by(candidate, wanted, known, fractions, impulse)
+
+
+@inlined
+def held_alone(candidate, point, wanted, known, impulse):
+    """`impulses_of` where one point is closed: whether its equations are far from saying the same.
+
+    Most of those at an event are such ones.
+    """
+    normal, state = 2 * point, POINT_STATES[candidate][point]
+    at = COUPLING + normal * ROWS + normal
+    across, between_, along_ = known[at], known[at + 1], known[at + ROWS + 1]
+    if state != STICK:
+        tie = -known[LAWS + normal + 1] * SIGN_OF[state]
+        presses = across + tie * between_
+        impulse[normal] = wanted[normal] / presses if presses != 0.0 else 0.0
+        impulse[normal + 1] = tie * impulse[normal]
+        return True
+    largest = max(across, max(along_, abs(between_)))
+    determinant = across * along_ - between_ * between_
+    if not determinant > 1e-6 * largest * largest:
+        return False
+    inverse = 1.0 / determinant
+    impulse[normal] = (wanted[normal] * along_ - between_ * wanted[normal + 1]) * inverse
+    impulse[normal + 1] = (across * wanted[normal + 1] - wanted[normal] * between_) * inverse
+    return True
+
+
+@rolled
+def held_by(candidate, wanted, known, fractions, impulse):
+    """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
+
+    These are the parts of the normal impulse that it is; not a number where it is to be found.
+    """
+    a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
+    friction = np.empty(ROWS, np.int64)  # row of the friction at the point of an unknown
+    ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
+    order = 0
+    for i in range(N_POINTS):
+        state, normal = POINT_STATES[candidate][i], 2 * i
+        if state == OPEN:
+            continue
+        unknown[order], friction[order], ties[order] = normal, normal + 1, 0.0
+        order += 1
+        if state != STICK:
+            ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
+        elif fractions[i] == fractions[i]:
+            ties[order - 1] = fractions[i]
+        elif SHARED[candidate][i] == i:
+            unknown[order], friction[order], ties[order] = normal + 1, normal + 1, 0.0
+            order += 1
+    width = order + 1
+    for m in range(order):
+        row = COUPLING + unknown[m] * ROWS
+        for s in range(order):
+            value = known[row + unknown[s]]
+            value += ties[s] * known[row + friction[s]]
+            a[m * width + s] = value
+        a[m * width + order] = wanted[unknown[m]]
+    eliminate(a, order, width)
+    for m in range(order):
+        impulse[unknown[m]] = a[m * width + order]
+        if ties[m] != 0.0:
+            impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
+
+
+@rolled
+def share(candidate, told, force, fractions):
+    """The fraction of friction of sticking points at different heights, which share their sum.
+
+    Which of them gives it cannot be told of rigid bodies; all mobilise the same fraction of it, as
+    they do when they slip. Returns whether there are such points.
+    """
+    found = False
+    for i in range(N_POINTS):
+        if POINT_STATES[candidate][i] != STICK or SHARED[candidate][i] == i:
+            continue
+        first = SHARED[candidate][i]
+        apart = 0.0
+        for j in range(N_COORDINATES):
+            one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
+            apart = max(apart, abs(told[one] - told[other]))
+        if apart > 1e-9:
+            found = True
+    if not found:
+        return False
+    for i in range(N_POINTS):
+        if POINT_STATES[candidate][i] != STICK:
+            continue
+        tangential = normal = 0.0
+        members = 0
+        for j in range(N_POINTS):
+            if POINT_STATES[candidate][j] == STICK and SHARED[candidate][j] == SHARED[candidate][i]:
+                tangential += force[2 * j + 1]
+                normal += force[2 * j]
+                members += 1
+        if members > 1 and normal != 0.0:
+            fractions[i] = tangential / normal
+    return True
+
+
+@inlined
+def exceeds(row, wanted, known, impulse):
+    """By how much impulses change the velocity of a row more than it is wanted to."""
+    total = -wanted[row]
+    for s in range(ROWS):
+        total += known[COUPLING + row * ROWS + s] * impulse[s]
+    return total
+
+
+def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_all):
+    """The least margin by which impulses, or forces, fit; negative where they do not.
+
+    They press, friction is within its bound and opposes the slip, and open points leave as they
+    may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` nothing
+    else is asked.
+    """
+    least = np.inf
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        state, normal = POINT_STATES[candidate][i], 2 * i
+        if state == OPEN:
+            least = min(least, exceeds(normal, wanted, known, impulse) / sizes[normal])
+        else:
+            least = min(least, impulse[normal] / sizes[ROWS + i])
+        if not least >= least_of_all:
+            return least
+        if state == STICK:
+            sum_, bound = 0.0, 0.0
+            for j in range(N_POINTS):
+                if POINT_STATES[candidate][j] == STICK and (
+                    SHARED[candidate][j] == SHARED[candidate][i]
+                ):
+                    sum_ += impulse[2 * j + 1]
+                    most = known[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
+                    bound += most if known[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
+            least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
+        elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
+            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
+            least = min(least, slips / sizes[normal + 1])
+        elif state == FRICTIONLESS and not is_smooth(i):  # it has friction, and must not slip
+            slips = abs(exceeds(normal + 1, wanted, known, impulse))
+            least = min(least, -slips / sizes[normal + 1])
+    return least
+
+
+def fitting_states(
+    contact, left_out, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
+):  # fmt: skip
+    """(best, several): of all contact states but one those whose impulses, or forces, fit.
+
+    They fit by `tolerance`, and what they change of the velocities, or accelerations,
+    differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
+    IMPOSSIBLE if none fits. fitting : the first `several` of it are they. change (n,) : of the
+    best, by its margin.
+    """
+    impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
+    this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
+    best, several, most = IMPOSSIBLE, 0, -np.inf
+    for candidate in range(len(POINT_STATES)):
+        if candidate == left_out or not may_follow(candidate, contact, near, sliding):
+            continue
+        impulses_of(candidate, wanted, known, impulse)
+        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -tolerance)
+        if not margin >= -tolerance:
+            continue
+        for i in range(N_COORDINATES):
+            this[i] = 0.0
+            for r in range(ROWS):
+                this[i] += known[SPREAD + i * ROWS + r] * impulse[r]
+            if several == 0:
+                first[i] = this[i]
+            apart[i] = this[i] - first[i]
+        if several > 0 and squared(known, apart) > alike:
+            return AMBIGUOUS, several
+        fitting[several] = candidate
+        several += 1
+        if margin > most:
+            best, most = candidate, margin
+            for i in range(N_COORDINATES):
+                change[i] = this[i]
+    return best, several
+
+
+def sizes_of(whole, known, sizes):
+    """How large what points do is, relative to the whole motion, into sizes (ROWS + N_POINTS,).
+
+    whole : the velocities, or accelerations, squared in the measure of the mass. Of those of the
+    points, and then of normal impulses, or forces.
+    """
+    for r in range(ROWS):
+        sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + 1e-300
+    for i in range(N_POINTS):
+        sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + 1e-300
+
+
+def radius_of(known, point):
+    """The radius of gyration of what a point moves: the length with which its gap is compared.
+
+    Of rotations about all other coordinates held; 1 where nothing turns.
+    """
+    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
+    return math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
+
+
+def squared(known, x):
+    """In the measure of the mass."""
+    total = 0.0
+    for i in range(N_COORDINATES):
+        for j in range(N_COORDINATES):
+            total += x[i] * known[MATRIX + i * N_COORDINATES + j] * x[j]
+    return total
+
+
+def collide(contact, near, slowest, known, y):
+    """Velocities y[n:] after all touching points have met.
+
+    The law is the algebraic one: each closing gap opens at the rate e times that at which it
+    closed, or faster where nothing presses; friction opposes the slip after the impact; all points
+    at once. Returns a contact state of the impulses that fit, the best of those that lead to the
+    same velocities, or IMPOSSIBLE, or AMBIGUOUS. slowest : what counts as the same, squared in the
+    measure of the mass, at least.
+    """
+    n = N_COORDINATES
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    change, sliding = np.empty(N_COORDINATES), np.zeros(N_POINTS)
+    fitting = np.empty(len(POINT_STATES), np.int64)
+    for i in range(n):
+        change[i] = y[n + i]
+    whole = squared(known, change)
+    sizes_of(whole, known, sizes)
+    for r in range(ROWS):
+        arriving, _ = rate_of(known, r, y, n)
+        wanted[r] = -arriving
+        if 2 * int(r * 0.5) == r:
+            wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
+    alike = max(1e-18 * whole, slowest)
+    found, _ = fitting_states(
+        contact, -1, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
+    )
+    if found >= 0:
+        for i in range(n):
+            y[n + i] += change[i]
+    return found
+
+
+@rolled
+def touching_points(y, p, contact, known, near, sliding):
+    """Which points touch in a given state, and the signs of their slips, into near and sliding.
+
+    known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
+    does not open. A gap is compared with the size of the structure, see `radius_of`; a velocity
+    with the most that the kinetic energy can give the point, or, where nothing but rounding
+    errors moves, with sqrt(a l), a the acceleration of the point in free motion.
+    """
+    free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
+    wanted = np.empty(ROWS)
+    without_forces(y, p, 0.0, 0.0, contact, known, wanted, free)
+    sizes_of(squared(known, y[N_COORDINATES:]), known, speeds)
+    for i in range(N_POINTS):
+        length = radius_of(known, i)
+        _, size = rate_of(known, 2 * i, y, 0)
+        closed = known[i * POINT] <= NOTHING * max(size, length)
+        least = max(GIVEN * speeds[2 * i], STILL * math.sqrt(free[2 * i] * length))
+        rate = abs(known[i * POINT + 1])
+        near[i] = 1 if closed and rate <= least else 0
+        slip, _ = rate_of(known, 2 * i + 1, y, N_COORDINATES)
+        least = max(GIVEN * speeds[2 * i + 1], STILL * math.sqrt(free[2 * i + 1] * length))
+        sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
+        # in a hop of a point that never slips both velocities are of one size, small as they are
+        if sliding[i] != 0.0 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS and rate > 1e-3 * abs(slip):
+            near[i] = 0
+
+
+def fits_by_forces(contact, y, p, ax, ay):
+    """The contact state that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
+
+    contact : that which the state's gaps and velocities tell of, with its elements.
+    """
+    known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
+    all_known(y, p, contact, known)
+    touching_points(y, p, contact, known, near, sliding)
+    for i in range(N_POINTS):
+        if POINT_STATES[contact][i] != OPEN:
+            near[i] = 1
+    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, sizes)
+
+
+def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
+    """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
+
+    sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
+    that they do not vanish with the weight. Returns the larger of both, squared.
+    """
+    n = N_COORDINATES
+    forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
+    both, matrix = np.empty(2 * N_COORDINATES), known[MATRIX:]
+    free_motion(y, p, ax, ay, contact, matrix, forces)
+    free_motion(y, p, 0.0, 0.0, contact, matrix, at_rest)
+    for i in range(n):
+        both[2 * i], both[2 * i + 1] = forces[i], at_rest[i]
+    through_mass(matrix, both, 2)
+    moved = quiet = 0.0
+    for i in range(n):
+        moved += forces[i] * both[2 * i]
+        quiet += at_rest[i] * both[2 * i + 1]
+    for i in range(N_POINTS):
+        for m in range(2):
+            wanted[2 * i + m] = -along(known, 2 * i + m, both, 0, 2) - known[i * POINT + 3 + m]
+    whole = max(moved, quiet)
+    sizes_of(whole, known, sizes)
+    return whole
+
+
+def go_on_as(
+    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
+):  # fmt: skip
+    """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
+
+    ends : whether `contact` has come to its end, so that it follows only where nothing else does.
+    later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
+    move alike decide between them. rtol : the relative tolerance of the motion, by whose error a
+    contact state must fit where none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`,
+    found here.
+    """
+    wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
+    fitting = np.empty(len(POINT_STATES), np.int64)
+    whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    follows = IMPOSSIBLE
+    for turn in range(2):
+        nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
+        if follows != IMPOSSIBLE or nearly < NEARLY:
+            break
+        alike = ALIKE * ALIKE * nearly * nearly * whole
+        follows, several = fitting_states(
+            contact, -1, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
+        )
+        apart = ends and follows == AMBIGUOUS
+        if apart:  # what has come to its end and another: only one of them lasts
+            fitting[0], several = contact, 1
+        if apart or (follows >= 0 and (several > 1 or (ends and follows == contact))):
+            follows = best_later(
+                contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau,
+                sizes,
+            )  # fmt: skip
+        if apart and follows == IMPOSSIBLE:
+            follows, several = fitting_states(
+                contact, contact, near, sliding, wanted, known, sizes, nearly, alike, fitting,
+                change,
+            )  # fmt: skip
+            if follows >= 0 and several > 1:
+                follows = best_later(
+                    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y,
+                    tau, sizes,
+                )  # fmt: skip
+    return follows
+
+
+@rolled
+def best_later(
+    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
+):  # fmt: skip
+    """Of contact states that move alike now, what fits best a little later, see `go_on_as`."""
+    n = N_COORDINATES
+    dy, w = np.empty(N_STATES), np.empty(N_STATES)
+    known, of_then = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    impulse, wanted = np.empty(ROWS), np.empty(ROWS)
+    rates(fitting[0], y, p, ax, ay, dy)
+    for i in range(n):
+        w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
+        w[n + i] = y[n + i] + tau * dy[n + i]
+    all_known(w, p, contact, known)
+    without_forces(w, p, later_x, later_y, contact, known, wanted, of_then)
+    found, best = IMPOSSIBLE, -np.inf
+    for i in range(several):
+        candidate = fitting[i]
+        impulses_of(candidate, wanted, known, impulse)
+        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -np.inf)
+        if candidate == contact and ends:
+            # what has come to its end goes on only where nothing but rounding errors ended it
+            if several == 1 and margin < -FITS:
+                return IMPOSSIBLE
+            margin = np.inf if margin >= -FITS else -1e300
+        # of those that fit as well, the one that keeps more points closed, which stands first
+        if margin > best + FITS:
+            found, best = candidate, margin
+    return found
+
+
+# -- passages ------------------------------------------------------------------------------------
+
+
+def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
+    """The end of a contact state by a guard: state after into out (N,).
+
+    Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
+    closed, see `is_closed`.
+    """
+    for i in range(N_STATES):
+        out[i] = y[i]
+    kind, subject = KINDS[contact][guard], SUBJECTS[contact][guard]
+    if kind == SWITCH:
+        follows, touching = contact, -1
+        if N_ELEMENTS > 0:
+            follows = jump(contact, guard, 0, 0.0, y, p, out)
+            if CLOSED[contact][guard] >= 0:
+                touching = int(1.0 / HALVES[CLOSED[contact][guard]])
+        return follows, touching
+    near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
+    wanted = np.zeros(ROWS)
+    all_known(out, p, contact, known)
+    # -- which points touch: they are put on what they touch
+    for i in range(N_POINTS):
+        closed = POINT_STATES[contact][i] != OPEN or (kind == LANDING and i == subject)
+        if not closed and kind == LANDING:
+            gap, rate = known[i * POINT], known[i * POINT + 1]
+            _, size = rate_of(known, 2 * i, out, 0)
+            closed = rate <= 0.0 and gap <= 1e-9 * h * abs(rate) + 1e-13 * size
+        if closed:
+            near[i] = 1
+            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
+    put_on(rows, wanted, 0, known, out)
+    return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out)
+
+
+def slow_landing(contact, near, y, p, ax, ay, known):
+    """How slow a landing is at which it does not matter what follows, see `collide`.
+
+    The speed is SLOW times sqrt(a l), a the acceleration of a point in free motion and l the radius
+    of gyration, as of bounces that end at once.
+    """
+    sizes, wanted = np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    slowest = np.inf
+    for i in range(N_POINTS):
+        if near[i] == 1:  # the force that holds a point, times the length
+            slowest = min(slowest, sizes[ROWS + i] * radius_of(known, i))
+    return SLOW * SLOW * slowest
+
+
+def still_closed(before, follows, guard, closed, touching):
+    """The guards that are closed as a contact state begins, with those of other elements.
+
+    Two bars on one rotation stop to yield at the same instant, one after the other: the force of
+    the first is still at its strength. closed : the guards closed before, see `is_closed`.
+    """
+    for i in range(min(GUARDS[before], GUARDS[follows])):
+        alike = KINDS[before][i] == SWITCH and KINDS[follows][i] == SWITCH
+        alike = alike and SUBJECTS[before][i] == SUBJECTS[follows][i]
+        alike = alike and SUBJECTS[before][i] != SUBJECTS[before][guard]
+        if alike and is_closed(closed, i) and not is_closed(touching, i):
+            touching = max(touching, 0) + int(1.0 / HALVES[i])
+    return touching
+
+
+def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
+    """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
+
+    out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
+    """
+    n, kind, subject = N_COORDINATES, KINDS[contact][guard], SUBJECTS[contact][guard]
+    rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
+    as_said = contact  # by the velocities of this contact state
+    if kind == LANDING:
+        as_said = collide(contact, near, 0.0, known, out)
+        if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
+            slowest = slow_landing(contact, near, y, p, ax, ay, known)
+            as_said = collide(contact, near, slowest, known, out)
+        if as_said < 0:
+            return as_said, -1
+    # -- which of them stay, and move along, or leave
+    leaving, sizes = np.zeros(N_POINTS, np.int64), np.empty(ROWS + N_POINTS)
+    sizes_of(squared(known, y[n:]), known, sizes)
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        state = POINT_STATES[as_said][i]
+        rate, size = rate_of(known, 2 * i, out, n)
+        leaves = rate > FITS * max(size, sizes[2 * i])
+        if leaves and (state == OPEN or known[LAWS + 2 * i] > 0.0) and kind == LANDING:
+            leaving[i], near[i] = 1, 0
+            continue
+        rows[2 * i], wanted[2 * i] = 1, -rate
+        if is_smooth(i):
+            continue
+        slip, size = rate_of(known, 2 * i + 1, out, n)
+        still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
+        if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:
+            still = True
+        if still:
+            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
+        else:
+            sliding[i] = 1.0 if slip > 0.0 else -1.0
+    put_on(rows, wanted, n, known, out)
+    points(out, p, known)
+    ends = kind in (LIFTING, SLIPPING)
+    follows = go_on_as(
+        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
+    )
+    if follows < 0:
+        return follows, -1
+    return follows, closed_guards(
+        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, sizes
+    )
+
+
+@rolled
+def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, sizes):
+    """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
+    g = np.empty(N_GUARDS + N_PARTS)
+    guards(follows, y, p, ax, ay, g)
+    touching = 0
+    for i in range(GUARDS[follows]):
+        kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
+        closed = follows == contact and i == guard and kind != LANDING
+        if kind == LANDING:
+            closed = near[subject] == 1 or leaving[subject] == 1
+        elif kind == STICKING:
+            closed = sliding[subject] == 0.0
+        elif kind in (LIFTING, SLIPPING):
+            closed = closed or abs(g[i]) <= NEARLY * sizes[ROWS + subject]
+        if closed:
+            touching += int(1.0 / HALVES[i])
+    return touching if touching > 0 else -1
+
+
+def nothing_moves(contact, y, p):
+    """Whether no acceleration of the ground moves anything in a contact state, in a state at rest.
+
+    Accelerations are sums of a part of each of the ground's, and of none: two are tried at once.
+    """
+    dy = np.empty(N_STATES)
+    rates(contact, y, p, 1.0, 0.7, dy)
+    moves = False
+    for i in range(N_STATES):
+        moves = moves or dy[i] != 0.0
+    return not moves
+
+
+def held_upright(contact, y, p):
+    """Whether points are closed that keep the structure from turning."""
+    if y[ROTATION + N_COORDINATES] != 0.0:
+        return False
+    dy = np.empty(N_STATES)
+    rates(contact, y, p, 0.0, 0.0, dy)
+    held = False
+    for i in range(N_POINTS):
+        held = held or POINT_STATES[contact][i] != OPEN
+    return held and dy[ROTATION + N_COORDINATES] == 0.0

@@ -1,0 +1,521 @@
+"""What ends events without end: infinitely many impacts to come, or any events at one instant.
+
+Joined behind contacts.py, whose passages the impacts are, see `rockeom.integrator.program`.
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.interface import (
+        COUPLING,
+        FITS,
+        GRAIN,
+        GUARDS,
+        KINDS,
+        LAWS,
+        MATRIX,
+        N_COORDINATES,
+        N_POINTS,
+        N_STATES,
+        POINT,
+        POINT_STATES,
+        ROWS,
+        SIGN_OF,
+        SUBJECTS,
+        acceleration_of,
+        all_known,
+        collide,
+        free_motion,
+        gap_rounding,
+        go_on_as,
+        is_smooth,
+        meet,
+        points,
+        put_on,
+        radius_of,
+        rate_of,
+        rates,
+        squared,
+        through_mass,
+        without_forces,
+    )
+
+LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
+NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
+SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
+TURNS = 4000  # landings and ends of slips that are followed, until few and slow ones are left
+SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
+LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
+
+
+def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
+    """(time, contact): when the infinitely many impacts to come will all have happened.
+
+    From a landing after which points leave what they touched. out (N,) : the state after that time,
+    with these points closed. Returns (inf, contact) while the time is longer than `tolerance` times
+    sqrt(l/a), a the acceleration of a point in free motion and l the radius of gyration. Lost
+    flights may take LONGEST_LOST of it, and where they take longer, they end at once. The contact
+    state is IMPOSSIBLE or AMBIGUOUS, and the time inf, where none or several may follow that.
+    """
+    w, dy = np.empty(N_STATES), np.empty(N_STATES)
+    bouncing, heights = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
+    near = np.zeros(N_POINTS, np.int64)
+    rates(contact, y, p, ax, ay, dy)
+    start, limit, lost = slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing)
+    if start == 0.0:
+        return np.inf, contact
+    total, follows = np.inf, contact
+    if limit > 0.0:
+        for i in range(N_STATES):
+            w[i] = y[i]
+        beside_bounces(contact, limit, known, dy, bouncing, heights)
+        total, follows = sum_of_flights(
+            contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
+        )
+    if follows < 0:
+        total, follows = np.inf, contact
+    if lost and not total < np.inf:
+        total = 0.0
+        for i in range(N_POINTS):
+            bouncing[i] = 0
+        follows = all_closed(contact, bouncing, 0.0, 0.0, p, ax, ay, rtol, known, near, y, out)
+    for _ in range(N_POINTS):
+        if not (total < np.inf and follows >= 0 and any_lost(follows, out, p, ax, ay, known, dy)):
+            break
+        # what follows may bring back a point that left: it has no time to
+        for i in range(N_STATES):
+            w[i] = out[i]
+        for i in range(N_POINTS):
+            bouncing[i] = 0
+        follows = all_closed(follows, bouncing, 0.0, 0.0, p, ax, ay, rtol, known, near, w, out)
+    return (total, follows) if follows >= 0 else (np.inf, follows)
+
+
+def any_lost(contact, y, p, ax, ay, known, dy):
+    """Whether a flight that begins in a state is lost. known, dy : scratch."""
+    lost = False
+    rates(contact, y, p, ax, ay, dy)
+    points(y, p, known)
+    for i in range(N_POINTS):
+        _, _, _, is_lost = hop_of(i, contact, y, known, dy)
+        lost = lost or is_lost
+    return lost
+
+
+def sum_of_flights(
+    contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
+):  # fmt: skip
+    """(time, contact) of bounces from a state w (N,), which moves on to their end.
+
+    Close to the end flights are parabolas, each from the rates of the state in which it begins, and
+    the impacts between are those of any landing. They are followed until one is like another before
+    it but for its speed: what is left is a geometric series then. heights (N_POINTS,) : gaps of the
+    points of bouncing (N_POINTS,), apart since they are lost among the last digits of a state.
+    limit : the longest time, see `time_of_bounces`. dy : the rates of w; near : scratch.
+    """
+    n = N_COORDINATES
+    met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    total = last = 0.0
+    here = contact
+    # a flight before, with which others are compared
+    first, first_here, first_total, rate_then, ratio_then = -1, -1, 0.0, 0.0, 0.0
+    w_then = np.empty(N_STATES)
+    flights, patience = 0, 2
+    for turn in range(TURNS + 1):
+        if turn > 0:
+            rates(here, w, p, ax, ay, dy)
+        flight, which = next_landing(here, bouncing, heights, w, known, dy)
+        slips, guard = next_stop(here, w, known, dy)
+        stops = slips < flight
+        if stops:
+            flight = slips
+        if have_ended(here, bouncing, heights, 1e-7 * start, known, w, dy):
+            break
+        if turn == TURNS:
+            if fast_fly_on(here, bouncing, heights, start, known, dy):
+                return np.inf, contact
+            break
+        if not total + flight <= limit:
+            # where the last flights were nothing, some have come to their end and others fly on
+            if not (last <= 1e-6 * total and some_ended(here, bouncing)):
+                return np.inf, contact
+            break
+        if not stops:
+            rate = known[which * POINT + 1]
+            alike = which == first and here == first_here
+            if alike:
+                ratio, period = rate / rate_then, total - first_total
+                left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
+                if total + left * period > limit:
+                    return np.inf, contact
+                all_landed = True
+                for i in range(N_POINTS):
+                    all_landed = all_landed and landed[i] >= bouncing[i]
+                if left > 0.0 and all_landed and abs(ratio - ratio_then) <= 1e-9 * (1.0 - ratio):
+                    to_the_end(ratio, period, w_then, w)
+                    total += left * period
+                    break
+                ratio_then = ratio
+            if alike or first < 0 or flights == patience:
+                if flights == patience and not alike:
+                    patience *= 2
+                first, first_here, first_total, rate_then, flights = which, here, total, rate, 0
+                for i in range(N_STATES):
+                    w_then[i] = w[i]
+                for i in range(N_POINTS):
+                    landed[i] = 0
+            guard, last = landing_of(here, which), flight
+            flights += 1
+        total += flight
+        fly(here, -1 if stops else which, flight, known, dy, bouncing, heights, near, w)
+        for i in range(N_POINTS):
+            met[i] = near[i]
+            landed[i] = max(landed[i], near[i])
+        for i in range(N_STATES):
+            out[i] = w[i]
+        points(w, p, known)
+        here, _ = meet(
+            here, guard, near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known, out
+        )  # fmt: skip
+        if here < 0:
+            return np.inf, contact
+        for i in range(n, N_STATES):
+            w[i] = out[i]
+        points(w, p, known)
+        for i in range(N_POINTS):
+            if met[i] == 1 and POINT_STATES[here][i] == OPEN and known[i * POINT + 1] > 0.0:
+                bouncing[i] = 1
+    follows = all_closed(here, bouncing, start, limit, p, ax, ay, rtol, known, near, w, out)
+    return (total, follows) if follows >= 0 else (np.inf, contact)
+
+
+def hop_of(point, contact, y, known, dy):
+    """(height, a, radius, lost) of the flight that begins where an open gap is closed.
+
+    a : the acceleration that closes the gap; the height is multiplied by it, and zero where there
+    is no such flight. radius : of gyration, of what the point moves. lost : whether the point
+    leaves, and does not rise above rounding errors. dy (N,) : rates of the state.
+    """
+    gap, rate = known[point * POINT], known[point * POINT + 1]
+    _, size = rate_of(known, 2 * point, y, 0)
+    radius = radius_of(known, point)
+    a = -acceleration_of(known, 2 * point, dy)
+    if POINT_STATES[contact][point] != OPEN or gap > GRAIN * size:
+        return 0.0, a, radius, False
+    height = 0.5 * rate * rate
+    lost = rate > 0.0 and height < max(LOST_HOP * size, NO_HOP * radius) * a
+    return height, a, radius, lost
+
+
+def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
+    """(start, limit, lost): the fastest rate of points that leave, or land, and the longest time.
+
+    bouncing (N_POINTS,) : set to 1 for these points. lost : whether a flight of theirs is. Zeros
+    where no point leaves and comes back; no time where one is too fast for it.
+    """
+    start = 0.0
+    all_lost, any_is_lost, returns, fast = True, False, False, False
+    for i in range(N_POINTS):
+        height, a, radius, lost = hop_of(i, contact, y, known, dy)
+        if height == 0.0:
+            continue
+        rate = known[i * POINT + 1]
+        bouncing[i] = 1
+        start = max(start, abs(rate))
+        all_lost, any_is_lost = all_lost and lost, any_is_lost or lost
+        returns = returns or a > 0.0 or rate < 0.0
+        fast = fast or (not lost and 8.0 * height > tolerance * tolerance * radius * a > 0.0)
+    if not returns:
+        return 0.0, 0.0, False
+    if fast:
+        return start, 0.0, any_is_lost
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
+    for i in range(N_POINTS):
+        if bouncing[i] == 1:
+            _, _, radius, _ = hop_of(i, contact, y, known, dy)
+            limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
+    for i in range(N_POINTS):
+        _, a, _, _ = hop_of(i, contact, y, known, dy)
+        rate = known[i * POINT + 1]
+        if bouncing[i] == 1 and (
+            rate < -limit * sizes[2 * i] or (a <= 0.0 and rate > limit * sizes[2 * i])
+        ):
+            return start, 0.0, any_is_lost  # it lands at once, or leaves for good
+    return start, limit, any_is_lost
+
+
+def beside_bounces(contact, limit, known, dy, bouncing, heights):
+    """Set bouncing for points in flight that land within the time of the bounces, and heights."""
+    for i in range(N_POINTS):
+        gap, rate = known[i * POINT], known[i * POINT + 1]
+        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
+            a = -acceleration_of(known, 2 * i, dy)
+            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
+                bouncing[i], heights[i] = 1, gap
+
+
+def next_landing(here, bouncing, heights, w, told, dy):
+    """(time, point) of the next landing of those that bounce: (inf, -1) where none lands by itself.
+
+    A gap that opens faster and faster waits for the landing of another.
+    """
+    flight, which = np.inf, -1
+    for i in range(N_POINTS):
+        if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
+            continue
+        a = -acceleration_of(told, 2 * i, dy)
+        rate, size = rate_of(told, 2 * i, w, N_COORDINATES)
+        if heights[i] == 0.0 and -FITS * size <= rate < 0.0:
+            rate = 0.0  # it would land again and again, and nothing would change
+        square = rate * rate + 2.0 * a * heights[i]
+        lasts = np.inf
+        if rate < 0.0 and square >= 0.0:
+            lasts = 2.0 * heights[i] / (math.sqrt(square) - rate)
+        elif a > 0.0:
+            lasts = (rate + math.sqrt(square)) / a
+        if lasts < flight:
+            flight, which = lasts, i
+    return flight, which
+
+
+def next_stop(here, w, told, dy):
+    """(time, guard) of the next end of a slip, as friction and what else acts now slow it."""
+    time, guard = np.inf, -1
+    for i in range(GUARDS[here]):
+        if KINDS[here][i] != STICKING:
+            continue
+        point = SUBJECTS[here][i]
+        sign = SIGN_OF[POINT_STATES[here][point]]
+        slip, _ = rate_of(told, 2 * point + 1, w, N_COORDINATES)
+        slows = -sign * acceleration_of(told, 2 * point + 1, dy)
+        lasts = max(sign * slip, 0.0) / slows if slows > 0.0 else np.inf
+        if lasts < time:
+            time, guard = lasts, i
+    return time, guard
+
+
+def landing_of(contact, point):
+    """The guard of a point's landing."""
+    guard = -1
+    for i in range(GUARDS[contact]):
+        if KINDS[contact][i] == LANDING and SUBJECTS[contact][i] == point:
+            guard = i
+    return guard
+
+
+def have_ended(here, bouncing, heights, slow, told, w, dy):
+    """Whether the bounces are slower than `slow`, or than the digits of other velocities."""
+    fastest = whole = 0.0
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+            rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
+            fastest = max(fastest, math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[i]))
+        _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
+        whole = max(whole, speed)
+    return fastest <= max(slow, 1e-8 * whole)
+
+
+def fast_fly_on(here, bouncing, heights, start, told, dy):
+    """Take the bounces back of points that are as fast as at the start: whether all are.
+
+    start : the rate of the fastest then.
+    """
+    every = True
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+            rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
+            fast = rate * rate + 2.0 * max(a, 0.0) * heights[i] > start * start
+            bouncing[i] = 0 if fast else 1
+        every = every and bouncing[i] == 0
+    return every
+
+
+def some_ended(here, bouncing):
+    """Whether some points that bounced are closed: of those still in flight it is taken back."""
+    ended = False
+    for i in range(N_POINTS):
+        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
+            bouncing[i] = 0
+        else:
+            ended = ended or bouncing[i] == 1
+    return ended
+
+
+def fly(here, which, flight, told, dy, bouncing, heights, near, w):
+    """Move a state w to the next landing, and say which points touch there, in near."""
+    n = N_COORDINATES
+    for i in range(N_POINTS):
+        near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
+        if bouncing[i] == 1 and near[i] == 0:
+            rise = told[i * POINT + 1] * flight
+            drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
+            heights[i] += rise - drop
+            if i == which or heights[i] <= 1e-9 * drop:
+                heights[i], near[i] = 0.0, 1
+    for i in range(n):
+        w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
+        w[n + i] += flight * dy[n + i]
+
+
+def to_the_end(ratio, period, w_then, w):
+    """Move a state w on through periods each of which is the last one times a ratio.
+
+    w_then : a period before w. In that time a velocity is what it ends at, and what shrinks with
+    each period: so a place moves by the first times the period, and by what shrinks as its square.
+    """
+    n = N_COORDINATES
+    left, left_of_squares = ratio / (1.0 - ratio), ratio * ratio / (1.0 - ratio * ratio)
+    for i in range(n):
+        w[n + i] += left * (w[n + i] - w_then[n + i])
+        along_ = period * w[n + i]
+        w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
+
+
+def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out):
+    """The contact state that follows once all points that bounce are closed, or a negative number.
+
+    So are others whose flights are lost. w : the state until then; out : with them closed, and with
+    slips ended, see `end_slips`. known, near : scratch.
+    """
+    n = N_COORDINATES
+    sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
+    rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
+    for i in range(N_STATES):
+        out[i] = w[i]
+    all_known(out, p, here, known)
+    rates(here, w, p, ax, ay, dy)
+    without_forces(out, p, ax, ay, here, known, wanted, sizes)
+    for i in range(N_POINTS):
+        _, _, _, lost = hop_of(i, here, w, known, dy)
+        closed = lost or bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
+        near[i] = 1 if closed else 0
+        if closed:
+            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
+    put_on(rows, wanted, 0, known, out)
+    points(out, p, known)
+    rounding = gap_rounding(known, out)
+    for i in range(N_POINTS):
+        gap, rate = known[i * POINT], known[i * POINT + 1]
+        if near[i] == 0 and (gap <= 0.0 >= rate or (gap <= rounding and rate < 0.0)):
+            return IMPOSSIBLE  # it landed before
+        if near[i] == 0:
+            continue
+        wanted[2 * i] = -known[i * POINT + 1]
+        if POINT_STATES[here][i] == STICK:
+            slip, _ = rate_of(known, 2 * i + 1, out, n)
+            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
+    close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
+    points(out, p, known)
+    return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes)
+
+
+def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
+    """Close points, and end slips that are slower than `start`, or that friction stops in `time`.
+
+    rows, wanted : what closes the points, and is changed. sliding : set for the slips that go on;
+    all of them do where they end only together with faster motions, since those take longer.
+    """
+    n = N_COORDINATES
+    held, ends = np.empty(N_COORDINATES), np.zeros(N_POINTS, np.int64)
+    for i in range(N_POINTS):
+        if near[i] == 0 or is_smooth(i) or POINT_STATES[here][i] == STICK:
+            continue
+        slip, size = rate_of(known, 2 * i + 1, out, n)
+        friction = known[LAWS + 2 * i + 1]
+        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
+        sliding[i] = 1.0 if slip > 0.0 else -1.0
+        ends[i] = 1 if abs(slip) <= max(start, time * slows) + FITS * size else 0
+    put_on(rows, wanted, n, known, out)
+    by_itself = 0.0
+    for i in range(N_POINTS):
+        wanted[2 * i] = wanted[2 * i + 1] = 0.0
+        if ends[i] == 1:
+            row = 2 * i + 1
+            slip, size = rate_of(known, row, out, n)
+            rows[row], wanted[row] = 1, -slip
+            least = max(abs(slip), FITS * size)
+            by_itself += least * least / known[COUPLING + row * ROWS + row]
+    for i in range(n):
+        held[i] = out[n + i]
+    put_on(rows, wanted, n, known, out)
+    for i in range(n):
+        held[i] -= out[n + i]
+    together = squared(known, held) > SLOWEST * SLOWEST * by_itself
+    for i in range(n):
+        if together:
+            out[n + i] += held[i]
+    for i in range(N_POINTS):
+        if ends[i] == 1 and not together:
+            sliding[i] = 0.0
+
+
+def step_over(contact, y, p, ax, ay, tolerance, longest, fits, rtol, known, out):
+    """(time, contact): a step over events without end, or over one that nothing may follow.
+
+    In `tolerance` times sqrt(l/a), see `time_of_bounces`, but no more than `longest`, and in a
+    shorter time where a faster landing lies within it. out (N,) : the state after it. The time is
+    inf, and the contact state IMPOSSIBLE or AMBIGUOUS, where no impulses fit, where they change
+    velocities by more than accelerations can in such a time, or, if `fits`, where no forces fit
+    after it.
+    """
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    all_known(y, p, contact, known)
+    whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    time, taken, follows = np.inf, np.inf, IMPOSSIBLE
+    for i in range(N_POINTS):
+        time = min(time, math.sqrt(radius_of(known, i) / sizes[2 * i]))
+    time = min(tolerance * time, longest)
+    for _ in range(SHORTER):
+        if not taken < np.inf:
+            taken, follows = step_of_moreau(
+                contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known, out
+            )
+            time *= 0.1
+    return taken, follows
+
+
+def step_of_moreau(contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known, out):
+    """(time, contact) of a time step of Moreau, or inf, see `step_over`.
+
+    Velocities change by what moves the structure freely, and by impulses at the points that touch,
+    which do not bounce. whole, sizes : of `without_forces`.
+    """
+    n = N_COORDINATES
+    w, dy, forces = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_COORDINATES)
+    near, bouncing = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    all_known(y, p, contact, known)
+    rates(contact, y, p, ax, ay, dy)
+    free_motion(y, p, ax, ay, contact, known[MATRIX:], forces)
+    through_mass(known[MATRIX:], forces, 1)
+    for i in range(n):
+        massless = known[MATRIX + i * n + i] == 0.0
+        w[n + i] = y[n + i] + time * (dy[n + i] if massless else forces[i])
+    alike = np.inf
+    for i in range(N_POINTS):
+        gap, rate = known[i * POINT], known[i * POINT + 1]
+        falls, _ = rate_of(known, 2 * i, w, n)
+        least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[2 * i]
+        _, size = rate_of(known, 2 * i, y, 0)
+        near[i] = 1 if POINT_STATES[contact][i] != OPEN or least <= GRAIN * size else 0
+        if near[i] == 1:
+            alike = min(alike, time * time * sizes[ROWS + i] * sizes[2 * i])
+        known[LAWS + 2 * i] = 0.0  # restitution
+    as_said = collide(contact, near, alike, known, w)
+    if as_said < 0:
+        return np.inf, as_said
+    for i in range(n):
+        forces[i] = w[n + i] - y[n + i]
+        w[i] = y[i] + time * w[n + i]
+    if squared(known, forces) > SLOWEST * SLOWEST * time * time * whole:
+        return np.inf, IMPOSSIBLE
+    follows = all_closed(as_said, bouncing, 0.0, time, p, ax, ay, rtol, known, near, w, out)
+    if follows < 0 and fits:
+        return np.inf, follows
+    return time, follows if follows >= 0 else as_said

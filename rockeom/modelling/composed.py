@@ -1,0 +1,264 @@
+"""Structures that are composed where they are used: any superstructure on any support."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any, ClassVar
+
+from rockeom.codes import MOST_CONTACT_STATES
+from rockeom.modelling.declared import module_of
+from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import number, told, whole_number
+from rockeom.structures.classes import (
+    Structure,
+    Support,
+    _structure_class,
+    check_restitution,
+    check_support,
+    check_values,
+)
+from rockeom.structures.fixed_base import rayleigh_damping
+
+
+@dataclass(frozen=True)
+class Pinned(Support):
+    """Feet that may lift, and neither slide nor bounce: what a structure stands on by itself."""
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments)
+
+
+def _turns(what: str, inertia: float) -> None:
+    """Raise ValueError where nothing resists that the base turns about its middle."""
+    if not inertia > 0:
+        raise ValueError(
+            f"{what}: on this support the base must have an inertia of its own, and base_inertia, "
+            "the inertias above and base_mass base_height**2 are zero: give one of them"
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Springs(Support):
+    """What supports on springs and dampers share: stiffness [N/m] and damping [N s/m] of each."""
+
+    stiffness: float
+    damping: float
+
+    def __post_init__(self) -> None:
+        values = {"stiffness": self.stiffness, "damping": self.damping}
+        check_values(type(self).__name__, values, frozenset({"damping"}))
+
+    def parameters(self) -> dict[str, float]:
+        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        _turns(what, inertia)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoSprings(_Springs):
+    """A spring and a damper under each foot, which press and never pull.
+
+    stiffness [N/m] and damping [N s/m] of each. guided : what moves up and down alone, the base's
+    "centre", or the "foot" to whose side the base leans, which changes as it comes upright. As the
+    springs grow stiff a structure guided at its centre becomes none on pinned feet: its foot glides
+    sideways, by half_width (1 - cos(theta)). Guided at the foot it has the same equations as on
+    pinned feet, once one foot presses; how it lands depends on the dampers.
+
+    `heave` [m] counts from the settled position.
+    """
+
+    guided: str = "centre"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.guided not in ("centre", "foot"):
+            raise ValueError(f'TwoSprings: guided is {told(self.guided)}: give "centre" or "foot"')
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Winkler(_Springs):
+    """A bed of equal springs and dampers, equally far apart, which press and never pull.
+
+    springs : how many, two or more, the outer two at the feet; stiffness [N/m] and damping [N s/m]
+    of each. The base's centre is guided vertically; `heave` [m] counts from the settled position.
+    As many as 40 are derived and compiled in seconds, once on a machine.
+
+    Raises ValueError for more than 90: those that press are neighbours, in n (n + 1)/2 + 1 sets.
+    """
+
+    springs: int
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        n = whole_number("Winkler: springs", self.springs, 2)
+        sets = n * (n + 1) // 2 + 1
+        if sets > MOST_CONTACT_STATES:
+            raise ValueError(
+                f"Winkler: springs is {n}, which press in {sets} sets of neighbours, more than the "
+                f"{MOST_CONTACT_STATES} contact states of a structure: give 90 or fewer"
+            )
+        object.__setattr__(self, "springs", n)
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sliding(Support):
+    """Feet that open, stick, slip and bounce on rigid ground.
+
+    friction : its coefficient at each foot; restitution : the ratio of the rates of a foot's gap
+    after and before it lands, 0 to 1. The states `x` and `y` [m] are the place and the height of
+    the base's centre.
+    """
+
+    friction: float
+    restitution: float
+
+    def __post_init__(self) -> None:
+        values = self.parameters()
+        check_values("Sliding", values, frozenset(values))
+        check_restitution("Sliding", self.restitution)
+
+    def parameters(self) -> dict[str, float]:
+        return {"friction": self.friction, "restitution": self.restitution}
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        if not mass > 0:
+            raise ValueError(
+                f"{what}: base_mass is {mass}: a base that may slide must have a mass of its own"
+            )
+        _turns(what, inertia)
+
+    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+        return module_of(superstructure, **arguments, support="sliding")
+
+
+@_structure_class
+class ShearFrame(Structure):
+    """A frame of any number of storeys, elastic and damped, on a rigid base that rocks.
+
+    masses [kg], heights of the floors above the feet [m], stiffnesses [N/m] and dampings [N s/m]
+    of the storeys, each from the lowest up; inertias of the floors [kg m2], which turn with the
+    base, zero if not given. half_width [m] half of the distance between the feet; base_mass [kg] at
+    base_height [m], with base_inertia about its own centroid [kg m2]; gravity [m/s2].
+    support : what the base stands on, rk.Pinned() if not given.
+
+    The states are `theta` and `u_1`, `u_2`, ... [m]: what each floor has moved relative to the
+    base, at right angles to the turned axis. The displacement of a response is that of the top
+    floor, which carries the load of a pushover.
+
+    >>> frame = ShearFrame(
+    ...     masses=[20e3, 20e3], heights=[3.5, 7.0], stiffnesses=[20e6, 20e6],
+    ...     dampings=[120e3, 120e3], half_width=1.2, base_mass=10e3,
+    ... )
+    >>> frame.states
+    ('theta', 'u_1', 'u_2', 'theta_dot', 'u_1_dot', 'u_2_dot')
+
+    The equations of each number of storeys are derived at their first use (some seconds for ten,
+    once on a machine). Raises ValueError for lists of different lengths, and for heights that do
+    not rise.
+    """
+
+    model: ClassVar[str] = "shear_frame"
+    may_vanish = frozenset({"base_mass", "base_height", "base_inertia"})
+    of_each: ClassVar[Mapping[str, str]] = {
+        "masses": "mass",
+        "heights": "height",
+        "stiffnesses": "stiffness",
+        "dampings": "damping",
+        "inertias": "inertia",
+    }
+    not_numbers = frozenset({*of_each, "support"})
+    masses: Sequence[float]
+    heights: Sequence[float]
+    stiffnesses: Sequence[float]
+    dampings: Sequence[float]
+    half_width: float
+    base_mass: float
+    support: Any = None
+    inertias: Sequence[float] | None = None
+    base_height: float = 0.0
+    base_inertia: float = 0.0
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        set_ = functools.partial(object.__setattr__, self)
+        set_("masses", _each("masses", self.masses))
+        if self.inertias is None:
+            set_("inertias", (0.0,) * len(self.masses))
+        for name in ("heights", "stiffnesses", "dampings", "inertias"):
+            values = _each(name, getattr(self, name), may_vanish=name in ("dampings", "inertias"))
+            if len(values) != len(self.masses):
+                raise ValueError(
+                    f"ShearFrame: masses are {len(self.masses)} and {name} {len(values)}: give one "
+                    "for each storey, from the lowest up"
+                )
+            set_(name, values)
+        for i in range(1, len(self.heights)):
+            if not self.heights[i] > self.heights[i - 1]:
+                raise ValueError(
+                    f"ShearFrame: heights[{i}] is {self.heights[i]}, not above heights[{i - 1}], "
+                    f"{self.heights[i - 1]}: give the height of each floor above the feet, from "
+                    "the lowest up"
+                )
+
+        inertia = (
+            sum(self.inertias or ()) + self.base_inertia + self.base_mass * self.base_height**2
+        )
+        check_support("ShearFrame", self.support, self.base_mass, inertia)
+
+    @functools.cached_property
+    def module(self) -> ModuleType:
+        """The generated module of so many storeys on this support."""
+        return (self.support or Pinned()).module(self.model, storeys=len(self.masses))
+
+    def damped(self, ratio: float, mode: int = 1) -> ShearFrame:
+        """The frame with dampings in proportion to its stiffnesses, by the ratio of one mode.
+
+        ratio : part of critical damping of the mode on a fixed base, 1 for the slowest. Others
+        have theirs in proportion to their frequencies, as `frame.fixed_base().damping_ratios`
+        tells. Raises ValueError for a negative ratio, and for a mode that the frame has not.
+
+        >>> frame.damped(0.02).dampings
+        """
+        mode = whole_number("ShearFrame.damped: mode", mode, 1)
+        if mode > len(self.masses):
+            raise ValueError(
+                f"ShearFrame.damped: mode is {mode}: a frame of {len(self.masses)} storeys has as "
+                "many"
+            )
+        free = dataclasses.replace(self, dampings=[0.0] * len(self.masses), support=None)
+        period = free.fixed_base().periods[mode - 1]
+        beta = rayleigh_damping(period, number("ShearFrame.damped: ratio", ratio)).beta
+        return dataclasses.replace(self, dampings=[beta * k for k in self.stiffnesses])
+
+    def parameters(self) -> dict[str, float]:
+        found = {
+            f"{name}_{i}": value
+            for every, name in self.of_each.items()
+            for i, value in enumerate(getattr(self, every), 1)
+        }
+        for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
+            found[name] = getattr(self, name)
+        return found | (self.support.parameters() if self.support else {})
+
+
+def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:
+    """One number a storey."""
+    remedy = "give a list with a number for each storey, from the lowest up"
+    if isinstance(values, str) or not hasattr(values, "__iter__") or hasattr(values, "keys"):
+        raise TypeError(f"ShearFrame: {name} is {told(values)}: {remedy}")
+    named = {f"{name}[{i}]": number(f"ShearFrame: {name}[{i}]", v) for i, v in enumerate(values)}
+    if not named:
+        raise ValueError(f"ShearFrame: {name} is empty: {remedy}")
+    check_values("ShearFrame", named, frozenset(named) if may_vanish else frozenset())
+    return tuple(named.values())

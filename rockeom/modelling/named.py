@@ -1,0 +1,124 @@
+"""Structures by the names of their models: shipped ones, families, and what they stand on.
+
+A family is declared for each set of its arguments, such as a shear frame for each number of
+storeys. What a base stands on has a name, too; its parameters then stand beside those of the
+structure, `foundation_stiffness` and `foundation_damping` for those of a spring:
+
+    structure("flexible_structure", mass=..., support="winkler", springs=4, ...)
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
+from rockeom.modelling.declared import class_of_model
+from rockeom.numbers.checks import near, told
+from rockeom.structures.classes import SHIPPED, ParameterError, Structure, Support
+
+FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
+SUPPORTS: Mapping[str, type[Support]] = {
+    "pinned": Pinned,
+    "two_springs": TwoSprings,
+    "winkler": Winkler,
+    "sliding": Sliding,
+}
+_CALLED = {"stiffness": "foundation_stiffness", "damping": "foundation_damping"}
+
+
+def structure(model: Any, /, **parameters: Any) -> Structure:
+    """A structure of a model: the name of one, or a RockingModel or Model that you declared.
+
+    Names are those of shipped structures and of families, as `rockeom models` lists them. The
+    support of those that take one is an object, such as `rk.Winkler(...)`, or its name,
+    "two_springs", "winkler" or "sliding", with its parameters beside the others:
+    foundation_stiffness and foundation_damping of each spring, guided, springs, friction,
+    restitution.
+
+    A declared model, and one of a family, is derived and compiled at its first use (some seconds,
+    once on a machine: the user's cache keeps both). Raises ParameterError for missing or unknown
+    parameters and ValueError for values that are not finite or negative, for a model that cannot
+    be simulated, and where the values give a body a negative mass or a base a negative width.
+
+    >>> frame = structure(
+    ...     "shear_frame", masses=[20e3, 20e3], heights=[3.5, 7.0], stiffnesses=[20e6, 20e6],
+    ...     dampings=[120e3, 120e3], half_width=1.2, base_mass=10e3, support="winkler", springs=4,
+    ...     foundation_stiffness=1e8, foundation_damping=1e5, base_inertia=5e3,
+    ... )
+    >>> frame.support.springs
+    4
+    """
+    if isinstance(model, str):
+        made = class_named(model)
+        return made(**_supported(made, parameters))
+    if not hasattr(model, "check_values"):
+        raise TypeError(
+            "structure() takes the name of a structure, or a RockingModel or Model, not "
+            f"{told(model)}"
+        )
+    return class_of_model(model)(**parameters)
+
+
+def class_named(name: str) -> type[Structure]:
+    """The class of a shipped structure or of a family.
+
+    Raises ValueError, naming all of them, if there is none of that name.
+    """
+    every = {**SHIPPED, **FAMILIES}
+    if name not in every:
+        raise ValueError(
+            f"no structure named {name!r}{near(name, every)}; there are {', '.join(every)}"
+        )
+    return every[name]
+
+
+def takes_support(made: type[Structure]) -> bool:
+    return "support" in made.defaults()
+
+
+def parameters_of(support: str) -> dict[str, Any]:
+    """Defaults of a support's parameters by name, `dataclasses.MISSING` where there is none."""
+    fields = dataclasses.fields(SUPPORTS[support])  # type: ignore[arg-type]
+    return {_CALLED.get(field.name, field.name): field.default for field in fields}
+
+
+def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """The parameters, a support that is named made of those that are its own."""
+    found = dict(parameters)
+    if not takes_support(made):
+        return found
+    every = {name for support in SUPPORTS for name in parameters_of(support)}
+    beside = [name for name in found if name in every]
+    support = found.get("support")
+    if not isinstance(support, str):
+        if beside:
+            raise ParameterError(
+                f"{made.__name__}: {beside[0]} is a parameter of a support: name that, as in "
+                f'support="{_that_takes(beside)}"'
+            )
+        return found
+    if support not in SUPPORTS:
+        raise ValueError(
+            f"{made.__name__}: support is {support!r}{near(support, SUPPORTS)}; there are "
+            f"{', '.join(SUPPORTS)}"
+        )
+    own = parameters_of(support)
+    missing = [n for n, default in own.items() if default is dataclasses.MISSING and n not in found]
+    wrong = [f"missing {', '.join(missing)}"] if missing else []
+    wrong += [f"unknown {name}{near(name, own)}" for name in beside if name not in own]
+    if wrong:
+        raise ParameterError(
+            f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Beside its own "
+            f"parameters it takes {', '.join(own) or 'none'}"
+        )
+    plain = {called: name for name, called in _CALLED.items()}
+    values = {plain.get(name, name): found.pop(name) for name in own if name in found}
+    found["support"] = SUPPORTS[support](**values)
+    return found
+
+
+def _that_takes(names: list[str]) -> str:
+    """The support that takes most of these parameters."""
+    return max(SUPPORTS, key=lambda support: sum(n in parameters_of(support) for n in names))

@@ -1,0 +1,202 @@
+"""Many numbers that are handled as one: what is written for one case, done for many at once.
+
+A `Many` holds a number of each of n cases and calculates as a number does, for all of them and,
+to the last bit, as each would by itself. Where one number is asked for (`if x > 0`, `math.sin(x)`,
+`round(x)`, a key of a dict) and the cases differ, it raises `Differs`, which tells the cases apart:
+whoever began does each part by itself, until all of a part agree.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from itertools import repeat
+from numbers import Real
+from typing import Any
+
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
+
+from rockeom.numbers.functions import Compound
+
+
+class Differs(BaseException):  # nothing is wrong, and `except Exception` must not keep it
+    """Cases whose numbers are handled as one do not go the same way from here.
+
+    parts : index arrays, of the cases that do.
+    """
+
+    def __init__(self, parts: list[np.ndarray]) -> None:
+        super().__init__(f"{len(parts)} ways are gone")
+        self.parts = parts
+
+
+class Many(NDArrayOperatorsMixin, Compound):
+    """A number of each case, or a truth.
+
+    values (n,) : of float, of bool, or of objects: whole numbers, which Python makes of any size.
+    """
+
+    __slots__ = ("values",)
+
+    def __init__(self, values: np.ndarray) -> None:
+        self.values = values
+
+    @classmethod
+    def of(cls, found: list[Any]) -> Many:
+        """Of the numbers that one case after the other has."""
+        if {*map(type, found)} <= {float, np.float64}:
+            return cls(np.array(found))
+        values = np.empty(len(found), dtype=object)
+        values[:] = found
+        return cls(values)
+
+    def floats(self) -> Many:
+        """The same in floats; raises OverflowError for a whole number that none can hold."""
+        return self if self.values.dtype == float else Many(self.values.astype(float))
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        return one_by_one(getattr(math, name))(*given)
+
+    def one(self) -> Any:
+        """The number that all cases have; raises Differs where they have several."""
+        numbers = self.values.tolist()
+        by_bits = self.values.dtype == float  # which tell -0.0 from 0.0
+        keys = self.values.view(np.int64).tolist() if by_bits else numbers
+        places = {key: i for i, key in enumerate(dict.fromkeys(keys))}
+        if len(places) == 1:
+            return numbers[0]
+        which = np.array([places[key] for key in keys])
+        raise Differs([np.flatnonzero(which == i) for i in places.values()])
+
+    def __bool__(self) -> bool:
+        true = self.values.astype(bool)
+        if true.all():
+            return True
+        if not true.any():
+            return False
+        raise Differs([np.flatnonzero(true), np.flatnonzero(~true)])
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+        """What NumPy does with numbers one by one, operators among it."""
+        if method != "__call__" or ufunc.signature is not None:
+            return NotImplemented
+        if any(isinstance(x, np.ndarray) for x in given):  # of objects, many among them
+            return ufunc(*(boxed(x) if type(x) is Many else x for x in given), **how)
+        out = how.pop("out", ())  # x += y: a number is not changed in its place, x is another then
+        if how or not all(type(x) is Many for x in out):
+            return NotImplemented
+        numbers = [values(x) for x in given]
+        kinds = {x.dtype.kind for x in numbers if isinstance(x, np.ndarray)}
+        if kinds == {"b"} and ufunc not in _OF_TRUTHS:  # Python's and NumPy's differ
+            raise _apart(given)
+        if "O" in kinds or ufunc in _DIVISIONS:
+            return one_by_one(OPERATORS.get(ufunc, ufunc))(*given)
+        if ufunc is np.power:
+            ufunc = np.float_power  # C's, as Python's: NumPy's square of an array is a product
+        try:
+            found = ufunc(*numbers)
+        except FloatingPointError:  # which number by itself may be without
+            raise _apart(given) from None
+        return NotImplemented if isinstance(found, tuple) else Many(found)
+
+    def __repr__(self) -> str:
+        return f"<numbers of {len(self.values)} cases>"
+
+    # -- where one number is asked for
+
+    def __float__(self) -> float:
+        return float(self.one())
+
+    def __int__(self) -> int:
+        return int(self.one())
+
+    def __index__(self) -> int:
+        return operator.index(self.one())
+
+    def __complex__(self) -> complex:
+        return complex(self.one())
+
+    def __hash__(self) -> int:
+        return hash(self.one())
+
+    def __str__(self) -> str:
+        return str(self.one())
+
+    def __format__(self, how: str) -> str:
+        return format(self.one(), how)
+
+    def __round__(self, digits: int | None = None) -> Any:
+        return round(self.one(), digits)
+
+    def __floor__(self) -> int:
+        return math.floor(self.one())
+
+    def __ceil__(self) -> int:
+        return math.ceil(self.one())
+
+    def __trunc__(self) -> int:
+        return math.trunc(self.one())
+
+
+Real.register(Many)
+
+
+def one_by_one(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of numbers, of many as well: the bits are those of each number by itself."""
+
+    def of_each(*given: Any) -> Any:
+        if Many in map(type, given):
+            numbers = (x.values.tolist() if type(x) is Many else repeat(x) for x in given)
+            try:
+                return Many.of(list(map(function, *numbers)))
+            except Exception:  # of one of them
+                raise _apart(given) from None
+        return function(*given)
+
+    return of_each
+
+
+def _apart(given: tuple[Any, ...]) -> Differs:
+    """Each case by itself."""
+    n = next(len(x.values) for x in given if type(x) is Many)
+    return Differs([np.array([i]) for i in range(n)])
+
+
+OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
+    np.add: operator.add, np.subtract: operator.sub, np.multiply: operator.mul,
+    np.true_divide: operator.truediv, np.floor_divide: operator.floordiv,
+    np.remainder: operator.mod, np.power: operator.pow, np.negative: operator.neg,
+    np.positive: operator.pos, np.absolute: abs, np.less: operator.lt,
+    np.less_equal: operator.le, np.equal: operator.eq, np.not_equal: operator.ne,
+    np.greater_equal: operator.ge, np.greater: operator.gt, np.bitwise_and: operator.and_,
+    np.bitwise_or: operator.or_, np.bitwise_xor: operator.xor,
+}  # fmt: skip
+"""NumPy's names of Python's operators, which know whole numbers of any size."""
+
+_DIVISIONS = {np.floor_divide, np.remainder}
+"""Operators that NumPy may round otherwise than Python."""
+
+_OF_TRUTHS = {
+    np.bitwise_and, np.bitwise_or, np.bitwise_xor, np.invert, np.equal, np.not_equal,
+    np.logical_and, np.logical_or, np.logical_not,
+}  # fmt: skip
+
+
+def boxed(x: Any) -> np.ndarray:
+    """An object as NumPy has it, which has no say any more in what NumPy does."""
+    box = np.empty((), dtype=object)
+    box[()] = x
+    return box
+
+
+def one_of(x: Any) -> Any:
+    """A number that is one for all cases; raises Differs where they have several."""
+    return x.one() if type(x) is Many else x
+
+
+def values(x: Any) -> Any:
+    """(n,) numbers of n cases, or the one that all of them have."""
+    return x.values if type(x) is Many else x

@@ -1,0 +1,326 @@
+"""Numbers with their derivatives: what is written for numbers tells derivatives, too.
+
+A `Dual` calculates as a number does, to the same bits, and its derivatives along any directions by
+the rules of products and of the chain. A structure, a law of impact, a ground motion and an initial
+state take duals for numbers.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from numbers import Real
+from types import ModuleType
+from typing import Any, NoReturn
+
+import numpy as np
+
+from rockeom.numbers.batch import OPERATORS, boxed
+from rockeom.numbers.checks import number, numbers, told
+from rockeom.numbers.functions import FUNCTIONS, Compound
+
+Slope = Callable[..., Any]
+"""Of a function f of numbers: its derivative by one of them, given all of them and f itself."""
+
+
+def _through(
+    function: Callable[..., Any], slopes: tuple[Slope, ...], given: tuple[Any, ...]
+) -> Dual:
+    """A function of numbers and duals, by its derivatives with respect to each."""
+    plain = [x.value if type(x) is Dual else x for x in given]
+    found = function(*plain)
+    parts = [
+        _moved(slope(*plain, found), x.tangent)
+        for x, slope in zip(given, slopes, strict=True)
+        if type(x) is Dual
+    ]
+    if len(parts) == 1:
+        return _dual(np.float64(found), parts[0])
+    if len(parts[0]) != len(parts[1]):
+        raise ValueError(
+            f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one "
+            "calculation: make all of them by one call of `rk.duals`"
+        )
+    return _dual(np.float64(found), parts[0] + parts[1])
+
+
+def _through_array(ufunc: np.ufunc, given: tuple[Any, ...]) -> np.ndarray:
+    """The same of a dual and an array (n,) of floats, as of one after the other."""
+    plain = [x.value if type(x) is Dual else x for x in given]
+    found = ufunc(*plain)
+    ((x, slope),) = (of for of in zip(given, _OF_ARRAYS[ufunc], strict=True) if type(of[0]) is Dual)
+    slopes = np.broadcast_to(slope(*plain, found), found.shape)
+    return with_tangent(found, np.multiply.outer(slopes, x.tangent))
+
+
+def _moved(slope: Any, tangent: np.ndarray) -> np.ndarray:
+    """What does not move moves nothing, however steep it is there."""
+    if math.isfinite(slope):
+        return slope * tangent
+    return np.multiply(slope, tangent, where=tangent != 0.0, out=np.zeros(len(tangent)))
+
+
+def _power_of_base(x: Any, n: Any, _: Any) -> Any:
+    return n * x ** (n - 1) if n else 0.0
+
+
+def _quotient(x: Any, y: Any) -> Any:
+    with np.errstate(all="ignore"):  # the number itself has warned
+        return np.divide(x, y)
+
+
+_OF_TWO: dict[str, tuple[Slope, ...]] = {
+    "add": (lambda x, y, f: 1.0, lambda x, y, f: 1.0),
+    "sub": (lambda x, y, f: 1.0, lambda x, y, f: -1.0),
+    "mul": (lambda x, y, f: y, lambda x, y, f: x),
+    "truediv": (lambda x, y, f: _quotient(1.0, y), lambda x, y, f: _quotient(-f, y)),
+    "pow": (_power_of_base, lambda x, n, f: f * math.log(x)),
+    "hypot": (lambda x, y, f: x / f, lambda x, y, f: y / f),
+    "atan2": (lambda y, x, f: x / (x * x + y * y), lambda y, x, f: -y / (x * x + y * y)),
+    "copysign": (lambda x, y, f: math.copysign(1.0, x) * math.copysign(1.0, y), lambda *_: 0.0),
+}
+"""Of functions of two numbers, by their names in `operator` or `math`."""
+
+_OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
+    np.add: _OF_TWO["add"],
+    np.subtract: _OF_TWO["sub"],
+    np.multiply: _OF_TWO["mul"],
+    np.true_divide: _OF_TWO["truediv"],
+}
+"""What is done with an array of floats at once: with thousands of samples of a record."""
+
+
+def _are_floats(given: tuple[Any, ...]) -> bool:
+    """Whether an array (n,) of floats meets one dual."""
+    return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in given)
+
+
+_IN_MATH = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
+"""What NumPy calls otherwise."""
+
+
+def _slopes(name: str) -> tuple[Slope, ...]:
+    if name in _OF_TWO:
+        return _OF_TWO[name]
+    if name not in FUNCTIONS:
+        raise TypeError(f"the derivative of {name} is not known: take the `.value` of its argument")
+    of = FUNCTIONS[name].slope
+
+    def slope(x: Any, _: Any) -> Any:
+        with np.errstate(all="ignore"):  # it may be infinite where the function is not
+            return of(x)
+
+    return (slope,)
+
+
+def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
+    """An operator of two numbers, and the same with the dual on its right."""
+    plain, slopes = getattr(operator, name), _OF_TWO[name]
+
+    def forward(self: Dual, other: Any) -> Any:
+        return _through(plain, slopes, (self, other)) if _is_plain(other) else NotImplemented
+
+    def backward(self: Dual, other: Any) -> Any:
+        return _through(plain, slopes, (other, self)) if _is_plain(other) else NotImplemented
+
+    return forward, backward
+
+
+def _compared(name: str) -> Callable[[Any, Any], Any]:
+    plain = getattr(operator, name)
+
+    def compare(self: Dual, other: Any) -> Any:
+        if not _is_plain(other):
+            return NotImplemented
+        return bool(plain(self.value, other.value if isinstance(other, Dual) else other))
+
+    return compare
+
+
+def _is_plain(x: Any) -> bool:
+    return _is_number(type(x))
+
+
+def _is_number(kind: type) -> bool:
+    return issubclass(kind, int | float | np.number | Dual)
+
+
+class Dual(Compound):
+    """A number with its derivatives along m directions.
+
+    value : the number, a float. tangent : (m,) its derivatives. All duals of a calculation have the
+    same directions: those of `duals`, for instance, are the parameters that it was given.
+
+    It is compared by its value. Where a float is asked for it raises TypeError, so that no
+    derivative is lost in silence: take `.value`. It is no key of a dict: two that are equal may
+    have other derivatives.
+
+    Raises TypeError for what is no number, ValueError for a tangent that is not (m,).
+
+    >>> x = rk.Dual(3.0, [1.0, 0.0])
+    >>> x * x + 1.0
+    Dual(10.0, [6.0, 0.0])
+    """
+
+    __slots__ = ("tangent", "value")
+
+    def __init__(self, value: float, tangent: Any) -> None:
+        if isinstance(value, Compound):
+            raise TypeError(f"value is {told(value)}: give a plain number")
+        along = numbers("tangent", tangent)
+        if along.ndim != 1:
+            raise ValueError(
+                f"tangent has the shape {along.shape}: give a derivative for each direction, (m,)"
+            )
+        self.value, self.tangent = np.float64(number("value", value)), along
+
+    def __repr__(self) -> str:
+        return f"Dual({self.value!s}, {self.tangent.tolist()})"
+
+    def __format__(self, how: str) -> str:
+        return format(self.value, how)
+
+    def __bool__(self) -> bool:
+        return bool(self.value != 0.0)
+
+    def __float__(self) -> NoReturn:
+        raise TypeError(
+            f"{self!r} is asked for as a float, which has no derivatives: take its `.value` where "
+            "none are wanted; `rk.tangents` carries them through a motion"
+        )
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        return _through(getattr(math, name), _slopes(name), given)
+
+    __add__, __radd__ = _binary("add")
+    __sub__, __rsub__ = _binary("sub")
+    __mul__, __rmul__ = _binary("mul")
+    __truediv__, __rtruediv__ = _binary("truediv")
+    __pow__, __rpow__ = _binary("pow")
+    __lt__, __le__ = _compared("lt"), _compared("le")
+    __gt__, __ge__ = _compared("gt"), _compared("ge")
+    __eq__, __ne__ = _compared("eq"), _compared("ne")
+    __hash__ = None  # type: ignore[assignment]
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+        """What NumPy does with numbers one by one, operators among it."""
+        if method != "__call__" or ufunc.signature is not None:
+            return NotImplemented
+        if ufunc in _OF_ARRAYS and not how and _are_floats(given):
+            return _through_array(ufunc, given)
+        if any(isinstance(x, np.ndarray) for x in given):
+            return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)
+        if how:
+            return NotImplemented
+        if ufunc in (np.sign, np.isfinite):
+            return ufunc(self.value)
+        if ufunc in OPERATORS:
+            plain = (x if isinstance(x, Dual) else float(x) for x in given)
+            return OPERATORS[ufunc](*plain)
+        return _through(ufunc, _slopes(_IN_MATH.get(ufunc.__name__, ufunc.__name__)), given)
+
+    def __neg__(self) -> Dual:
+        return _dual(-self.value, -self.tangent)
+
+    def __pos__(self) -> Dual:
+        return self
+
+    def __abs__(self) -> Dual:
+        return -self if self.value < 0.0 else self
+
+
+def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
+    """What needs no check."""
+    found = object.__new__(Dual)
+    found.value, found.tangent = value, tangent
+    return found
+
+
+Real.register(Dual)
+
+
+def duals(**values: float) -> dict[str, Any]:
+    """Duals by name, each a direction of its own, in which it has the derivative 1.
+
+    Raises TypeError for what is no number.
+
+        block = rk.RigidBlock(**rk.duals(half_width=0.1, half_height=0.4))
+    """
+    return {
+        name: Dual(value, along)
+        for (name, value), along in zip(values.items(), np.eye(len(values)), strict=True)
+    }
+
+
+def value_of(x: Any) -> Any:
+    """A number without its derivatives; of an array of numbers an array of float."""
+    if isinstance(x, np.ndarray):
+        if x.dtype != object or not all(map(_is_number, {*map(type, x.flat)})):
+            return x  # of many cases
+        plain = [element.value if type(element) is Dual else element for element in x.flat]
+        found = np.array(plain, dtype=float).reshape(x.shape)
+        found.flags.writeable = x.flags.writeable
+        return found
+    return float(x.value) if isinstance(x, Dual) else x
+
+
+def nominal(x: Any) -> Any:
+    """The same without derivatives: an object with floats wherever it holds duals.
+
+    What holds none is given back itself. Of tuples, lists, dicts and objects all parts are gone
+    through; functions, classes and modules are left.
+    """
+    if isinstance(x, Dual | np.ndarray):
+        return value_of(x)
+    if isinstance(x, dict):
+        return _unless_same(x, dict(zip(x, map(nominal, x.values()), strict=True)))
+    if type(x) in (tuple, list):
+        return _unless_same(x, type(x)(map(nominal, x)))
+    if not hasattr(x, "__dict__") or callable(x) or isinstance(x, ModuleType):
+        return x
+    changed = {name: new for name, old in vars(x).items() if (new := nominal(old)) is not old}
+    if not changed:
+        return x
+    found = object.__new__(type(x))  # it was checked when it was made
+    vars(found).update(vars(x) | changed)
+    return found
+
+
+def _unless_same(old: Any, new: Any) -> Any:
+    """The new one, where a part of it is another object than in the old one."""
+    parts = [x.values() if isinstance(x, dict) else x for x in (old, new)]
+    return old if all(map(operator.is_, *parts)) else new
+
+
+def with_tangent(values: np.ndarray, tangent: np.ndarray) -> np.ndarray:
+    """An array of duals, of values (n,) and their tangents (n, m)."""
+    found = np.empty(len(values), dtype=object)
+    found[:] = list(map(_dual, values, tangent))
+    return found
+
+
+def tangent_of(x: Any, m: int) -> np.ndarray:
+    """(..., m) derivatives of a number or an array (...), zero of those that have none."""
+    if isinstance(x, np.ndarray) and x.dtype != object:
+        return np.broadcast_to(0.0, (*x.shape, m))  # a single zero: records are long
+    found = np.zeros((*np.shape(x), m))
+    if isinstance(x, Dual):
+        found[:] = x.tangent
+    elif isinstance(x, np.ndarray):
+        for row, element in zip(found.reshape(-1, m), x.flat, strict=True):
+            if type(element) is Dual:
+                row[:] = element.tangent
+    return found
+
+
+def directions(*given: Any) -> int:
+    """Along how many directions numbers, arrays and lists have derivatives; 0 if none has."""
+    for x in given:
+        if isinstance(x, Dual):
+            return len(x.tangent)
+        several = isinstance(x, list) or (isinstance(x, np.ndarray) and x.dtype == object)
+        if several and (found := directions(*np.ravel(x))):
+            return found
+    return 0

@@ -1,0 +1,123 @@
+"""Functions of numbers, and of what stands for a number in a formula and has more behind it.
+
+Such are the numbers of many cases (`rockeom.numbers.batch`), a number with its derivatives
+(`rockeom.numbers.dual`), and one with its rates (`rockeom.numbers.jet`). A formula that is written
+for numbers, as those of the generated modules are, calculates with all of them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from types import FunctionType, ModuleType, SimpleNamespace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Compound:
+    """What stands for a number and has more behind it."""
+
+    __slots__ = ()
+
+    def __abs__(self) -> Any:
+        raise NotImplementedError
+
+    def floats(self) -> Any:
+        """The same in floats; raises OverflowError for a whole number that none can hold."""
+        return self
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        """A function of `math` where one of what is given is of this class."""
+        raise NotImplementedError
+
+
+class _Mathematics:
+    """The functions of `math`, of compounds as well."""
+
+    def __getattr__(self, name: str) -> Any:
+        found = getattr(math, name)
+        if callable(found):
+            found = _of_compounds(name, found)
+        setattr(self, name, found)
+        return found
+
+
+def _of_compounds(name: str, plain: Callable[..., Any]) -> Callable[..., Any]:
+    def function(*given: Any) -> Any:
+        for x in given:
+            if isinstance(x, Compound):
+                return type(x).of_function(name, given)
+        return plain(*given)
+
+    return function
+
+
+mathematics = _Mathematics()
+
+
+def isfinite(x: Any) -> Any:
+    """`math.isfinite`, of compounds as well."""
+    return abs(x) < math.inf if isinstance(x, Compound) else math.isfinite(x)
+
+
+@cache
+def of_compounds(module: ModuleType) -> Any:
+    """The functions of a generated module, which take compounds; arrays hold objects."""
+    names = vars(module) | {
+        "math": mathematics,
+        "np": SimpleNamespace(empty=lambda n: np.empty(n, dtype=object)),
+    }
+    for name, function in vars(module).items():
+        if isinstance(function, FunctionType):
+            names[name] = FunctionType(function.__code__, names)
+    return SimpleNamespace(**names)
+
+
+def for_arrays(module: ModuleType, *arrays: np.ndarray) -> Any:
+    """The generated module, for compounds where arrays hold such."""
+    return of_compounds(module) if any(x.dtype == object for x in arrays) else module
+
+
+class Derivatives(NamedTuple):
+    """A function of one number with its first two derivatives, of arrays."""
+
+    f: Callable[[Any], Any]
+    slope: Callable[[Any], Any]
+    curvature: Callable[[Any], Any]
+
+
+def _none(x: Any) -> Any:
+    return 0.0 * x
+
+
+FUNCTIONS: dict[str, Derivatives] = {
+    "sin": Derivatives(np.sin, np.cos, lambda x: -np.sin(x)),
+    "cos": Derivatives(np.cos, lambda x: -np.sin(x), lambda x: -np.cos(x)),
+    "tan": Derivatives(
+        np.tan, lambda x: np.cos(x) ** -2.0, lambda x: 2.0 * np.tan(x) * np.cos(x) ** -2.0
+    ),
+    "asin": Derivatives(
+        np.arcsin, lambda x: (1.0 - x**2) ** -0.5, lambda x: x * (1.0 - x**2) ** -1.5
+    ),
+    "acos": Derivatives(
+        np.arccos, lambda x: -((1.0 - x**2) ** -0.5), lambda x: -x * (1.0 - x**2) ** -1.5
+    ),
+    "atan": Derivatives(
+        np.arctan, lambda x: 1.0 / (1.0 + x**2), lambda x: -2.0 * x / (1.0 + x**2) ** 2
+    ),
+    "sinh": Derivatives(np.sinh, np.cosh, np.sinh),
+    "cosh": Derivatives(np.cosh, np.sinh, np.cosh),
+    "tanh": Derivatives(
+        np.tanh,
+        lambda x: 1.0 - np.tanh(x) ** 2,
+        lambda x: -2.0 * np.tanh(x) * (1.0 - np.tanh(x) ** 2),
+    ),
+    "exp": Derivatives(np.exp, np.exp, np.exp),
+    "log": Derivatives(np.log, lambda x: 1.0 / x, lambda x: -1.0 / x**2),
+    "sqrt": Derivatives(np.sqrt, lambda x: 0.5 * x**-0.5, lambda x: -0.25 * x**-1.5),
+    "fabs": Derivatives(np.abs, np.sign, _none),
+}
+"""By their names in `math`."""

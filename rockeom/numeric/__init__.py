@@ -1,1 +1,0 @@
-"""Simulation: compiled structures, one integrator, responses. Never imports SymPy."""

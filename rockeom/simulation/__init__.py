@@ -1,0 +1,1 @@
+"""One motion of a structure: case, options, response."""

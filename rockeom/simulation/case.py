@@ -1,0 +1,295 @@
+"""One motion of one structure: what `simulate` is asked, and the same as numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rockeom.motion import GroundMotion
+from rockeom.motion.segments import LINEAR, within
+from rockeom.numbers.batch import values
+from rockeom.numbers.checks import number, told
+from rockeom.numbers.dual import directions, tangent_of, value_of
+from rockeom.numbers.functions import isfinite
+from rockeom.structures.classes import Structure, check_states
+from rockeom.structures.impact_laws import ImpactLaw
+
+STILL = np.empty((0, 7))
+"""The table of ground that stands still, which all share."""
+STILL.flags.writeable = False
+
+
+class Problem(NamedTuple):
+    """A case as the compiled loop takes it.
+
+    contact : number of the contact state at the start; y0 (N,) the state there.
+    vector : the parameters; table : what a law of impact adds to them; law, ratio : of the
+        impacts; fallen : bound of the rotation.
+    horizontal, vertical : tables (m, 7) of the ground's motion; end [s];
+    quiet_from : when the ground has come to stand still [s].
+    """
+
+    contact: int
+    y0: np.ndarray
+    vector: np.ndarray
+    table: list[float]
+    law: int
+    ratio: float
+    fallen: float
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    end: float
+    quiet_from: float
+
+    def p(self, width: int = 0) -> np.ndarray:
+        """The parameters with the table behind them, which is read from its end; a new array.
+
+        The loop moves parameters and puts them back, to learn the noise of a guard: motions that
+        run at the same time must not share them.
+        width : of the widest table of several cases, so that all have rows of one length.
+        """
+        if not (self.table or width):
+            return self.vector.copy()
+        return np.concatenate([self.vector, np.zeros(max(width - len(self.table), 0)), self.table])
+
+
+class Problems(NamedTuple):
+    """n cases as the compiled loop takes them, each an item of the first axis; see `Problem`.
+
+    p (n, m) : the parameters, the table of a law of impact behind them.
+    horizontal, vertical (k, 7) : the tables of all, those of a case from h_rows[i, 0] to
+        h_rows[i, 1] or from v_rows[i, 0] to v_rows[i, 1].
+    """
+
+    contact: np.ndarray
+    y0: np.ndarray
+    p: np.ndarray
+    law: np.ndarray
+    ratio: np.ndarray
+    fallen: np.ndarray
+    horizontal: np.ndarray
+    h_rows: np.ndarray
+    vertical: np.ndarray
+    v_rows: np.ndarray
+    end: np.ndarray
+    quiet_from: np.ndarray
+
+    @classmethod
+    def of(cls, cases: list[Problem]) -> Problems:
+        """Of one case after the other."""
+        widest = max(len(q.table) for q in cases)
+        return cls(
+            np.array([q.contact for q in cases]),
+            np.array([q.y0 for q in cases]),
+            np.array([q.p(widest) for q in cases]),
+            np.array([q.law for q in cases]),
+            np.array([q.ratio for q in cases]),
+            np.array([q.fallen for q in cases]),
+            *_stacked([q.horizontal for q in cases]),
+            *_stacked([q.vertical for q in cases]),
+            np.array([q.end for q in cases]),
+            np.array([q.quiet_from for q in cases]),
+        )
+
+    @classmethod
+    def of_many(cls, problem: Problem, n: int) -> Problems:
+        """Of a problem whose numbers are those of n cases."""
+
+        def spread(x: Any) -> np.ndarray:
+            return np.broadcast_to(values(x), n).copy()
+
+        def columns(x: np.ndarray) -> np.ndarray:
+            found = np.empty((n, *x.shape))
+            for place, item in np.ndenumerate(x):
+                found[:, *place] = values(item)
+            return found
+
+        def tables(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            if x.dtype != object:  # one for all
+                return x, np.tile([0, len(x)], (n, 1))
+            first = len(x) * np.arange(n)
+            return columns(x).reshape(-1, x.shape[1]), np.stack([first, first + len(x)], axis=1)
+
+        q = problem
+        return cls(
+            spread(q.contact), columns(q.y0), columns(q.p()), spread(q.law), spread(q.ratio),
+            spread(q.fallen), *tables(q.horizontal), *tables(q.vertical), spread(q.end),
+            spread(q.quiet_from),
+        )  # fmt: skip
+
+
+class ProblemTangents(NamedTuple):
+    """Derivatives of a problem's numbers along m directions; what they are of, `Problem` says.
+
+    y0 (N, m); p (len(problem.p()), m), those of the table behind those of the parameters; ratio,
+    fallen, end, quiet_from (m,); horizontal, vertical (rows, 7, m).
+    """
+
+    y0: np.ndarray
+    p: np.ndarray
+    ratio: np.ndarray
+    fallen: np.ndarray
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    end: np.ndarray
+    quiet_from: np.ndarray
+
+
+def without_duals(problem: Problem) -> Problem:
+    """The problem; raises TypeError where its numbers have derivatives, which would be lost."""
+    if directions(*problem):
+        raise TypeError(
+            "the case holds duals, and a simulation tells no derivatives: give it to "
+            "`rk.tangents`, or simulate it with the `.value` of each"
+        )
+    return problem
+
+
+def parted(problem: Problem, m: int | None = None) -> tuple[Problem, ProblemTangents]:
+    """A problem of duals as one of floats, and its derivatives.
+
+    m : how many directions there are; those of the duals if not given, 0 where there are none.
+    The floats are those, to the last bit, of the case without derivatives.
+    """
+    q = problem
+    p, table = q.p(), np.array(q.table)
+    m = directions(*q) if m is None else m
+    values = {name: value_of(x) for name, x in q._asdict().items()}
+    values["table"] = value_of(table).tolist()
+    tangents = {
+        name: tangent_of(p if name == "p" else getattr(q, name), m)
+        for name in ProblemTangents._fields
+    }
+    return Problem(**values), ProblemTangents(**tangents)
+
+
+def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """(rows, first and last of each table); a table that several cases share is stacked once."""
+    places: dict[int, tuple[int, int]] = {}
+    parts: list[np.ndarray] = []
+    n = 0
+    for table in tables:
+        if id(table) not in places:
+            places[id(table)] = n, n + len(table)
+            parts.append(table)
+            n += len(table)
+    return np.concatenate(parts), np.array([places[id(table)] for table in tables])
+
+
+AT_THE_END = 1e-9
+"""So far beyond the bound of overturning, relative to it, may be the last state of a motion."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A structure, its ground motion and start; the arguments are those of `simulate`.
+
+    Raises TypeError for what is no structure, no ground motion or no mapping of states.
+    """
+
+    structure: Structure
+    motion: GroundMotion
+    impact: ImpactLaw | None = None
+    initial: Mapping[str, float] | None = None
+    duration: float | None = None
+    vertical: GroundMotion | None = None
+    phase: str | None = None
+
+    def __post_init__(self) -> None:
+        given: tuple[object, object] = self.structure, self.motion
+        if isinstance(given[0], GroundMotion) and isinstance(given[1], Structure):
+            raise TypeError("structure and motion are swapped: the structure comes first")
+        if not isinstance(self.structure, Structure):
+            raise TypeError(
+                f"structure is {told(self.structure)}: give a structure, such as "
+                "rk.RigidBlock(half_width=0.1, half_height=0.4) or rk.structure(model, ...)"
+            )
+        _check_motion("motion", self.motion)
+        if self.vertical is not None:
+            _check_motion("vertical", self.vertical)
+        if self.initial is not None:
+            check_states("initial", self.initial, self.structure)
+
+    def problem(self) -> Problem:
+        """The case in numbers; raises ValueError for a state or a duration that cannot be."""
+        structure, motion = self.structure, self.motion
+        y0 = structure.state({} if self.initial is None else self.initial)
+        rotation = y0[structure.module.ROTATION]
+        for name, fallen in structure.falls.items():
+            value = y0[structure.states.index(name)]
+            if abs(value) > fallen * (1.0 + AT_THE_END):
+                raise ValueError(
+                    f"initial {name} is {value}: the structure lies on the ground from "
+                    f"{fallen:.6g} on; start below"
+                )
+        end = motion.duration if self.duration is None else number("duration", self.duration)
+        if not (isfinite(end) and end > 0):
+            raise ValueError(f"duration is {end} s: it must be finite and positive")
+        law, ratio = structure.law(self.impact)
+        moves = rotation or y0[structure.module.ROTATION_RATE]
+        quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
+        if abs(quiet - end) <= 1e-12 * abs(end):
+            quiet = end  # a duration that is a difference of others is so but for rounding
+        told = structure.rocks_on_rigid_ground or structure.stands_on_points
+        known = moves or told or self.phase is not None
+        return Problem(
+            contact=structure.contact(y0, self.phase, 0.0 if known else self._about_to_turn(y0)),
+            y0=y0,
+            vector=structure.vector,
+            table=structure.impact_table(self.impact),
+            law=law,
+            ratio=ratio,
+            fallen=structure.overturning_rotation,
+            horizontal=ground_table(motion),
+            vertical=ground_table(self.vertical),
+            end=end,
+            quiet_from=quiet,
+        )
+
+    def _about_to_turn(self, y0: np.ndarray) -> float:
+        """Sign of the rotation to come from upright and at rest, by the equations; 0 if none is.
+
+        Weight or springs may turn a structure, too, that shaking does not. Those of both sides are
+        added: what only one of them has is its support. Where nothing turns it yet, the first push
+        of the ground will.
+        """
+        structure, y0 = self.structure, value_of(y0)
+        p = value_of(structure.vector)
+        m = structure.module_for(y0, p)
+        lift = 0.0 if self.vertical is None else next(_pushes(self.vertical))
+        first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
+        turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, p))
+        for side in (-1.0, 1.0):
+            contact = structure.contact(y0, None, side)
+            m.rates(contact, y0, p, next(_pushes(self.motion)), lift, rate)
+            turn += rate[m.ROTATION_RATE]
+        return np.sign(turn) or -np.sign(first)
+
+
+def _check_motion(name: str, motion: Any) -> None:
+    if not isinstance(motion, GroundMotion):
+        raise TypeError(
+            f"{name} is {told(motion)}: give a ground motion, such as "
+            "GroundMotion.from_array(values, dt) of accelerations, GroundMotion.read(path) of a "
+            "file, or GroundMotion.none(duration) of no shaking"
+        )
+
+
+def _pushes(motion: GroundMotion) -> Iterator[float]:
+    """The ground acceleration of each segment, a thousandth of its own time behind its start.
+
+    Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
+    """
+    for row in motion.segments:
+        start, end, kind, c0, c1, c2, c3 = row.tolist()
+        curved = kind != LINEAR and c1 != 0.0
+        tau = 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9)
+        yield value_of(within(kind, c0, c1, c2, c3, tau))
+
+
+def ground_table(motion: GroundMotion | None) -> np.ndarray:
+    """(m, 7) rows of a motion for the compiled loop; none for ground that stands still."""
+    return STILL if motion is None else motion.segments

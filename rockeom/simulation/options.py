@@ -1,0 +1,128 @@
+"""Options of the integrator."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, wraps
+from typing import Any
+
+from rockeom.integrator.methods.coefficients import PAIRS
+from rockeom.numbers.checks import number, told, whole_number
+
+METHODS = (*PAIRS, "Radau")
+"""Explicit ones, and the implicit one of implicit.py."""
+
+
+@dataclass(frozen=True)
+class SolverOptions:
+    """How the motion is integrated; the defaults suit all shipped structures.
+
+    method : None, for one that suits the work; or "DOP853" (order 8) or "RK45" (order 5), explicit;
+        or "Radau" (order 5), implicit, for springs so stiff and so heavily damped that stability
+        bounds an explicit step, to some 7 over the fastest rate of decay. A step of it costs about
+        as much as one of DOP853, but their number goes with rtol**(-1/4): at the default a rocking
+        block takes 1300 of them where DOP853 takes 50, a structure on springs of 1e9 N/m and
+        1e8 N s/m 5600 against 72 000. Vibrations that are not damped away it must follow, too, and
+        gains nothing. On stiff springs let atol be far below their settlement, or contact chatters.
+        None is DOP853 but for two kinds of work. It is Radau where stability would ask for more
+        than 20 000 explicit steps, and for four times as many as accuracy asks of Radau: by the
+        fastest decay and the fastest other motion of the structure, linearised at rest in each
+        contact state. It is RK45 where rtol is 1e-6 or more and the steps, which end at the samples
+        of a record, are shorter than rtol**(1/5) over the fastest rate of motion. What was chosen
+        and why is in the `statistics` of a response.
+    rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
+        own unit.
+    max_step : largest step [s].
+    steps_per_segment : 0 for steps controlled by the tolerances; n > 0 for n equal steps in each
+        segment of the ground's motion: between two samples of a record, or over a whole pulse or
+        quiet time. It was called steps_per_law, which is still understood.
+        Impacts are landed on all the same. Where the estimated error of such a step exceeds 1e-7
+        (1e-3 with Radau, whose estimate is of a much lower order than its error; or rtol, if that
+        is more) it is refused, and the rest of that segment is integrated with steps controlled by
+        the tolerances; `statistics["refined"]` of a response counts these segments. Behind the end
+        of the motion steps are controlled.
+    rest_tolerance : impacts that will all happen within this time, in units of the rocking
+        motion's own time 1/sqrt(acceleration), are completed at once by their closed-form sum.
+        Where contacts open and close, the unit is sqrt(l/a), l the radius of gyration and a the
+        acceleration of a contact point in free motion. Flights lower than 1e-13 of the coordinates
+        are lost among rounding errors: they are summed up to 1e-5 of that unit, or end at once.
+        Events that follow one another without end at one instant, and slow landings that no
+        contact state may follow, are stepped over: a time step of Moreau, as long as a rest may
+        be, without restitution.
+    max_impacts, max_steps : where a motion is given up, with an outcome that says so.
+    output_step : largest spacing of the samples of the response [s]; None for 1/4000 of the
+        duration.
+    """
+
+    method: str | None = None
+    rtol: float = 1e-10
+    atol: float = 1e-12
+    max_step: float = math.inf
+    steps_per_segment: int = 0
+    rest_tolerance: float = 1e-6
+    max_impacts: int = 100_000
+    max_steps: int = 20_000_000
+    output_step: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.method is not None and self.method not in METHODS:
+            *others, last = map(repr, METHODS)
+            raise ValueError(f"method is {self.method!r}: choose {', '.join(others)} or {last}")
+        # Compiled code knows a number by its type: kept are float and int, whatever was given.
+        for name in ("rtol", "atol", "max_step", "rest_tolerance", "output_step"):
+            if name == "output_step" and self.output_step is None:
+                continue
+            value = number(name, getattr(self, name), "give a positive number")
+            if not value > 0:
+                raise ValueError(f"{name} is {value}: it must be positive")
+            object.__setattr__(self, name, value)
+        for name, least in (("max_impacts", 1), ("max_steps", 1), ("steps_per_segment", 0)):
+            object.__setattr__(self, name, whole_number(name, getattr(self, name), least))
+        if self.rtol < 1e-15:
+            raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
+
+    @property
+    def steps_per_law(self) -> int:
+        """The former name of steps_per_segment."""
+        _say_new_name()
+        return self.steps_per_segment
+
+    @classmethod
+    def of(cls, options: SolverOptions | None) -> SolverOptions:
+        """The options given, or the defaults for None; raises TypeError for anything else."""
+        if options is None:
+            return _default()
+        if isinstance(options, cls):
+            return options
+        raise TypeError(
+            f"options is {told(options)}: give options of the solver, such as "
+            "rk.SolverOptions(rtol=1e-8)"
+        )
+
+
+def _say_new_name() -> None:
+    text = "SolverOptions: steps_per_law is now called steps_per_segment"
+    warnings.warn(text, DeprecationWarning, stacklevel=3)
+
+
+def _understanding_the_old_name(init: Callable[..., None]) -> Callable[..., None]:
+    @wraps(init)
+    def understanding(self: SolverOptions, *unnamed: Any, **named: Any) -> None:
+        if "steps_per_law" in named:
+            _say_new_name()
+            given = named.pop("steps_per_law")
+            named["steps_per_segment"] = whole_number("steps_per_law", given, 0)
+        init(self, *unnamed, **named)
+
+    return understanding
+
+
+setattr(SolverOptions, "__init__", _understanding_the_old_name(SolverOptions.__init__))  # noqa: B010
+
+
+@cache
+def _default() -> SolverOptions:
+    return SolverOptions()

@@ -1,0 +1,1 @@
+"""Structures as users name them, bound to generated modules. Never imports SymPy."""

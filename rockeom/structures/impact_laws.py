@@ -1,0 +1,559 @@
+"""Laws of impact, each named by what it prescribes so that none can be taken for another."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from types import ModuleType
+from typing import Any, Protocol
+
+import numpy as np
+
+from rockeom.codes import AT_SPEED, BY_FOOT, BY_NUMBER, IMPULSIVE, RATIO
+from rockeom.numbers.checks import is_number, number, numbers, told
+from rockeom.numbers.functions import isfinite, mathematics
+
+
+class ImpactLaw(Protocol):
+    """What an impact does to the velocities."""
+
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        """(law, ratio) for a structure whose rigid velocity ratio is given."""
+        ...
+
+
+class Landing(Protocol):
+    """What a law may ask of the structure whose impacts it describes.
+
+    model : its name. speed_height [m] : of the point whose speed is meant, or None. rocking_inertia
+    [kg m2] : twice the kinetic energy at an impact for a rotation of 1 rad/s and no other motion.
+    """
+
+    @property
+    def model(self) -> str: ...
+    @property
+    def speed_height(self) -> float | None: ...
+    @property
+    def rocking_inertia(self) -> float: ...
+
+
+class TabledLaw:
+    """A law whose ratio is not one number: the loop reads a table of it behind the parameters."""
+
+    code = RATIO
+
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        return (self.code, math.nan) if self.table_needed else (RATIO, self.only_ratio)
+
+    @property
+    def table_needed(self) -> bool:
+        return True
+
+    @property
+    def only_ratio(self) -> float:
+        """Of the rates, where no table is needed."""
+        raise NotImplementedError
+
+    def table(self, structure: Landing) -> list[float]:
+        """The numbers, which the loop reads from their end on; see `ratio_at` there."""
+        raise NotImplementedError
+
+    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
+        """What `ratio_at` of the loop finds: of the rates after and before an impact.
+
+        rate : before it [rad/s]. impact : its number in the motion, from 0 on.
+        """
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, repr=False)
+class EnergyRatio(TabledLaw):
+    """Prescribed ratio r of the rocking motion's kinetic energies after and before an impact.
+
+    The rate of rotation is multiplied by sqrt(r), other rates are left (thesis 2-4).
+
+    r : of all impacts; or left and right : of those on each foot, the one that *lands*. The left
+        foot lands where the structure, leaning to the right, comes back upright: the rotation was
+        positive, its rate is negative. Thesis section 3.2.4 calls that an impact on the left edge.
+
+        rk.EnergyRatio(0.88)
+        rk.EnergyRatio(left=0.83, right=0.93)
+
+    Raises TypeError where neither r nor both feet are given, ValueError outside 0 to 1.
+    """
+
+    r: float | None = None
+    left: float | None = None
+    right: float | None = None
+    code = BY_FOOT
+
+    def __post_init__(self) -> None:
+        one_or_each_foot("EnergyRatio", "r", self.r, self.left, self.right)
+        for name in ("r", "left", "right"):
+            value = getattr(self, name)
+            if value is not None:
+                foot = "" if name == "r" else f" of the {name} foot"
+                check_ratio(f"energy ratio r{foot}", value)
+
+    def __repr__(self) -> str:
+        if self.r is not None:
+            return f"EnergyRatio(r={self.r!r})"
+        return f"EnergyRatio(left={self.left!r}, right={self.right!r})"
+
+    @property
+    def table_needed(self) -> bool:
+        return self.r is None
+
+    @property
+    def only_ratio(self) -> float:
+        return mathematics.sqrt(self.r)
+
+    def of_foot(self, foot: str) -> float:
+        """r where "left" or "right" lands."""
+        r = self.r if self.r is not None else {"left": self.left, "right": self.right}[foot]
+        assert r is not None
+        return r
+
+    def table(self, structure: Landing) -> list[float]:
+        return [self.of_foot("left"), 0.0, 0.0, self.of_foot("right"), 0.0, 0.0]
+
+    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
+        return math.sqrt(self.of_foot(landing_foot(rate)))
+
+
+@dataclass(frozen=True)
+class VelocityRatio:
+    """Prescribed ratio e of the rates of rotation after and before an impact; e = sqrt(r)."""
+
+    e: float
+
+    def __post_init__(self) -> None:
+        check_ratio("velocity ratio e", self.e)
+
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        return RATIO, self.e
+
+
+@dataclass(frozen=True)
+class AngularMomentum:
+    """Angular momentum of the structure, taken as rigid, about the new pivot is conserved.
+
+    Housner (1963), thesis 2-6 and 5-14; the default of structures that rotate and do nothing else.
+    For a flexible structure this is the thesis's rule: the deformation's rate is left unchanged,
+    and an impact may gain energy. `Impulsive` is the exact law there, and the default.
+    """
+
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        return RATIO, velocity_ratio
+
+
+@dataclass(frozen=True)
+class Impulsive:
+    """The impulsive form of Lagrange's equations: exact for a flexible structure as well.
+
+    It is the default of a flexible structure. Where the old foot cannot lift, full contact follows.
+    """
+
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        if not has_impulsive:
+            raise ValueError(
+                f"{name} has no impulsive law: its masses do not tell the impulses; "
+                "use AngularMomentum(), EnergyRatio(r) or VelocityRatio(e)"
+            )
+        return IMPULSIVE, math.nan
+
+
+@dataclass(frozen=True)
+class EnergyRatioAtSpeed(TabledLaw):
+    """Energy ratio r that depends on the speed at the impact, in straight pieces.
+
+    pieces : of increasing speed, each (limit, r at no speed, slope [s/m]); r is theirs below the
+        limit [m/s], which for the last one is infinite. At a limit the faster piece holds.
+    height : of the point whose speed it is, above the base [m]. None: the height that the structure
+        names, as walls do; without one the law is refused.
+
+    Where r would exceed 1, an impact would give energy; such a motion ends as not finite.
+    """
+
+    pieces: tuple[tuple[float, float, float], ...]
+    height: float | None = None
+    code = AT_SPEED
+
+    def __post_init__(self) -> None:
+        if not _are_pieces(self.pieces):
+            raise TypeError(
+                f"pieces of an energy ratio are {told(self.pieces)}: give three numbers for each, "
+                "(limit [m/s], r at no speed, slope [s/m]), as ((math.inf, 0.865, 0.0441),)"
+            )
+        if self.height is not None:
+            number("height of an energy ratio in pieces", self.height)
+        limits = [limit for limit, _, _ in self.pieces]
+        rises = all(a < b for a, b in pairwise(limits))
+        if not limits or limits[-1] != math.inf or not rises:
+            raise ValueError(
+                f"energy ratio in pieces with the limits {limits} m/s: they must increase, and the "
+                "last one be infinite"
+            )
+        start = 0.0
+        for limit, r, slope in self.pieces:
+            check_ratio(f"energy ratio r at {start} m/s", r + slope * start)
+            if limit < math.inf:
+                check_ratio(f"energy ratio r below {limit} m/s", r + slope * limit)
+                start = limit
+        if limits[0] <= 0 or (self.height is not None and not self.height > 0):
+            raise ValueError("limits and the height of an energy ratio in pieces must be positive")
+
+    @classmethod
+    def equation_4_31(cls) -> EnergyRatioAtSpeed:
+        """Thesis 4-31, of the equivalent oscillator of a controlled wall."""
+        return cls(
+            ((0.3, 0.85, 0.01 / 0.45), (0.47, 0.81, 0.0), (0.78, 0.852, 0.0), (math.inf, 0.95, 0.0))
+        )
+
+    @classmethod
+    def equation_4_36(cls) -> EnergyRatioAtSpeed:
+        """Thesis 4-36, of the simplified substitute gravity; as printed."""
+        return cls(((math.inf, 0.865, 0.0441),))
+
+    @classmethod
+    def equation_4_38(cls) -> EnergyRatioAtSpeed:
+        """Thesis 4-38, of the substitute gravity with a rotation centre that moves."""
+        return cls(
+            ((0.365, 0.445, 1.0), (0.47, 0.81, 0.0), (0.78, 0.85, 0.0), (math.inf, 0.94, 0.0))
+        )
+
+    @classmethod
+    def from_data(
+        cls,
+        speed: Iterable[float],
+        energy_ratio: Iterable[float],
+        *,
+        limits: Sequence[float] = (),
+        slopes: bool = True,
+        height: float | None = None,
+    ) -> EnergyRatioAtSpeed:
+        """Pieces fitted to measured impacts, each by least squares to those in its own band.
+
+            rk.EnergyRatioAtSpeed.from_data(speed, r, limits=(0.3, 0.47, 0.78), slopes=False)
+
+        speed : (n,) at each impact, of either sign [m/s]. energy_ratio : (n,) r of each.
+        limits : between the bands [m/s], increasing; none for one band. slopes : straight lines;
+        False for the mean of each band. height as in the class.
+
+        Impacts of r above 1, as measured ratios of small peaks may be, count as they are. Beyond
+        the fastest impact the last line goes on.
+        Raises ValueError for a band with fewer impacts than its line has numbers, and where a
+        fitted line leaves 0 to 1.
+        """
+        v, r = np.abs(numbers("speed", speed)), numbers("energy_ratio", energy_ratio)
+        if v.ndim != 1 or v.shape != r.shape or not np.isfinite([v, r]).all():
+            raise ValueError(
+                f"EnergyRatioAtSpeed.from_data: speed has the shape {v.shape}, energy_ratio "
+                f"{r.shape}: give one finite number of each for every impact"
+            )
+        ends = [*(number("limit", limit) for limit in limits), math.inf]
+        pieces = []
+        for start, end in zip([0.0, *ends], ends, strict=False):
+            inside = (v >= start) & (v < end)
+            if len(set(v[inside].tolist())) < 1 + slopes:
+                raise ValueError(
+                    f"EnergyRatioAtSpeed.from_data: {inside.sum()} impacts from {start} to {end} "
+                    "m/s are too few for a piece: move the limits, or take slopes=False"
+                )
+            line = np.polynomial.polynomial.polyfit(v[inside], r[inside], int(slopes)).tolist()
+            pieces.append((end, line[0], line[1] if slopes else 0.0))
+        return cls(tuple(pieces), height)
+
+    def at(self, speed: float) -> float:
+        """r at a speed [m/s], of either sign."""
+        speed = abs(number("speed", speed))
+        return next(r + slope * speed for limit, r, slope in self.pieces if speed < limit)
+
+    def lever(self, structure: Landing) -> float:
+        """Height of the point whose speed it is [m]; raises ValueError where none is known."""
+        lever = self.height if self.height is not None else structure.speed_height
+        if lever is None:
+            raise ValueError(
+                f"the energy ratio depends on a speed, and {structure.model} does not tell of "
+                "which point: give EnergyRatioAtSpeed(..., height=...)"
+            )
+        return lever
+
+    def table(self, structure: Landing) -> list[float]:
+        lever = self.lever(structure)
+        rows = [
+            (limit / lever if limit < math.inf else limit, r, slope * lever)
+            for limit, r, slope in self.pieces
+        ]
+        return [*(number for row in rows for number in row), float(len(rows))]
+
+    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
+        return math.sqrt(self.at(rate * self.lever(structure)))
+
+
+@dataclass(frozen=True)
+class EnergyLossAtSpeed(TabledLaw):
+    """Energy that an impact takes, by the rate of rotation w before it: a1 |w| + a2 w2 + a3 |w|3.
+
+    left, right : (a1, a2, a3) of the impacts in which that foot lands [J s, J s2, J s3]; which foot
+        it is, `EnergyRatio` says. A positive number is a loss.
+
+    The energy is that of the rocking motion, I w2/2, with the structure's moment of inertia I about
+    its foot at the impact; other rates are left. A polynomial may ask for more than that, or for
+    less than nothing, where it was not measured: then all of it is lost, or none.
+
+    Raises TypeError for anything but three numbers each, and where it is used for a structure whose
+    rotation is no angle in time.
+    """
+
+    left: tuple[float, float, float]
+    right: tuple[float, float, float]
+    code = BY_FOOT
+
+    def __post_init__(self) -> None:
+        for foot in ("left", "right"):
+            given = getattr(self, foot)
+            if not (isinstance(given, Sequence) and len(given) == 3 and all(map(is_number, given))):
+                raise TypeError(
+                    f"energy loss of the {foot} foot is {told(given)}: give three numbers, those "
+                    "of |w|, w2 and |w|3 [J s, J s2, J s3], as (0.0, 9.7, 0.0)"
+                )
+            if not all(isfinite(number(foot, x)) for x in given):
+                raise ValueError(f"energy loss of the {foot} foot is {given}: it must be finite")
+            object.__setattr__(self, foot, tuple(given))
+
+    @classmethod
+    def equation_3_17(cls) -> EnergyLossAtSpeed:
+        """Thesis 3-17, fitted to all impacts of the block of chapter 3, of both feet.
+
+        A cubic of the rate with its sign: the left foot loses three times as much at 1 rad/s.
+        """
+        return cls(left=(-0.6663, 9.661, 5.525), right=(0.6663, 9.661, -5.525))
+
+    @classmethod
+    def equation_3_18(cls) -> EnergyLossAtSpeed:
+        """Thesis 3-18, the second trend of impacts on the right foot; the left one by 3-17."""
+        return cls(left=(-0.6663, 9.661, 5.525), right=(0.0381, 7.576, -7.144))
+
+    @classmethod
+    def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> EnergyLossAtSpeed:
+        """Of measured impacts, each foot by itself, by least squares.
+
+        rate : (n,) of rotation before each impact [rad/s], negative where the left foot lands.
+        loss : (n,) of energy [J]. Raises ValueError where a foot has fewer than three rates.
+        """
+        w, lost = numbers("rate", rate), numbers("loss", loss)
+        if w.ndim != 1 or w.shape != lost.shape or not np.isfinite([w, lost]).all():
+            raise ValueError(
+                f"EnergyLossAtSpeed.from_data: rate has the shape {w.shape}, loss {lost.shape}: "
+                "give one finite number of each for every impact"
+            )
+        feet = {}
+        for foot, rows in (("left", w < 0), ("right", w > 0)):
+            size = np.abs(w[rows])
+            if len(set(size.tolist())) < 3:
+                raise ValueError(
+                    f"EnergyLossAtSpeed.from_data: {rows.sum()} impacts of the {foot} foot are too "
+                    "few for three numbers: measure more"
+                )
+            powers = np.column_stack([size, size**2, size**3])
+            feet[foot] = tuple(np.linalg.lstsq(powers, lost[rows], rcond=None)[0].tolist())
+        return cls(**feet)
+
+    def loss(self, rate: float) -> float:
+        """Energy lost at a rate before the impact [J]; as fitted, without bounds.
+
+        rate : [rad/s], negative where the left foot lands.
+        """
+        w = abs(number("rate", rate))
+        a1, a2, a3 = getattr(self, landing_foot(rate))
+        return w * (a1 + w * (a2 + w * a3))
+
+    def at(self, rate: float, inertia: float) -> float:
+        """r at a rate before the impact [rad/s], of a structure with that inertia [kg m2]."""
+        w, (a1, a2, a3) = abs(number("rate", rate)), getattr(self, landing_foot(rate))
+        half = 0.5 * inertia
+        return min(max((1.0 - a2 / half) - a3 / half * w - a1 / half / w, 0.0), 1.0)
+
+    def table(self, structure: Landing) -> list[float]:
+        half = 0.5 * structure.rocking_inertia
+        rows = [(1.0 - a2 / half, -a3 / half, -a1 / half) for a1, a2, a3 in (self.left, self.right)]
+        return [number for row in rows for number in row]
+
+    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
+        return math.sqrt(self.at(rate, structure.rocking_inertia)) if rate else 0.0
+
+
+DRAWS = 500
+"""How many ratios are drawn for a motion; behind them they begin anew."""
+
+
+@dataclass(frozen=True, repr=False)
+class RandomEnergyRatio(TabledLaw):
+    """Energy ratio r drawn at each impact from a measured distribution, by seed (thesis 6.4).
+
+        rk.RandomEnergyRatio([0.763, 0.948, 0.769, 0.922], seed=1)
+        rk.RandomEnergyRatio(left=[0.763, 0.769], right=[0.948, 0.922], seed=1)
+        rk.RandomEnergyRatio.normal(mean=0.85, std=0.06, seed=1)
+
+    values : measured r, each as likely as the others; or left and right : of the impacts in which
+        that foot lands, see `EnergyRatio`. seed : a whole number from 0 on; another seed is another
+        motion.
+
+    The ratio follows from the seed and from the number of the impact in the motion alone: it is the
+    same for any step, tolerance and method, in `simulate` and `simulate_many`. The 500 impacts that
+    are drawn for begin anew behind the last one, which only a chatter towards rest reaches.
+
+    No impact gives energy or reverses: values outside 0 to 1, as apparent ratios of small peaks
+    are, are never drawn, the others as much more often. This lowers the mean where values exceed 1;
+    `mean` and `std` are those of what is drawn.
+    Raises TypeError where neither values nor both feet are given, ValueError where no value lies
+    within 0 to 1.
+    """
+
+    values: tuple[float, ...] | None = None
+    left: tuple[float, ...] | None = None
+    right: tuple[float, ...] | None = None
+    seed: int = 0
+    code = BY_NUMBER
+
+    def __post_init__(self) -> None:
+        one_or_each_foot("RandomEnergyRatio", "values", self.values, self.left, self.right)
+        for name in ("values", "left", "right"):
+            given = getattr(self, name)
+            if given is None:
+                continue
+            found = numbers(f"{name} of RandomEnergyRatio", given, "give measured energy ratios")
+            if found.ndim != 1 or not np.any((found >= 0) & (found <= 1)):
+                raise ValueError(
+                    f"{name} of RandomEnergyRatio is {told(given)} without one from 0 (no rebound) "
+                    "to 1 (no loss): give a list of measured energy ratios"
+                )
+            object.__setattr__(self, name, tuple(found.tolist()))
+        if not (is_number(self.seed) and int(self.seed) == self.seed and self.seed >= 0):
+            raise TypeError(f"seed is {told(self.seed)}: give a whole number from 0 on")
+        object.__setattr__(self, "seed", int(self.seed))
+
+    @classmethod
+    def normal(cls, mean: float, std: float, *, seed: int = 0) -> RandomEnergyRatio:
+        """Of a normal distribution, cut off at 0 and 1: by a thousand equally likely values.
+
+        mean, std : of the whole distribution; what is cut off changes both, see `mean` and `std`.
+        Raises ValueError for a std that is not positive, and where next to nothing lies within.
+        """
+        from scipy.special import ndtr, ndtri
+
+        middle, width = number("mean", mean), number("std", std)
+        if not (width > 0 and math.isfinite(width) and math.isfinite(middle)):
+            raise ValueError(f"mean is {mean}, std {std}: they must be finite, and std positive")
+        low, high = ndtr((0.0 - middle) / width), ndtr((1.0 - middle) / width)
+        if not high - low > 1e-6:
+            raise ValueError(
+                f"a normal distribution of mean {mean} and std {std} has nothing from 0 to 1"
+            )
+        places = low + (high - low) * (np.arange(1000) + 0.5) / 1000
+        return cls(tuple(np.clip(middle + width * ndtri(places), 0.0, 1.0).tolist()), seed=seed)
+
+    def __repr__(self) -> str:
+        if self.values is not None:
+            return f"RandomEnergyRatio({_told_values(self.values)}, seed={self.seed})"
+        left, right = (_told_values(getattr(self, foot)) for foot in ("left", "right"))
+        return f"RandomEnergyRatio(left={left}, right={right}, seed={self.seed})"
+
+    def of_foot(self, foot: str) -> np.ndarray:
+        """(m,) the values from 0 to 1 that are drawn from where "left" or "right" lands, sorted."""
+        given = self.values if self.values is not None else getattr(self, foot)
+        found = np.sort(given)
+        return found[(found >= 0) & (found <= 1)]
+
+    @property
+    def mean(self) -> float:
+        """Of what is drawn, each foot as often as the other."""
+        return float(np.mean([np.mean(self.of_foot(foot)) for foot in ("left", "right")]))
+
+    @property
+    def std(self) -> float:
+        """Standard deviation of what is drawn, each foot as often as the other."""
+        feet = [self.of_foot(foot) for foot in ("left", "right")]
+        square = np.mean([np.mean(values**2) for values in feet])
+        return float(np.sqrt(max(square - self.mean**2, 0.0)))
+
+    @cached_property
+    def drawn(self) -> dict[str, np.ndarray]:
+        """(500,) energy ratios of each foot, by the number of the impact in the motion."""
+        places = np.random.default_rng(self.seed).random(DRAWS)
+        feet = {foot: self.of_foot(foot) for foot in ("left", "right")}
+        return {foot: r[(places * len(r)).astype(int)] for foot, r in feet.items()}
+
+    def table(self, structure: Landing) -> list[float]:
+        drawn = [*self.drawn["left"].tolist(), *self.drawn["right"].tolist()]
+        return [*map(mathematics.sqrt, drawn), float(DRAWS)]
+
+    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
+        return math.sqrt(self.drawn[landing_foot(rate)][impact % DRAWS])
+
+
+def default_law(module: ModuleType) -> ImpactLaw:
+    """The impact law of a structure whose impacts have none named, by what its module declares.
+
+    The impulse at the new foot changes the rates of all coordinates. AngularMomentum changes that
+    of the rotation alone: exact for a rigid body; with further coordinates, such as the bending of
+    a column, it violates their conservation laws, and an impact may gain energy.
+    """
+    bends = module.HAS_IMPULSIVE and module.N_STATES > 2
+    return Impulsive() if bends else AngularMomentum()
+
+
+_LAWS = (VelocityRatio, AngularMomentum, Impulsive, TabledLaw)
+
+
+def check_law(impact: Any) -> None:
+    """Raise TypeError for what is no law of impact; a number could be either ratio."""
+    if isinstance(impact, _LAWS):
+        return
+    try:  # a law of the caller's own; a path, too, has a method of that name
+        inspect.signature(impact.resolve).bind(1.0, True, "name")
+    except (AttributeError, TypeError, ValueError):
+        r = impact if is_number(impact) else 0.8
+        raise TypeError(
+            f"impact is {told(impact)}: give a law, such as rk.EnergyRatio({r}) or "
+            f"rk.VelocityRatio({r}), rk.AngularMomentum() or rk.Impulsive()"
+        ) from None
+
+
+def landing_foot(rate: float) -> str:
+    """The foot that lands where the structure comes upright at this rate of rotation."""
+    return "right" if rate > 0 else "left"
+
+
+def one_or_each_foot(what: str, name: str, one: Any, left: Any, right: Any) -> None:
+    """Raise TypeError unless one is given for all impacts, or one for each foot."""
+    feet = [value is not None for value in (left, right)]
+    if (one is not None and any(feet)) or (one is None and not all(feet)):
+        raise TypeError(
+            f"{what} takes {name} for all impacts, or left and right for those in which that foot "
+            f"lands: give {what}({name}) or {what}(left=..., right=...)"
+        )
+
+
+def _told_values(values: tuple[float, ...]) -> str:
+    if len(values) <= 8:
+        return f"[{', '.join(f'{r:g}' for r in values)}]"
+    return f"{len(values)} values of mean {np.mean(values):.4g} and std {np.std(values):.4g}"
+
+
+def _are_pieces(pieces: Any) -> bool:
+    try:
+        rows = [tuple(piece) for piece in pieces]
+    except TypeError:
+        return False
+    return all(len(row) == 3 and all(map(is_number, row)) for row in rows)
+
+
+def check_ratio(what: str, value: float) -> None:
+    if not 0.0 <= number(what, value) <= 1.0:
+        raise ValueError(f"{what} is {value}: it must lie between 0 (no rebound) and 1 (no loss)")

@@ -1,0 +1,1 @@
+"""Many motions: cases, workers, datasets; derivatives of answers."""

@@ -1,0 +1,391 @@
+"""The cases of a sweep: what each is made of, and the making, one by one or many at once."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from rockeom.numbers.batch import Differs, Many
+from rockeom.numbers.checks import is_number, told
+from rockeom.simulation.case import Case, Problem, Problems, without_duals
+
+FEW, MANY = 256, 2048
+"""Cases that a thread takes at a time, at most: made one by one, and where made at once."""
+
+LAST_FEW, LAST_MANY = 32, 256
+"""And in the end, at least. A part costs what some 60 pulses do: the lanes run empty behind it."""
+
+WORTHWHILE = 8
+"""So many cases are made faster at once than one by one."""
+
+ROW = "case"
+"""What the rows of a table are called."""
+
+
+@dataclass(frozen=True)
+class Cases:
+    """The values that the names of a sweep have in each of its cases.
+
+    values : of each name, those that occur.
+    which : of a table, the places (n,) in `values` of what each row has, by name; None for a grid,
+        whose cases are all combinations, those of the last name next to one another.
+    attrs : of each name, what was given with its values, such as their units.
+    """
+
+    values: Mapping[str, Sequence[Any] | np.ndarray]
+    which: Mapping[str, np.ndarray] | None = None
+    attrs: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, over: Any) -> Cases:
+        """A grid of a mapping, a table of rows; raises TypeError or ValueError for neither."""
+        if isinstance(over, Mapping) and not isinstance(over, xr.Dataset):
+            return _grid(over)
+        return _table(over)
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        return tuple(self.values) if self.which is None else (ROW,)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        if self.which is None:
+            return tuple(map(len, self.values.values()))
+        return (len(next(iter(self.which.values()))),)
+
+    @property
+    def total(self) -> int:
+        return math.prod(self.shape)
+
+    def places(self, rows: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Of each name, which of its values the rows have."""
+        if self.which is None:
+            return np.unravel_index(rows, self.shape)
+        return tuple(places[rows] for places in self.which.values())
+
+    def named(self, row: int) -> dict[str, Any]:
+        """The value of each name in one case."""
+        places = (int(place[0]) for place in self.places(np.array([row])))
+        return {name: self.values[name][i] for name, i in zip(self.values, places, strict=True)}
+
+    def part(self, rows: np.ndarray) -> Cases:
+        """The table of some rows, which holds no values but theirs: small enough to be sent."""
+        values, which = {}, {}
+        for (name, of), place in zip(self.values.items(), self.places(rows), strict=True):
+            used, which[name] = np.unique(place, return_inverse=True)
+            values[name] = _packed([of[i] for i in used.tolist()])
+        return Cases(values, which)
+
+    def coordinates(self) -> dict[str, Any]:
+        """The variables of a dataset that say what the cases are."""
+        found: dict[str, Any] = {}
+        if self.which is not None:
+            found[ROW] = ROW, np.arange(self.total), {"long_name": "row of the table"}
+        for name, values in self.values.items():
+            told_apart = labels(values)
+            attrs = {"long_name": name.replace("_", " "), **self.attrs.get(name, {})}
+            if self.which is None:
+                found[name] = name, told_apart, attrs
+            else:
+                found[name] = ROW, np.asarray(told_apart)[self.which[name]], attrs
+        return found
+
+
+def _grid(over: Mapping[Any, Any]) -> Cases:
+    _check_names([*over])
+    for name, values in over.items():
+        one = isinstance(values, str) or getattr(values, "ndim", 1) == 0
+        if one or not isinstance(values, Iterable):
+            raise TypeError(f"over has {name} = {told(values)}: give a list of values")
+    found = {name: _listed(values) for name, values in over.items()}
+    _check_not_empty(found)
+    return Cases(found, None, _attrs(over))
+
+
+def _table(over: Any) -> Cases:
+    if isinstance(over, list | tuple) and all(isinstance(row, Mapping) for row in over):
+        columns = _of_rows(over)
+    else:
+        names = _column_names(over)
+        _check_names(names)
+        columns = {name: _listed(over[name]) for name in names}
+    _check_not_empty(columns)
+    if ROW in columns:
+        raise ValueError(
+            f"over has a column {ROW}, which is what its rows are called: give it another name"
+        )
+    values, which = {}, {}
+    for name, column in columns.items():
+        if all(is_number(value) for value in column):
+            values[name], which[name] = column, np.arange(len(column))
+        else:
+            values[name], which[name] = _distinct(column)
+    return Cases(values, which, _attrs(over) if isinstance(over, xr.Dataset) else {})
+
+
+def _column_names(over: Any) -> list[Any]:
+    """Of a dataset over one dimension, a DataFrame or a structured array."""
+    if isinstance(over, xr.Dataset):
+        dims = {variable.dims for variable in over.data_vars.values()}
+        if any(len(of) != 1 for of in dims) or len(dims) > 1:
+            raise ValueError(
+                f"over is a dataset over {', '.join(map(str, over.sizes)) or 'nothing'}: a table "
+                "of cases has one dimension in all its variables, that of its rows"
+            )
+        return [*over.data_vars]
+    if getattr(over, "columns", None) is not None:
+        return [*over.columns]
+    if getattr(getattr(over, "dtype", None), "names", None) and np.ndim(over) == 1:
+        return [*over.dtype.names]
+    raise TypeError(
+        f"over is {told(over)}: give names with their values, as in "
+        '{"frequency": [0.5, 1.0, 2.0]}, or a table with a case in each row, as a DataFrame or a '
+        "list of dicts"
+    )
+
+
+def _of_rows(over: Sequence[Mapping[Any, Any]]) -> dict[str, list[Any]]:
+    names = [*over[0]] if over else []
+    _check_names(names)
+    for i, row in enumerate(over):
+        if {*row} != {*names}:
+            raise ValueError(
+                f"over[{i}] has {', '.join(map(str, row)) or 'no names'}, and over[0] has "
+                f"{', '.join(map(str, names))}: give all rows of a table the same names"
+            )
+    return {name: [row[name] for row in over] for name in names}
+
+
+def _check_names(names: list[Any]) -> None:
+    for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"over has the name {told(name)}: give an argument of the function")
+        if names.count(name) > 1:
+            raise ValueError(f"over has several columns {name}: let each have a name of its own")
+
+
+def _check_not_empty(found: Mapping[str, list[Any]]) -> None:
+    if not found or not all(found.values()):
+        raise ValueError("`over` is empty: give at least one name with at least one value")
+
+
+def _listed(values: Iterable[Any]) -> list[Any]:
+    return list(values.values if isinstance(values, xr.DataArray) else values)
+
+
+def _attrs(over: Mapping[Any, Any]) -> dict[str, Mapping[str, Any]]:
+    return {name: v.attrs for name, v in over.items() if isinstance(v, xr.DataArray)}
+
+
+def _distinct(column: list[Any]) -> tuple[list[Any], np.ndarray]:
+    """The objects of a column, each once, and which of them each row has."""
+    places: dict[Any, int] = {}
+    values: list[Any] = []
+    which = np.empty(len(column), dtype=np.int64)
+    for row, value in enumerate(column):
+        key = value if isinstance(value, str) else id(value)
+        if key not in places:
+            places[key] = len(values)
+            values.append(value)
+        which[row] = places[key]
+    return values, which
+
+
+def _packed(values: list[Any]) -> list[Any] | np.ndarray:
+    """The same values in few bytes, of the same types."""
+    return np.array(values) if {*map(type, values)} == {np.float64} else values
+
+
+def labels(values: Sequence[Any] | np.ndarray) -> list[Any]:
+    """Numbers and words label themselves, other objects by their names, or else by number.
+
+    A name that several objects have is numbered.
+    """
+    if all(isinstance(v, (str, int, float, np.number)) for v in values):
+        return list(values)
+    names = [_name(v) for v in values]
+    return _told_apart(names) if all(names) else list(range(len(names)))
+
+
+def _name(value: Any) -> str:
+    """Of a motion, a structure or another object with a name; a word or number is its own."""
+    if isinstance(value, str) or is_number(value):
+        return str(value)
+    name = getattr(value, "name", None) or getattr(value, "model", None)
+    return name if isinstance(name, str) else ""
+
+
+def _told_apart(names: list[str]) -> list[str]:
+    repeated = {name for name, times in Counter(names).items() if times > 1}
+    taken, numbers, found = {*names}, Counter[str](), []
+    for name in names:
+        label = name
+        while name in repeated and label in taken:
+            numbers[name] += 1
+            label = f"{name} ({numbers[name]})"
+        taken.add(label)
+        found.append(label)
+    return found
+
+
+def first_of(case: Callable[..., Case], cases: Cases) -> Case:
+    """The first of some cases, which tells the structure of all."""
+    named = cases.named(0)
+    try:
+        return made(case, named)
+    except Exception as error:
+        error.add_note(_in_the_case(named))
+        raise
+
+
+def _in_the_case(named: Mapping[str, Any]) -> str:
+    return f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}"
+
+
+def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
+    """What the function makes of one value of each name; raises TypeError for what is no case."""
+    found = case(**named)
+    if not isinstance(found, Case):
+        raise TypeError(
+            f"the function of the sweep returned {told(found)}: "
+            "let it return a case, rk.Case(structure, motion)"
+        )
+    return found
+
+
+class Part(NamedTuple):
+    """Cases that a thread runs at a time, and their rows in the results.
+
+    cases : where they were made one by one; else none.
+    """
+
+    rows: np.ndarray
+    problems: Problems
+    cases: list[Case]
+
+
+@dataclass(frozen=True)
+class Source:
+    """Makes the cases part by part, when they are needed, so that none wait in memory.
+
+    rows : of the cases to make; all of them if None.
+    """
+
+    case: Callable[..., Case]
+    cases: Cases
+    chunk: int | None
+    module: ModuleType
+    arrays: bool
+    threads: int = 1
+    rows: np.ndarray | None = None
+
+    @property
+    def total(self) -> int:
+        return self.cases.total if self.rows is None else len(self.rows)
+
+    def __iter__(self) -> Iterator[Part]:
+        first, total = 0, self.total
+        while first < total:
+            end = min(first + self.size(total - first), total)
+            rows = np.arange(first, end) if self.rows is None else self.rows[first:end]
+            yield from self.together(rows) if self.arrays else (self.one_by_one(rows),)
+            first = end
+
+    def size(self, left: int) -> int:
+        """How many cases a thread takes of those that are left.
+
+        Half of its share at first and ever fewer, but not so few that there are many parts. Cases
+        may take ten times as long as others, and those that do often come last: whoever finds no
+        more waits for the last part of another.
+        """
+        if self.chunk is not None:
+            return self.chunk
+        least, most = (LAST_MANY, MANY) if self.arrays else (LAST_FEW, FEW)
+        if self.threads == 1:
+            return most
+        half = 2 * self.threads
+        return max(min(left // half, most), min(least, -(-self.total // half)))
+
+    def one_by_one(self, rows: np.ndarray) -> Part:
+        points = zip(*(place.tolist() for place in self.cases.places(rows)), strict=True)
+        found = [self.made(point) for point in points]
+        return Part(rows, Problems.of([q for _, q in found]), [case for case, _ in found])
+
+    def together(self, rows: np.ndarray) -> Iterator[Part]:
+        """As many at once as go the same way; raises what the first case does that cannot be."""
+        try:
+            yield from self.alike(rows)
+        except Exception:  # of a case, but of which?
+            for part in _few(rows):
+                self.one_by_one(part)
+            raise
+
+    def alike(self, rows: np.ndarray) -> Iterator[Part]:
+        waiting = [rows]
+        while waiting:
+            rows, problems = waiting.pop(), None
+            try:
+                if len(rows) >= WORTHWHILE:
+                    problems = self.at_once(rows)
+            except Differs as ways:
+                waiting += [rows[part] for part in ways.parts]
+                continue
+            except Exception:  # is told by a case that raises it, if there is one
+                problems = None
+            if problems is None:
+                yield from map(self.one_by_one, _few(rows))
+            else:
+                yield Part(rows, problems, [])
+
+    def at_once(self, rows: np.ndarray) -> Problems:
+        """Raises Differs where the rows do not all go the same way, or what one of them would."""
+        named: dict[str, Any] = {}
+        places = self.cases.places(rows)
+        for (name, values), place in zip(self.cases.values.items(), places, strict=True):
+            if name in self.numbers:
+                named[name] = Many(self.numbers[name][place])
+            else:
+                named[name] = values[Many(place).one()]
+        with np.errstate(divide="raise", over="raise", invalid="raise"):
+            _, problem = self.problem(named)
+            return Problems.of_many(problem, len(rows))
+
+    @cached_property
+    def numbers(self) -> dict[str, np.ndarray]:
+        """The values of those names that have numbers only."""
+        return {
+            name: Many.of(list(values)).values
+            for name, values in self.cases.values.items()
+            if all(is_number(value) for value in values)
+        }
+
+    def made(self, point: tuple[int, ...]) -> tuple[Case, Problem]:
+        """One case and its numbers; what goes wrong in making it says which one it was."""
+        values = self.cases.values.items()
+        named = {name: v[i] for (name, v), i in zip(values, point, strict=True)}
+        try:
+            return self.problem(named)
+        except Exception as error:
+            error.add_note(_in_the_case(named))
+            raise
+
+    def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:
+        case = made(self.case, named)
+        if case.structure.module is not self.module:
+            raise ValueError(
+                f"a case is a {case.structure.module.NAME}, the first one a "
+                f"{self.module.NAME}: simulate each model by itself"
+            )
+        return case, without_duals(case.problem())
+
+
+def _few(rows: np.ndarray) -> list[np.ndarray]:
+    return np.split(rows, range(FEW, len(rows), FEW))

@@ -1,0 +1,275 @@
+"""Many motions at once, on all cores or many machines, keeping only what is asked for."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import sys
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
+from dataclasses import replace
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from rockeom.codes import IMPACT
+from rockeom.integrator.program import program, revision
+from rockeom.numbers.checks import told, whole_number
+from rockeom.simulation.case import Case
+from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
+from rockeom.simulation.options import SolverOptions
+from rockeom.sweeps.cases import Cases, Part, first_of
+from rockeom.sweeps.dataset import Sweep, check_names, dataset
+from rockeom.sweeps.results import NOT_RUN
+from rockeom.sweeps.store import definition, opened
+from rockeom.sweeps.workers import Progress, Work, in_executor, in_threads
+
+MOST_KEPT, CHUNKS = 4096, 64
+"""Cases in a chunk of a store or of an executor, at most; and chunks of a smaller sweep."""
+
+
+def simulate_many(
+    case: Callable[..., Case],
+    over: Any,
+    *,
+    arrays: bool = False,
+    impact_times: int = 0,
+    impact_states: bool = False,
+    options: SolverOptions | None = None,
+    threads: int | None = None,
+    chunk: int | None = None,
+    progress: bool | None = None,
+    lanes: bool | None = None,
+    quantities: Sequence[str] = (),
+    times: Sequence[float] | np.ndarray = (),
+    store: str | os.PathLike[str] | None = None,
+    executor: Any = None,
+) -> Sweep:
+    """Simulate every combination of the values in `over`, labelled by them, or each row of a table.
+
+        def pulse(frequency, amplitude):
+            sine = rk.GroundMotion.single_sine(amplitude, 1 / frequency, duration=8.0)
+            return rk.Case(block, sine)
+
+        rk.simulate_many(
+            pulse,
+            over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
+            arrays=True,
+            store="map.zarr",
+        )
+
+    case : makes one case from one value of each name in `over`. All cases are of one model. The
+        threads call it in turn, never two at a time.
+    over : a mapping of names to lists of values is a grid: the dataset is over its names. A table
+        has a case in each row and is a DataFrame, a structured array, a list of dicts or a dataset
+        over one dimension: the dataset is over "case", with the columns as coordinates. Numbers and
+        words are their own labels. Motions, structures and whatever else has a name go by it,
+        numbered where several have the same; other objects are numbered. Values in a DataArray keep
+        their attributes, such as units.
+    arrays : the function is called for many cases at once. Each argument is an object that
+        calculates like a number and holds the values of all of them, and so is what the function
+        makes of it: a structure, a pulse, a start, a law. That takes a microsecond or two a case
+        where a call for each takes tens, and gives the same results to the last bit. What the
+        function returns must follow from its arguments alone. Where the cases do not go the same
+        way (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by x),
+        it is called again for those that do; `np.sin(x)` is of all at once. Values that are no
+        numbers, such as motions, it gets one by one.
+    impact_times : how many impact times of each case to keep. impact_states : keep the states
+        before and after each of these impacts, too; each case is then simulated by itself with its
+        whole response, as for `quantities`.
+    threads : all cores if not given. The result is the same to the last bit for any number of
+        threads and any `chunk`, the number of cases that a thread takes at a time: if not given,
+        ever fewer towards the end, so that no thread waits long for another. A chunk is also what a
+        store keeps and an executor is given at a time: if not given, a 64th of the cases, at most
+        4096.
+    options : as of `simulate`. Where they name no method, the first case chooses that of all, and
+        `attrs` has it under "method", and why under "chosen"; the impact law of the first case is
+        under "impact_law".
+    progress : a line on stderr; if not given, where stderr is a terminal.
+    lanes : many motions at once in the vectors of the processor, up to several times as fast: if
+        not given, with explicit methods for all structures on rigid ground and on two springs, as
+        `lanes_pay` says. Impact times agree with those without lanes within the tolerances, and
+        results are the same to the last bit for any number and order of the cases. False integrates
+        one motion after the other, as `simulate` does, to the same bits.
+    quantities : what else to keep of each case, by the names of a response ("theta",
+        "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
+        found within the steps, and, at the `times` [s] given, their history (nan behind the end).
+        Each case is then also made and simulated by itself, with its whole response, which takes
+        much longer.
+    store : a folder, such as "map.zarr", that keeps each chunk when it is done, of the package zarr
+        (the extra `store`). The same call finds there what is done and does the rest;
+        the result is that of a call that was never stopped, to the last bit. What is killed loses
+        no more than the chunks under way. `threads`, `arrays`, `chunk` and `executor` may change
+        from call to call; the chunks remain those of the first. The sweep must be the same: its
+        names and values, structure, options and what is kept, and the function, of which is known
+        what it makes of the first case, the last, 14 between and one of each object in `over`.
+        Another function that makes the same of these is not noticed. One process at a time may
+        write.
+    executor : who does the work instead of threads: anything whose `submit` returns futures, such
+        as ProcessPoolExecutor() or `client.get_executor(pure=False)` of a dask cluster. The
+        function, its values and the options are sent to the workers, and so must be picklable;
+        with a ProcessPoolExecutor the function stands at the top level of a module. A chunk that is
+        lost with its worker is given out again, where the executor takes it. This process alone
+        writes to the store.
+
+    Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
+    outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for not
+    run), final_time [s], final_phase, impacts, impact_gains and impact_energy_gained [J] (how many
+    of them gained kinetic energy, and how much in all), refined (segments of the ground in which
+    equal steps would have been too long), peak, maximum, minimum and final value of each state,
+    impact_time and impact_state (nan where there was none). maximum and minimum have a sign, peak
+    is the larger of their sizes; they are found within the steps. Every variable has a long_name
+    and, where it has one unit, units; state_unit and quantity_unit tell those of each state and
+    quantity. Memory is bounded by the dataset. A keyboard interrupt ends the work early: what is
+    done is returned, `attrs["interrupted"]` is 1.
+
+    Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all, and for
+    a store that holds another sweep; RuntimeError for one that is in use, ModuleNotFoundError
+    without zarr. The error of an executor that has lost its workers has a note that says which
+    cases went with them.
+    """
+    options = SolverOptions.of(options)
+    cases = Cases.of(over)
+    _check_function(case, cases)
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise TypeError(
+            f"executor is {told(executor)}: give one that takes work by `submit`, such as "
+            "concurrent.futures.ProcessPoolExecutor()"
+        )
+    threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
+    impact_times = whole_number("impact_times", impact_times, 0)
+    if impact_states and not impact_times:
+        raise ValueError("impact_states needs impact_times, the number of impacts to keep: it is 0")
+    if chunk is not None:
+        chunk = whole_number("chunk", chunk, 1)
+
+    first = first_of(case, cases)
+    module = first.structure.module
+    method, because = _method(first, options)
+    options = replace(options, method=method)
+    lanes = _in_lanes(lanes, module, method)
+    compiled = program(module, method, lanes)
+    apart = store is not None or executor is not None
+    its_revision = revision(module, method, lanes) if apart else ""
+    work = Work(
+        case, options, lanes, arrays, impact_times, impact_states, quantities, times, its_revision
+    )
+    check_names(cases, work.empty(1, module), module)
+    kept = work.empty(cases.total, module)
+    size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
+
+    def run(part: Part, stop: threading.Event) -> None:
+        kept.run(part, compiled, options, stop, lanes)
+
+    interrupted = False
+    with (
+        nullcontext()
+        if store is None
+        else opened(store, definition(work, cases, module), kept, size)
+    ) as on_disk:
+        rows = np.flatnonzero(kept.results.outcome == NOT_RUN)
+        size = size if on_disk is None else on_disk.size
+
+        def done(some: np.ndarray) -> None:
+            shown.add(len(some))
+            if on_disk is not None:
+                on_disk.keep(some)
+
+        def came(some: np.ndarray, found: Mapping[str, np.ndarray]) -> None:
+            kept.put(some, found)
+            done(some)
+
+        with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
+            try:
+                if executor is None:
+                    source = work.source(cases, module, chunk=chunk, threads=threads, rows=rows)
+                    in_threads(threads, source, run, done)
+                else:
+                    in_executor(executor, work, cases, _chunks(rows, size), came)
+            except KeyboardInterrupt:
+                interrupted = True
+    found = dataset(kept, cases, module)
+    found.attrs.update(
+        model=module.NAME, method=method, chosen=because, interrupted=int(interrupted)
+    )
+    law = first.structure.describe_impact(first.impact)
+    if law:
+        found.attrs["impact_law"] = f"{law}, of the first case"
+    return found
+
+
+def _check_function(case: Any, cases: Cases) -> None:
+    """Raises TypeError for what is no function of the names of a sweep."""
+    names = cases.values
+    if not callable(case) or isinstance(case, Case):
+        raise TypeError(
+            f"case is {told(case)}: give a function that makes a case, such as "
+            f"lambda {', '.join(names)}: rk.Case(structure, motion)"
+        )
+    try:
+        inspect.signature(case).bind(**names)
+    except TypeError as error:
+        raise TypeError(
+            f"over has {', '.join(names)}, and the function of the sweep takes others: {error}"
+        ) from None
+    except ValueError:  # a function in C may not tell what it takes
+        pass
+
+
+def _chunks(rows: np.ndarray, size: int) -> list[np.ndarray]:
+    """Rows, apart where a chunk of a store ends."""
+    return np.split(rows, np.flatnonzero(np.diff(rows // size)) + 1) if len(rows) else []
+
+
+MOST_CONTACTS = 4
+"""Of a structure in lanes, which find in every step what each contact state would do."""
+
+
+def lanes_pay(module: ModuleType) -> bool:
+    """Whether sweeps step in lanes where it is left open, by the structure alone.
+
+    They do where an impact ends a contact state, and nothing else, or no impact does, and where the
+    rotation alone may fall. Others have been measured, the time of lanes in that of one motion
+    after the other: 0.7 to 1.0 for the cart on two springs; for walls 0.6 to 1.5, and 4 to 15 s
+    more of compiling; 2 to 2.5 for the block of Dirac pulses. Most of their steps end at events,
+    and lanes find in each what every contact state would do. Lanes cannot follow points, whose
+    next contact state is searched for.
+    """
+    return (
+        not getattr(module, "POINTS", ())
+        and not module.NARROW
+        and not module.N_FALLS
+        and len(module.CONTACTS) <= MOST_CONTACTS
+        and all(
+            kinds[:guards] == (IMPACT,) or IMPACT not in kinds[:guards]
+            for guards, kinds in zip(module.GUARDS, module.KINDS, strict=True)
+        )
+    )
+
+
+def _method(case: Case, options: SolverOptions) -> Choice:
+    """The method of all cases, chosen by the first where none is named."""
+    if options.method is not None:
+        return Choice(options.method, "named")
+    try:
+        method, because = chosen(case.structure, case.problem(), options)
+    except Exception:  # is told when the case is run, with its values
+        method, because = DEFAULT
+    return Choice(method, f"{because}, by the first case")
+
+
+def _in_lanes(lanes: bool | None, module: ModuleType, method: str) -> bool:
+    """Whether a sweep steps in lanes, as asked or by its structure and method."""
+    pay, explicit = lanes_pay(module), method != "Radau"
+    if lanes is None:
+        return pay and explicit
+    if lanes and not pay:
+        raise ValueError(
+            f"lanes gain too little for {module.NAME}, whose contact states change too often: "
+            "leave lanes=True out"
+        )
+    if lanes and not explicit:
+        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
+    return bool(lanes)

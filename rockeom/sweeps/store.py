@@ -1,0 +1,315 @@
+"""A sweep on disk, in chunks that are each there or pending: the same call does what is missing.
+
+It is a zarr group with an array of each thing that is kept, a row a case. The outcome of a chunk is
+written last; where it was not, its numbers read as zero, which stands for pending. Files are
+written beside their place and then moved, so a process that is killed leaves no half of one. Each
+chunk has a file in each array, also where it holds nothing but zeros or nan: a file that is missing
+is lost, and its chunk is pending.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import sys
+import uuid
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from types import ModuleType
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from rockeom.compiler.locks import lock_held_by_forks
+from rockeom.numbers.checks import installed_by, is_number, told
+from rockeom.sweeps.cases import Cases, Source, labels
+from rockeom.sweeps.dataset import FLAGS, PENDING, flags_of, outcomes_of
+from rockeom.sweeps.results import NOT_RUN, Kept
+from rockeom.sweeps.workers import Work
+
+FORMAT = 1
+"""Of the files; another one is refused."""
+
+SPREAD = 16
+"""Cases, from the first to the last, that tell the function of a sweep from another one."""
+
+_DIMS = {
+    "peaks": ("case", "side", "state"), "final": ("case", "state"), "times": ("case", "impact"),
+    "extremes": ("case", "side", "quantity"), "histories": ("case", "quantity", "time"),
+    "impact_states": ("case", "impact", "side", "state"), "gains": ("case", "gain"),
+}  # fmt: skip
+
+
+class Store:
+    """The arrays on disk, beside those in memory.
+
+    size : cases in a chunk. written (m,) : whether each chunk is there.
+    """
+
+    def __init__(self, path: Path, group: Any, kept: Kept) -> None:
+        import zarr
+
+        self.path, self.kept = path, kept
+        self.arrays = _not_empty(kept)
+        lost = [name for name in self.arrays if name not in group]
+        if lost:
+            raise ValueError(
+                f"{str(path / lost[0])!r} is missing: the store is damaged, give another one"
+            )
+        with zarr.config.set({"array.write_empty_chunks": True}):
+            self.on_disk = {name: group[name] for name in self.arrays}
+        for name, array in self.arrays.items():
+            if self.on_disk[name].shape != array.shape:
+                raise ValueError(
+                    f"{str(path / name)!r} has the shape {self.on_disk[name].shape}, not "
+                    f"{array.shape}: the store is damaged, give another one"
+                )
+        self.size: int = self.on_disk["outcome"].chunks[0]
+        self.written = np.zeros(-(-len(kept.results.outcome) // self.size), dtype=bool)
+
+    def read(self) -> None:
+        """All chunks that are there, into memory."""
+        n = len(self.kept.results.outcome)
+        ran = self._read("outcome") != PENDING
+        whole = np.logical_and.reduceat(ran, np.arange(0, n, self.size))
+        self.written[:] = [whole[chunk] and self._is_there(chunk) for chunk in range(len(whole))]
+        there = np.repeat(self.written, self.size)[:n]
+        for name, array in self.arrays.items():
+            found = self._read(name)[there]
+            array[there] = outcomes_of(found) if name == "outcome" else found
+
+    def keep(self, rows: np.ndarray) -> None:
+        """Write the chunks that are complete with these rows."""
+        for chunk in np.unique(rows // self.size).tolist():
+            of = slice(chunk * self.size, (chunk + 1) * self.size)
+            outcome = self.kept.results.outcome[of]
+            if self.written[chunk] or (outcome == NOT_RUN).any():
+                continue
+            for name, array in self.arrays.items():
+                if name != "outcome":
+                    self.on_disk[name][of] = array[of]
+            self.on_disk["outcome"][of] = flags_of(outcome)
+            self.written[chunk] = True
+
+    def _is_there(self, chunk: int) -> bool:
+        """Whether a chunk has its file in each array."""
+        for name, array in self.on_disk.items():
+            key = array.metadata.encode_chunk_key((chunk,) + (0,) * (array.ndim - 1))
+            if not (self.path / name / key).is_file():
+                return False
+        return True
+
+    def _read(self, name: str) -> np.ndarray:
+        try:
+            return self.on_disk[name][:]
+        except Exception as error:
+            error.add_note(
+                f"a file of {self.path / name} cannot be read: remove the files of its chunk from "
+                f"{self.path / 'outcome'} and {self.path / name}, and the call makes it anew"
+            )
+            raise
+
+
+def _not_empty(kept: Kept) -> dict[str, np.ndarray]:
+    return {name: array for name, array in kept.arrays().items() if array.size}
+
+
+def _meaning() -> dict[str, Any]:
+    return {name: np.asarray(value).tolist() for name, value in FLAGS.items()}
+
+
+@contextmanager
+def opened(path: Any, definition: Mapping[str, str], kept: Kept, chunk: int) -> Iterator[Store]:
+    """The store of a sweep at a path, made where there is none, for this process alone.
+
+    What it holds is read into `kept`. chunk : of a new one, how many cases it keeps at a time.
+
+    Raises ModuleNotFoundError without zarr, ValueError for what is no store or that of another
+    sweep, RuntimeError while another process writes to it.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise TypeError(f"store is {told(path)}: give the path of a folder, such as 'map.zarr'")
+    try:
+        import zarr
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(
+            "a sweep is kept on disk by zarr, which is not installed. Remedy: "
+            f"{installed_by('store')}."
+        ) from None
+    path = Path(path)
+    if not path.exists():
+        _make(path, definition, kept, chunk)
+    try:
+        group = zarr.open_group(str(path), mode="r+")
+        there: Any = group.attrs["rockeom_sweep"]
+    except Exception as error:
+        raise ValueError(
+            f"store is {str(path)!r}, which is there and no store of a sweep: give another path"
+        ) from error
+    _check_same(path, there, definition)
+    with _alone(path):
+        store = Store(path, group, kept)
+        store.read()
+        yield store
+
+
+def _make(path: Path, definition: Mapping[str, str], kept: Kept, chunk: int) -> None:
+    """An empty store; it is there when it is whole."""
+    import zarr
+
+    beside = path.with_name(f"{path.name}.{uuid.uuid4().hex}.partial")
+    try:
+        attributes = {"rockeom_sweep": dict(definition)}
+        group = zarr.create_group(str(beside), zarr_format=3, attributes=attributes)
+        for name, array in _not_empty(kept).items():
+            flags = name == "outcome"
+            group.create_array(
+                name, shape=array.shape, dtype=np.int8 if flags else array.dtype,
+                chunks=(min(chunk, len(array)), *array.shape[1:]),
+                fill_value=np.nan if array.dtype == float else 0,
+                dimension_names=_DIMS.get(name, ("case",)), attributes=_meaning() if flags else {},
+            )  # fmt: skip
+        beside.rename(path)
+    except OSError:  # another process was faster: what it has made is looked at like any other
+        if not path.exists():
+            raise
+    finally:
+        shutil.rmtree(beside, ignore_errors=True)
+
+
+# -- the definition ------------------------------------------------------------------------------
+
+
+def definition(work: Work, cases: Cases, module: ModuleType) -> dict[str, str]:
+    """What a sweep is, in words and hashes: another one is not gone on with.
+
+    Functions cannot be compared, but what they make can: the numbers of the first case, the last
+    and some between, and of one case of each object among the values.
+    """
+    found = {
+        "format": str(FORMAT),
+        "structure": module.NAME,
+        "equations and loop": work.revision,
+        "cases": f"a {'grid' if cases.which is None else 'table'} of "
+        + " x ".join(map(str, cases.shape)),
+        "names": ", ".join(cases.values),
+        "impact_times": str(work.impact_times),
+        "quantities": ", ".join(work.quantities),
+        "times": str(np.asarray(work.times, dtype=float).tolist()),
+        "lanes": str(work.lanes),
+    }
+    if work.impact_states:  # not told of stores that were made before it could be asked for
+        found["impact_states"] = "True"
+    found |= {name: repr(value) for name, value in asdict(work.options).items()}
+    for name, values in cases.values.items():
+        which = () if cases.which is None else (cases.which[name],)
+        found[f"values of {name}"] = _hash(_of_values(values), *which)
+    source = work.source(cases, module, chunk=None)
+    found["what the function makes"] = _hash(*_problems(source, _sample(cases)))
+    return found
+
+
+def _of_values(values: Sequence[Any] | np.ndarray) -> np.ndarray | str:
+    """What tells values from others: numbers and words themselves, other objects by their names."""
+    if {*map(type, values)} <= {float, np.float64}:
+        return np.array(values)
+    plain = all(isinstance(value, str) or is_number(value) for value in values)
+    return repr([(type(v).__name__, v) for v in values] if plain else labels(values))
+
+
+def _sample(cases: Cases) -> np.ndarray:
+    """Rows: some from the first to the last, and the first of each object."""
+    spread = np.linspace(0, cases.total - 1, SPREAD).astype(int)
+    found = [spread]
+    every = cases.places(np.arange(cases.total))
+    for values, places in zip(cases.values.values(), every, strict=True):
+        if not all(isinstance(value, str) or is_number(value) for value in values):
+            found.append(np.unique(places, return_index=True)[1])
+    return np.unique(np.concatenate(found))
+
+
+def _problems(source: Source, rows: np.ndarray) -> Iterator[np.ndarray]:
+    """The numbers of some cases, as the compiled loop takes them."""
+    for point in zip(*(place.tolist() for place in source.cases.places(rows)), strict=True):
+        _, problem = source.made(point)
+        yield from (np.asarray(numbers, dtype=float) for numbers in problem)
+
+
+def _hash(*parts: np.ndarray | str) -> str:
+    found = hashlib.sha256()
+    for part in parts:
+        if isinstance(part, str):
+            part = np.frombuffer(part.encode(), dtype=np.uint8)
+        found.update(f"{part.dtype.str} {part.shape} ".encode())
+        found.update(np.ascontiguousarray(part).tobytes())
+    return found.hexdigest()[:20]
+
+
+def _check_same(path: Path, there: Mapping[str, str], here: Mapping[str, str]) -> None:
+    differ = [
+        f"{name} ({there.get(name, 'none')} there, {here.get(name, 'none')} here)"
+        for name in {**here, **there}
+        if there.get(name) != here.get(name)
+    ]
+    if differ:
+        raise ValueError(
+            f"{str(path)!r} holds another sweep: {'; '.join(differ)}. Give another store, or "
+            "remove this one to begin anew"
+        )
+
+
+# -- one process at a time -----------------------------------------------------------------------
+
+_HELD: set[Path] = set()
+_TURN = lock_held_by_forks()
+
+
+@contextmanager
+def _alone(path: Path) -> Iterator[None]:
+    """The store for this process, and in it for who asks first; however it ends, it is let go.
+
+    The lock is on a file among those of an array, where zarr looks at none that it does not know.
+    """
+    busy = RuntimeError(
+        f"{str(path)!r} is being written by another sweep: wait until it has ended, or give "
+        "another store"
+    )
+    key = path.resolve()
+    with _TURN:
+        if key in _HELD:
+            raise busy
+        _HELD.add(key)
+    try:
+        with (path / "outcome" / ".lock").open("ab") as file:
+            try:
+                _lock(file)
+            except (BlockingIOError, PermissionError):
+                raise busy from None
+            except OSError as error:
+                warnings.warn(
+                    f"{str(path)!r} cannot be locked ({error}): see to it that no other process "
+                    "writes to it",
+                    stacklevel=5,
+                )
+            yield
+    finally:
+        with _TURN:
+            _HELD.discard(key)
+
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _lock(file: BinaryIO) -> None:
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+
+else:
+    import fcntl
+
+    def _lock(file: BinaryIO) -> None:
+        """Of a kind that forked workers do not inherit, and that goes with its process."""
+        fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

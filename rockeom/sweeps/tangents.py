@@ -1,0 +1,305 @@
+"""Derivatives of a motion with respect to anything that a case is made of.
+
+    import rockeom as rk
+
+    numbers = rk.duals(half_width=0.1, theta=0.15)
+    block = rk.RigidBlock(half_width=numbers["half_width"], half_height=0.4)
+    start = {"theta": numbers["theta"]}
+    found = rk.tangents(rk.Case(block, rk.GroundMotion.none(3.0), initial=start))
+    found.event_times[0]  # of the first impact, by the half-width and by the first rotation
+    found.at([1.0, 2.0])  # (2, 2, 2): of the states then
+
+They are exact: nothing is moved by a little to see what it does. The steps of the motion are taken
+once more by the same texts, printed for numbers with derivatives; what happens where a guard falls,
+`rockeom/integrator/variational.py` says.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.codes import GRAZES, OTHER_WAY
+from rockeom.compiler.types import WIDTH
+from rockeom.integrator.program import carrying
+from rockeom.numbers.checks import numbers
+from rockeom.numbers.dual import nominal, tangent_of, value_of
+from rockeom.simulation.case import Case, Problem, ProblemTangents, parted
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.response import Outcome, Response
+from rockeom.simulation.simulate import simulated
+
+
+@dataclass(frozen=True)
+class Tangents:
+    """A motion with its derivatives along m directions, those of the duals of its case.
+
+    response : the motion, with the bits that `simulate` gives. start (N, m) : of the state at the
+    start. event_times (k, m) : of the time of each passage of `response.events`. before, after
+    (k, N, m) : of the states on both sides of each passage, at the passage, which moves. end (N, m)
+    : of the state at the end of the motion, as far as a dual `duration` moves that, too; end_time
+    (m,) : of the time of that end: zero, but where a structure falls or `duration` is a dual.
+
+    grazing : "", or a sentence on the event that cannot be passed: one whose guard falls so slowly
+    that its time is not known, so that a little more or less of anything and it is another, or
+    none. What is behind it is nan.
+    """
+
+    response: Response
+    start: np.ndarray
+    event_times: np.ndarray
+    before: np.ndarray
+    after: np.ndarray
+    end: np.ndarray
+    end_time: np.ndarray
+    grazing: str
+    motion: Motion
+
+    @property
+    def along(self) -> ProblemTangents:
+        """Of the numbers from which the motion follows."""
+        return self.motion.along
+
+    @property
+    def parameters(self) -> np.ndarray:
+        """(P, m) of the parameters as equations take them, with the constants that follow."""
+        return self.along.p[: len(self.response.structure.vector)]
+
+    def at(self, times: ArrayLike) -> np.ndarray:
+        """(n, N, m) derivatives of the states at fixed times (n,) [s], behind an event at one.
+
+        Raises ValueError for times outside of the motion.
+        """
+        given = np.atleast_1d(numbers("Tangents.at: times", times))
+        end = self.motion.last_time
+        if given.size and not (given.min() >= 0.0 and given.max() <= end):
+            raise ValueError(f"Tangents.at: times are from 0 to {end:.6g} s, where the motion ends")
+        order = np.argsort(given, kind="stable")
+        found = np.empty((len(given), *self.end.shape))
+        found[order] = self.motion.carried(given[order]).found
+        return found
+
+
+def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
+    """The motion of a case that holds duals, with its derivatives along their directions.
+
+    options : as for `simulate`. The derivatives are those of the steps that were taken, and as
+    accurate as the motion.
+
+    Raises what `simulate` raises, and ValueError for a structure of which a force jumps where no
+    contact state ends: derivatives end there, too.
+
+    >>> start = rk.duals(theta=0.1, theta_dot=0.0)
+    >>> flow = rk.tangents(rk.Case(block, motion, initial=start, duration=2.0))
+    >>> flow.end.shape
+    (2, 2)
+    """
+    problem, along = parted(case.problem())
+    return of_problem(case, problem, along, SolverOptions.of(options))
+
+
+def of_problem(
+    case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions
+) -> Tangents:
+    """The same of a case in numbers: for whoever runs it again from another state."""
+    if case.structure.jumps_between_events:
+        raise ValueError(
+            f"tangents: a force of {type(case.structure).__name__} jumps between its events, and "
+            "derivatives with it: give it one law for all speeds, or the speed of the last passage"
+        )
+    response = simulated(nominal(case), problem, options)
+    motion = Motion(response, problem, along)
+    found = motion.carried(np.empty(0))
+    end, end_time = _end(case, motion, found.end)
+    return Tangents(
+        response, along.y0, found.event_times, found.event_states[:, 0], found.event_states[:, 1],
+        end, end_time, motion.said_of(found), motion,
+    )  # fmt: skip
+
+
+class _Carried(NamedTuple):
+    """What `carry` has found along m directions: derivatives alone.
+
+    stopped : 0, or why it did not come to the end, at the event `at`.
+    """
+
+    end: np.ndarray
+    found: np.ndarray
+    event_states: np.ndarray
+    event_times: np.ndarray
+    stopped: int
+    at: int
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A motion and what it is derived by."""
+
+    response: Response
+    problem: Problem
+    along: ProblemTangents
+
+    @property
+    def directions(self) -> int:
+        return self.along.y0.shape[1]
+
+    @cached_property
+    def shakes(self) -> np.ndarray:
+        """(m,) whether the ground moves otherwise in a direction."""
+        found = np.zeros(self.directions, dtype=bool)
+        for rows in self.grounds:
+            found |= [along.any() for along in np.moveaxis(rows, -1, 0)]
+        return found
+
+    @property
+    def grounds(self) -> list[np.ndarray]:
+        """Derivatives of the tables of the ground's motions that have some: others are one zero."""
+        return [x for x in (self.along.horizontal, self.along.vertical) if any(x.strides)]
+
+    @cached_property
+    def order(self) -> np.ndarray:
+        """(m,) the directions, those in which the ground moves otherwise last, and so together.
+
+        Records are long, and with all their derivatives longer.
+        """
+        return np.argsort(self.shakes, kind="stable")
+
+    @cached_property
+    def last_time(self) -> float:
+        """When the motion ends [s]."""
+        return float(self.response.steps.span[-1].sum())
+
+    @property
+    def falls(self) -> bool:
+        """Whether it ends because the structure has fallen over."""
+        fallen = self.response.outcome is Outcome.OVERTURNED
+        return fallen and self.last_time < self.response.duration
+
+    def rates(self, t: float) -> np.ndarray:
+        """(N,) rates of the states up to a time."""
+        r, (y, contact) = self.response, self.response.steps.at(np.array([t]), "left")
+        before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
+        ground = [0.0 if g is None else g.acceleration(before) for g in (r.motion, r.vertical)]
+        rates = np.empty(len(r.states))
+        r.structure.module.rates(
+            int(contact[0]), y[0], r.structure.vector, *map(float, ground), rates
+        )
+        return rates
+
+    @cached_property
+    def longest_step(self) -> float:
+        """In which derivatives follow the fastest vibration that there may be [s]."""
+        structure = self.response.structure
+        if structure.rocks_on_rigid_ground and len(structure.states) == 2:
+            return math.inf  # nothing vibrates
+        of_method = _RADIANS.get(self.response.statistics["method"], math.inf)
+        fastest = max(structure.small_motion)
+        return of_method / fastest if fastest > 0.0 else math.inf
+
+    def carried(self, times: np.ndarray) -> _Carried:
+        """times (n,) ascend."""
+        parts = list(self._parts(times))
+        if not parts:
+            k, n = len(self.response.passages[0]), len(self.problem.y0)
+            ends, found = np.empty((n, 0)), np.empty((len(times), n, 0))
+            return _Carried(ends, found, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
+        back = np.argsort(self.order)
+        whole = [
+            np.concatenate(some, axis=-1)[..., back]
+            for some in zip(*(p[:4] for p in parts), strict=True)
+        ]
+        return _Carried(whole[0], whole[1], whole[2], whole[3], parts[0].stopped, parts[0].at)
+
+    def _parts(self, times: np.ndarray) -> Iterator[_Carried]:
+        """As many directions at a time as the program carries."""
+        r, q, along = self.response, self.problem, self.along
+        steps, (t, kinds, states) = r.steps, r.passages
+        program = carrying(r.structure.module, r.statistics["method"])
+        n, k, size = len(q.y0), len(t), 1 + WIDTH
+        p, atol = q.p(), np.full(n, r.options.atol)
+        floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
+        for first in range(0, self.directions, WIDTH):
+            some = self.order[first : first + WIDTH]
+            shaken = some[self.shakes[some]]
+            rows = [
+                _dual(table, of, some) if shaken.size else _NO_ROWS
+                for table, of in (
+                    (q.horizontal, along.horizontal),
+                    (q.vertical, along.vertical),
+                )
+            ]
+            corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
+            y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
+            found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
+            event_y = np.full((k, 2, n, size), np.nan)
+            stopped = program.carry(
+                steps.span, steps.contact, steps.powers, t, kinds, states, q.horizontal, q.vertical,
+                *rows, corners, p, _dual(p, along.p, some), q.law,
+                _dual(q.ratio, along.ratio, some)[None],
+                r.options.rtol, atol, r.options.rest_tolerance, self.longest_step, times, y, found,
+                event_y, event_t, floats, duals, told,
+            )  # fmt: skip
+            if stopped:
+                y[:] = np.nan
+            told_of = slice(1, 1 + len(some))
+            yield _Carried(
+                y[..., told_of], found[..., told_of], event_y[..., told_of],
+                event_t[..., told_of], stopped, int(told[0]),
+            )  # fmt: skip
+
+    def said_of(self, found: _Carried) -> str:
+        """Why derivatives end before the motion does, or nothing."""
+        lost = ~np.isfinite(found.event_states).all(axis=(1, 2, 3))
+        if not (found.stopped or lost.any()):
+            return ""
+        event = self.response.events[found.at if found.stopped else int(np.argmax(lost))]
+        what = (
+            f"the {event.kind} at {event.time:.6g} s, {event.phase_before} to {event.phase_after}"
+        )
+        return f"{what}, {_WHY[found.stopped]}"
+
+
+_RADIANS = {"DOP853": 0.6, "RK45": 0.2}
+"""Of a vibration, through which an explicit step goes without an error that counts; an implicit one
+is stable however long."""
+
+_WHY = {
+    0: "has no derivative: something is a root of what is zero there",
+    GRAZES: "grazes: its guard falls so slowly that the time of it is not known",
+    OTHER_WAY: "is one of several passages that fit as well: which, is not known",
+}
+
+
+def _dual(x: Any, along: np.ndarray, some: np.ndarray) -> np.ndarray:
+    """Numbers with their derivatives in some directions behind them, as the program takes them."""
+    found = np.zeros((np.size(x), 1 + WIDTH))
+    found[:, 0] = np.ravel(x)
+    for place, direction in enumerate(some, 1):  # one after the other: a record is long
+        found[:, place] = along[..., direction].ravel()
+    return found.reshape(*np.shape(x), 1 + WIDTH)
+
+
+_NO_ROWS = np.empty((0, 7, 1 + WIDTH))
+"""For a motion's table that no direction changes: the program has its rows already."""
+
+
+def _end(case: Case, motion: Motion, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Derivatives of the state at the end, and of the time of the end, see `Tangents`."""
+    r, m = motion.response, motion.directions
+    if not motion.falls:
+        moves = motion.along.end
+        return (
+            end + motion.rates(motion.last_time)[:, None] * moves if moves.any() else end
+        ), moves
+    # it ends where a rotation reaches its bound
+    y, falls = r.end, case.structure.falls
+    name = min(falls, key=lambda s: abs(abs(y[r.states.index(s)]) / value_of(falls[s]) - 1.0))
+    i = r.states.index(name)
+    speed = motion.rates(motion.last_time)[i]
+    return end, (np.sign(y[i]) * tangent_of(falls[name], m) - end[i]) / speed

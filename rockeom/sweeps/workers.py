@@ -1,0 +1,222 @@
+"""Who does the work of a sweep: threads of this process, or workers of an executor."""
+
+from __future__ import annotations
+
+import queue
+import sys
+import threading
+import time
+from collections import Counter
+from collections.abc import Callable, Sequence
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    ThreadPoolExecutor,
+    wait,
+)
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from rockeom.integrator.program import program, revision
+from rockeom.numbers.checks import told
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.sweeps.cases import Cases, Part, Source, first_of
+from rockeom.sweeps.results import Asked, Kept, Results
+
+AGAIN = 3
+"""So many times a chunk is given to an executor that has lost it."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is done with each case, all that another process must know of it but the values.
+
+    options : with the method named. revision : of the structure and the loop, which must be the
+        same wherever the work is done.
+    """
+
+    case: Callable[..., Case]
+    options: SolverOptions
+    lanes: bool
+    arrays: bool
+    impact_times: int
+    impact_states: bool
+    quantities: Sequence[str]
+    times: Any
+    revision: str
+
+    def empty(self, n: int, module: ModuleType) -> Kept:
+        return Kept(
+            Results.empty(n, module.N_STATES, self.impact_times),
+            Asked.empty(
+                n, self.quantities, self.times, self.options,
+                self.impact_times * self.impact_states, module.N_STATES,
+            ),
+        )  # fmt: skip
+
+    def source(self, cases: Cases, module: ModuleType, **how: Any) -> Source:
+        """The cases; whole responses are of cases made one by one."""
+        arrays = self.arrays and not (len(self.quantities) or self.impact_states)
+        return Source(self.case, cases, module=module, arrays=arrays, **how)
+
+
+def run_apart(work: Work, cases: Cases) -> dict[str, np.ndarray]:
+    """What is kept of a table of cases, run in the process that is asked; called by executors."""
+    module = first_of(work.case, cases).structure.module
+    method = work.options.method
+    assert method is not None
+    if revision(module, method, work.lanes) != work.revision:
+        raise RuntimeError(
+            f"a worker has another {module.NAME}, or another version of rockeom, than who asks: "
+            "install the same everywhere"
+        )
+    compiled, kept, stop = (
+        program(module, method, work.lanes),
+        work.empty(cases.total, module),
+        threading.Event(),
+    )
+    for part in work.source(cases, module, chunk=None):
+        kept.run(part, compiled, work.options, stop, work.lanes)
+    return kept.arrays()
+
+
+def in_executor(
+    executor: Any,
+    work: Work,
+    cases: Cases,
+    chunks: Sequence[np.ndarray],
+    done: Callable[[np.ndarray, dict[str, np.ndarray]], None],
+) -> None:
+    """Workers run chunks of rows until all are done; here, `done` takes what they send back.
+
+    A chunk that is lost with its worker is given out again, AGAIN times, if the executor takes it.
+    Raises what a case raises, or the error of an executor that has broken; its notes say what is
+    left to do.
+    """
+    ended: queue.SimpleQueue[tuple[int, Any]] = queue.SimpleQueue()
+    under_way: dict[int, Any] = {}
+    times: Counter[int] = Counter()
+    lost: dict[int, BaseException] = {}
+
+    def give(i: int) -> None:
+        times[i] += 1
+        try:
+            under_way[i] = future = executor.submit(run_apart, work, cases.part(chunks[i]))
+        except BrokenExecutor as error:
+            lost[i] = error
+            return
+        future.add_done_callback(lambda future: ended.put((i, future)))
+
+    try:
+        for i in range(len(chunks)):
+            give(i)
+        while under_way:
+            try:  # an interrupt is answered in time, also where nothing ends a wait
+                i, future = ended.get(timeout=0.2)
+            except queue.Empty:
+                continue
+            del under_way[i]
+            try:
+                found = future.result()
+            except (BrokenExecutor, CancelledError) as error:
+                if times[i] <= AGAIN:
+                    give(i)
+                else:
+                    lost[i] = error
+                continue
+            except Exception as error:
+                error.add_note(f"{_rows(chunks[i])} of the sweep, run by {told(executor)}")
+                if "pickle" in str(error):
+                    error.add_note(
+                        "what goes to another process must be picklable: let the function stand "
+                        "at the top level of a module"
+                    )
+                raise
+            done(chunks[i], found)
+    finally:
+        for future in under_way.values():
+            future.cancel()
+    if lost:
+        first = next(iter(lost.values()))
+        first.add_note(
+            f"lost with a worker of {told(executor)}, which takes no more work: "
+            f"{', '.join(_rows(chunks[i]) for i in sorted(lost)[:5])}"
+            f"{', ...' if len(lost) > 5 else ''}. Give another executor; with store=... the call "
+            "then does only what is missing"
+        )
+        raise first
+
+
+def _rows(chunk: np.ndarray) -> str:
+    return f"cases {chunk[0]} to {chunk[-1]}"
+
+
+def in_threads(
+    threads: int,
+    source: Source,
+    work: Callable[[Part, threading.Event], None],
+    done: Callable[[np.ndarray], None],
+) -> None:
+    """Threads make a part in turn, and run it, until all are done or `stop` is set.
+
+    Making holds Python's lock and running does not: while one thread makes, the others run. One
+    thread is the caller's own.
+    """
+    parts = iter(source)
+    turn, stop = threading.Lock(), threading.Event()
+
+    def worker() -> None:
+        ran = None
+        while True:
+            with turn:
+                if ran is not None:
+                    done(ran)
+                part = None if stop.is_set() else next(parts, None)
+            if part is None:
+                return
+            work(part, stop)
+            ran = part.rows
+
+    if threads == 1:
+        worker()
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            running = {pool.submit(worker) for _ in range(threads)}
+            while running:
+                # an interrupt that comes just as a wait begins is answered when the wait is over
+                ended, running = wait(running, timeout=0.2, return_when=FIRST_COMPLETED)
+                for one in ended:
+                    one.result()
+        finally:
+            stop.set()  # no more work for the others
+
+
+class Progress:
+    """A line on stderr: how many are done, and how long the rest will take."""
+
+    def __init__(self, total: int, shown: bool, of: str = "motions") -> None:
+        self.total, self.shown, self.of, self.done = total, shown, of, 0
+        self.started = self.last = time.monotonic()
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def add(self, n: int) -> None:
+        self.done += n
+        now = time.monotonic()
+        if self.shown and now - self.last > 0.2:
+            self.last = now
+            left = (now - self.started) * (self.total - self.done) / self.done
+            sys.stderr.write(f"\r{self.done:,} of {self.total:,} {self.of}, {left:.0f} s left ")
+            sys.stderr.flush()
+
+    def __exit__(self, *_: object) -> None:
+        if self.shown:
+            took = time.monotonic() - self.started
+            sys.stderr.write(f"\r{self.done:,} of {self.total:,} {self.of} in {took:.1f} s.\n")
