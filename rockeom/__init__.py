@@ -11,12 +11,8 @@ first use, so that ``import rockeom`` costs next to nothing and who only simulat
 SymPy.
 """
 
-from collections.abc import Callable
 from importlib import import_module
-from operator import attrgetter
 from typing import TYPE_CHECKING, Any
-
-from rockeom import hooks
 
 __version__ = "0.1.0"
 
@@ -124,33 +120,6 @@ if TYPE_CHECKING:
         derive as derive,
         models as models,
     )
-
-
-_ANSWERS = {
-    "animate": ("rockeom.plots", "animate"),
-    "code_of_model": ("rockeom.exports", "code_of_model"),
-    "html_of": ("rockeom.plots.notebook", "html_of"),
-    "plot_motion": ("rockeom.plots", "plot_motion"),
-    "plot_response": ("rockeom.plots", "plot_response"),
-    "plot_spectra": ("rockeom.plots", "plot_spectra"),
-    "response_spectrum": ("rockeom.analysis", "response_spectrum"),
-    "save_response": ("rockeom.exports.responses", "save"),
-    "thesis_wall": ("rockeom.analysis", "Wall.thesis"),
-}
-"""Of each call of `hooks`, where it is answered and by what."""
-
-
-def _answer(home: str, name: str) -> Callable[..., Any]:
-    """A function that is imported when it is called."""
-
-    def answer(*args: Any, **kwargs: Any) -> Any:
-        return attrgetter(name)(import_module(home))(*args, **kwargs)
-
-    return answer
-
-
-for _hook, (_home, _name) in _ANSWERS.items():
-    getattr(hooks, _hook).answer = _answer(_home, _name)
 
 
 def __getattr__(name: str) -> Any:

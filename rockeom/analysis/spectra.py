@@ -24,7 +24,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import hooks
 from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import C1, C3, END, KIND, LINEAR, START, acceleration, of_row, within
@@ -68,7 +67,9 @@ class ResponseSpectrum:
 
     def plot(self, **kwargs: Any) -> Any:
         """A figure of pseudo-acceleration, velocity and displacement; see `plots.plot_spectra`."""
-        return hooks.plot_spectra([self], **kwargs)
+        from rockeom.plots import plot_spectra
+
+        return plot_spectra([self], **kwargs)
 
 
 class OscillatorHistory(NamedTuple):

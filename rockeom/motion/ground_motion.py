@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import hooks
 from rockeom.motion.arguments import finite as _finite, positive as _positive
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
@@ -574,12 +573,16 @@ class GroundMotion:
 
         periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
         """
+        from rockeom.analysis import response_spectrum
+
         periods = np.geomspace(0.02, 10.0, 100) if periods is None else periods
-        return hooks.response_spectrum(self, periods, damping_ratio)
+        return response_spectrum(self, periods, damping_ratio)
 
     def plot(self, **kwargs: Any) -> Any:
         """A figure of acceleration, velocity and displacement; see `plots.plot_motion`."""
-        return hooks.plot_motion(self, **kwargs)
+        from rockeom.plots import plot_motion
+
+        return plot_motion(self, **kwargs)
 
     def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """Times 0, dt, 2 dt ... up to the duration (m,) [s], and accelerations (m,) [m/s2]."""
@@ -764,7 +767,9 @@ class GroundMotion:
         )
 
     def _repr_html_(self) -> str:
-        return hooks.html_of(self)
+        from rockeom.plots.notebook import html_of
+
+        return html_of(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.

@@ -12,7 +12,6 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import hooks
 from rockeom.motion import intensity as measured
 from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
@@ -301,9 +300,11 @@ class MotionSet(Sequence[GroundMotion]):
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05, **kwargs: Any
     ) -> Any:
         """A figure of the response spectra with their median; see `plots.plot_spectra`."""
+        from rockeom.plots import plot_spectra
+
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
-        return hooks.plot_spectra(spectra, **{"title": title} | kwargs)
+        return plot_spectra(spectra, **{"title": title} | kwargs)
 
 
 def _function(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
-from rockeom import codes, hooks
+from rockeom import codes
 from rockeom.codes import (
     ENERGY_ROUNDING,
     IMPACT,
@@ -823,7 +823,9 @@ class Response:
             run.save("block.nc")
             run = rk.load("block.nc")
         """
-        hooks.save_response(self, path)
+        from rockeom.exports.responses import save
+
+        save(self, path)
 
     def to_xarray(self, names: Sequence[str] | None = None, times: Any = None) -> xr.Dataset:
         """Quantities over "time" and impacts over "impact", each with its unit and its long name.
@@ -852,21 +854,27 @@ class Response:
 
     def plot(self, **kwargs):
         """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""
-        return hooks.plot_response(self, **kwargs)
+        from rockeom.plots import plot_response
+
+        return plot_response(self, **kwargs)
 
     def animate(self, path=None, **kwargs):
         """The motion drawn to scale, frame by frame: a .gif or .html file, or in Jupyter.
 
         path : of the file, if one is wanted. Others as in `rockeom.plots.animate`.
         """
-        return hooks.animate(self, path, **kwargs)
+        from rockeom.plots import animate
+
+        return animate(self, path, **kwargs)
 
     def _ipython_key_completions_(self) -> list[str]:
         """What IPython offers after `run["`."""
         return list(self.names)
 
     def _repr_html_(self) -> str:
-        return hooks.html_of(self)
+        from rockeom.plots.notebook import html_of
+
+        return html_of(self)
 
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts_in_words()}>"

@@ -22,7 +22,6 @@ from typing import (
 
 import numpy as np
 
-from rockeom import hooks
 from rockeom.codes import IMPACT, UPLIFT
 from rockeom.integrator.schema import has_points
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -87,7 +86,9 @@ class Structure:
         return importlib.import_module(f"rockeom.generated.{self.model}")
 
     def _repr_html_(self) -> str:
-        return hooks.html_of(self)
+        from rockeom.plots.notebook import html_of
+
+        return html_of(self)
 
     if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
 
@@ -1438,7 +1439,9 @@ class ControlledWall(_ControlledWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> ControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(hooks.thesis_wall(initial_force))
+        from rockeom.analysis import Wall
+
+        return cls.from_wall(Wall.thesis(initial_force))
 
 
 @_structure_class
@@ -1495,7 +1498,9 @@ class FlexibleControlledWall(_ControlledWall):
         cls, initial_force: float = 75.6e3, damping_ratio: float = 0.0
     ) -> FlexibleControlledWall:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(hooks.thesis_wall(initial_force), damping_ratio=damping_ratio)
+        from rockeom.analysis import Wall
+
+        return cls.from_wall(Wall.thesis(initial_force), damping_ratio=damping_ratio)
 
     def fixed_base(self) -> FixedBase:
         """The wall on a base that cannot turn: its mass at centroid_height on the elastic column.
@@ -1561,7 +1566,9 @@ class SubstituteGravityWall(_ControlledWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(hooks.thesis_wall(initial_force))
+        from rockeom.analysis import Wall
+
+        return cls.from_wall(Wall.thesis(initial_force))
 
 
 @_structure_class
@@ -1642,7 +1649,9 @@ class ControlledWallOscillator(_ControlledWall):
         held: bool = True,
     ) -> ControlledWallOscillator:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(hooks.thesis_wall(initial_force), energy_ratio, held)
+        from rockeom.analysis import Wall
+
+        return cls.from_wall(Wall.thesis(initial_force), energy_ratio, held)
 
     @property
     def jumps_between_events(self) -> bool:

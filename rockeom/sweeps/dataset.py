@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from rockeom import hooks
 from rockeom.codes import OUTCOMES
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
@@ -62,7 +61,9 @@ class Sweep(xr.Dataset):
         return super().__getattr__(name)
 
     def _repr_html_(self) -> str:
-        return hooks.html_of(self)
+        from rockeom.plots.notebook import html_of
+
+        return html_of(self)
 
 
 def _renamed(name: str) -> str:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.symbolic import evaluate, former, typeset
+from rockeom.symbolic import former
 from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, feet
 from rockeom.symbolic.elements import Spring, Unilateral, Yielding
 from rockeom.symbolic.model import (
-    READERS,
     Body,
     Coordinate,
     Definition,
@@ -28,13 +27,6 @@ from rockeom.symbolic.model import (
     turned,
 )
 from rockeom.symbolic.registry import SHIPPED, derive, models
-
-READERS.update(
-    latex=typeset.latex_document,
-    markdown=typeset.markdown_page,
-    notebook=typeset.notebook_display,
-    lambdify=evaluate.numpy_functions,
-)
 
 
 def __getattr__(name: str) -> Any:

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from rockeom import hooks
 from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import (
@@ -26,7 +25,6 @@ from rockeom.symbolic.elements import (
     switch_of,
 )
 from rockeom.symbolic.model import (
-    READERS,
     Body,
     Coordinate,
     Definition,
@@ -334,11 +332,15 @@ class Model:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; in two forms where feet are pinned."""
-        return READERS["latex"](self, form)
+        from rockeom.symbolic.typeset import latex_document
+
+        return latex_document(self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        return READERS["markdown"](self)
+        from rockeom.symbolic.typeset import markdown_page
+
+        return markdown_page(self)
 
     def code(self, language: str) -> str:
         """What is simulated, as the text of one self-contained file: "c" (C99) or "matlab".
@@ -347,7 +349,9 @@ class Model:
         arguments and units told in it; MATLAB's runs in Octave as well. See `rockeom export`.
         Raises ValueError for another language.
         """
-        return hooks.code_of_model(self, language)
+        from rockeom.exports import code_of_model
+
+        return code_of_model(self, language)
 
     # what is asked of a model whichever way it was declared
 

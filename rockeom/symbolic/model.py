@@ -7,14 +7,13 @@ the rest of this package derives equations of motion, impact maps, reactions and
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from rockeom import hooks
 from rockeom.symbolic import former, valid
 from rockeom.symbolic.algebra import SIDE, at_side, truncated
 
@@ -448,11 +447,15 @@ class RockingModel:
 
     def latex(self, form: str = "width") -> str:
         """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
-        return READERS["latex"](self, form)
+        from rockeom.symbolic.typeset import latex_document
+
+        return latex_document(self, form)
 
     def markdown(self) -> str:
         """The same equations as a Markdown page."""
-        return READERS["markdown"](self)
+        from rockeom.symbolic.typeset import markdown_page
+
+        return markdown_page(self)
 
     def code(self, language: str) -> str:
         """What is simulated, as the text of one self-contained file: "c" (C99) or "matlab".
@@ -461,19 +464,20 @@ class RockingModel:
         arguments and units told in it; MATLAB's runs in Octave as well. See `rockeom export`.
         Raises ValueError for another language.
         """
-        return hooks.code_of_model(self, language)
+        from rockeom.exports import code_of_model
+
+        return code_of_model(self, language)
 
     def _repr_latex_(self) -> str:
-        return READERS["notebook"](self)
+        from rockeom.symbolic.typeset import notebook_display
+
+        return notebook_display(self)
 
     def lambdify(self) -> dict[str, NumpyPhase]:
         """Vectorised NumPy functions of every contact state, see `numpy_functions`."""
-        return READERS["lambdify"](self)
+        from rockeom.symbolic.evaluate import numpy_functions
 
-
-READERS: dict[str, Callable[..., Any]] = {}
-"""What reads a model that was derived, by the method that hands it on. A model is data and knows
-none of them: `rockeom.symbolic` puts them here."""
+        return numpy_functions(self)
 
 
 @lru_cache(maxsize=4096)  # the same guards and energies are asked for in many contact states
