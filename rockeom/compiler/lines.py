@@ -67,7 +67,9 @@ def joined(a: Type, b: Type) -> Type | None:
         return a
     if isinstance(a, Tuple) and isinstance(b, Tuple) and len(a.items) == len(b.items):
         items = [joined(x, y) for x, y in zip(a.items, b.items, strict=True)]
-        return None if None in items else Tuple(tuple(items))  # type: ignore[arg-type]
+        if None in items or a.fields != b.fields:
+            return None
+        return Tuple(tuple(items), a.fields)  # type: ignore[arg-type]
     found = {a, b}
     if DUAL in found and found <= {DUAL, FLOAT, INT}:
         return DUAL
@@ -100,9 +102,10 @@ def literal(x: float) -> str:
     return f"0x{struct.unpack('<Q', struct.pack('<d', x))[0]:016X}"
 
 
-def a_tuple(values: Sequence[Value]) -> Value:
+def a_tuple(values: Sequence[Value], fields: tuple[str, ...] = ()) -> Value:
+    """A tuple of values, a record if its fields have names."""
     types = tuple(value.type for value in values)
-    return Value(Tuple(types), tuple(part for value in values for part in value.parts))
+    return Value(Tuple(types, fields), tuple(part for value in values for part in value.parts))
 
 
 def item_of(value: Value, i: int) -> Value:
@@ -244,6 +247,15 @@ class Lines:
         ]
         return Value(type_, tuple(map(self.new, loads)))
 
+    def load_item(self, name: str, type_: Tuple, i: int) -> Value:
+        """One item of a variable that is a tuple."""
+        start = sum(len(parts_of(item)) for item in type_.items[:i])
+        loads = [
+            f"load {part}, ptr %{name}.{start + j}{_aligned(part)}"
+            for j, part in enumerate(parts_of(type_.items[i]))
+        ]
+        return Value(type_.items[i], tuple(map(self.new, loads)))
+
     def store(self, name: str, value: Value) -> None:
         for i, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
             self.line(f"store {part} {operand}, ptr %{name}.{i}{_aligned(part)}")
@@ -334,7 +346,8 @@ class Lines:
             return self.number(FLOAT, f"sitofp i64 {value.operand} to double")
         if isinstance(value.type, Tuple) and isinstance(type_, Tuple):
             items = enumerate(type_.items)
-            return a_tuple([self.widened(item_of(value, i), wider) for i, wider in items])
+            wide = [self.widened(item_of(value, i), wider) for i, wider in items]
+            return a_tuple(wide, type_.fields)
         raise Unfit(f"{told(value.type)} where {told(type_)} is wanted")
 
     def arithmetic(self, operation: str, left: Value, right: Value) -> Value:

@@ -10,6 +10,8 @@ refused by file and line.
               where n is a whole number from 1 to 9
     bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
     tuple     of any of these; indices are constants. One that is an argument is not assigned
+    record    a NamedTuple: a tuple whose items are read by name, as record.field. Fields have the
+              types of their annotations; `record._replace(field=value)` is another one
     array     of int or float, in C order, never out of bounds: indices are not checked, unless the
               program is printed with `bounds`. A negative index counts from the end; with `bounds`
               only a constant one does. numpy.empty, zeros and array make one that lasts as long as
@@ -159,6 +161,14 @@ class Program:
                 marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
                 self.definitions[node.name] = Definition(node, text, marks)
             exec(rest, self.names)
+        self.records = {
+            name: {
+                field: ANNOTATIONS.get(getattr(annotation, "__forward_arg__", ""))
+                for field, annotation in value.__annotations__.items()
+            }
+            for name, value in self.names.items()
+            if isinstance(value, type) and issubclass(value, tuple) and value is not NamedTuple
+        }
         for name, definition in self.definitions.items():
             if "entry" in definition.marks and not definition.text.elsewhere:
                 self.entry(name, definition)
@@ -591,7 +601,13 @@ class _Function:
         return a_tuple([self._value(item) for item in node.elts])
 
     def _attribute(self, node: ast.Attribute) -> Value:
+        if isinstance(node.value, ast.Name) and node.value.id in self.locals:
+            type_ = self._type_of(node.value)
+            if isinstance(type_, Tuple) and node.attr in type_.fields:
+                return self.ir.load_item(node.value.id, type_, type_.fields.index(node.attr))
         value = self._value(node.value)
+        if isinstance(value.type, Tuple) and node.attr in value.type.fields:
+            return item_of(value, value.type.fields.index(node.attr))
         if node.attr != "shape" or not isinstance(value.type, Array):
             self.refuse(node, f".{node.attr} is not known")
         return Value(Tuple((INT,) * value.type.dimensions), value.parts[1:])
@@ -775,6 +791,10 @@ class _Function:
 
     def _call(self, node: ast.Call) -> Value:
         function = node.func
+        if isinstance(function, ast.Attribute) and function.attr == "_replace":
+            return self._replaced(node, function.value)
+        if isinstance(function, ast.Name) and function.id in self.program.records:
+            return self._record(node, function.id)
         if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
             self.refuse(node, "arguments are given by their place")
         if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name):
@@ -796,6 +816,44 @@ class _Function:
             self.size += self.program.sizes[symbol]
             how = " alwaysinline"
         return self.ir.call(symbol, returns, [o for _, operands in given for o in operands], how)
+
+    def _record(self, node: ast.Call, name: str) -> Value:
+        """A new record, of the types that its fields are annotated with."""
+        fields = self.program.records[name]
+        values = dict(zip(fields, node.args, strict=False))
+        values |= {str(keyword.arg): keyword.value for keyword in node.keywords}
+        if len(node.args) + len(node.keywords) != len(fields) or set(values) != set(fields):
+            self.refuse(node, f"{name} takes {', '.join(fields)}, each once")
+        parts = {field: self._field(node, name, field, value) for field, value in values.items()}
+        return a_tuple([parts[field] for field in fields], tuple(fields))
+
+    def _field(self, node: ast.AST, name: str, field: str, given: ast.expr) -> Value:
+        """The value of a field: a number is widened to the type of its annotation."""
+        wanted, value = self.program.records[name][field], self._value(given)
+        if wanted is None or (isinstance(wanted, Array) and wanted == value.type):
+            return value
+        if has_duals(value.type) and wanted == FLOAT:
+            return value
+        if wanted in (value.type, joined(wanted, value.type)):
+            return self.ir.widened(value, wanted)
+        self.refuse(node, f"{name}.{field} is {told(wanted)}, not {told(value.type)}")
+
+    def _replaced(self, node: ast.Call, of: ast.expr) -> Value:
+        """A record with other values in some fields."""
+        value = self._value(of)
+        if not isinstance(value.type, Tuple) or not value.type.fields or node.args:
+            self.refuse(node, "._replace(field=value) is of a record")
+        fields = value.type.fields
+        parts = [item_of(value, i) for i in range(len(fields))]
+        for keyword in node.keywords:
+            if keyword.arg not in fields:
+                self.refuse(node, f"there is no field {keyword.arg}, only {', '.join(fields)}")
+            i = fields.index(keyword.arg)
+            new = self._value(keyword.value)
+            if joined(parts[i].type, new.type) != parts[i].type:
+                self.refuse(node, f"{fields[i]} is {told(parts[i].type)}, not {told(new.type)}")
+            parts[i] = self.ir.widened(new, parts[i].type)
+        return a_tuple(parts, fields)
 
     def _written_out(self, symbol: str, node: ast.Call) -> bool:
         """Whether a function is written out at this call."""

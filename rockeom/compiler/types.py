@@ -29,7 +29,10 @@ class Array(NamedTuple):
 
 
 class Tuple(NamedTuple):
+    """Of some values; fields : their names where it is a record."""
+
     items: tuple[Type, ...]
+    fields: tuple[str, ...] = ()
 
 
 Type = str | Array | Tuple

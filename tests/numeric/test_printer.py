@@ -53,6 +53,35 @@ def run(x: Floats, n: Ints, out: Floats):
         out[i] = float(steps)
 """
 
+RECORDS = """
+from typing import NamedTuple
+
+class Place(NamedTuple):
+    x: float
+    turns: int
+    known: bool
+
+class Body(NamedTuple):
+    place: Place
+    sizes: Floats
+
+def moved(body, by):
+    at = body.place
+    if at.known:
+        at = at._replace(x=at.x + by, turns=at.turns + 1)
+    return 2 * at.turns, body._replace(place=at)
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    body = Body(sizes=x, place=Place(0, 0, n[0] > 0))
+    for i in range(len(x)):
+        doubled, body = moved(body, body.sizes[i])
+        body = body._replace(place=body.place._replace(known=not body.place.known))
+        if not body.place.known:
+            body = body._replace(place=Place(x=body.place.x, turns=doubled, known=True))
+        out[i] = body.place.x + body[0].turns
+"""
+
 HORNER = """
 COEFFICIENTS = (0.3, -1.7, 2.9, 0.0, 1e-3)
 
@@ -207,6 +236,7 @@ TEXTS = {
     "whole tuples": WHOLE_TUPLES,
     "signs": SIGNS,
     "greatest common divisor": GREATEST_DIVISOR,
+    "records": RECORDS,
     "Collatz": COLLATZ,
     "Horner": HORNER,
     "determinant": DETERMINANT,
@@ -416,12 +446,26 @@ REFUSED = {
     "x = max()": "max of 0 is not among the functions",
     "n //= 2": "clearly cannot be negative",
     "x = undefined": "undefined is not known",
+    "x = Pair(1.0)": "Pair takes first, second, each once",
+    "x = Pair(1.0, first=2.0)": "Pair takes first, second, each once",
+    "x = Pair(1.0, True)": "Pair.second is int, not bool",
+    "x = Pair(1.0, 2.0)": "Pair.second is int, not float",
+    "x = Pair(1.0, 2)._replace(third=1)": "there is no field third, only first, second",
+    "x = Pair(1.0, 2)._replace(second=1.5)": "second is int, not float",
+    "x = Pair(1.0, 2).third": ".third is not known",
+    "x = y._replace(first=1.0)": "._replace(field=value) is of a record",
     "del n": "Delete is not among the statements",
     "assert n > 0": "Assert is not among the statements",
 }
 FRAME = (
     HEAD
     + """
+from typing import NamedTuple
+
+class Pair(NamedTuple):
+    first: float
+    second: int
+
 def outer(a):
     return a + 1.0
 
