@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text, or of the printer
-    from rockeom.integrator.interface import but_for_rounding, sine, sine_cosine, value
+    from rockeom.integrator.ground import sine
+    from rockeom.integrator.interface import sine_cosine, value
+    from rockeom.integrator.transitions.searched import but_for_rounding
 
 
 def sqrt_slope(x):

@@ -42,6 +42,9 @@ from rockeom.codes import (
 from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.batches import add_gain
+    from rockeom.integrator.bernstein import EPS
+    from rockeom.integrator.ground import jumps, pulse, row_at, sampling_step, shaking
     from rockeom.integrator.interface import (
         CLOSED,
         DAMPING,
@@ -75,22 +78,12 @@ if TYPE_CHECKING:  # joined before this text
         _POWERS,
         _W,
         _Y_NEW,
-        EPS,
         SCRATCH,
         TURN,
-        add_gain,
-        first_step,
         integrate,
-        jumps,
-        most_error,
-        pulse,
-        ratio_at,
-        row_at,
-        sampling_step,
-        shaking,
-        stand,
-        time_to_rest,
     )
+    from rockeom.integrator.steps import first_step, most_error
+    from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
 
 # Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
 # constants, leave the compiler no doubt that lanes are independent.

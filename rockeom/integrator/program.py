@@ -31,14 +31,26 @@ from rockeom.integrator.texts import digest, source, text_of
 if TYPE_CHECKING:
     from rockeom.compiler.printer import Program as Printed, Text
 
-_LOOP, _LANES = "integrator/loop.py", "integrator/lanes.py"
+_LANES = "integrator/lanes.py"
 _OF_POINTS = ("integrator/transitions/landings.py", "integrator/transitions/zeno.py")
+_OF_MODES = (
+    "integrator/ground.py", "integrator/bernstein.py", "integrator/polynomials.py",
+    "integrator/extremes.py", "integrator/overturning.py", "integrator/rounding.py",
+    "integrator/guards.py", "integrator/full_contact.py", "integrator/transitions/declared.py",
+    "integrator/steps.py",
+)  # fmt: skip
+"""Texts of functions of one mode, from which the loop is made."""
+_LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
+JOINED = (
+    SEARCHED, *_OF_POINTS, *_OF_MODES, *_LOOPS, _LANES, _DERIVATIVES, _VARIATIONAL,
+)  # fmt: skip
+"""Files that are joined to programs, and not imported."""
 _OF_ALL = (
-    _LOOP, *_OF_POINTS, "integrator/methods/tableau.py", "integrator/methods/coefficients.py",
-    "integrator/methods/radau.py", "compiler/printer.py", "compiler/machine.py",
-    "compiler/lines.py", "compiler/types.py", "integrator/program.py", "integrator/texts.py",
-    "codes.py",
+    *_OF_MODES, *_LOOPS, *_OF_POINTS, "integrator/methods/tableau.py",
+    "integrator/methods/coefficients.py", "integrator/methods/radau.py", "compiler/printer.py",
+    "compiler/machine.py", "compiler/lines.py", "compiler/types.py", "integrator/program.py",
+    "integrator/texts.py", "codes.py",
 )  # fmt: skip
 """Modules whose texts every program follows from, besides that of its structure."""
 _SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE", "FLOATS_SIZE", "DUALS_SIZE")
@@ -251,11 +263,11 @@ def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
     """What a part of a program is printed from; entries of the other parts are called."""
     from rockeom.compiler.printer import Text
 
-    own = {LOOP: _LOOP, VECTORS: VECTORS, GLUE: _LANES, TANGENTS: _VARIATIONAL}[part]
+    own = {LOOP: _LOOPS, VECTORS: (VECTORS,), GLUE: (_LANES,), TANGENTS: (_VARIATIONAL,)}[part]
     found = texts(generated, method, part in (VECTORS, GLUE))
     if part == TANGENTS:
         found += [_joined(name, fused=True) for name in _OTHERS[TANGENTS]]
-    found = [replace(text, elsewhere=text.name != own) for text in found]
+    found = [replace(text, elsewhere=text.name not in own) for text in found]
     if part == VECTORS:
         from rockeom.integrator.lanes_text import SINES
 
@@ -283,7 +295,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
         Text(f"the step of {method}", step, fused=True),
         Text(SEARCHED, _contacts(generated)),
         *(_joined(name) for name in _OF_POINTS if has_points(generated)),
-        _joined(_LOOP, fused=True),
+        *(_joined(name, fused=True) for name in (*_OF_MODES, *_LOOPS)),
     ]
     if lanes:
         from rockeom.integrator.lanes_text import lanes_text

@@ -32,30 +32,25 @@ from rockeom.compiler.decorators import (
 )
 
 if TYPE_CHECKING:  # joined before this text, or of the printer
+    from rockeom.integrator.full_contact import cannot_move
+    from rockeom.integrator.ground import row_at, row_of, shaking
     from rockeom.integrator.interface import (
         N_ALL_STAGES,
         N_GUARDS,
-        N_KNOWN,
         N_PARTS,
         N_POINTS,
         N_STATES,
-        cannot_move,
         guards,
         jump,
         moving,
-        pass_on,
         rate,
         rates,
-        ratio_at,
-        row_at,
-        row_of,
-        shaking,
-        stand,
         take_step,
-        time_of_bounces,
-        time_to_rest,
         value,
     )
+    from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
+    from rockeom.integrator.transitions.searched import N_KNOWN, pass_on
+    from rockeom.integrator.transitions.zeno import time_of_bounces
 
 DIGITS = 1e4
 """How many times the tolerance a guard must have sunk below zero, had nothing happened there:

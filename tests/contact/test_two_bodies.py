@@ -8,7 +8,8 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom import codegen, declared as of_declarations
+from rockeom import codegen
+from rockeom.modelling import declared as of_declarations
 from rockeom.structures.contact_modes import Points
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y

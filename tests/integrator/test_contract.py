@@ -11,7 +11,8 @@ import pytest
 import rockeom as rk
 from rockeom import codes
 from rockeom.compiler.printer import _BUILT_IN
-from rockeom.integrator.program import texts
+from rockeom.integrator.program import JOINED, texts
+from rockeom.integrator.schema import SEARCHED
 from rockeom.integrator.texts import text_of
 
 DECLARED = ast.parse((Path(rk.__file__).parent / "integrator" / "interface.pyi").read_text())
@@ -23,23 +24,13 @@ FUNCTIONS = {
 TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAssign)}
 OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
-    "points", "point_laws", "guard_noise", "longest_turn", "fall_within", "pass_on", "is_closed",
-    "nothing_moves", "held_upright", "time_of_bounces", "step_over", "fits_by_forces", "end_closed",
-    "only_hop", "to_landing", "meet", "go_on_as", "all_known", "put_on", "rate_of",
-    "acceleration_of", "N_COORDINATES", "POINT", "ROW", "ROWS", "MATRIX", "COUPLING", "GRAIN",
-    "FITS", "but_for_rounding", "without_forces", "radius_of",
-    "is_smooth", "is_rounding", "gap_rounding", "still_closed",
-    "collide", "through_mass", "squared", "LAWS", "SIGN_OF",
+    "points", "point_laws",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
 """What only those have of which several coordinates may fall."""
-OF_LOOP = {
-    "shaking", "sine", "row_at", "row_of", "ratio_at", "time_to_rest", "stand", "cannot_move",
-}  # fmt: skip
-"""What contacts, and what carries derivatives, ask of the loop."""
 OF_PRINTER = {"value", "moving", "rate"}
 """What numbers with derivatives are asked by."""
 
@@ -51,10 +42,10 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
     lanes = method != "Radau"
     joined = {"__name__": "joined"}
     for text in texts(generated, method, lanes):
-        if not text.name.endswith(("/loop.py", "/lanes.py")):
+        if text.name not in JOINED or text.name == SEARCHED:
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
-    elsewhere = OF_LOOP | OF_PRINTER | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
+    elsewhere = OF_PRINTER | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
     elsewhere |= set() if joined["N_FALLS"] else OF_FALLS
     for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
@@ -63,21 +54,15 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
     assert TABLES - elsewhere - (set() if lanes else tables) <= joined.keys()
 
 
-def test_loop_and_printer_define_what_else_is_asked_for():
-    source = text_of("integrator/loop.py")
-    loop = {n.name: n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef)}
-    for function in OF_LOOP:
-        assert [a.arg for a in loop[function].args.args] == FUNCTIONS[function]
+def test_printer_defines_what_numbers_with_derivatives_are_asked_by():
     for function in OF_PRINTER:
         assert function in _BUILT_IN
 
 
 def test_every_name_that_is_declared_is_asked_for():
     asked = set()
-    searched = (f"transitions/{part}" for part in ("searched", "landings", "zeno"))
-    for part in ("loop", "lanes", "derivatives", "variational", *searched):
-        source = text_of(f"integrator/{part}.py")
-        asked |= {n.id for n in ast.walk(ast.parse(source)) if isinstance(n, ast.Name)}
+    for name in JOINED:
+        asked |= {n.id for n in ast.walk(ast.parse(text_of(name))) if isinstance(n, ast.Name)}
     assert FUNCTIONS.keys() | TABLES <= asked
 
 

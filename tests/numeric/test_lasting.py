@@ -18,7 +18,7 @@ import pytest
 import xarray as xr
 
 import rockeom as rk
-from rockeom import saved
+from rockeom.exports import responses as saved
 from rockeom.files import TEMPORARY
 from rockeom.simulation import extremes
 from rockeom.simulation.recorder import Steps

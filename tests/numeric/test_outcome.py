@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom import contract
+from rockeom import codes
 
 BLOCK = rk.RigidBlock(half_width=0.2, half_height=1.0)
 SHAKEN = {"completed": 2.4, "overturned": 9.0}
@@ -33,8 +33,8 @@ def test_the_outcome_of_one_motion_compares_with_words_as_that_of_a_sweep_does(w
 
 def test_each_outcome_is_its_word_in_every_use():
     for number, outcome in enumerate(rk.Outcome):
-        word = contract.OUTCOMES[number]
-        assert getattr(contract, outcome.name) == number
+        word = codes.OUTCOMES[number]
+        assert getattr(codes, outcome.name) == number
         assert outcome == word
         assert word == outcome
         assert hash(outcome) == hash(word)
@@ -46,7 +46,7 @@ def test_each_outcome_is_its_word_in_every_use():
         assert json.loads(json.dumps(outcome)) == np.array([outcome]).item() == word
         assert outcome.sentence.endswith(".")
         assert outcome.sentence != word
-    assert len({outcome.sentence for outcome in rk.Outcome}) == len(contract.OUTCOMES)
+    assert len({outcome.sentence for outcome in rk.Outcome}) == len(codes.OUTCOMES)
 
 
 def test_a_word_that_is_no_outcome_equals_none():

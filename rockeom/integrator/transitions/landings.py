@@ -13,21 +13,23 @@ from rockeom.codes import LANDING, STAYS_OPEN, UNCLEAR
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.ground import shaking
     from rockeom.integrator.interface import (
         ANGLES,
         GUARDS,
         KINDS,
-        N_COORDINATES,
         N_POINTS,
+        SUBJECTS,
+        guards,
+        points,
+    )
+    from rockeom.integrator.transitions.searched import (
+        N_COORDINATES,
         POINT,
         ROW,
-        SUBJECTS,
         acceleration_of,
         gap_rounding,
-        guards,
         is_closed,
-        points,
-        shaking,
     )
 
 INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope

@@ -1,0 +1,77 @@
+"""The smallest and largest values of each state, within steps, too.
+
+This text is joined to others, see `rockeom.integrator.program`.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.compiler.decorators import inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.interface import N_STAGES, N_STATES, NODES
+    from rockeom.integrator.polynomials import power_sum, quintic_of, slope_at
+
+
+def widen(peaks, y):
+    """Let the smallest and largest values (2, N) take in a state."""
+    for i in range(N_STATES):
+        peaks[0, i] = min(peaks[0, i], y[i])
+        peaks[1, i] = max(peaks[1, i], y[i])
+
+
+@inlined
+def widens(peaks, h, y, y_new, k):
+    """Whether a state may turn back within a step, outside of the extremes known so far.
+
+    By the quintics through both ends: the Bernstein coefficients of a coordinate bound how far it
+    may go, those of its slope where it may turn, and how far its rate may go.
+    """
+    far = False
+    n = N_STATES // 2
+    for i in range(n):
+        _, b1, b2, b3, b4, _ = quintic_of(i, 1.0, h, y, y_new, k)
+        v0, v1, part = h * y[n + i], h * y_new[n + i], 0.25 * h * h
+        d1, d3 = v0 + part * k[n + i], v1 - part * k[N_STAGES * N_STATES + n + i]
+        d2 = 5.0 * (b3 - b2)
+        slow, fast = min(v0, v1), max(v0, v1)
+        least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
+        margin = 1e-3 * (most - least)
+        far = far or least - margin < min(h * peaks[0, n + i], slow)
+        far = far or most + margin > max(h * peaks[1, n + i], fast)
+        if min(least, slow) >= 0.0 or max(most, fast) <= 0.0:
+            continue  # it rises or falls all along
+        least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
+        margin = 1e-3 * (most - least)
+        far = far or least - margin < peaks[0, i] or most + margin > peaks[1, i]
+    return far
+
+
+def widen_within(peaks, coefficients):
+    """Take in the turning points of the states inside a step, from its dense output."""
+    for i in range(N_STATES):
+        least, most = np.inf, -np.inf
+        low = high = 0.0
+        for m in range(8):
+            value = power_sum(coefficients, NODES[m], i)
+            if value < least:
+                least, low = value, NODES[m]
+            if value > most:
+                most, high = value, NODES[m]
+        peaks[0, i] = min(peaks[0, i], min(least, turning_point(coefficients, low, i, -1.0)))
+        peaks[1, i] = max(peaks[1, i], max(most, turning_point(coefficients, high, i, 1.0)))
+
+
+def turning_point(coefficients, x, i, sign):
+    """Value of state i at its maximum (sign 1) or minimum (-1) beside the node x of a step."""
+    low, high = max(x - 0.25, 0.0), min(x + 0.25, 1.0)
+    for _ in range(6):
+        slope, bend = slope_at(coefficients, x, i)
+        if sign * bend >= 0.0:
+            break
+        before = x
+        x = min(max(x - slope / bend, low), high)
+        if abs(x - before) < 1e-9:
+            break  # an extreme's error is of the order of the square of that
+    return power_sum(coefficients, x, i)

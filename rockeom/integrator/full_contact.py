@@ -1,0 +1,68 @@
+"""A structure that stands and cannot move: how long it stays so.
+
+This text is joined to others, see `rockeom.integrator.program`.
+"""
+
+from typing import TYPE_CHECKING
+
+from rockeom.codes import LIFTING, SLIPPING, UPLIFT
+from rockeom.compiler.decorators import inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.interface import (
+        GUARDS,
+        KINDS,
+        N_PARTS,
+        N_POINTS,
+        N_STATES,
+        SIDES,
+        guards,
+    )
+    from rockeom.integrator.transitions.searched import held_upright, nothing_moves
+
+
+@inlined
+def cannot_move(contact, rate, y, p):
+    """Whether a structure stands on both its feet, and has no state that could move there."""
+    if (N_STATES > 2 and N_POINTS == 0) or N_PARTS > 0 or SIDES[contact] != 0.0:
+        return False
+    for i in range(N_STATES):
+        if rate[i] != 0.0:
+            return False
+    for n in range(GUARDS[contact]):
+        kind = KINDS[contact][n]
+        if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
+            return False
+    return True if N_POINTS == 0 else nothing_moves(contact, y, p)
+
+
+@inlined
+def stands_until(contact, t, end, y, p, gx, gy, g):
+    """Whether a structure that cannot move stays on both its feet while straight laws last.
+
+    The accelerations with which its feet would lift are linear in those of the ground, so that
+    both ends decide.
+    """
+    if gx[2] != 0.0 or gy[2] != 0.0:
+        return False
+    for turn in range(2):
+        tau = end if turn == 1 else t
+        guards(contact, y, p, shaking(gx, tau), shaking(gy, tau), g)
+        size = 0.0
+        for n in range(GUARDS[contact]):
+            size += abs(g[n])
+        for n in range(GUARDS[contact]):
+            if not g[n] > 1e-9 * size:
+                return False
+    return True
+
+
+@inlined
+def standing(contact, y, p):
+    """Whether a structure stands on both its feet."""
+    return (
+        SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT
+        if N_POINTS == 0
+        else held_upright(contact, y, p)
+    )

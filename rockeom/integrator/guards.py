@@ -1,0 +1,387 @@
+"""Guards: which one ends a contact state, where in a step, and which stay open in all of it.
+
+First the bounds by which most steps are known to have no event, without dense output; then the
+polynomials of all guards over a step, and the first of them that falls through zero.
+
+This text is joined to others, see `rockeom.integrator.program`.
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import IMPACT, LANDING, LIFTING, SLIPPING, UPLIFT
+from rockeom.compiler.decorators import inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.bernstein import (
+        EPS,
+        EXACT,
+        NEVER,
+        SAMPLED,
+        bernstein_at,
+        clearly_open,
+        first_fall,
+        larger_falls,
+        rises_first,
+        size,
+    )
+    from rockeom.integrator.ground import shaking, straight
+    from rockeom.integrator.interface import (
+        GUARDS,
+        HELD,
+        KINDS,
+        N_GUARDS,
+        N_PARTS,
+        N_POINTS,
+        N_STAGES,
+        N_STATES,
+        NODES,
+        PARTS,
+        QUARTIC,
+        QUINTIC,
+        ROTATION,
+        ROTATION_RATE,
+        SAMPLES_TO_BERNSTEIN,
+        SIDES,
+        guards,
+        held_guards,
+        rates,
+    )
+    from rockeom.integrator.polynomials import (
+        dense_at,
+        polynomial_of,
+        quintics_through_ends,
+        slope_at,
+    )
+    from rockeom.integrator.rounding import CLOSED_GAP, grain_of, rounding
+    from rockeom.integrator.transitions.searched import is_closed
+
+
+def rocking(contact):
+    """Whether a contact state ends by an impact and in no other way."""
+    return GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT
+
+
+@inlined
+def is_known(touching, i):
+    """Whether a guard is known to be closed: the one that `touching` is, or one of several."""
+    return touching == i if N_POINTS == 0 else is_closed(touching, i)
+
+
+@inlined
+def stays_open(gap, touching):
+    """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
+
+    gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
+    there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
+    """
+    b0, b1, b2, b3, b4, b5 = gap
+    least, grain = 1e-3 * max(b0, b5), 1e-11 * b5
+    leaves = b1 > least and b2 > least and (b0 > least or touching == 0)
+    leaves = leaves or (touching == 0 and abs(b1) <= grain and b2 >= -grain)
+    return leaves and b3 > least and b4 > least and b5 > least
+
+
+def closes_once(gap, touching):
+    """Place in a step at which the gap of a rocking phase clearly closes, once, or NEVER.
+
+    Where the coefficients change their sign once, by a margin as in `stays_open`, there is one
+    root.
+    """
+    b0, b1, b2, b3, b4, b5 = gap
+    doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    if (touching != 0 and b0 <= doubt) or (touching == 0 and b1 <= doubt) or b5 >= -doubt:
+        return NEVER
+    # behind the first that is not clearly positive, none is; behind a negative one, all are
+    falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
+    falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
+    falls = falls and (b2 > doubt or b4 <= doubt)
+    if not (falls and (b1 > doubt or (b2 < -doubt and b3 < -doubt))):
+        return NEVER
+    # Newton's method within a bracket, from the parabola with the same ends and slope
+    low, high = 0.0, 1.0
+    rise = 5.0 * (b1 - b0)
+    bend = b0 + rise - b5
+    x = (rise + math.sqrt(max(rise * rise + 4.0 * bend * b0, 0.0))) / (2.0 * bend)
+    for _ in range(30):
+        if not low < x < high:
+            x = 0.5 * (low + high)
+        c0, c1, c2 = b0 + x * (b1 - b0), b1 + x * (b2 - b1), b2 + x * (b3 - b2)
+        c3, c4 = b3 + x * (b4 - b3), b4 + x * (b5 - b4)
+        c0, c1, c2 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2)
+        c3 += x * (c4 - c3)
+        c0, c1, c2 = c0 + x * (c1 - c0), c1 + x * (c2 - c1), c2 + x * (c3 - c2)
+        c0, c1 = c0 + x * (c1 - c0), c1 + x * (c2 - c1)
+        value, slope = c0 + x * (c1 - c0), 5.0 * (c1 - c0)
+        if value > 0.0:
+            low = x
+        else:
+            high = x
+        move = value / slope if slope < 0.0 else 1.0
+        x -= move
+        if abs(move) < 1e-7:  # the error left is about the square of that
+            return x if 0.0 < x < 1.0 else NEVER
+    return NEVER
+
+
+@inlined
+def rises_and_falls(gap):
+    """Whether a gap that opens stays open until beside the end of a step, where it closes."""
+    _, b1, b2, b3, b4, _ = gap
+    least = 1e-3 * max(b2, b3)
+    return b1 > least and b2 > least and b3 > least and b4 > least
+
+
+@inlined
+def to_impact(side, y_new, k):
+    """Time from the end of a step to the impact beside it; infinite where the gap does not close.
+
+    By the parabola there, from which it differs by the third power of that time.
+    """
+    q, v = side * y_new[ROTATION], side * y_new[ROTATION_RATE]
+    if not v < 0.0:
+        return np.inf
+    move = -q / v
+    return move - 0.5 * side * k[N_STAGES * N_STATES + ROTATION_RATE] * move * move / v
+
+
+def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
+    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+
+    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    """
+    if HELD >= 0 and contact == HELD and straight(gx, gy):
+        return stays_on_both_feet(t, h, y, y_new, k, p, gx)
+    n = N_STATES // 2
+    quintics_through_ends(h, y, y_new, k, quintics)
+    for m in range(8):
+        for i in range(n):
+            at = 8 * i + 1
+            place = QUINTIC[m, 0] * quintics[at]
+            slope = 0.0
+            for j in range(5):
+                place += QUINTIC[m, j + 1] * quintics[at + j + 1]
+                slope += QUARTIC[m, j] * (quintics[at + j + 1] - quintics[at + j])
+            w[i], w[n + i] = place, slope * (5.0 / h)
+        tau = t + NODES[m] * h
+        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+        for n_g in range(N_GUARDS + N_PARTS):
+            b[8 * n_g + m] = g[n_g]
+    for n_g in range(GUARDS[contact]):
+        held = clearly_open(b, 8 * n_g)
+        if N_PARTS > 0 and PARTS[contact][n_g] >= 0:
+            part = 8 * PARTS[contact][n_g]
+            held = clearly_open(b, part) or clearly_open(b, part + 8)
+        if not held:
+            return False
+    return True
+
+
+def stays_on_both_feet(t, h, y, y_new, k, p, gx):
+    """The same for guards that are sums of the state and of ground that moves in a straight line.
+
+    The coefficients of such a sum are the sums of those of the quintics, and of their slopes.
+    """
+    n = N_STATES // 2
+    quintics, w, g = np.empty(8 * (N_STATES // 2)), np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS)
+    quintics_through_ends(h, y, y_new, k, quintics)
+    rate, ground, change = 1.0 / h, shaking(gx, t), 0.2 * h * gx[4]
+    least, most, total = np.inf, 0.0, 0.0
+    w[ROTATION] = w[ROTATION_RATE] = 0.0
+    for j in range(6):
+        for i in range(n):
+            if i != ROTATION:
+                at = 8 * i + j
+                before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
+                w[i] = here
+                w[n + i] = rate * (j * (here - before) + (5 - j) * (behind - here))
+        held_guards(w, p, ground + j * change, g)
+        for n_g in range(N_GUARDS):
+            least, most, total = min(least, g[n_g]), max(most, g[n_g]), total + g[n_g]
+    return 1e-3 * most < least and math.isfinite(total)
+
+
+@inlined
+def beside_gap(contact, guard, there, away):
+    """Whether a guard is a gap, or is closed where the gap is small beside the step's other end."""
+    small = abs(there[ROTATION]) < 0.1 * abs(away[ROTATION])
+    return KINDS[contact][guard] == IMPACT or small
+
+
+def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
+    """Bernstein coefficients of all guards over the step of the dense output, into b (m * 8,)."""
+    sampled = False
+    for n in range(GUARDS[contact]):
+        if KINDS[contact][n] != IMPACT:
+            sampled = True
+            continue
+        # an impact's guard is the rotation, on its side: exactly the dense output
+        polynomial_of(ROTATION, SIDES[contact], coefficients, b, 8 * n)
+    if not sampled:
+        return
+    for n in range(N_GUARDS + N_PARTS):
+        if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
+            for i in range(8):
+                b[8 * n + i] = 0.0
+    for m in range(8):
+        dense_at(coefficients, NODES[m], w)
+        tau = t + NODES[m] * h
+        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+        for n in range(N_GUARDS + N_PARTS):
+            if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
+                for i in range(8):
+                    b[8 * n + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
+
+
+def first_event(
+    contact, t, h, instant, landed, touching, y, p, gx, gy, fallen, noises, w, g, b, stack
+):  # fmt: skip
+    """Where in a step a guard first falls through zero, which, and what is known of it there.
+
+    Returns (place, guard, slope, from_closed, unclear): the place in the step, NEVER if no guard
+    falls, the slope of its polynomial in time; whether it was closed at the start, and whether
+    nothing but rounding errors says that it falls. b : the polynomials of all guards. landed : the
+    guard that ends the step already, or -1.
+    """
+    place, target, slope = NEVER, -1, 0.0
+    from_closed = unclear = False
+    rocks = rocking(contact)
+    ax, ay = shaking(gx, t), shaking(gy, t)
+    for i in range(GUARDS[contact]):
+        known = is_known(touching, i)
+        if i == landed or (landed >= 0 and known):
+            continue
+        closed = known
+        whole = N_PARTS == 0 or PARTS[contact][i] < 0
+        if b[8 * i] < 0.0 and whole and not rocks and not closed:
+            # beside zero but for rounding, by an event before this one, is closed, too
+            near = grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8)
+            if KINDS[contact][i] == IMPACT:
+                near = CLOSED_GAP * fallen
+            closed = b[8 * i] >= -near
+        noise = 0.0
+        if closed:
+            noise = rounding(contact, i, h, y, p, ax, ay, b)
+            grain = grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8)
+            noise = max(noise, grain)
+        row = i
+        if not whole:
+            x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
+        else:
+            grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
+            x = first_fall(b, 8 * i, grain, closed, noise, stack)
+        doubtful = known and abs(b[8 * row + 1]) <= noise
+        beside = closed and not known and x * h <= instant
+        if beside and rises_first(b, 8 * row, noise):
+            continue
+        if x < place:
+            hover = size(b, 8 * row)
+            if hover <= grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8):
+                continue  # nothing but rounding errors
+            place = x
+            target = i
+            unclear = doubtful
+            from_closed = closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
+            from_closed &= not beside  # else it is known to fall
+            slope = bernstein_at(b, 8 * row, x)[1] / h
+    return place, target, slope, from_closed, unclear
+
+
+def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, noise):
+    """Index of a guard that is below zero and stays there, the lowest if there are several; or -1.
+
+    Ground acceleration may jump where a law of the ground begins, and a new contact state may be
+    one that cannot last. Impacts are not asked, they happen only in motion; nor is the guard
+    through which the state has just come, nor one that rounding left below zero while it rises.
+    """
+    if GUARDS[contact] == 0 or (GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT):
+        return -1
+    due = -1
+    moved = False
+    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
+    for i in range(GUARDS[contact]):
+        known = is_known(touching, i)
+        kind = KINDS[contact][i]
+        if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
+            continue
+        if not moved:
+            # look ahead, by some of the errors that the time of an event may have
+            moved = True
+            tau = max(64.0 * EPS * max(t, h), 1e-4 * rtol * h)
+            rates(contact, y, p, shaking(gx, t), shaking(gy, t), rate)
+            for n in range(N_STATES):
+                w[n] = y[n] + tau * rate[n]
+            guards(contact, w, p, shaking(gx, t + tau), shaking(gy, t + tau), g)
+        if g[i] < 0.0 and (due < 0 or g[i] < g[due]):
+            due = i
+    if due >= 0:
+        value, ax, ay = g[due], shaking(gx, t), shaking(gy, t)
+        if value >= -grain_of(contact, due, y, p, ax, ay, 0.0, fallen, noise, w, g, g, 1):
+            return -1
+    return due
+
+
+def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g, later, noise):
+    """Whether a guard that is closed at t is open a little later, by its motion to third order.
+
+    Where shaking begins from nothing it is the change of the acceleration that opens it. It may be
+    open for a short part of the step only. noise : rounding errors of the guard.
+    """
+    tau, n = h / 64.0, N_STATES // 2
+    for _ in range(4):
+        for i in range(n):
+            w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
+            w[n + i] = y[n + i] + tau * k[n + i]
+        ax, ay = shaking(gx, t + tau), shaking(gy, t + tau)
+        rates(contact, w, p, ax, ay, later)
+        for i in range(n):
+            w[i] += tau * tau * (later[n + i] - k[n + i]) / 6.0
+            w[n + i] += 0.5 * tau * (later[n + i] - k[n + i])
+        guards(contact, w, p, ax, ay, g)
+        if g[index] > noise:
+            return True
+        tau /= 32.0
+    return 0.0 < noise >= abs(g[index])  # nothing but rounding errors at first: who knows
+
+
+@inlined
+def fell_before(contact, target, touching, h, y, g, b):
+    """Whether another guard fell before the event that a step ends on, by more than rounding.
+
+    An event at which a guard hardly touches zero is corrected by much: it may pass another one.
+    Forces are judged by `settle` after it.
+    """
+    for i in range(GUARDS[contact]):
+        if i == target or KINDS[contact][i] in (UPLIFT, LIFTING, SLIPPING):
+            continue
+        if KINDS[contact][i] == IMPACT:
+            fell = -g[i] > 1e-9 * h * abs(y[ROTATION_RATE])
+        else:
+            fell = -g[i] > 1e-9 * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(touching, i)
+        if fell:
+            return True
+    return False
+
+
+def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
+    """Whether a step passed over forces that act beside a closed gap only, unseen by its stages.
+
+    The dense output is asked closer and closer to the end of the step, or to its start, whether it
+    obeys the equations: what it lacks there of velocity must be small beside the tolerance.
+    """
+    n = N_STATES // 2
+    part = 0.25
+    for _ in range(11):
+        part *= 0.5
+        x = 1.0 - part if at_end else part
+        tau = t + x * h
+        dense_at(coefficients, x, w)
+        rates(contact, w, p, shaking(gx, tau), shaking(gy, tau), rate)
+        for i in range(n, N_STATES):
+            slope, _ = slope_at(coefficients, x, i)
+            lacks = part * abs(h * rate[i] - slope)
+            if lacks > 100.0 * (atol[i] + rtol * abs(w[i])):
+                return True
+    return False
