@@ -256,6 +256,12 @@ class Lines:
         ]
         return Value(type_.items[i], tuple(map(self.new, loads)))
 
+    def store_item(self, name: str, type_: Tuple, i: int, value: Value) -> None:
+        """Change one item of a variable that is a tuple."""
+        start = sum(len(parts_of(item)) for item in type_.items[:i])
+        for j, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
+            self.line(f"store {part} {operand}, ptr %{name}.{start + j}{_aligned(part)}")
+
     def store(self, name: str, value: Value) -> None:
         for i, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
             self.line(f"store {part} {operand}, ptr %{name}.{i}{_aligned(part)}")

@@ -841,19 +841,39 @@ class _Function:
     def _replaced(self, node: ast.Call, of: ast.expr) -> Value:
         """A record with other values in some fields."""
         value = self._value(of)
-        if not isinstance(value.type, Tuple) or not value.type.fields or node.args:
+        changes = self._changes(node, value.type)
+        assert isinstance(value.type, Tuple)
+        parts = [changes.get(i, item_of(value, i)) for i in range(len(value.type.items))]
+        return a_tuple(parts, value.type.fields)
+
+    def _changes(self, node: ast.Call, type_: Type) -> dict[int, Value]:
+        """The new values of a `_replace`, by their places in the record."""
+        if not isinstance(type_, Tuple) or not type_.fields or node.args:
             self.refuse(node, "._replace(field=value) is of a record")
-        fields = value.type.fields
-        parts = [item_of(value, i) for i in range(len(fields))]
+        changes = {}
         for keyword in node.keywords:
-            if keyword.arg not in fields:
-                self.refuse(node, f"there is no field {keyword.arg}, only {', '.join(fields)}")
-            i = fields.index(keyword.arg)
-            new = self._value(keyword.value)
-            if joined(parts[i].type, new.type) != parts[i].type:
-                self.refuse(node, f"{fields[i]} is {told(parts[i].type)}, not {told(new.type)}")
-            parts[i] = self.ir.widened(new, parts[i].type)
-        return a_tuple(parts, fields)
+            field = str(keyword.arg)
+            if field not in type_.fields:
+                self.refuse(node, f"there is no field {field}, only {', '.join(type_.fields)}")
+            i = type_.fields.index(field)
+            old, new = type_.items[i], self._value(keyword.value)
+            if joined(old, new.type) != old:
+                self.refuse(node, f"{field} is {told(old)}, not {told(new.type)}")
+            changes[i] = self.ir.widened(new, old)
+        return changes
+
+    def _is_change(self, statement: ast.Assign) -> bool:
+        """Print `record = record._replace(...)`, where only the new values are stored."""
+        match statement:
+            case ast.Assign(
+                targets=[ast.Name(id=name)],
+                value=ast.Call(func=ast.Attribute(value=ast.Name(id=of), attr="_replace")) as call,
+            ) if name == of and name not in self.arguments and name in self.locals:
+                type_ = self._type_of(call.func.value)  # type: ignore[attr-defined]
+                for i, value in self._changes(call, type_).items():
+                    self.ir.store_item(name, type_, i, value)  # type: ignore[arg-type]
+                return True
+        return False
 
     def _written_out(self, symbol: str, node: ast.Call) -> bool:
         """Whether a function is written out at this call."""
@@ -922,6 +942,8 @@ class _Function:
             self._value(statement.value)
 
     def _do_assign(self, statement: ast.Assign) -> None:
+        if self._is_change(statement):
+            return
         value = self._value(statement.value)
         for target in statement.targets:
             self._store(target, value)
