@@ -26,7 +26,6 @@ from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, e
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.extremes import widen
-    from rockeom.integrator.full_contact import standing
     from rockeom.integrator.ground import row_for, shaking
     from rockeom.integrator.interface import (
         KINDS,
@@ -36,6 +35,7 @@ if TYPE_CHECKING:  # joined before this text
         energies,
         kinematics,
         reactions,
+        standing,
     )
     from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
     from rockeom.integrator.overturning import leans_most, own_time

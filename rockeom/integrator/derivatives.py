@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rockeom.compiler.decorators import inlined
 
-if TYPE_CHECKING:  # joined before this text, or of the printer
+if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.ground import sine
     from rockeom.integrator.interface import sine_cosine, value
     from rockeom.integrator.transitions.searched import but_for_rounding

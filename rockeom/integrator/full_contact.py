@@ -14,18 +14,17 @@ if TYPE_CHECKING:  # joined before this text
         GUARDS,
         KINDS,
         N_PARTS,
-        N_POINTS,
         N_STATES,
         SIDES,
+        can_move,
         guards,
     )
-    from rockeom.integrator.transitions.searched import held_upright, nothing_moves
 
 
 @inlined
 def cannot_move(contact, rate, y, p):
-    """Whether a structure stands on both its feet, and has no state that could move there."""
-    if (N_STATES > 2 and N_POINTS == 0) or N_PARTS > 0 or SIDES[contact] != 0.0:
+    """Whether a structure stands, at rest, and nothing but the loss of a contact may move it."""
+    if N_PARTS > 0 or SIDES[contact] != 0.0:
         return False
     for i in range(N_STATES):
         if rate[i] != 0.0:
@@ -34,7 +33,7 @@ def cannot_move(contact, rate, y, p):
         kind = KINDS[contact][n]
         if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
             return False
-    return True if N_POINTS == 0 else nothing_moves(contact, y, p)
+    return not can_move(contact, y, p)
 
 
 @inlined
@@ -56,13 +55,3 @@ def stands_until(contact, t, end, y, p, gx, gy, g):
             if not g[n] > 1e-9 * size:
                 return False
     return True
-
-
-@inlined
-def standing(contact, y, p):
-    """Whether a structure stands on both its feet."""
-    return (
-        SIDES[contact] == 0.0 and KINDS[contact][0] == UPLIFT
-        if N_POINTS == 0
-        else held_upright(contact, y, p)
-    )

@@ -34,9 +34,9 @@ if TYPE_CHECKING:  # joined before this text
         KINDS,
         N_GUARDS,
         N_PARTS,
-        N_POINTS,
         N_STAGES,
         N_STATES,
+        NARROW,
         NODES,
         PARTS,
         QUARTIC,
@@ -45,8 +45,10 @@ if TYPE_CHECKING:  # joined before this text
         ROTATION_RATE,
         SAMPLES_TO_BERNSTEIN,
         SIDES,
+        grain_of,
         guards,
         held_guards,
+        is_known,
         rates,
     )
     from rockeom.integrator.polynomials import (
@@ -55,19 +57,12 @@ if TYPE_CHECKING:  # joined before this text
         quintics_through_ends,
         slope_at,
     )
-    from rockeom.integrator.rounding import CLOSED_GAP, grain_of, rounding
-    from rockeom.integrator.transitions.searched import is_closed
+    from rockeom.integrator.rounding import CLOSED_GAP, rounding
 
 
 def rocking(contact):
     """Whether a contact state ends by an impact and in no other way."""
     return GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT
-
-
-@inlined
-def is_known(touching, i):
-    """Whether a guard is known to be closed: the one that `touching` is, or one of several."""
-    return touching == i if N_POINTS == 0 else is_closed(touching, i)
 
 
 @inlined
@@ -201,6 +196,12 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
         for n_g in range(N_GUARDS):
             least, most, total = min(least, g[n_g]), max(most, g[n_g]), total + g[n_g]
     return 1e-3 * most < least and math.isfinite(total)
+
+
+@inlined
+def acts_beside(contact, guard, there, away):
+    """Whether forces that act beside a closed gap only may, where a guard is closed."""
+    return NARROW and guard >= 0 and beside_gap(contact, guard, there, away)
 
 
 @inlined

@@ -33,21 +33,24 @@ if TYPE_CHECKING:
 
 _LANES = "integrator/lanes.py"
 _OF_POINTS = ("integrator/transitions/landings.py", "integrator/transitions/zeno.py")
-_OF_MODES = (
-    "integrator/ground.py", "integrator/bernstein.py", "integrator/polynomials.py",
-    "integrator/extremes.py", "integrator/overturning.py", "integrator/rounding.py",
-    "integrator/guards.py", "integrator/full_contact.py", "integrator/transitions/declared.py",
-    "integrator/steps.py",
+_TABLE, _SEARCH = "integrator/transitions/table.py", "integrator/transitions/search.py"
+"""The two that say which mode follows an event: one is declared, or searched."""
+_OF_STEPS = (
+    "integrator/records.py", "integrator/recorder.py", "integrator/ground.py",
+    "integrator/bernstein.py", "integrator/polynomials.py", "integrator/extremes.py",
+    "integrator/overturning.py", "integrator/rounding.py", "integrator/guards.py",
+    "integrator/full_contact.py", "integrator/steps.py",
+    "integrator/transitions/declared.py",
 )  # fmt: skip
-"""Texts of functions of one mode, from which the loop is made."""
+"""Texts with one job each, of which the loop makes use."""
 _LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
 JOINED = (
-    SEARCHED, *_OF_POINTS, *_OF_MODES, *_LOOPS, _LANES, _DERIVATIVES, _VARIATIONAL,
+    SEARCHED, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES, _VARIATIONAL,
 )  # fmt: skip
 """Files that are joined to programs, and not imported."""
 _OF_ALL = (
-    *_OF_MODES, *_LOOPS, *_OF_POINTS, "integrator/methods/tableau.py",
+    *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
     "integrator/methods/coefficients.py", "integrator/methods/radau.py", "compiler/printer.py",
     "compiler/machine.py", "compiler/lines.py", "compiler/types.py", "integrator/program.py",
     "integrator/texts.py", "codes.py",
@@ -290,12 +293,14 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
     else:
         quick = getattr(generated, "QUICK", ())
         step = step_text(tableau(method), n, generated.ROTATION, quick)
+    bounces = getattr(generated, "N_POINTS", 0) > 0
+    contract = _SEARCH if bounces else _TABLE
     parts = [
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),
         Text(SEARCHED, _contacts(generated)),
-        *(_joined(name) for name in _OF_POINTS if has_points(generated)),
-        *(_joined(name, fused=True) for name in (*_OF_MODES, *_LOOPS)),
+        *(_joined(name) for name in _OF_POINTS if bounces),
+        *(_joined(name, fused=True) for name in (*_OF_STEPS, contract, *_LOOPS)),
     ]
     if lanes:
         from rockeom.integrator.lanes_text import lanes_text

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rockeom.codes import IMPACT, SWITCH
-from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import SAMPLED, size
@@ -17,7 +16,6 @@ if TYPE_CHECKING:  # joined before this text
         KINDS,
         N_GUARDS,
         N_PARTS,
-        N_POINTS,
         N_STATES,
         PARTS,
         ROTATION,
@@ -25,7 +23,6 @@ if TYPE_CHECKING:  # joined before this text
         guards,
         opening_acceleration,
     )
-    from rockeom.integrator.transitions.searched import guard_noise
 
 CLOSED_GAP = 1e-12  # of the overturning rotation: by so much feet may miss the ground on landing
 
@@ -60,18 +57,6 @@ def noise_of(contact, index, p, fallen, noise, w, g):
                 if change < np.inf:
                     noise[first + i] += 0.5e6 * SAMPLED * change
     return noise[first + index]
-
-
-@inlined
-def grain_of(contact, index, y, p, ax, ay, h, fallen, noise, w, g, b, stride):
-    """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
-    return (
-        noise_of(contact, index, p, fallen, noise, w, g)
-        if N_POINTS == 0
-        else noise_of(contact, index, p, fallen, noise, w, g)
-        if KINDS[contact][index] == SWITCH
-        else guard_noise(contact, index, y, p, ax, ay, h, b, stride)
-    )
 
 
 def rounding(contact, index, h, y, p, ax, ay, b):

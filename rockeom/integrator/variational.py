@@ -31,7 +31,7 @@ from rockeom.compiler.decorators import (
     inlined,
 )
 
-if TYPE_CHECKING:  # joined before this text, or of the printer
+if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.full_contact import cannot_move
     from rockeom.integrator.ground import row_at, row_of, shaking
     from rockeom.integrator.interface import (

@@ -1,0 +1,219 @@
+"""Transitions of points that may open, slide and bounce: the mode that follows is searched.
+
+The contract of transitions, as table.py fulfils it for declared modes.
+
+This text is joined to others, see `rockeom.integrator.program`.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import (
+    AMBIGUOUS,
+    CHATTER,
+    IMPOSSIBLE,
+    LANDING,
+    NO_SOLUTION,
+    SEVERAL_SOLUTIONS,
+    STAYS_OPEN,
+    SWITCH,
+)
+from rockeom.compiler.decorators import inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.bernstein import EPS, NEVER
+    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES, guards
+    from rockeom.integrator.recorder import enter_mode
+    from rockeom.integrator.records import Rest
+    from rockeom.integrator.rounding import noise_of
+    from rockeom.integrator.transitions.landings import (
+        end_closed,
+        fall_within,
+        only_hop,
+        to_landing,
+    )
+    from rockeom.integrator.transitions.searched import (
+        fits_by_forces,
+        guard_noise,
+        held_upright,
+        is_closed,
+        nothing_moves,
+        pass_on,
+        still_closed,
+    )
+    from rockeom.integrator.transitions.zeno import step_over, time_of_bounces
+
+MOST_IDLE = 1000  # events at one instant; with more they are chatter
+CROWDED = 20  # after so many of them points step over the time of a rest
+QUIET_STEPS = False  # see table.py
+EXTRAPOLATES = True
+
+
+@inlined
+def initial_mode_is_one(mode, y, p, ax, ay):
+    """Whether no other mode may begin in a state."""
+    return fits_by_forces(mode, y, p, ax, ay) != AMBIGUOUS
+
+
+@inlined
+def free_flight(mode, touching, t, y, p, k):
+    """(guard, time): a hop so short that its parabola tells where it ends, or an infinite time."""
+    if not touching > 0:
+        return 0, np.inf
+    hop, flight = only_hop(mode, touching, y, p, k)
+    return hop, flight if 1e3 * EPS * t < flight else np.inf
+
+
+@inlined
+def falls_of(motion, step, sampled, hop, case, a):
+    """(guard, place) in a step, see `fall_within`."""
+    return fall_within(
+        motion.mode, motion.t, step.h, a.y, a.y_new, a.k, N_STAGES * N_STATES, case.p,
+        motion.ground.x, motion.ground.y, a.w, a.b, sampled, motion.touching, hop,
+    )  # fmt: skip
+
+
+@inlined
+def hop_ends(motion, step, gap, case, a):
+    """Whether a step that is one hop clearly ends where it closes again."""
+    guard, _ = falls_of(motion, step, False, step.hop, case, a)
+    return guard == step.hop
+
+
+@inlined
+def without_hop(step):
+    """The step to try where a hop is no parabola: the one that was planned."""
+    return step._replace(hops=False, h=step.whole)
+
+
+@inlined
+def certain_event(motion, step, gap, case, a):
+    """(guard, place, open, closed): the guard that clearly falls in a step, and where, or -1.
+
+    open : all guards clearly stay open. closed : one is below zero at the end.
+    """
+    guard, place = falls_of(motion, step, step.sampled, -1, case, a)
+    open_ = guard == STAYS_OPEN
+    closed = guard < 0 and not open_ and end_closed(motion.mode, a.b)
+    return guard if guard >= 0 else -1, place if guard >= 0 else NEVER, open_, closed
+
+
+@inlined
+def correction(motion, step, case, a):
+    """(time, most): from the end of a step to its event, and the largest that is believed."""
+    tau = motion.t + step.h
+    if step.lands:
+        move = to_landing(motion.mode, step.target, a.y_new, case.p, a.k[N_STAGES * N_STATES :])
+        return move, 0.1 if step.corrections == 0 else 0.01
+    ax, ay = shaking(motion.ground.x, tau), shaking(motion.ground.y, tau)
+    guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
+    return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
+
+
+@inlined
+def transition(motion, guard, h, end, case, a, recorder):
+    """(motion, rest): in the mode that follows the event of a guard, or after a step over events.
+
+    Events without end at one instant, and one that nothing may follow, are stepped over.
+    """
+    rest = Rest(np.inf, motion.mode, False)
+    if motion.idle > MOST_IDLE:
+        outcome = CHATTER
+        if motion.follows < 0:  # the impacts have an end, but nothing that may follow it
+            outcome = failure_of(motion.follows)
+        return motion._replace(outcome=outcome), rest
+    if CROWDED * int(motion.idle / CROWDED) == motion.idle:
+        rest = stepped_over(motion, end, False, case, a)
+        if rest.stepped:
+            return after_step_over(motion, rest), rest
+    length = max(h, min(motion.h_next, end - motion.t))
+    tau = 1e-5 * length
+    gx, gy = motion.ground.x, motion.ground.y
+    mode, touching = pass_on(
+        motion.mode, guard, length, a.y, case.p, shaking(gx, motion.t), shaking(gy, motion.t),
+        shaking(gx, motion.t + tau), shaking(gy, motion.t + tau), tau, case.rtol, a.known, a.after,
+    )  # fmt: skip
+    kind = KINDS[motion.mode][guard]
+    if mode < 0:
+        rest = stepped_over(motion, end, True, case, a)
+        # what has come to its end and goes on as before is no way out
+        if rest.stepped and (kind == LANDING or rest.mode != motion.mode):
+            return after_step_over(motion, rest), rest
+        return motion._replace(outcome=failure_of(mode)), rest
+    if kind == SWITCH:
+        touching = still_closed(motion.mode, mode, guard, motion.touching, touching)
+    return enter_mode(motion, guard, mode, touching, a, recorder), Rest(np.inf, mode, False)
+
+
+@inlined
+def failure_of(mode):
+    """The outcome where no mode follows, or several."""
+    return NO_SOLUTION if mode == IMPOSSIBLE else SEVERAL_SOLUTIONS
+
+
+@inlined
+def after_step_over(motion, rest):
+    return motion._replace(touching=-1, follows=rest.mode, rate_stale=True, guard_due=True)
+
+
+@inlined
+def stepped_over(motion, end, fits, case, a):
+    """The rest after a step over events, not stepped where there is none; its state in y_new."""
+    ax, ay = shaking(motion.ground.x, motion.t), shaking(motion.ground.y, motion.t)
+    time, mode = step_over(
+        motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, end - motion.t, fits, case.rtol,
+        a.known, a.y_new,
+    )  # fmt: skip
+    return Rest(time, mode, time < np.inf)
+
+
+@inlined
+def zeno_time(motion, end, case, a):
+    """(motion, rest): when the infinitely many impacts to come will all have happened."""
+    ax, ay = shaking(motion.ground.x, motion.t), shaking(motion.ground.y, motion.t)
+    time, follows = time_of_bounces(
+        motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, case.rtol, a.known, a.y_new
+    )
+    return motion._replace(follows=follows), Rest(time, follows, False)
+
+
+@inlined
+def through_rest(motion, rest, case, a, recorder):
+    """(mode, whether it is known): the motion until the rest, in this mode: a straight line.
+
+    Into w the state before the rest, and the dense output.
+    """
+    for i in range(8 * N_STATES):
+        a.coefficients[i] = 0.0
+    for i in range(N_STATES):
+        a.coefficients[i] = a.w[i] = a.y[i]
+        a.coefficients[N_STATES + i] = a.y_new[i] - a.y[i]
+    return motion.mode, True
+
+
+@inlined
+def is_known(touching, i):
+    """Whether a guard is known to be closed: one of several."""
+    return is_closed(touching, i)
+
+
+@inlined
+def grain_of(mode, index, y, p, ax, ay, h, fallen, noise, w, g, b, stride):
+    """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
+    if KINDS[mode][index] == SWITCH:
+        return noise_of(mode, index, p, fallen, noise, w, g)
+    return guard_noise(mode, index, y, p, ax, ay, h, b, stride)
+
+
+@inlined
+def can_move(mode, y, p):
+    """Whether the ground moves something in a mode, in a state at rest."""
+    return not nothing_moves(mode, y, p)
+
+
+@inlined
+def standing(mode, y, p):
+    """Whether points are closed that keep the structure from turning."""
+    return held_upright(mode, y, p)

@@ -1,0 +1,193 @@
+"""Transitions of declared modes: a table says which mode follows which guard.
+
+The contract of transitions, which search.py fulfils for points that may open, slide and bounce.
+
+This text is joined to others, see `rockeom.integrator.program`.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import CHATTER, IMPACT, UPLIFT
+from rockeom.compiler.decorators import inlined
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.bernstein import NEVER
+    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.guards import (
+        closes_once,
+        rises_and_falls,
+        rocking,
+        stays_open,
+        to_impact,
+    )
+    from rockeom.integrator.interface import (
+        CLOSED,
+        GUARDS,
+        KINDS,
+        N_STATES,
+        NARROW,
+        ROTATION_RATE,
+        SIDES,
+        TARGETS,
+        dense_output,
+        guards,
+        jump,
+        rates,
+    )
+    from rockeom.integrator.recorder import enter_mode
+    from rockeom.integrator.records import Rest, records_steps
+    from rockeom.integrator.rounding import noise_of
+    from rockeom.integrator.transitions.declared import may_fade, ratio_at, stand, time_to_rest
+
+MOST_IDLE = 100  # events at one instant; with more they are chatter
+QUIET_STEPS = not NARROW  # whether steps in which nothing can happen are taken apart
+EXTRAPOLATES = not NARROW  # whether the end of a step may be moved on its quintics
+
+
+@inlined
+def initial_mode_is_one(mode, y, p, ax, ay):
+    """Whether no other mode may begin in a state."""
+    return True
+
+
+@inlined
+def longest_turn(y):
+    """The longest step in which eight samples follow a gap: the gap of a foot is the rotation."""
+    return np.inf
+
+
+@inlined
+def is_rounding(mode, guard, y, p):
+    """Whether a gap is closed but for rounding errors."""
+    return False
+
+
+@inlined
+def free_flight(mode, touching, t, y, p, k):
+    """(guard, time): a hop so short that its parabola tells where it ends, or an infinite time."""
+    if NARROW or touching != 0 or not rocking(mode):
+        return 0, np.inf
+    flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
+    height = SIDES[mode] * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
+    return 0, flight if flight > 0.0 and height > 1e-290 else np.inf
+
+
+@inlined
+def hop_ends(motion, step, gap, case, a):
+    """Whether a step that is one hop clearly ends where it closes again."""
+    near = abs(to_impact(SIDES[motion.mode], a.y_new, a.k)) < 0.1 * step.h
+    return near and rises_and_falls(gap)
+
+
+@inlined
+def without_hop(step):
+    """The step to try where a hop is no parabola: one must not end just beside an impact."""
+    return step._replace(hops=False, cut=False, h=step.h * 0.5)
+
+
+@inlined
+def certain_event(motion, step, gap, case, a):
+    """(guard, place, open, closed): the guard that clearly falls in a step, and where, or -1.
+
+    open : all guards clearly stay open. closed : one is below zero at the end.
+    """
+    open_, place = False, NEVER
+    if rocking(motion.mode):
+        open_ = stays_open(gap, motion.touching)
+        place = NEVER if open_ or NARROW else closes_once(gap, motion.touching)
+    return 0 if place < NEVER else -1, place, open_, False
+
+
+@inlined
+def correction(motion, step, case, a):
+    """(time, most): from the end of a step to its event, and the largest that is believed."""
+    tau = motion.t + step.h
+    if rocking(motion.mode):
+        move = to_impact(SIDES[motion.mode], a.y_new, a.k)
+        return move, 0.1 if step.corrections == 0 else 0.01
+    ax, ay = shaking(motion.ground.x, tau), shaking(motion.ground.y, tau)
+    guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
+    return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
+
+
+@inlined
+def transition(motion, guard, h, end, case, a, recorder):
+    """(motion, rest): in the mode that follows the event of a guard; no rest follows from it."""
+    before, kind = motion.mode, KINDS[motion.mode][guard]
+    if motion.idle > MOST_IDLE:
+        return motion._replace(outcome=CHATTER), Rest(np.inf, before, False)
+    ratio = ratio_at(case.law, case.ratio, motion.impacts, a.y, case.p)
+    mode = jump(before, guard, case.law, ratio, a.y, case.p, a.after)
+    touching = -1
+    if kind != IMPACT or SIDES[mode] != 0.0:
+        touching = CLOSED[before][guard]
+    elif motion.idle > 1:
+        # it opened and closed in no time: that uplift was none
+        for i in range(GUARDS[mode]):
+            if TARGETS[mode][i] == before:
+                touching = i
+    return enter_mode(motion, guard, mode, touching, a, recorder), Rest(np.inf, mode, False)
+
+
+@inlined
+def zeno_time(motion, end, case, a):
+    """(motion, rest): when the infinitely many impacts to come will all have happened."""
+    mode, t = motion.mode, motion.t
+    rest = Rest(np.inf, mode, False)
+    if SIDES[mode] == 0.0:
+        return motion, rest
+    ax, ay = shaking(motion.ground.x, t), shaking(motion.ground.y, t)
+    rates(mode, a.y, case.p, ax, ay, a.k)
+    if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
+        # the next step begins with these rates
+        known = rocking(mode) and t < end and motion.h_next != 0.0
+        stale, due = motion.rate_stale and not known, motion.guard_due and not known
+        return motion._replace(rate_stale=stale, guard_due=due), rest
+    time, follows = time_to_rest(
+        mode, a.y, case.p, case.law, case.ratio, motion.impacts, ax, ay, case.rest_tolerance, a.w,
+        a.after, a.coefficients,
+    )  # fmt: skip
+    return motion._replace(follows=follows), Rest(time, follows, False)
+
+
+@inlined
+def through_rest(motion, rest, case, a, recorder):
+    """(mode, whether it is known): the motion until the rest, in this mode.
+
+    Into y_new the state after it, into w that had the impacts not faded yet, and the dense output.
+    """
+    t, gx, gy = motion.t, motion.ground.x, motion.ground.y
+    known = stand(
+        rest.mode, t, rest.time, a.after, case.p, gx, gy, case.rtol, case.atol, a.k, a.y_new
+    )
+    if known and records_steps(recorder) and t + rest.time > t:
+        dense_output(rest.mode, t, rest.time, a.after, case.p, gx, gy, a.k, a.coefficients)
+    for i in range(N_STATES):
+        a.w[i] = a.y[i] + (a.y_new[i] - a.after[i])
+    return rest.mode, known
+
+
+@inlined
+def is_known(touching, i):
+    """Whether a guard is known to be closed: the one that `touching` is."""
+    return touching == i
+
+
+@inlined
+def grain_of(mode, index, y, p, ax, ay, h, fallen, noise, w, g, b, stride):
+    """Size of the rounding errors of a guard."""
+    return noise_of(mode, index, p, fallen, noise, w, g)
+
+
+@inlined
+def can_move(mode, y, p):
+    """Whether the ground may move something in full contact: a state besides the rotation's."""
+    return N_STATES > 2
+
+
+@inlined
+def standing(mode, y, p):
+    """Whether a structure stands on both its feet."""
+    return SIDES[mode] == 0.0 and KINDS[mode][0] == UPLIFT
