@@ -241,30 +241,39 @@ class Lines:
     def load(self, name: str, type_: Type) -> Value:
         if isinstance(type_, str) and type_ != DUAL:
             return Value(type_, (self.new(f"load {type_}, ptr %{name}.0"),))
-        loads = [
-            f"load {part}, ptr %{name}.{i}{_aligned(part)}"
-            for i, part in list(enumerate(parts_of(type_)))
-        ]
-        return Value(type_, tuple(map(self.new, loads)))
+        places = [f"%{name}.{i}" for i in range(len(parts_of(type_)))]
+        wide = isinstance(type_, Tuple)
+        return Value(type_, tuple(map(self._from, parts_of(type_), places, [wide] * len(places))))
+
+    def _from(self, part: str, place: str, wide: bool) -> str:
+        """A part of a value from its place; wide : one of a tuple, where a bool is an i64."""
+        if part == BOOL and wide:
+            return self.new(f"trunc i64 {self.new(f'load i64, ptr {place}')} to i1")
+        return self.new(f"load {part}, ptr {place}{_aligned(part)}")
+
+    def _to(self, part: str, operand: str, place: str, wide: bool) -> None:
+        """Store a part of a value, see `_from`."""
+        if part == BOOL and wide:
+            part, operand = INT, self.new(f"zext i1 {operand} to i64")
+        self.line(f"store {part} {operand}, ptr {place}{_aligned(part)}")
 
     def load_item(self, name: str, type_: Tuple, i: int) -> Value:
         """One item of a variable that is a tuple."""
         start = sum(len(parts_of(item)) for item in type_.items[:i])
-        loads = [
-            f"load {part}, ptr %{name}.{start + j}{_aligned(part)}"
-            for j, part in enumerate(parts_of(type_.items[i]))
-        ]
-        return Value(type_.items[i], tuple(map(self.new, loads)))
+        parts = parts_of(type_.items[i])
+        found = [self._from(part, f"%{name}.{start + j}", True) for j, part in enumerate(parts)]
+        return Value(type_.items[i], tuple(found))
 
     def store_item(self, name: str, type_: Tuple, i: int, value: Value) -> None:
         """Change one item of a variable that is a tuple."""
         start = sum(len(parts_of(item)) for item in type_.items[:i])
         for j, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
-            self.line(f"store {part} {operand}, ptr %{name}.{start + j}{_aligned(part)}")
+            self._to(part, operand, f"%{name}.{start + j}", True)
 
     def store(self, name: str, value: Value) -> None:
+        wide = isinstance(value.type, Tuple)
         for i, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
-            self.line(f"store {part} {operand}, ptr %{name}.{i}{_aligned(part)}")
+            self._to(part, operand, f"%{name}.{i}", wide)
 
     def given(self, value: Value) -> list[str]:
         """The operands of an argument of a call; a tuple is passed by its place."""
@@ -275,7 +284,7 @@ class Lines:
         whole = self.on_stack(INT, max(size, 1))
         for at, (part, operand) in zip(places, parts, strict=True):
             place = self.new(f"getelementptr i64, ptr {whole}, i64 {at}")
-            self.line(f"store {part} {operand}, ptr {place}{_aligned(part)}")
+            self._to(part, operand, place, True)
         return [f"ptr {whole}"]
 
     def call(self, symbol: str, returns: Type, operands: Sequence[str], how: str = "") -> Value:

@@ -55,6 +55,7 @@ from rockeom.compiler.lines import (
     joined,
     literal,
     parts_of,
+    places_of,
     returned,
     told,
 )
@@ -815,7 +816,17 @@ class _Function:
         if self._written_out(symbol, node):
             self.size += self.program.sizes[symbol]
             how = " alwaysinline"
+        else:  # a record that no call sees in its place can be kept in registers
+            given = [
+                (type_, self.ir.given(self._value(a)) if self._is_record(a, type_) else operands)
+                for a, (type_, operands) in zip(node.args, given, strict=True)
+            ]
         return self.ir.call(symbol, returns, [o for _, operands in given for o in operands], how)
+
+    def _is_record(self, node: ast.expr, type_: Type) -> bool:
+        """Whether an argument is a record that is a variable of this function."""
+        own = isinstance(node, ast.Name) and node.id not in self.arguments
+        return own and isinstance(type_, Tuple) and bool(type_.fields)
 
     def _record(self, node: ast.Call, name: str) -> Value:
         """A new record, of the types that its fields are annotated with."""
@@ -885,12 +896,28 @@ class _Function:
 
     def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
         """Type and operands of an argument of a call; a variable is not copied if it is a tuple."""
-        if isinstance(node, ast.Name) and node.id in self.locals:
-            type_ = self._type_of(node)
-            if isinstance(type_, Tuple):
-                return type_, [f"ptr {self.ir.whole(node.id)}"]
+        place = self._tuple_in_place(node)
+        if place is not None:
+            return place[0], [f"ptr {place[1]}"]
         value = self._value(node)
         return value.type, self.ir.given(value)
+
+    def _tuple_in_place(self, node: ast.expr) -> tuple[Tuple, str] | None:
+        """Type and place of a variable that is a tuple, or of one in a record; None of all else."""
+        if isinstance(node, ast.Name) and node.id in self.locals:
+            type_ = self._type_of(node)
+            return (type_, self.ir.whole(node.id)) if isinstance(type_, Tuple) else None
+        if not isinstance(node, ast.Attribute) or (of := self._tuple_in_place(node.value)) is None:
+            return None
+        record, place = of
+        if node.attr not in record.fields:
+            return None
+        i = record.fields.index(node.attr)
+        type_ = record.items[i]
+        if not isinstance(type_, Tuple):
+            return None
+        _, at = places_of([part for item in record.items[:i] for part in parts_of(item)])
+        return type_, self.ir.new(f"getelementptr i64, ptr {place}, i64 {at}")
 
     def _library_call(self, node: ast.Call, library: str, name: str) -> Value:
         if library == "np" and name in ("empty", "zeros", "array"):

@@ -60,6 +60,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.rounding import CLOSED_GAP, rounding
 
 
+@inlined
 def rocking(contact):
     """Whether a contact state ends by an impact and in no other way."""
     return GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT

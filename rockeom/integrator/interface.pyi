@@ -7,7 +7,7 @@ generated module and of the method's step.
 import numpy as np
 
 from rockeom.compiler.decorators import Floats, Floats2
-from rockeom.integrator.records import Arrays, Case, Motion, Recorder, Rest, Row, Step
+from rockeom.integrator.records import Arrays, Case, Ground, Motion, Recorder, Rest, Row, Step
 
 Int = int | np.int64
 Float = float | np.float64
@@ -87,19 +87,32 @@ def standing(mode: Int, y: Floats, p: Floats) -> bool: ...
 def free_flight(
     mode: Int, touching: Int, t: Float, y: Floats, p: Floats, k: Floats
 ) -> tuple[int, float]: ...
-def hop_ends(motion: Motion, step: Step, gap: Gap, case: Case, a: Arrays) -> bool: ...
+def hop_ends(
+    motion: Motion, ground: Ground, step: Step, gap: Gap, case: Case, a: Arrays
+) -> bool: ...
 def without_hop(step: Step) -> Step: ...
 def certain_event(
-    motion: Motion, step: Step, gap: Gap, case: Case, a: Arrays
+    motion: Motion, ground: Ground, step: Step, gap: Gap, case: Case, a: Arrays
 ) -> tuple[Int, Float, bool, bool]: ...
-def correction(motion: Motion, step: Step, case: Case, a: Arrays) -> tuple[float, float]: ...
+def correction(
+    motion: Motion, ground: Ground, step: Step, case: Case, a: Arrays
+) -> tuple[float, float]: ...
 def is_rounding(mode: Int, guard: Int, y: Floats, p: Floats) -> bool: ...
 def transition(
-    motion: Motion, guard: Int, h: Float, end: Float, case: Case, a: Arrays, recorder: Recorder
+    motion: Motion,
+    ground: Ground,
+    guard: Int,
+    h: Float,
+    end: Float,
+    case: Case,
+    a: Arrays,
+    recorder: Recorder,
 ) -> tuple[Motion, Rest]: ...
-def zeno_time(motion: Motion, end: Float, case: Case, a: Arrays) -> tuple[Motion, Rest]: ...
+def zeno_time(
+    motion: Motion, ground: Ground, end: Float, case: Case, a: Arrays
+) -> tuple[Motion, Rest]: ...
 def through_rest(
-    motion: Motion, rest: Rest, case: Case, a: Arrays, recorder: Recorder
+    motion: Motion, ground: Ground, rest: Rest, case: Case, a: Arrays, recorder: Recorder
 ) -> tuple[Int, bool]: ...
 
 # -- the step of a method

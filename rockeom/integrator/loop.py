@@ -3,7 +3,7 @@
 It reads in the order of the work. `integrate` takes one step after the other, each of them by these
 stages:
 
-    enter_segments   the ground motion goes on by other segments of its tables
+    next_segments    the ground motion goes on by other segments of its tables
     quiet_steps      steps in which nothing can happen, one after the other
     settle_mode      a guard that is below zero where a mode begins, or where the ground jumps
     plan             the next step: its length, and what is known of its end
@@ -169,35 +169,41 @@ def integrate(
     )  # fmt: skip
     recorder = Recorder(steps, step_contact, step_states, events, event_kinds, event_states, peaks)
     a = arrays_of(y, rate, scratch)
-    motion = resumed(status, clock, case)
-    ax, ay = shaking(motion.ground.x, motion.t), shaking(motion.ground.y, motion.t)
+    motion = resumed(status, clock)
+    ground = ground_at(motion.t, case)
+    ax, ay = shaking(ground.x, motion.t), shaking(ground.y, motion.t)
     begins = motion.taken == 0 and motion.impacts == 0 and motion.rate_stale
     if begins and not initial_mode_is_one(motion.mode, y, p, ax, ay):
         return SEVERAL_SOLUTIONS
     turn = motion.taken + TURN
     while True:
-        motion = enter_segments(motion, case)
+        if motion.t >= ground.x[1] or motion.t >= ground.y[1]:
+            ground, jumped = next_segments(ground, motion.t, case)
+            if jumped:  # a call that ends where a segment does must tell the next one
+                motion = motion._replace(rate_stale=True, guard_due=True)
         error = -1.0  # of a step that is already taken
         if QUIET_STEPS and may_be_quiet(motion, recorder):
-            motion, error = quiet_steps(motion, min(turn, max_steps - 1), case, a, peaks)
+            motion, ground, error = quiet_steps(
+                motion, ground, min(turn, max_steps - 1), case, a, peaks
+            )
             if motion.taken >= max_steps and error == -1.0:
                 motion = motion._replace(outcome=STALLED)
                 break
-            if motion.t >= motion.ground.x[1] or motion.t >= motion.ground.y[1]:
+            if motion.t >= ground.x[1] or motion.t >= ground.y[1]:
                 continue  # the other table's segment ends there, too
         if not motion.t < t_end:
             break
         if is_full(motion, recorder) or motion.taken > turn:
             motion = motion._replace(outcome=FULL)
             break
-        motion, guard, h = settle_mode(motion, case, a)
+        motion, guard, h = settle_mode(motion, ground, case, a)
         if guard < 0:
-            step = plan(motion, case, a)
+            step = plan(motion, ground, case, a)
             verdict = DONE if step.stands else AGAIN
             while verdict == AGAIN:
-                step = take(motion, step, error, case, a)
+                step = take(motion, ground, step, error, case, a)
                 error = -1.0
-                verdict, step = judge(motion, step, case, a, recorder)
+                verdict, step = judge(motion, ground, step, case, a, recorder)
             if step.outcome == COMPLETED:
                 step = fall_over(step, case, a)
                 motion, guard, h = accept(motion, step, case, a, recorder)
@@ -206,7 +212,7 @@ def integrate(
             if motion.outcome != COMPLETED:
                 break
         if guard >= 0:
-            motion = leave_mode(motion, guard, h, case, a, recorder)
+            motion = leave_mode(motion, ground, guard, h, case, a, recorder)
             if motion.outcome != COMPLETED:
                 break
     suspend(motion, status, clock, rate, a)
@@ -236,19 +242,23 @@ def arrays_of(y, rate, scratch):
 
 
 @inlined
-def resumed(status, clock, case):
-    """The motion where the last call left it."""
-    t = clock[TIME]
+def ground_at(t, case):
+    """The segments that hold at a time."""
     n_x, x = row_at(case.horizontal, 0, t)
     n_y, y = row_at(case.vertical, 0, t)
+    return Ground(n_x, x, n_y, y)
+
+
+@inlined
+def resumed(status, clock):
+    """The motion where the last call left it."""
     return Motion(
-        t=t,
+        t=clock[TIME],
         mode=status[CONTACT],
         touching=status[TOUCHING],
         h_next=clock[NEXT_STEP],
         last_error=clock[LAST_ERROR] if clock[LAST_ERROR] > 0.0 else 1.0,
         refined_to=clock[REFINED_TO],
-        ground=Ground(n_x, x, n_y, y),
         rate_stale=status[FRESH] == 1,
         guard_due=status[NEWS] == 1,
         sampled=False,
@@ -282,25 +292,12 @@ def suspend(motion, status, clock, rate, a):
 
 
 @inlined
-def enter_segments(motion, case):
-    """The motion with the segments that hold from now on.
-
-    A call that ends where a segment does must tell the next one of a jump.
-    """
-    t, ground, jumped = motion.t, motion.ground, False
-    if t >= ground.x[1]:
-        n, row = row_at(case.horizontal, ground.n_x, t)
-        jumped = jumps(shaking(ground.x, t), shaking(row, t))
-        ground = ground._replace(n_x=n, x=row)
-    if t >= ground.y[1]:
-        n, row = row_at(case.vertical, ground.n_y, t)
-        jumped = jumps(shaking(ground.y, t), shaking(row, t)) or jumped
-        ground = ground._replace(n_y=n, y=row)
-    return motion._replace(
-        ground=ground,
-        rate_stale=motion.rate_stale or jumped,
-        guard_due=motion.guard_due or jumped,
-    )
+def next_segments(ground, t, case):
+    """(ground, jumped): the segments that hold from now on, and whether the acceleration jumps."""
+    n_x, x = row_at(case.horizontal, ground.n_x, t)
+    n_y, y = row_at(case.vertical, ground.n_y, t)
+    jumped = jumps(shaking(ground.x, t), shaking(x, t))
+    return Ground(n_x, x, n_y, y), jumps(shaking(ground.y, t), shaking(y, t)) or jumped
 
 
 @inlined
@@ -317,18 +314,19 @@ def may_be_quiet(motion, recorder):
     return quiet and (rocking(motion.mode) or motion.mode == HELD)
 
 
-def quiet_steps(motion, most, case, a, peaks):
+def quiet_steps(motion, ground, most, case, a, peaks):
     """Take steps in which nothing happens, one after the other, as the loop itself would.
 
-    Nearly all steps of a motion are such. Returns the motion behind them, and the error of a step
-    that was taken and is left for the loop to judge, or -1. most : of the steps taken so far.
+    Nearly all steps of a motion are such. Returns the motion and the ground after them, and the
+    error of a step that was taken and is left for the loop to judge, or -1. most : the number of
+    steps after which it returns.
     """
     mode, t, h_next, last_error = motion.mode, motion.t, motion.h_next, motion.last_error
     taken, p, y, k, y_new = motion.taken, case.p, a.y, a.k, a.y_new
     rocks = rocking(mode)
     side = SIDES[mode]
-    nx, gx = row_at(case.horizontal, motion.ground.n_x, t)
-    ny, gy = row_at(case.vertical, motion.ground.n_y, t)
+    nx, gx = row_at(case.horizontal, ground.n_x, t)
+    ny, gy = row_at(case.vertical, ground.n_y, t)
     unjudged, jumped = -1.0, False
     while taken <= most:
         if t >= gx[1]:
@@ -375,27 +373,30 @@ def quiet_steps(motion, most, case, a, peaks):
         for i in range(N_STATES):
             y[i] = y_new[i]
             k[i] = k[END + i]
-    return motion._replace(
-        t=t,
-        h_next=h_next,
-        last_error=last_error,
-        taken=taken,
-        ground=Ground(nx, gx, ny, gy),
-        rate_stale=jumped,
-        guard_due=motion.guard_due or jumped,
-    ), unjudged
+    return (
+        motion._replace(
+            t=t,
+            h_next=h_next,
+            last_error=last_error,
+            taken=taken,
+            rate_stale=jumped,
+            guard_due=motion.guard_due or jumped,
+        ),
+        Ground(nx, gx, ny, gy),
+        unjudged,
+    )
 
 
 # -- a step ----------------------------------------------------------------------------------------
 
 
 @inlined
-def end_of_segments(motion, case):
-    return min(motion.ground.x[1], motion.ground.y[1], case.t_end)
+def end_of_segments(ground, case):
+    return min(ground.x[1], ground.y[1], case.t_end)
 
 
 @inlined
-def settle_mode(motion, case, a):
+def settle_mode(motion, ground, case, a):
     """(motion, guard, h): the guard that ends the mode now, or -1; else the rates are known now.
 
     h : the length that the step would have had.
@@ -403,40 +404,42 @@ def settle_mode(motion, case, a):
     if not motion.rate_stale:
         return motion, -1, 0.0
     settled = motion._replace(sampled=False, still=False)
-    mode, t, gx, gy = motion.mode, motion.t, motion.ground.x, motion.ground.y
+    mode, t = motion.mode, motion.t
     if motion.guard_due and not rocking(mode):
-        h = min(motion.h_next, end_of_segments(motion, case) - t)  # at rest it may be of any length
+        h = min(motion.h_next, end_of_segments(ground, case) - t)  # at rest it may be of any length
         guard = settle(
-            mode, t, h, a.y, case.p, gx, gy, motion.touching, case.rtol, a.g, a.w, a.k,
+            mode, t, h, a.y, case.p, ground.x, ground.y, motion.touching, case.rtol, a.g, a.w, a.k,
             case.fallen, a.noises,
         )  # fmt: skip
         if guard >= 0:
             return settled, guard, h
-    rates(mode, a.y, case.p, shaking(gx, t), shaking(gy, t), a.k)
+    rates(mode, a.y, case.p, shaking(ground.x, t), shaking(ground.y, t), a.k)
     h_next = motion.h_next
     if h_next == 0.0:
-        h_next = first_step(mode, t, a.y, a.k, case.p, gx, gy, case.rtol, case.atol, a.w, a.after)
+        h_next = first_step(
+            mode, t, a.y, a.k, case.p, ground.x, ground.y, case.rtol, case.atol, a.w, a.after
+        )
     return settled._replace(rate_stale=False, guard_due=False, h_next=h_next), -1, 0.0
 
 
 @inlined
-def plan(motion, case, a):
+def plan(motion, ground, case, a):
     """The next step: cut where a segment of the ground ends, and where a hop clearly does."""
-    mode, t, gx, gy = motion.mode, motion.t, motion.ground.x, motion.ground.y
-    end = end_of_segments(motion, case)
-    span = min(gx[1] - gx[0], gy[1] - gy[0])
+    mode, t = motion.mode, motion.t
+    end = end_of_segments(ground, case)
+    span = min(ground.x[1] - ground.x[0], ground.y[1] - ground.y[0])
     equal = case.fixed > 0 and t >= motion.refined_to and span < np.inf
     h_next = span / case.fixed if equal else motion.h_next
     still = motion.still or cannot_move(mode, a.k, a.y, case.p)
     proposed = np.inf if still else h_next
     h = min(proposed, case.h_max)
     if not rocking(mode):
-        h = min(h, sampling_step(gx), sampling_step(gy))
+        h = min(h, sampling_step(ground.x), sampling_step(ground.y))
     h = min(h, longest_turn(a.y))
     longest = min(proposed, end - t)
     cut = t + 1.1 * h >= end
     stands = still and end - t <= case.h_max
-    stands = stands and stands_until(mode, t, end, a.y, case.p, gx, gy, a.g)
+    stands = stands and stands_until(mode, t, end, a.y, case.p, ground.x, ground.y, a.g)
     if cut or stands:
         h, cut = end - t, True
     if still:
@@ -467,7 +470,7 @@ def stay(a):
 
 
 @inlined
-def take(motion, step, error, case, a):
+def take(motion, ground, step, error, case, a):
     """Take a step, unless it was taken before with an error that is no longer to be judged."""
     if error != -1.0:
         return step._replace(error=error)
@@ -475,14 +478,14 @@ def take(motion, step, error, case, a):
     if step.still:
         return step._replace(error=0.0, taken=taken)
     new = take_step(
-        motion.mode, motion.t, step.h, a.y, case.p, motion.ground.x, motion.ground.y, case.rtol,
+        motion.mode, motion.t, step.h, a.y, case.p, ground.x, ground.y, case.rtol,
         case.atol, a.k, a.y_new,
     )  # fmt: skip
     return step._replace(error=new, taken=taken)
 
 
 @inlined
-def judge(motion, step, case, a, recorder):
+def judge(motion, ground, step, case, a, recorder):
     """(verdict, step): a step that was taken is to be taken AGAIN, otherwise, or is DONE."""
     finite = math.isfinite(step.error) and finite_end(a.k)
     if not finite or step.error > step.bound:
@@ -490,11 +493,11 @@ def judge(motion, step, case, a, recorder):
     gap = gap_at_ends(SIDES[motion.mode], step.h, a.y, a.y_new, a.k)
     tried = step
     if tried.hops:
-        if not hop_ends(motion, tried, gap, case, a):
+        if not hop_ends(motion, ground, tried, gap, case, a):
             return AGAIN, without_hop(tried)
         tried = tried._replace(hops=False, cut=False, lands=True, target=tried.hop)
     if tried.target >= 0:
-        verdict, tried = land(motion, tried, case, a)
+        verdict, tried = land(motion, ground, tried, case, a)
         if verdict == AGAIN:
             return AGAIN, tried
     elif not (tried.cut or tried.still):
@@ -502,14 +505,14 @@ def judge(motion, step, case, a, recorder):
         tried = tried._replace(h_next=h_next, last_error=last_error)
     open_ = False
     if tried.landed < 0 and not tried.still:
-        guard, place, open_, closed = certain_event(motion, tried, gap, case, a)
+        guard, place, open_, closed = certain_event(motion, ground, tried, gap, case, a)
         if guard >= 0:
             h = tried.h * place
             return AGAIN, tried._replace(lands=True, target=guard, h=h, cut=False, sampled=False)
         tried = tried._replace(sampled=open_)
         unsure = not (open_ or closed or rocking(motion.mode) or motion.touching >= 0)
-        open_ = open_ or (unsure and holds(motion, tried, case, a))
-    return look_within(motion, tried, gap, open_, case, a, recorder)
+        open_ = open_ or (unsure and holds(motion, ground, tried, case, a))
+    return look_within(motion, ground, tried, gap, open_, case, a, recorder)
 
 
 @inlined
@@ -538,10 +541,10 @@ def refuse(motion, step, finite, case, a):
 
 
 @inlined
-def land(motion, step, case, a):
+def land(motion, ground, step, case, a):
     """(verdict, step): correct what is left of the guard at the end of a step that ends on it."""
     certain = rocking(motion.mode) or step.lands
-    move, near = correction(motion, step, case, a)
+    move, near = correction(motion, ground, step, case, a)
     tau = motion.t + step.h
     least = max(2.0 * EPS * tau, 1e-5 * case.rtol * step.h)
     small = math.sqrt(max(1e-13, min(1e-6, case.rtol))) * step.h
@@ -567,31 +570,42 @@ def land(motion, step, case, a):
 
 
 @inlined
-def holds(motion, step, case, a):
+def holds(motion, ground, step, case, a):
     """Whether all guards clearly stay open in a step, see `stays_held`."""
     return stays_held(
-        motion.mode, motion.t, step.h, a.y, a.y_new, a.k, case.p, motion.ground.x, motion.ground.y,
+        motion.mode, motion.t, step.h, a.y, a.y_new, a.k, case.p, ground.x, ground.y,
         a.w, a.g, a.b, a.stack,
     )  # fmt: skip
 
 
 @inlined
-def look_within(motion, step, gap, open_, case, a, recorder):
+def look_within(motion, ground, step, gap, open_, case, a, recorder):
     """(verdict, step): make the dense output where something may happen within, and look there."""
-    mode, t, gx, gy = motion.mode, motion.t, motion.ground.x, motion.ground.y
+    mode, t = motion.mode, motion.t
     overturns = may_fall(case.fallen, gap, step.h, a.y, a.y_new, a.k, case.p)
     turns = records_extremes(recorder) and widens(recorder.extremes, step.h, a.y, a.y_new, a.k)
     leaves = acts_beside(mode, motion.touching, a.y, a.y_new)
     closes = acts_beside(mode, step.landed, a.y_new, a.y)
     wanted = records_steps(recorder) or turns or overturns or leaves or closes
     if not step.still and (wanted or not (open_ or step.landed >= 0)):
-        dense_output(mode, t, step.h, a.y, case.p, gx, gy, a.k, a.coefficients)
+        dense_output(mode, t, step.h, a.y, case.p, ground.x, ground.y, a.k, a.coefficients)
         if step.more != 0.0:
             lengthen(step, a)
     h = step.h + step.more
     again = (leaves or closes) and step.overlooked < 20
     if again and overlooks(
-        mode, t, h, case.p, gx, gy, case.rtol, case.atol, a.coefficients, closes, a.w, a.after
+        mode,
+        t,
+        h,
+        case.p,
+        ground.x,
+        ground.y,
+        case.rtol,
+        case.atol,
+        a.coefficients,
+        closes,
+        a.w,
+        a.after,
     ):
         h *= 0.3
         return AGAIN, step._replace(
@@ -601,7 +615,7 @@ def look_within(motion, step, gap, open_, case, a, recorder):
     seen = step._replace(h=h, overturns=overturns, turns=turns)
     if open_ or (seen.landed >= 0 and not closes):
         return DONE, seen
-    return first_event_within(motion, seen, case, a)
+    return first_event_within(motion, ground, seen, case, a)
 
 
 @inlined
@@ -614,14 +628,14 @@ def lengthen(step, a):
 
 
 @inlined
-def first_event_within(motion, step, case, a):
+def first_event_within(motion, ground, step, case, a):
     """(verdict, step): up to the first guard that falls by its polynomial over the step."""
-    mode, t, gx, gy = motion.mode, motion.t, motion.ground.x, motion.ground.y
+    mode, t = motion.mode, motion.t
     instant = 4.0 * EPS * max(t, step.h)
-    guard_polynomials(mode, t, step.h, case.p, gx, gy, a.coefficients, a.w, a.g, a.b)
+    guard_polynomials(mode, t, step.h, case.p, ground.x, ground.y, a.coefficients, a.w, a.g, a.b)
     place, target, slope, from_closed, unclear = first_event(
-        mode, t, step.h, instant, step.landed, motion.touching, a.y, case.p, gx, gy, case.fallen,
-        a.noises, a.w, a.g, a.b, a.stack,
+        mode, t, step.h, instant, step.landed, motion.touching, a.y, case.p, ground.x, ground.y,
+        case.fallen, a.noises, a.w, a.g, a.b, a.stack,
     )  # fmt: skip
     if place == NEVER:
         return DONE, step._replace(target=target, slope=slope)
@@ -632,7 +646,7 @@ def first_event_within(motion, step, case, a):
             slow = a.y[ROTATION_RATE] == 0.0 or SIDES[mode] * a.k[ROTATION_RATE] > 0.0
         else:
             slow = unclear or opens_soon(
-                mode, target, t, h, a.y, case.p, gx, gy, a.k, a.w, a.g, a.after,
+                mode, target, t, h, a.y, case.p, ground.x, ground.y, a.k, a.w, a.g, a.after,
                 noise_of(mode, target, case.p, case.fallen, a.noises, a.w, a.g),
             )  # fmt: skip
         if from_closed and slow and h > max(1e-6 * step.longest, 1e3 * EPS * t):
@@ -699,10 +713,12 @@ def accept(motion, step, case, a, recorder):
 
 
 @inlined
-def leave_mode(motion, guard, h, case, a, recorder):
+def leave_mode(motion, ground, guard, h, case, a, recorder):
     """The motion after the event of a guard, and after a rest that may follow from it."""
-    kind, end = KINDS[motion.mode][guard], end_of_segments(motion, case)
-    left, rest = transition(motion._replace(idle=motion.idle + 1), guard, h, end, case, a, recorder)
+    kind, end = KINDS[motion.mode][guard], end_of_segments(ground, case)
+    left, rest = transition(
+        motion._replace(idle=motion.idle + 1), ground, guard, h, end, case, a, recorder
+    )
     if left.outcome != COMPLETED:
         return left._replace(touching=-1)
     if not rest.stepped:
@@ -711,17 +727,17 @@ def leave_mode(motion, guard, h, case, a, recorder):
         left = left._replace(impacts=left.impacts + 1)
         if left.impacts > case.max_impacts:
             return left._replace(outcome=TOO_MANY_IMPACTS)
-        left, rest = zeno_time(left, end, case, a)
+        left, rest = zeno_time(left, ground, end, case, a)
     if not (rest.stepped or left.t + rest.time < end or rest.time < 16.0 * EPS * left.t):
         return left
-    return come_to_rest(left, rest, end, case, a, recorder)
+    return come_to_rest(left, ground, rest, end, case, a, recorder)
 
 
 @inlined
-def come_to_rest(motion, rest, end, case, a, recorder):
+def come_to_rest(motion, ground, rest, end, case, a, recorder):
     """Record the rest of infinitely many impacts, and go on in the mode that follows them."""
     t = motion.t
-    mode, known = through_rest(motion, rest, case, a, recorder)
+    mode, known = through_rest(motion, ground, rest, case, a, recorder)
     if not known:
         return motion
     rested = motion

@@ -94,7 +94,6 @@ class Motion(NamedTuple):
     h_next: float
     last_error: float
     refined_to: float
-    ground: Ground
     rate_stale: bool
     guard_due: bool
     sampled: bool

@@ -67,18 +67,18 @@ def free_flight(mode, touching, t, y, p, k):
 
 
 @inlined
-def falls_of(motion, step, sampled, hop, case, a):
+def falls_of(motion, ground, step, sampled, hop, case, a):
     """(guard, place) in a step, see `fall_within`."""
     return fall_within(
         motion.mode, motion.t, step.h, a.y, a.y_new, a.k, N_STAGES * N_STATES, case.p,
-        motion.ground.x, motion.ground.y, a.w, a.b, sampled, motion.touching, hop,
+        ground.x, ground.y, a.w, a.b, sampled, motion.touching, hop,
     )  # fmt: skip
 
 
 @inlined
-def hop_ends(motion, step, gap, case, a):
+def hop_ends(motion, ground, step, gap, case, a):
     """Whether a step that is one hop clearly ends where it closes again."""
-    guard, _ = falls_of(motion, step, False, step.hop, case, a)
+    guard, _ = falls_of(motion, ground, step, False, step.hop, case, a)
     return guard == step.hop
 
 
@@ -89,31 +89,31 @@ def without_hop(step):
 
 
 @inlined
-def certain_event(motion, step, gap, case, a):
+def certain_event(motion, ground, step, gap, case, a):
     """(guard, place, open, closed): the guard that clearly falls in a step, and where, or -1.
 
     open : all guards clearly stay open. closed : one is below zero at the end.
     """
-    guard, place = falls_of(motion, step, step.sampled, -1, case, a)
+    guard, place = falls_of(motion, ground, step, step.sampled, -1, case, a)
     open_ = guard == STAYS_OPEN
     closed = guard < 0 and not open_ and end_closed(motion.mode, a.b)
     return guard if guard >= 0 else -1, place if guard >= 0 else NEVER, open_, closed
 
 
 @inlined
-def correction(motion, step, case, a):
+def correction(motion, ground, step, case, a):
     """(time, most): from the end of a step to its event, and the largest that is believed."""
     tau = motion.t + step.h
     if step.lands:
         move = to_landing(motion.mode, step.target, a.y_new, case.p, a.k[N_STAGES * N_STATES :])
         return move, 0.1 if step.corrections == 0 else 0.01
-    ax, ay = shaking(motion.ground.x, tau), shaking(motion.ground.y, tau)
+    ax, ay = shaking(ground.x, tau), shaking(ground.y, tau)
     guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
     return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
 
 
 @inlined
-def transition(motion, guard, h, end, case, a, recorder):
+def transition(motion, ground, guard, h, end, case, a, recorder):
     """(motion, rest): in the mode that follows the event of a guard, or after a step over events.
 
     Events without end at one instant, and one that nothing may follow, are stepped over.
@@ -125,19 +125,19 @@ def transition(motion, guard, h, end, case, a, recorder):
             outcome = failure_of(motion.follows)
         return motion._replace(outcome=outcome), rest
     if CROWDED * int(motion.idle / CROWDED) == motion.idle:
-        rest = stepped_over(motion, end, False, case, a)
+        rest = stepped_over(motion, ground, end, False, case, a)
         if rest.stepped:
             return after_step_over(motion, rest), rest
     length = max(h, min(motion.h_next, end - motion.t))
     tau = 1e-5 * length
-    gx, gy = motion.ground.x, motion.ground.y
     mode, touching = pass_on(
-        motion.mode, guard, length, a.y, case.p, shaking(gx, motion.t), shaking(gy, motion.t),
-        shaking(gx, motion.t + tau), shaking(gy, motion.t + tau), tau, case.rtol, a.known, a.after,
+        motion.mode, guard, length, a.y, case.p, shaking(ground.x, motion.t),
+        shaking(ground.y, motion.t), shaking(ground.x, motion.t + tau),
+        shaking(ground.y, motion.t + tau), tau, case.rtol, a.known, a.after,
     )  # fmt: skip
     kind = KINDS[motion.mode][guard]
     if mode < 0:
-        rest = stepped_over(motion, end, True, case, a)
+        rest = stepped_over(motion, ground, end, True, case, a)
         # what has come to its end and goes on as before is no way out
         if rest.stepped and (kind == LANDING or rest.mode != motion.mode):
             return after_step_over(motion, rest), rest
@@ -159,9 +159,9 @@ def after_step_over(motion, rest):
 
 
 @inlined
-def stepped_over(motion, end, fits, case, a):
+def stepped_over(motion, ground, end, fits, case, a):
     """The rest after a step over events, not stepped where there is none; its state in y_new."""
-    ax, ay = shaking(motion.ground.x, motion.t), shaking(motion.ground.y, motion.t)
+    ax, ay = shaking(ground.x, motion.t), shaking(ground.y, motion.t)
     time, mode = step_over(
         motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, end - motion.t, fits, case.rtol,
         a.known, a.y_new,
@@ -170,9 +170,9 @@ def stepped_over(motion, end, fits, case, a):
 
 
 @inlined
-def zeno_time(motion, end, case, a):
+def zeno_time(motion, ground, end, case, a):
     """(motion, rest): when the infinitely many impacts to come will all have happened."""
-    ax, ay = shaking(motion.ground.x, motion.t), shaking(motion.ground.y, motion.t)
+    ax, ay = shaking(ground.x, motion.t), shaking(ground.y, motion.t)
     time, follows = time_of_bounces(
         motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, case.rtol, a.known, a.y_new
     )
@@ -180,7 +180,7 @@ def zeno_time(motion, end, case, a):
 
 
 @inlined
-def through_rest(motion, rest, case, a, recorder):
+def through_rest(motion, ground, rest, case, a, recorder):
     """(mode, whether it is known): the motion until the rest, in this mode: a straight line.
 
     Into w the state before the rest, and the dense output.

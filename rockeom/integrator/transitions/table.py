@@ -75,7 +75,7 @@ def free_flight(mode, touching, t, y, p, k):
 
 
 @inlined
-def hop_ends(motion, step, gap, case, a):
+def hop_ends(motion, ground, step, gap, case, a):
     """Whether a step that is one hop clearly ends where it closes again."""
     near = abs(to_impact(SIDES[motion.mode], a.y_new, a.k)) < 0.1 * step.h
     return near and rises_and_falls(gap)
@@ -88,7 +88,7 @@ def without_hop(step):
 
 
 @inlined
-def certain_event(motion, step, gap, case, a):
+def certain_event(motion, ground, step, gap, case, a):
     """(guard, place, open, closed): the guard that clearly falls in a step, and where, or -1.
 
     open : all guards clearly stay open. closed : one is below zero at the end.
@@ -101,19 +101,19 @@ def certain_event(motion, step, gap, case, a):
 
 
 @inlined
-def correction(motion, step, case, a):
+def correction(motion, ground, step, case, a):
     """(time, most): from the end of a step to its event, and the largest that is believed."""
     tau = motion.t + step.h
     if rocking(motion.mode):
         move = to_impact(SIDES[motion.mode], a.y_new, a.k)
         return move, 0.1 if step.corrections == 0 else 0.01
-    ax, ay = shaking(motion.ground.x, tau), shaking(motion.ground.y, tau)
+    ax, ay = shaking(ground.x, tau), shaking(ground.y, tau)
     guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
     return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
 
 
 @inlined
-def transition(motion, guard, h, end, case, a, recorder):
+def transition(motion, ground, guard, h, end, case, a, recorder):
     """(motion, rest): in the mode that follows the event of a guard; no rest follows from it."""
     before, kind = motion.mode, KINDS[motion.mode][guard]
     if motion.idle > MOST_IDLE:
@@ -132,13 +132,13 @@ def transition(motion, guard, h, end, case, a, recorder):
 
 
 @inlined
-def zeno_time(motion, end, case, a):
+def zeno_time(motion, ground, end, case, a):
     """(motion, rest): when the infinitely many impacts to come will all have happened."""
     mode, t = motion.mode, motion.t
     rest = Rest(np.inf, mode, False)
     if SIDES[mode] == 0.0:
         return motion, rest
-    ax, ay = shaking(motion.ground.x, t), shaking(motion.ground.y, t)
+    ax, ay = shaking(ground.x, t), shaking(ground.y, t)
     rates(mode, a.y, case.p, ax, ay, a.k)
     if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates
@@ -153,17 +153,29 @@ def zeno_time(motion, end, case, a):
 
 
 @inlined
-def through_rest(motion, rest, case, a, recorder):
+def through_rest(motion, ground, rest, case, a, recorder):
     """(mode, whether it is known): the motion until the rest, in this mode.
 
     Into y_new the state after it, into w that had the impacts not faded yet, and the dense output.
     """
-    t, gx, gy = motion.t, motion.ground.x, motion.ground.y
+    t = motion.t
     known = stand(
-        rest.mode, t, rest.time, a.after, case.p, gx, gy, case.rtol, case.atol, a.k, a.y_new
+        rest.mode,
+        t,
+        rest.time,
+        a.after,
+        case.p,
+        ground.x,
+        ground.y,
+        case.rtol,
+        case.atol,
+        a.k,
+        a.y_new,
     )
     if known and records_steps(recorder) and t + rest.time > t:
-        dense_output(rest.mode, t, rest.time, a.after, case.p, gx, gy, a.k, a.coefficients)
+        dense_output(
+            rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, a.k, a.coefficients
+        )
     for i in range(N_STATES):
         a.w[i] = a.y[i] + (a.y_new[i] - a.after[i])
     return rest.mode, known
