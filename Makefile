@@ -31,11 +31,12 @@ oracle: $(VENV)/.test ## compare the machine code of every structure with Python
 generated: $(VENV)/.dev ## rewrite generated/ from the symbolic models
 	$(BIN)/rockeom generate
 
-check: $(VENV)/.dev ## lint, format, types, import borders, generated/ up to date
+check: $(VENV)/.dev ## lint, format, types, import borders, form, generated/ up to date
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python -m tests.form
 	$(BIN)/rockeom generate --check
 
 bench: $(VENV)/.test ## speed and error beside C, heyoka and SciPy, side by side (minutes), into out/

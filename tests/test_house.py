@@ -16,6 +16,7 @@ import pytest
 
 import rockeom
 from rockeom.structures.classes import SHIPPED
+from tests import form
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -372,3 +373,20 @@ def test_commands_that_install_an_extra_work_in_a_clone_and_in_zsh():
             assert after.endswith('"'), f"{path}: {command}{after}"
             named = after.strip('[]"').split(",")
             assert named == ["{extra}"] or {*named} <= extras.keys(), f"{path}: {command}{after}"
+
+
+def test_a_circle_of_imports_is_found_and_a_chain_is_none():
+    chain = {"a": {"b"}, "b": {"c"}, "c": set()}
+    assert form.circles(chain) == []
+    assert form.circles(chain | {"c": {"b"}}) == [{"b", "c"}]
+
+
+def test_sizes_of_a_function_are_those_that_one_counts():
+    tree = ast.parse('def f(a, *, b):\n    """Two\n    lines."""\n    return a if a and b else b\n')
+    assert form.measured("f", tree.body[0]) == form.Function("f", 2, 2, 3)
+
+
+def test_a_figure_beyond_its_bound_fails_the_check(monkeypatch, capsys):
+    monkeypatch.setattr(form, "figures", lambda: [form.Figure("lines of a file", 901, 900)])
+    assert form.main() == 1
+    assert "lines of a file: 901 is more than the bound of 900" in capsys.readouterr().out

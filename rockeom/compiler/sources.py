@@ -14,7 +14,8 @@ def sources() -> list[Path]:
     """The files that derive and write, and those of the numbers that are written."""
     folders = (ROOT / "symbolic", ROOT / "codegen")
     found = sorted(f for folder in folders for f in folder.rglob("*.py"))
-    return [ROOT / "codes.py", Path(__file__).resolve(), *found]
+    own = Path(__file__).resolve()
+    return [ROOT / "codes.py", own, own.with_name("__init__.py"), *found]
 
 
 def digest(*parts: str) -> str:

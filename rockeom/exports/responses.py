@@ -150,7 +150,7 @@ def _told_law(law: ImpactLaw | None) -> Any:
     warnings.warn(
         f"the law of impact, a {name}, is of your own: the file has its name, and all that the "
         "response is; to go on from it give the law again",
-        stacklevel=7,
+        stacklevel=5,
     )
     return {"not_saved": name}
 

@@ -36,6 +36,7 @@ from rockeom.simulation.friction import (
 )
 from rockeom.simulation.plausible import friction, shaking
 from rockeom.simulation.recorder import ALL, SAMPLES, Passages, Samples, Steps
+from rockeom.structures import evaluation
 from rockeom.structures.contact_modes import HAPPENED, subjects
 from rockeom.structures.impact_laws import Impulsive
 from rockeom.structures.pickled import made_of
@@ -259,16 +260,14 @@ class Response:
 
     def velocities(self) -> dict[str, np.ndarray]:
         """Velocities (n, 2) of the same, by name [m/s], in axes that move with the ground."""
-        return _quantities().velocities(self.structure, self.contact, self.y)
+        return evaluation.velocities(self.structure, self.contact, self.y)
 
     def accelerations(self) -> dict[str, np.ndarray]:
         """Absolute accelerations (n, 2) of the same, with the ground's, by name [m/s2]."""
         t = self.t
         vertical = 0.0 if self.vertical is None else self.vertical.acceleration(t)
         horizontal = self.motion.acceleration(t)
-        return _quantities().accelerations(
-            self.structure, self.contact, self.y, horizontal, vertical
-        )
+        return evaluation.accelerations(self.structure, self.contact, self.y, horizontal, vertical)
 
     def impulses(self) -> np.ndarray:
         """(k, 2) horizontal and vertical impulse of the ground at each of `impacts` [N s].

@@ -9,6 +9,7 @@ from numeric.exact import FreeBlock
 from scipy.optimize import brentq
 
 import rockeom as rk
+from rockeom.simulation.response import Impact
 
 from . import closed_forms as exact
 from .cases import ALPHA, LEANING, SHAKEN, P, leaning, leaning_motion
@@ -247,7 +248,7 @@ def test_a_flat_block_that_lands_on_rough_ground_turns():
 # -- a corner lands -------------------------------------------------------------------------
 
 
-def assert_lands_as_the_reference(block: Block, event: rk.numeric.response.Impact) -> None:
+def assert_lands_as_the_reference(block: Block, event: Impact) -> None:
     q, v = block.state(**event.before)
     after = block.base(np.concatenate([q, one(block.assembly.impulses(q, v)).motion]))
     scale = max(abs(value) for value in event.before.values())

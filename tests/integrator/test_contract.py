@@ -31,6 +31,16 @@ OF_TABLES = {"jump", "held_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
 """What only those have of which several coordinates may fall."""
+TABLE, *SEARCH = (
+    {
+        node.name: [a.arg for a in node.args.args]
+        for node in ast.parse(text_of(f"integrator/transitions/{name}.py")).body
+        if isinstance(node, ast.FunctionDef)
+    }
+    for name in ("table", "search", "landings")
+)
+OF_CONTRACT = FUNCTIONS.keys() & TABLE.keys()
+"""What the loop asks of transitions, whichever way they are found."""
 OF_PRINTER = {"value", "moving", "rate"}
 """What numbers with derivatives are asked by."""
 
@@ -45,13 +55,22 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
         if text.name not in JOINED or text.name == SEARCHED:
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
-    elsewhere = OF_PRINTER | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
+    elsewhere = OF_PRINTER | OF_CONTRACT | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
     elsewhere |= set() if joined["N_FALLS"] else OF_FALLS
     for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
     tables = {"LANES", "N_PARAMETERS", "PLACES", "STAGE_PLACES", "NODE_PLACES", "DAMPING"}
     tables.add("GAP_SIDES")
-    assert TABLES - elsewhere - (set() if lanes else tables) <= joined.keys()
+    tables = set() if lanes else tables
+    contract = {"MOST_IDLE", "QUIET_STEPS", "EXTRAPOLATES", "Gap"}
+    assert TABLES - elsewhere - contract - tables <= joined.keys()
+
+
+def test_a_table_and_a_search_of_transitions_fulfil_one_contract():
+    search = SEARCH[0] | SEARCH[1]
+    assert len(OF_CONTRACT) == 15
+    for function in OF_CONTRACT:
+        assert TABLE[function] == search[function] == FUNCTIONS[function]
 
 
 def test_printer_defines_what_numbers_with_derivatives_are_asked_by():

@@ -18,6 +18,7 @@ from rockeom.codegen import module_text
 from rockeom.codegen.names import Names, is_own
 from rockeom.integrator.lanes_text import lanes_text
 from rockeom.integrator.methods.tableau import step_text, tableau
+from rockeom.integrator.program import JOINED
 from rockeom.integrator.texts import text_of
 from rockeom.structures.classes import class_of
 from rockeom.symbolic import Coordinate, Mechanism, RockingModel, Transition
@@ -222,7 +223,7 @@ def bound_by(text: str) -> set[str]:
 def test_no_contact_state_can_meet_what_is_joined_to_the_module(method):
     """In the joined program numbers of contact states are global, as all of the loop's names."""
     frame = importlib.import_module("rockeom.generated.flexible_structure")
-    joined = [text_of(f"integrator/{name}.py") for name in ("loop", "lanes")]
+    joined = [text_of(name) for name in JOINED]
     joined += [step_text(tableau(method), 2), lanes_text(tableau(method), frame)]
     names = set().union(*map(bound_by, joined))
     assert {"REST", "IMPACT", "EPS"} <= names

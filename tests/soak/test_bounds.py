@@ -29,7 +29,7 @@ def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
         upper=rk.RigidBlock(half_width=0.3, half_height=0.6),
     )
     motion = rk.GroundMotion.single_sine(5.0, 0.5)
-    said = f"contacts.py, line {line}: index 224 is out of bounds for an axis of size 224"
+    said = f"searched.py, line {line}: index 224 is out of bounds for an axis of size 224"
     try:
         with bounds.checked(), pytest.raises(OutOfBoundsError, match=said):
             rk.simulate(stack, motion)

@@ -430,10 +430,11 @@ def test_pages_of_a_model_are_what_is_said_of_it():
 
 
 def test_a_model_is_data_and_knows_nothing_that_writes_it_out():
-    """Nor does what derives: not even in a function, where an import is easily overlooked."""
+    """Nor does what derives, not even in a function; methods of a model may show it."""
     symbolic = ROOT / "rockeom" / "symbolic"
     writers = {"notation", "page", "polar", "typeset"}
     for name in ("model", "check", "lagrange", "impulse", "contact", "statics", "evaluate"):
         tree = ast.parse((symbolic / f"{name}.py").read_text(encoding="utf-8"))
-        homes = {n.module or "" for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
+        nodes = tree.body if name == "model" else ast.walk(tree)
+        homes = {n.module or "" for n in nodes if isinstance(n, ast.ImportFrom)}
         assert not writers & {home.rpartition(".")[2] for home in homes}, name

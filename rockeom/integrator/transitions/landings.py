@@ -183,11 +183,11 @@ def to_landing(contact, guard, y, p, dy):
     return move - 0.5 * acceleration_of(told, 2 * point, dy) * move * move / rate
 
 
-def is_rounding(contact, guard, y, p):
+def is_rounding(mode, guard, y, p):
     """Whether a gap is closed but for the rounding errors of the places of all points."""
     told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
     points(y, p, told)
-    guards(contact, y, p, 0.0, 0.0, g)
+    guards(mode, y, p, 0.0, 0.0, g)
     return abs(g[guard]) <= gap_rounding(told, y)
 
 

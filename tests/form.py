@@ -1,0 +1,213 @@
+"""python -m tests.form: figures of the package's form, and the bounds that they must keep.
+
+A bound may fall, and never rises: a change that needs more finds another way, or says why the
+figure is the wrong one. Lines are counted and not bounded.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+PACKAGE = Path(__file__).resolve().parent.parent / "rockeom"
+
+
+class Figure(NamedTuple):
+    what: str
+    value: int
+    bound: int | None
+
+
+class Function(NamedTuple):
+    """A function, and its sizes: lines without docstring, arguments, cyclomatic number."""
+
+    name: str
+    lines: int
+    arguments: int
+    branches: int
+
+
+class Source(NamedTuple):
+    path: str
+    text: str
+    tree: ast.Module
+
+
+def sources() -> list[Source]:
+    found = []
+    for file in sorted(PACKAGE.rglob("*.py")):
+        text = file.read_text(encoding="utf-8")
+        found.append(Source(file.relative_to(PACKAGE).as_posix(), text, ast.parse(text)))
+    return found
+
+
+def functions(of: list[Source]) -> Iterator[Function]:
+    for source in of:
+        for node in ast.walk(source.tree):
+            if isinstance(node, ast.FunctionDef):
+                yield measured(f"{source.path}: {node.name}", node)
+
+
+def measured(name: str, node: ast.FunctionDef) -> Function:
+    lines = (node.end_lineno or 0) - node.lineno + 1
+    first = node.body[0]
+    if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
+        lines -= (first.end_lineno or 0) - first.lineno + 1
+    arguments = node.args
+    branches = 1
+    for part in ast.walk(node):
+        branches += isinstance(part, ast.If | ast.IfExp | ast.For | ast.While)
+        branches += len(part.values) - 1 if isinstance(part, ast.BoolOp) else 0
+    count = len(arguments.args) + len(arguments.kwonlyargs) + len(arguments.posonlyargs)
+    return Function(name, lines, count, branches)
+
+
+# -- imports ---------------------------------------------------------------------------------------
+
+
+def module_name(path: str) -> str:
+    name = "rockeom." + path.removesuffix(".py").replace("/", ".")
+    return name.removesuffix(".__init__")
+
+
+class Imports(NamedTuple):
+    """Which modules import which, at run time and for types too, and how many within functions."""
+
+    at_run_time: dict[str, set[str]]
+    with_types: dict[str, set[str]]
+    within_functions: int
+
+
+def imports(of: list[Source]) -> Imports:
+    names = {module_name(source.path) for source in of}
+    at_run_time: dict[str, set[str]] = {name: set() for name in names}
+    with_types: dict[str, set[str]] = {name: set() for name in names}
+    within = 0
+
+    def visit(node: ast.AST, module: str, inside: bool, types: bool) -> None:
+        nonlocal within
+        for part in ast.iter_child_nodes(node):
+            if isinstance(part, ast.ImportFrom):
+                asked = imported(part, names) - {module}
+                within += bool(asked) and inside
+                with_types[module] |= asked
+                if not types:
+                    at_run_time[module] |= asked
+            in_types = isinstance(part, ast.If) and "TYPE_CHECKING" in ast.unparse(part.test)
+            in_function = isinstance(part, ast.FunctionDef | ast.Lambda)
+            visit(part, module, inside or in_function, types or in_types)
+
+    for source in of:
+        visit(source.tree, module_name(source.path), False, False)
+    return Imports(at_run_time, with_types, within)
+
+
+def imported(node: ast.ImportFrom, names: set[str]) -> set[str]:
+    """The package's modules that a statement imports, or imports from."""
+    of = node.module or ""
+    return {
+        f"{of}.{alias.name}" if f"{of}.{alias.name}" in names else of for alias in node.names
+    } & names
+
+
+def circles(graph: Mapping[str, set[str]]) -> list[set[str]]:
+    """Modules that import one another, by way of others too."""
+    reached = {start: reachable(graph, start) for start in graph}
+    found: list[set[str]] = []
+    for start in graph:
+        circle = {other for other in reached[start] if start in reached[other]}
+        if len(circle) > 1 and circle not in found:
+            found.append(circle)
+    return found
+
+
+def reachable(graph: Mapping[str, set[str]], start: str) -> set[str]:
+    seen, left = {start}, [start]
+    while left:
+        for other in graph[left.pop()] - seen:
+            seen.add(other)
+            left.append(other)
+    return seen
+
+
+# -- figures ---------------------------------------------------------------------------------------
+
+
+def members(of: list[Source], name: str) -> int:
+    """Public functions and fields of a class."""
+    return sum(
+        isinstance(part, ast.AnnAssign)
+        or (isinstance(part, ast.FunctionDef) and not part.name.startswith("_"))
+        for source in of
+        for node in source.tree.body
+        if isinstance(node, ast.ClassDef) and node.name == name
+        for part in node.body
+    )
+
+
+def public_names(of: list[Source], path: str) -> int:
+    """Length of the list __all__ of a file."""
+    for source in of:
+        for node in source.tree.body if source.path == path else ():
+            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
+                return len(node.value.elts)  # type: ignore[attr-defined]
+    raise LookupError(f"{path} has no list __all__")
+
+
+def figures() -> list[Figure]:
+    of = sources()
+    every = list(functions(of))
+    edges = imports(of)
+    at_run_time = circles(edges.at_run_time)
+    # of the thesis and of the analysis there are as many as there are subjects
+    subjects = [s for s in of if not s.path.startswith(("thesis", "analysis"))]
+    folders = Counter(str(Path(source.path).parent) for source in subjects)
+
+    def count(pattern: str, where: Callable[[str], bool] = lambda path: True) -> int:
+        return sum(len(re.findall(pattern, s.text)) for s in of if where(s.path))
+
+    lines = {source.path: source.text.count("\n") for source in of}
+    elsewhere = sum(n for path, n in lines.items() if not path.startswith("thesis"))
+    models = r"isinstance\([^()]*(?:\([^()]*\))?[^()]*\b(?:Model|RockingModel)\)"
+    return [
+        Figure("lines", sum(lines.values()), None),
+        Figure("lines without thesis", elsewhere, None),
+        Figure("longest function", max(f.lines for f in every), 147),
+        Figure("functions over 60 lines", sum(f.lines > 60 for f in every), 24),
+        Figure("most arguments", max(f.arguments for f in every), 27),
+        Figure("functions of more than 10 arguments", sum(f.arguments > 10 for f in every), 36),
+        Figure("highest cyclomatic number", max(f.branches for f in every), 37),
+        Figure("circles of files at run time", len(at_run_time), 2),
+        Figure("files in them", sum(map(len, at_run_time)), 80),
+        Figure("circles of files with types", len(circles(edges.with_types)), 3),
+        Figure("imports within functions", edges.within_functions, 182),
+        Figure("isinstance of models", count(models), 19),
+        Figure("engine flag in the loop", count("N_POINTS", lambda p: p.endswith("loop.py")), 0),
+        Figure("questions for points", count(r"has_points\(|stands_on_points"), 29),
+        Figure("modules at the root", folders["."], 4),
+        Figure("files of a folder", max(folders.values()), 24),
+        Figure("names of analysis", public_names(of, "analysis/__init__.py"), 195),
+        Figure("members of Response", members(of, "Response"), 60),
+        Figure("lines of a file", max(lines.values()), 1820),
+        Figure("texts that are run", count(r"\bexec\("), 3),
+    ]  # fmt: skip
+
+
+def main() -> int:
+    found = figures()
+    for figure in found:
+        bound = "" if figure.bound is None else f"at most {figure.bound}"
+        print(f"{figure.what:38}{figure.value:>7}  {bound}")
+    over = [f for f in found if f.bound is not None and f.value > f.bound]
+    for figure in over:
+        print(f"{figure.what}: {figure.value} is more than the bound of {figure.bound}")
+    return bool(over)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
