@@ -72,10 +72,10 @@ RATIO, IMPULSIVE, AT_SPEED, BY_FOOT, BY_NUMBER = range(5)
     CONTACT,
     TOUCHING,  # the guard that is closed now, or -1
     IMPACTS,  # so far
-    TAKEN,  # steps so far, with those refused
+    STEPS,  # steps so far, with those refused
     IDLE,  # passages since time last moved
-    NEWS,  # 1 where a guard may be due
-    FRESH,  # 1 where the rate must be found anew
+    GUARD_DUE,  # 1 where a guard may be due
+    RATE_STALE,  # 1 where the rate must be found anew
     STEPS_KEPT,  # in the record, since it was emptied
     EVENTS_KEPT,
     REFINED,  # laws of the ground in which equal steps would have been too long

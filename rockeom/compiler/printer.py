@@ -401,7 +401,7 @@ declare void @out_of_bounds(i64, i64, ptr, i64)
 """With a place that is read and written after a report."""
 
 
-@lru_cache(maxsize=16)  # the loop and the steps are those of many structures
+@lru_cache(maxsize=64)  # the loop and the steps are those of many structures
 def _parsed(source: str, name: str) -> tuple[list[ast.FunctionDef], CodeType]:
     """The functions of a text, which stay as they are, and all else as code to be run."""
     tree = ast.parse(source, name)

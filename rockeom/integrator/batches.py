@@ -19,14 +19,14 @@ from rockeom.codes import (
     IMPACTS,
     LANDING,
     OVERTURNED,
+    STEPS,
     STEPS_KEPT,
-    TAKEN,
 )
 from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.extremes import widen
-    from rockeom.integrator.ground import row_for, shaking
+    from rockeom.integrator.ground import ground_acceleration, segment_for
     from rockeom.integrator.interface import (
         KINDS,
         N_STATES,
@@ -141,7 +141,7 @@ def integrate_many(
             if left < 0:
                 return n
             status[n, EVENTS_KEPT] = 0
-            left += status[n, TAKEN]
+            left += status[n, STEPS]
             code = integrate(
                 status[n], clock[n], y, rates[n], t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
                 vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
@@ -149,7 +149,7 @@ def integrate_many(
                 steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
                 scratch,
             )  # fmt: skip
-            left -= status[n, TAKEN]
+            left -= status[n, STEPS]
             for e in range(status[n, EVENTS_KEPT]):
                 if event_kinds[e, 0] != IMPACT and event_kinds[e, 0] != LANDING:
                     continue
@@ -204,9 +204,9 @@ def evaluate(
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
     nx = ny = 0
     for n in range(t.shape[0]):
-        nx, gx = row_for(horizontal, nx, t[n])
-        ny, gy = row_for(vertical, ny, t[n])
-        ax, ay = shaking(gx, t[n]), shaking(gy, t[n])
+        nx, gx = segment_for(horizontal, nx, t[n])
+        ny, gy = segment_for(vertical, ny, t[n])
+        ax, ay = ground_acceleration(gx, t[n]), ground_acceleration(gy, t[n])
         energies(contacts[n], states[n], p, energy[n])
         reactions(contacts[n], states[n], p, ax, ay, force[n])
         kinematics(contacts[n], states[n], p, motion[n])

@@ -9,7 +9,7 @@ from rockeom.codes import LIFTING, SLIPPING, UPLIFT
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.interface import (
         GUARDS,
         KINDS,
@@ -47,7 +47,7 @@ def stands_until(contact, t, end, y, p, gx, gy, g):
         return False
     for turn in range(2):
         tau = end if turn == 1 else t
-        guards(contact, y, p, shaking(gx, tau), shaking(gy, tau), g)
+        guards(contact, y, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
         size = 0.0
         for n in range(GUARDS[contact]):
             size += abs(g[n])

@@ -35,7 +35,7 @@ def sine(x):
 
 
 def pulse(row, t):
-    """Ground acceleration at t by a curved law, see `shaking`."""
+    """Ground acceleration at t by a curved law, see `ground_acceleration`."""
     kind = row[2]
     tau = t - row[0]
     if kind == 1.0:  # sine
@@ -57,7 +57,7 @@ def mavroeidis_papageorgiou(row, tau):
 
 
 @inlined
-def shaking(row, t):
+def ground_acceleration(row, t):
     """Ground acceleration at t by the law in a row of a motion's table."""
     if row[2] == 0.0:  # linear
         return row[3] + row[4] * (t - row[0])
@@ -65,7 +65,7 @@ def shaking(row, t):
 
 
 @inlined
-def shake(row, t, h, first, last, out, at):
+def ground_at_stages(row, t, h, first, last, out, at):
     """Ground accelerations at the stages from `first` to before `last` of a step, to out[at + j].
 
     They do not wait for the state, so that the compiler may find several at once.
@@ -75,10 +75,10 @@ def shake(row, t, h, first, last, out, at):
         for j in range(first, last):
             out[at + j] = start + STAGE_TIMES[j] * change
     else:
-        shake_by_curve(row, t, h, first, last, out, at)
+        ground_at_stages_of_a_pulse(row, t, h, first, last, out, at)
 
 
-def shake_by_curve(row, t, h, first, last, out, at):
+def ground_at_stages_of_a_pulse(row, t, h, first, last, out, at):
     if row[2] == 1.0:
         angle, turn, size = row[4] * (t - row[0]) + row[5], row[4] * h, row[3]
         for j in range(first, last):
@@ -93,27 +93,27 @@ QUIET = (0.0, np.inf, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @inlined
-def row_at(table, n, t):
+def segment_at(table, n, t):
     """(n, row) of a motion's table that holds at t and after it, from row n on; quiet behind it."""
     while n < table.shape[0] and t >= table[n, 1]:
         n += 1
     if n == table.shape[0]:
         return n, QUIET
-    return n, row_of(table, n)
+    return n, segment_of(table, n)
 
 
 @inlined
-def row_of(table, n):
+def segment_of(table, n):
     return (
         table[n, 0], table[n, 1], table[n, 2], table[n, 3], table[n, 4], table[n, 5], table[n, 6]
     )  # fmt: skip
 
 
-def row_for(table, n, t):
-    """As row_at, but the very end of a motion still belongs to its last law."""
+def segment_for(table, n, t):
+    """As segment_at, but the very end of a motion still belongs to its last law."""
     if table.shape[0] > 0 and t == table[-1, 1]:
-        return table.shape[0] - 1, row_of(table, table.shape[0] - 1)
-    return row_at(table, n, t)
+        return table.shape[0] - 1, segment_of(table, table.shape[0] - 1)
+    return segment_at(table, n, t)
 
 
 @inlined

@@ -27,7 +27,7 @@ if TYPE_CHECKING:  # joined before this text
         rises_first,
         size,
     )
-    from rockeom.integrator.ground import shaking, straight
+    from rockeom.integrator.ground import ground_acceleration, straight
     from rockeom.integrator.interface import (
         GUARDS,
         HELD,
@@ -162,7 +162,7 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
                 slope += QUARTIC[m, j] * (quintics[at + j + 1] - quintics[at + j])
             w[i], w[n + i] = place, slope * (5.0 / h)
         tau = t + NODES[m] * h
-        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+        guards(contact, w, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
         for n_g in range(N_GUARDS + N_PARTS):
             b[8 * n_g + m] = g[n_g]
     for n_g in range(GUARDS[contact]):
@@ -183,7 +183,7 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
     n = N_STATES // 2
     quintics, w, g = np.empty(8 * (N_STATES // 2)), np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS)
     quintics_through_ends(h, y, y_new, k, quintics)
-    rate, ground, change = 1.0 / h, shaking(gx, t), 0.2 * h * gx[4]
+    rate, ground, change = 1.0 / h, ground_acceleration(gx, t), 0.2 * h * gx[4]
     least, most, total = np.inf, 0.0, 0.0
     w[ROTATION] = w[ROTATION_RATE] = 0.0
     for j in range(6):
@@ -230,7 +230,7 @@ def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
     for m in range(8):
         dense_at(coefficients, NODES[m], w)
         tau = t + NODES[m] * h
-        guards(contact, w, p, shaking(gx, tau), shaking(gy, tau), g)
+        guards(contact, w, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
         for n in range(N_GUARDS + N_PARTS):
             if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
                 for i in range(8):
@@ -250,7 +250,7 @@ def first_event(
     place, target, slope = NEVER, -1, 0.0
     from_closed = unclear = False
     rocks = rocking(contact)
-    ax, ay = shaking(gx, t), shaking(gy, t)
+    ax, ay = ground_acceleration(gx, t), ground_acceleration(gy, t)
     for i in range(GUARDS[contact]):
         known = is_known(touching, i)
         if i == landed or (landed >= 0 and known):
@@ -302,7 +302,7 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
         return -1
     due = -1
     moved = False
-    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
+    guards(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), g)
     for i in range(GUARDS[contact]):
         known = is_known(touching, i)
         kind = KINDS[contact][i]
@@ -312,14 +312,16 @@ def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, nois
             # look ahead, by some of the errors that the time of an event may have
             moved = True
             tau = max(64.0 * EPS * max(t, h), 1e-4 * rtol * h)
-            rates(contact, y, p, shaking(gx, t), shaking(gy, t), rate)
+            rates(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate)
             for n in range(N_STATES):
                 w[n] = y[n] + tau * rate[n]
-            guards(contact, w, p, shaking(gx, t + tau), shaking(gy, t + tau), g)
+            guards(
+                contact, w, p, ground_acceleration(gx, t + tau), ground_acceleration(gy, t + tau), g
+            )
         if g[i] < 0.0 and (due < 0 or g[i] < g[due]):
             due = i
     if due >= 0:
-        value, ax, ay = g[due], shaking(gx, t), shaking(gy, t)
+        value, ax, ay = g[due], ground_acceleration(gx, t), ground_acceleration(gy, t)
         if value >= -grain_of(contact, due, y, p, ax, ay, 0.0, fallen, noise, w, g, g, 1):
             return -1
     return due
@@ -336,7 +338,7 @@ def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g, later, noise):
         for i in range(n):
             w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
             w[n + i] = y[n + i] + tau * k[n + i]
-        ax, ay = shaking(gx, t + tau), shaking(gy, t + tau)
+        ax, ay = ground_acceleration(gx, t + tau), ground_acceleration(gy, t + tau)
         rates(contact, w, p, ax, ay, later)
         for i in range(n):
             w[i] += tau * tau * (later[n + i] - k[n + i]) / 6.0
@@ -380,7 +382,7 @@ def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rat
         x = 1.0 - part if at_end else part
         tau = t + x * h
         dense_at(coefficients, x, w)
-        rates(contact, w, p, shaking(gx, tau), shaking(gy, tau), rate)
+        rates(contact, w, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), rate)
         for i in range(n, N_STATES):
             slope, _ = slope_at(coefficients, x, i)
             lacks = part * abs(h * rate[i] - slope)

@@ -23,17 +23,17 @@ from rockeom.codes import (
     COMPLETED,
     CONTACT,
     EVENTS_KEPT,
-    FRESH,
     FULL,
+    GUARD_DUE,
     IDLE,
     IMPACT,
     IMPACTS,
     LAST_ERROR,
-    NEWS,
     NEXT_STEP,
+    RATE_STALE,
     STALLED,
+    STEPS,
     STEPS_KEPT,
-    TAKEN,
     TIME,
     TOO_MANY_IMPACTS,
     TOUCHING,
@@ -44,7 +44,13 @@ from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, e
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.batches import add_gain
     from rockeom.integrator.bernstein import EPS
-    from rockeom.integrator.ground import jumps, pulse, row_at, sampling_step, shaking
+    from rockeom.integrator.ground import (
+        ground_acceleration,
+        jumps,
+        pulse,
+        sampling_step,
+        segment_at,
+    )
     from rockeom.integrator.interface import (
         CLOSED,
         DAMPING,
@@ -316,7 +322,7 @@ def take_in(lane, z, w, home, fallen):
     z[Z_CONTACT + lane] = status[case, CONTACT]
     z[Z_SIDE + lane] = GAP_SIDES[status[case, CONTACT]]
     z[Z_TOUCHING + lane] = status[case, TOUCHING]
-    z[Z_TAKEN + lane] = status[case, TAKEN]
+    z[Z_TAKEN + lane] = status[case, STEPS]
     z[Z_FALLEN + lane] = fallen[case]
     z[Z_LANDING + lane] = z[Z_FLIGHT + lane] = 0.0
     for i in range(n):
@@ -338,7 +344,7 @@ def take_out(lane, z, w, home):
     clock[case, LAST_ERROR] = z[Z_DAMP + lane] ** (1.0 / DAMPING)
     status[case, CONTACT] = int(z[Z_CONTACT + lane])
     status[case, TOUCHING] = int(z[Z_TOUCHING + lane])
-    status[case, TAKEN] = int(z[Z_TAKEN + lane])
+    status[case, STEPS] = int(z[Z_TAKEN + lane])
     for i in range(n):
         states[case, i] = z[Z_Q + i * LANES + lane]
         states[case, n + i] = rates_[case, i] = z[Z_K + i * LANES + lane]
@@ -398,7 +404,7 @@ def hop(lane, z, t, flight):
     """Let the first step of a short flight end at the next impact.
 
     What the flight before it had more than its parabola, in proportion to the square of their
-    length as without shaking, this one has, too.
+    length as without ground_acceleration, this one has, too.
     """
     length, last = flight, z[Z_FLIGHT + lane]
     if last > 0.0:
@@ -433,16 +439,19 @@ def impact(lane, z, w, home, stop, data, how, work):
     add_gain(before, contact, y, after, p[case], scratch[_POWERS:_GUARDS], gains[case])
     touching = -1
     status[case, IMPACTS] += 1
-    status[case, NEWS] = status[case, FRESH] = 1
+    status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
     for i in range(N_STATES):
         y[i] = after[i]
     if status[case, IMPACTS] > max_impacts:
         outcome[case] = TOO_MANY_IMPACTS
     elif SIDES[contact] != 0.0:
         touching = CLOSED[before][0]
-        ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+        ax, ay = (
+            ground_acceleration(ground_x(z, lane), t),
+            ground_acceleration(ground_y(z, lane), t),
+        )
         rates(contact, y, p[case], ax, ay, rate)
-        status[case, NEWS] = status[case, FRESH] = 0
+        status[case, GUARD_DUE] = status[case, RATE_STALE] = 0
         for i in range(n):
             z[Z_K + (n + i) * LANES + lane] = rate[n + i]
         # the flight to come, if short enough, is the first of those that time_to_rest adds up
@@ -466,7 +475,7 @@ def impact(lane, z, w, home, stop, data, how, work):
             z[Z_T + lane] = t + rests
             z[Z_NEXT + lane] = z[Z_LANDING + lane] = 0.0
             contact, touching = follows, -1
-            status[case, NEWS] = status[case, FRESH] = 1
+            status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
             for i in range(N_STATES):
                 least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
                 z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
@@ -483,7 +492,7 @@ def fresh_rates(lane, z, case, home, p):
     y, rate = states[case], rates_[case]
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
-    ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+    ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
     rates(int(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
@@ -504,21 +513,21 @@ def next_laws(lane, z, w, case, ground, fixed):
     horizontal, h_rows, vertical, v_rows, stop = ground
     t, jumped = z[Z_T + lane], False
     if t >= z[Z_END_X + lane]:
-        before = shaking(ground_x(z, lane), t)
-        n, row = row_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
+        before = ground_acceleration(ground_x(z, lane), t)
+        n, row = segment_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
         w[W_NX + lane] = n
         z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
         z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
         z[Z_X3 + lane] = row[6]
-        jumped = jumps(before, shaking(row, t))
+        jumped = jumps(before, ground_acceleration(row, t))
     if t >= z[Z_END_Y + lane]:
-        before = shaking(ground_y(z, lane), t)
-        n, row = row_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
+        before = ground_acceleration(ground_y(z, lane), t)
+        n, row = segment_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
         w[W_NY + lane] = n
         z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
         z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
         z[Z_Y3 + lane] = row[6]
-        jumped |= jumps(before, shaking(row, t))
+        jumped |= jumps(before, ground_acceleration(row, t))
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
     span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
     z[Z_EQUAL + lane] = span / fixed if fixed > 0 and span < np.inf else 0.0
@@ -562,7 +571,7 @@ def skip_laws(lane, z, w, case, home, ground, up, down, doubt):
         w[W_NX + lane] = n - 1
         z[Z_T + lane] = rows[n - 1, 1]
         z[Z_TOUCHING + lane] = -1.0
-        home[0][case, NEWS] = home[0][case, FRESH] = 1
+        home[0][case, GUARD_DUE] = home[0][case, RATE_STALE] = 1
 
 
 def pass_rest(lane, z, w, case, home, ground, p, fixed):
@@ -592,13 +601,16 @@ def pass_rest(lane, z, w, case, home, ground, p, fixed):
             return
         for end in range(2):
             t = z[Z_LAST + lane] if end == 1 else z[Z_T + lane]
-            ax, ay = shaking(ground_x(z, lane), t), shaking(ground_y(z, lane), t)
+            ax, ay = (
+                ground_acceleration(ground_x(z, lane), t),
+                ground_acceleration(ground_y(z, lane), t),
+            )
             opens = max(up[0] + up[1] * ax + up[2] * ay, down[0] + down[1] * ax + down[2] * ay)
             if not opens < -doubt:
                 return
         z[Z_T + lane] = z[Z_LAST + lane]
         z[Z_TOUCHING + lane] = -1.0
-        status[case, NEWS] = status[case, FRESH] = 1
+        status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
 
 
 @inlined
@@ -612,11 +624,11 @@ def ready(lane, z, w, home, ground, data, how, work):
             outcome[case] = STALLED
             break
         if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground, fixed):
-            status[case, NEWS] = status[case, FRESH] = 1
+            status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
         if z[Z_SIDE + lane] != 0.0:
-            if status[case, FRESH] == 1:
+            if status[case, RATE_STALE] == 1:
                 fresh_rates(lane, z, case, home, data[0][case])
-                status[case, NEWS] = status[case, FRESH] = 0
+                status[case, GUARD_DUE] = status[case, RATE_STALE] = 0
             if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
                 next_step(lane, z, case, home, data[0][case], how, work)
             return True
@@ -625,7 +637,7 @@ def ready(lane, z, w, home, ground, data, how, work):
             pass_rest(lane, z, w, case, home, ground, data[0][case], fixed)
             if z[Z_T + lane] > t:
                 continue
-        elif status[case, FRESH] == 0 and z[Z_TOUCHING + lane] == -1.0:
+        elif status[case, RATE_STALE] == 0 and z[Z_TOUCHING + lane] == -1.0:
             return True
         elif z[Z_EQUAL + lane] == 0.0:
             if z[Z_NEXT + lane] == 0.0:

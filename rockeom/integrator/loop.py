@@ -26,25 +26,25 @@ from rockeom.codes import (
     COMPLETED,
     CONTACT,
     EVENTS_KEPT,
-    FRESH,
     FULL,
+    GUARD_DUE,
     IDLE,
     IMPACT,
     IMPACTS,
     LANDING,
     LAST_ERROR,
-    NEWS,
     NEXT_STEP,
     NOT_FINITE,
     OVERTURNED,
+    RATE_STALE,
     REFINED,
     REFINED_TO,
     REST,
     SEVERAL_SOLUTIONS,
     STALLED,
     STEPPED_OVER,
+    STEPS,
     STEPS_KEPT,
-    TAKEN,
     TIME,
     TOO_MANY_IMPACTS,
     TOUCHING,
@@ -55,7 +55,13 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import EPS, NEVER
     from rockeom.integrator.extremes import widen, widen_within, widens
     from rockeom.integrator.full_contact import cannot_move, stands_until
-    from rockeom.integrator.ground import jumps, row_at, sampling_step, shaking, straight
+    from rockeom.integrator.ground import (
+        ground_acceleration,
+        jumps,
+        sampling_step,
+        segment_at,
+        straight,
+    )
     from rockeom.integrator.guards import (
         acts_beside,
         fell_before,
@@ -171,7 +177,7 @@ def integrate(
     a = arrays_of(y, rate, scratch)
     motion = resumed(status, clock)
     ground = ground_at(motion.t, case)
-    ax, ay = shaking(ground.x, motion.t), shaking(ground.y, motion.t)
+    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
     begins = motion.taken == 0 and motion.impacts == 0 and motion.rate_stale
     if begins and not initial_mode_is_one(motion.mode, y, p, ax, ay):
         return SEVERAL_SOLUTIONS
@@ -244,8 +250,8 @@ def arrays_of(y, rate, scratch):
 @inlined
 def ground_at(t, case):
     """The segments that hold at a time."""
-    n_x, x = row_at(case.horizontal, 0, t)
-    n_y, y = row_at(case.vertical, 0, t)
+    n_x, x = segment_at(case.horizontal, 0, t)
+    n_y, y = segment_at(case.vertical, 0, t)
     return Ground(n_x, x, n_y, y)
 
 
@@ -259,11 +265,11 @@ def resumed(status, clock):
         h_next=clock[NEXT_STEP],
         last_error=clock[LAST_ERROR] if clock[LAST_ERROR] > 0.0 else 1.0,
         refined_to=clock[REFINED_TO],
-        rate_stale=status[FRESH] == 1,
-        guard_due=status[NEWS] == 1,
+        rate_stale=status[RATE_STALE] == 1,
+        guard_due=status[GUARD_DUE] == 1,
         sampled=False,
         still=False,
-        taken=status[TAKEN],
+        taken=status[STEPS],
         refined=status[REFINED],
         impacts=status[IMPACTS],
         idle=status[IDLE],
@@ -278,9 +284,9 @@ def resumed(status, clock):
 def suspend(motion, status, clock, rate, a):
     """Leave the motion for the next call."""
     status[CONTACT], status[TOUCHING] = motion.mode, motion.touching
-    status[IMPACTS], status[TAKEN] = motion.impacts, motion.taken
+    status[IMPACTS], status[STEPS] = motion.impacts, motion.taken
     status[REFINED], status[IDLE] = motion.refined, motion.idle
-    status[NEWS], status[FRESH] = int(motion.guard_due), int(motion.rate_stale)
+    status[GUARD_DUE], status[RATE_STALE] = int(motion.guard_due), int(motion.rate_stale)
     status[STEPS_KEPT], status[EVENTS_KEPT] = motion.n_steps, motion.n_events
     for i in range(N_STATES):
         rate[i] = a.k[i]
@@ -294,10 +300,12 @@ def suspend(motion, status, clock, rate, a):
 @inlined
 def next_segments(ground, t, case):
     """(ground, jumped): the segments that hold from now on, and whether the acceleration jumps."""
-    n_x, x = row_at(case.horizontal, ground.n_x, t)
-    n_y, y = row_at(case.vertical, ground.n_y, t)
-    jumped = jumps(shaking(ground.x, t), shaking(x, t))
-    return Ground(n_x, x, n_y, y), jumps(shaking(ground.y, t), shaking(y, t)) or jumped
+    n_x, x = segment_at(case.horizontal, ground.n_x, t)
+    n_y, y = segment_at(case.vertical, ground.n_y, t)
+    jumped = jumps(ground_acceleration(ground.x, t), ground_acceleration(x, t))
+    return Ground(n_x, x, n_y, y), jumps(
+        ground_acceleration(ground.y, t), ground_acceleration(y, t)
+    ) or jumped
 
 
 @inlined
@@ -325,20 +333,20 @@ def quiet_steps(motion, ground, most, case, a, peaks):
     taken, p, y, k, y_new = motion.taken, case.p, a.y, a.k, a.y_new
     rocks = rocking(mode)
     side = SIDES[mode]
-    nx, gx = row_at(case.horizontal, ground.n_x, t)
-    ny, gy = row_at(case.vertical, ground.n_y, t)
+    nx, gx = segment_at(case.horizontal, ground.n_x, t)
+    ny, gy = segment_at(case.vertical, ground.n_y, t)
     unjudged, jumped = -1.0, False
     while taken <= most:
         if t >= gx[1]:
-            before_x = shaking(gx, t)
-            nx, gx = row_at(case.horizontal, nx, t)
-            if jumps(before_x, shaking(gx, t)):
+            before_x = ground_acceleration(gx, t)
+            nx, gx = segment_at(case.horizontal, nx, t)
+            if jumps(before_x, ground_acceleration(gx, t)):
                 jumped = True
                 break
         if t >= gy[1]:
-            before_y = shaking(gy, t)
-            ny, gy = row_at(case.vertical, ny, t)
-            if jumps(before_y, shaking(gy, t)):
+            before_y = ground_acceleration(gy, t)
+            ny, gy = segment_at(case.vertical, ny, t)
+            if jumps(before_y, ground_acceleration(gy, t)):
                 jumped = True
                 break
         if not t < case.t_end or not (rocks or straight(gx, gy)):
@@ -413,7 +421,9 @@ def settle_mode(motion, ground, case, a):
         )  # fmt: skip
         if guard >= 0:
             return settled, guard, h
-    rates(mode, a.y, case.p, shaking(ground.x, t), shaking(ground.y, t), a.k)
+    rates(
+        mode, a.y, case.p, ground_acceleration(ground.x, t), ground_acceleration(ground.y, t), a.k
+    )
     h_next = motion.h_next
     if h_next == 0.0:
         h_next = first_step(

@@ -11,7 +11,7 @@ import numpy as np
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.guards import rocking
     from rockeom.integrator.interface import (
         COARSE,
@@ -41,7 +41,14 @@ def first_step(contact, t, y, rate, p, gx, gy, rtol, atol, w, later):
         return cautious
     for i in range(N_STATES):
         w[i] = y[i] + cautious * rate[i]
-    rates(contact, w, p, shaking(gx, t + cautious), shaking(gy, t + cautious), later)
+    rates(
+        contact,
+        w,
+        p,
+        ground_acceleration(gx, t + cautious),
+        ground_acceleration(gy, t + cautious),
+        later,
+    )
     for i in range(N_STATES):
         scale = cautious * (atol[i] + rtol * abs(y[i]))
         change = max(change, abs(later[i] - rate[i]) / scale)

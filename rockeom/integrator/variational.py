@@ -33,7 +33,7 @@ from rockeom.compiler.decorators import (
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.full_contact import cannot_move
-    from rockeom.integrator.ground import row_at, row_of, shaking
+    from rockeom.integrator.ground import ground_acceleration, segment_at, segment_of
     from rockeom.integrator.interface import (
         N_ALL_STAGES,
         N_GUARDS,
@@ -177,7 +177,7 @@ def go_on(contact, t, h, longest, y, p, gx, gy, rtol, atol, duals, y_new):
         for j in range(N_STATES):
             here[j] = y_new[j]
         now = t + i * part
-        rates(contact, here, p, shaking(gx, now), shaking(gy, now), k)
+        rates(contact, here, p, ground_acceleration(gx, now), ground_acceleration(gy, now), k)
         take_step(contact, now, part, here, p, gx, gy, rtol, atol, k, y_new)
 
 
@@ -187,7 +187,7 @@ def stands_still(contact, t, gx, gy, p, floats):
     for j in range(N_STATES // 2, N_STATES):
         if start[j] != 0.0:
             return False
-    rates(contact, start, p, shaking(gx, t), shaking(gy, t), rate_there)
+    rates(contact, start, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_there)
     return cannot_move(contact, rate_there, start, p)
 
 
@@ -196,9 +196,9 @@ def row_behind(table, dual_table, n, t):
 
     A dual table that is empty changes nothing.
     """
-    n, row = row_at(table, n, t)
+    n, row = segment_at(table, n, t)
     if n < dual_table.shape[0]:
-        return n, row, row_of(dual_table, n)
+        return n, row, segment_of(dual_table, n)
     return n, row, row
 
 
@@ -218,7 +218,7 @@ def pass_through(
     for j in range(N_STATES):
         before[j] = event_states[e, 0, j]
     put(y, before)
-    rates(contact, before, p, shaking(gx, t), shaking(gy, t), rate_there)
+    rates(contact, before, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_there)
     code, tau = moves_by(
         e, contact, guard, length, t, event_kinds, event_states, gx, gy, dual_gx, dual_gy, tau_x,
         tau_y, p, dual_p, rtol, atol, y, floats, duals,
@@ -233,7 +233,7 @@ def pass_through(
         kind, contact, guard = event_kinds[e, 0], event_kinds[e, 1], event_kinds[e, 3]
         if guard == STEPPED_OVER:
             return GRAZES, e, impacts, False
-        ax, ay = shaking(dual_gx, t + tau), shaking(dual_gy, t + tau)
+        ax, ay = ground_acceleration(dual_gx, t + tau), ground_acceleration(dual_gy, t + tau)
         if kind == REST:  # after the last impact, at t
             rests, follows = comes_to_rest(
                 contact, t, tau, impacts, moved, dual_p, law, dual_ratio, ax, ay, dual_gx, dual_gy,
@@ -261,7 +261,7 @@ def pass_through(
         at_once = e < events.shape[0] and (events[e] == t or event_kinds[e, 0] == REST)
         if not at_once:
             break
-    rates(follows, before, p, shaking(gx, t), shaking(gy, t), rate_there)
+    rates(follows, before, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_there)
     for j in range(N_STATES):
         y[j] = moved[j] - rate_there[j] * tau
     return 0, e, impacts, rested
@@ -292,26 +292,48 @@ def moves_by(
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
     soon = t + ahead
-    rates(contact, later, p, shaking(gx, soon), shaking(gy, soon), rate_soon)
+    rates(
+        contact, later, p, ground_acceleration(gx, soon), ground_acceleration(gy, soon), rate_soon
+    )
     after = falls_by(contact, guard, soon, later, rate_soon, gx, gy, p, state, g)
     for j in range(N_STATES):
         later[j] = atol[j] + rtol * abs(before[j])
     grain = abs(
-        guard_along(contact, guard, before, later, shaking(gx, t), shaking(gy, t), p, state, g)
+        guard_along(
+            contact,
+            guard,
+            before,
+            later,
+            ground_acceleration(gx, t),
+            ground_acceleration(gy, t),
+            p,
+            state,
+            g,
+        )
     )
     # where it falls faster and faster it comes from where it was open: a short hop is no graze
     bends = max(after - falls, 0.0) / ahead if ahead > 0.0 else 0.0
     if not falls < 0.0 or falls * falls <= DIGITS * grain * bends:
         # its time is not known; where nothing changes there, none is asked for
         return (0 if goes_on(e, t, gx, gy, p, event_kinds, event_states, floats) else GRAZES), still
-    guards(contact, y, dual_p, shaking(dual_gx, t), shaking(dual_gy, t), g)
+    guards(contact, y, dual_p, ground_acceleration(dual_gx, t), ground_acceleration(dual_gy, t), g)
     return 0, (value(g[guard]) - g[guard]) / falls
 
 
 def falls_by(contact, guard, t, y, dy, gx, gy, p, state, g):
     """How fast a guard changes along the motion."""
     now = moving(t, 1.0)
-    return guard_along(contact, guard, y, dy, shaking(gx, now), shaking(gy, now), p, state, g)
+    return guard_along(
+        contact,
+        guard,
+        y,
+        dy,
+        ground_acceleration(gx, now),
+        ground_acceleration(gy, now),
+        p,
+        state,
+        g,
+    )
 
 
 def guard_along(contact, guard, y, dy, ax, ay, p, state, g):
@@ -331,7 +353,9 @@ def goes_on(e, t, gx, gy, p, event_kinds, event_states, floats):
     )
     for j in range(N_STATES):
         y[j] = event_states[e, 1, j]
-    rates(event_kinds[e, 2], y, p, shaking(gx, t), shaking(gy, t), rate_behind)
+    rates(
+        event_kinds[e, 2], y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_behind
+    )
     same = True
     for j in range(N_STATES):
         y[j] = event_states[e, 0, j]
@@ -351,7 +375,7 @@ def passed(
         follows = jump(contact, guard, law, ratio, y, p, out)
     else:
         ahead = 1e-5 * length
-        later_x, later_y = shaking(gx, t + ahead), shaking(gy, t + ahead)
+        later_x, later_y = ground_acceleration(gx, t + ahead), ground_acceleration(gy, t + ahead)
         follows, _ = pass_on(
             contact, guard, length, y, p, ax, ay, later_x, later_y, ahead, rtol, duals[_TOLD:], out
         )
@@ -389,8 +413,8 @@ def turn_corner(contact, t, gx, gy, new_x, new_y, tau, p, y, floats):
     )
     for j in range(N_STATES):
         here[j] = value(y[j])
-    rates(contact, here, p, shaking(gx, t), shaking(gy, t), before)
-    rates(contact, here, p, shaking(new_x, t), shaking(new_y, t), behind)
+    rates(contact, here, p, ground_acceleration(gx, t), ground_acceleration(gy, t), before)
+    rates(contact, here, p, ground_acceleration(new_x, t), ground_acceleration(new_y, t), behind)
     for j in range(N_STATES):
         y[j] += (before[j] - behind[j]) * tau
 

@@ -16,7 +16,7 @@ from rockeom.codes import (
     IMPACTS,
     LANDING,
     REFINED,
-    TAKEN,
+    STEPS,
     TIME,
 )
 from rockeom.integrator.program import Program
@@ -106,7 +106,7 @@ class Results:
                     call["first"] = in_lanes
                     in_lanes = call()
                 if in_lanes < 0:
-                    begin(status[:, TAKEN] >= options.max_steps / 2)
+                    begin(status[:, STEPS] >= options.max_steps / 2)
             call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
             while ended < n and not stop.is_set():
                 call["first"] = ended

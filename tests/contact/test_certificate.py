@@ -9,7 +9,7 @@ from rockeom.integrator.texts import text_of
 N = 2
 TEXT = {
     "N_STATES": 2, "N_POINTS": 1, "N_GUARDS": N, "N_PARTS": 0, "GUARDS": (1, 2),
-    "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)), "shaking": lambda _row, t: t,
+    "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)), "ground_acceleration": lambda _row, t: t,
 }  # fmt: skip
 exec(text_of("integrator/transitions/searched.py"), TEXT)
 exec(text_of("integrator/transitions/landings.py"), TEXT)

@@ -30,8 +30,8 @@ IN_ROWS = """
 def in_rows(table: Floats2, times: Floats, found: Floats):
     n = 0
     for i in range(len(times)):
-        n, row = row_at(table, n, times[i])
-        found[i] = shaking(row, times[i])
+        n, row = segment_at(table, n, times[i])
+        found[i] = ground_acceleration(row, times[i])
 """
 """Rows are looked up going on from the last one."""
 

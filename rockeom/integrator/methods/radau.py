@@ -148,10 +148,11 @@ def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
     other = k[OTHER_AT:ERROR_AT]
     error = k[ERROR_AT : ERROR_AT + N_STATES]
 
-    ax, ay = shaking(gx, t), shaking(gy, t)
+    ax, ay = ground_acceleration(gx, t), ground_acceleration(gy, t)
     for s in range(3):
         tau = t + STAGE_TIMES[s + 1] * h
-        k[GROUND_X + s], k[GROUND_Y + s] = shaking(gx, tau), shaking(gy, tau)
+        k[GROUND_X + s] = ground_acceleration(gx, tau)
+        k[GROUND_Y + s] = ground_acceleration(gy, tau)
     differences(contact, y, p, ax, ay, state, rate, other, jacobian)
 
     # -- the stages, by Newton's method

@@ -359,8 +359,8 @@ def step_text(
         still: Sequence[int] = (),
     ) -> str:
         stages = "".join(stage(j, contact, function, still) for j in range(1, s + 1))
-        return f"""    shake(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
-    shake(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+        return f"""    ground_at_stages(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
+    ground_at_stages(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
     hh = h * h
 {start}{known}{stages}{ends}{kept}{errors}    return error
 """
@@ -440,8 +440,8 @@ def _dense_text(method: Tableau, n: int) -> str:
     return f'''
 def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
-    shake(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
-    shake(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
+    ground_at_stages(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
+    ground_at_stages(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
     hh = h * h
     w = np.empty({size})  # the state of a stage
 {stages}{powers}'''

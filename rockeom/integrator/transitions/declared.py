@@ -13,7 +13,7 @@ from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import EPS
-    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.interface import (
         N_STATES,
         ROTATION,
@@ -154,7 +154,7 @@ def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
         y_new[i] = y[i]
     if h == 0.0:
         return True
-    rates(contact, y, p, shaking(gx, t), shaking(gy, t), k)
+    rates(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), k)
     error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
     y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
     return error <= 1.0

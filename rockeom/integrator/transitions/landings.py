@@ -13,7 +13,7 @@ from rockeom.codes import LANDING, STAYS_OPEN, UNCLEAR
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.interface import (
         ANGLES,
         GUARDS,
@@ -50,7 +50,7 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def only_hop(contact, touching, y, p, dy):
+def single_hop(contact, touching, y, p, dy):
     """(guard, time): the one gap that opens from closed, and when its parabola closes it again.
 
     (-1, inf) where none does, or several. dy (N,) : rates. touching : see `is_closed`.
@@ -112,7 +112,7 @@ def fall_within(
 @inlined
 def guards_at(contact, t, y, p, gx, gy, g):
     """Guards of a state at a time of the ground's laws, into g."""
-    guards(contact, y, p, shaking(gx, t), shaking(gy, t), g)
+    guards(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), g)
 
 
 @inlined

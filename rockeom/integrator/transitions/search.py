@@ -23,7 +23,7 @@ from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import EPS, NEVER
-    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES, guards
     from rockeom.integrator.recorder import enter_mode
     from rockeom.integrator.records import Rest
@@ -31,7 +31,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.transitions.landings import (
         end_closed,
         fall_within,
-        only_hop,
+        single_hop,
         to_landing,
     )
     from rockeom.integrator.transitions.searched import (
@@ -62,7 +62,7 @@ def free_flight(mode, touching, t, y, p, k):
     """(guard, time): a hop so short that its parabola tells where it ends, or an infinite time."""
     if not touching > 0:
         return 0, np.inf
-    hop, flight = only_hop(mode, touching, y, p, k)
+    hop, flight = single_hop(mode, touching, y, p, k)
     return hop, flight if 1e3 * EPS * t < flight else np.inf
 
 
@@ -107,7 +107,7 @@ def correction(motion, ground, step, case, a):
     if step.lands:
         move = to_landing(motion.mode, step.target, a.y_new, case.p, a.k[N_STAGES * N_STATES :])
         return move, 0.1 if step.corrections == 0 else 0.01
-    ax, ay = shaking(ground.x, tau), shaking(ground.y, tau)
+    ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
     guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
     return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
 
@@ -131,9 +131,9 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     length = max(h, min(motion.h_next, end - motion.t))
     tau = 1e-5 * length
     mode, touching = pass_on(
-        motion.mode, guard, length, a.y, case.p, shaking(ground.x, motion.t),
-        shaking(ground.y, motion.t), shaking(ground.x, motion.t + tau),
-        shaking(ground.y, motion.t + tau), tau, case.rtol, a.known, a.after,
+        motion.mode, guard, length, a.y, case.p, ground_acceleration(ground.x, motion.t),
+        ground_acceleration(ground.y, motion.t), ground_acceleration(ground.x, motion.t + tau),
+        ground_acceleration(ground.y, motion.t + tau), tau, case.rtol, a.known, a.after,
     )  # fmt: skip
     kind = KINDS[motion.mode][guard]
     if mode < 0:
@@ -161,7 +161,7 @@ def after_step_over(motion, rest):
 @inlined
 def stepped_over(motion, ground, end, fits, case, a):
     """The rest after a step over events, not stepped where there is none; its state in y_new."""
-    ax, ay = shaking(ground.x, motion.t), shaking(ground.y, motion.t)
+    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
     time, mode = step_over(
         motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, end - motion.t, fits, case.rtol,
         a.known, a.y_new,
@@ -172,7 +172,7 @@ def stepped_over(motion, ground, end, fits, case, a):
 @inlined
 def zeno_time(motion, ground, end, case, a):
     """(motion, rest): when the infinitely many impacts to come will all have happened."""
-    ax, ay = shaking(ground.x, motion.t), shaking(ground.y, motion.t)
+    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
     time, follows = time_of_bounces(
         motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, case.rtol, a.known, a.y_new
     )

@@ -670,7 +670,9 @@ def fits_by_forces(contact, y, p, ax, ay):
     for i in range(N_POINTS):
         if POINT_STATES[contact][i] != OPEN:
             near[i] = 1
-    return go_on_as(contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, sizes)
+    return select_by_forces(
+        contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, sizes
+    )
 
 
 def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
@@ -699,7 +701,7 @@ def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
     return whole
 
 
-def go_on_as(
+def select_by_forces(
     contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
 ):  # fmt: skip
     """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
@@ -747,7 +749,7 @@ def go_on_as(
 def best_later(
     contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
 ):  # fmt: skip
-    """Of contact states that move alike now, what fits best a little later, see `go_on_as`."""
+    """The mode that fits best a little later, of those that move alike now."""
     n = N_COORDINATES
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
     known, of_then = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
@@ -881,7 +883,7 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known,
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
     ends = kind in (LIFTING, SLIPPING)
-    follows = go_on_as(
+    follows = select_by_forces(
         contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
     )
     if follows < 0:

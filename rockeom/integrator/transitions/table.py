@@ -14,7 +14,7 @@ from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import NEVER
-    from rockeom.integrator.ground import shaking
+    from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.guards import (
         closes_once,
         rises_and_falls,
@@ -107,7 +107,7 @@ def correction(motion, ground, step, case, a):
     if rocking(motion.mode):
         move = to_impact(SIDES[motion.mode], a.y_new, a.k)
         return move, 0.1 if step.corrections == 0 else 0.01
-    ax, ay = shaking(ground.x, tau), shaking(ground.y, tau)
+    ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
     guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
     return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
 
@@ -138,7 +138,7 @@ def zeno_time(motion, ground, end, case, a):
     rest = Rest(np.inf, mode, False)
     if SIDES[mode] == 0.0:
         return motion, rest
-    ax, ay = shaking(ground.x, t), shaking(ground.y, t)
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
     rates(mode, a.y, case.p, ax, ay, a.k)
     if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates

@@ -36,12 +36,12 @@ if TYPE_CHECKING:  # joined before this text
         all_known,
         collide,
         gap_rounding,
-        go_on_as,
         is_smooth,
         meet,
         put_on,
         radius_of,
         rate_of,
+        select_by_forces,
         squared,
         through_mass,
         without_forces,
@@ -415,7 +415,9 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
     close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
     points(out, p, known)
-    return go_on_as(here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes)
+    return select_by_forces(
+        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes
+    )
 
 
 def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
