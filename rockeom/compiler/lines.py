@@ -157,6 +157,7 @@ class Lines:
         self.lines: list[str] = []
         self.head: list[str] = []  # what stands at the beginning: places on the stack
         self.count = 0
+        self.used: set[str] = set()  # places of tuples that are read or written
         self.site = (
             ""  # where the text is, as `checked` passes it on; empty: indices are not checked
         )
@@ -247,12 +248,16 @@ class Lines:
 
     def _from(self, part: str, place: str, wide: bool) -> str:
         """A part of a value from its place; wide : one of a tuple, where a bool is an i64."""
+        if wide:
+            self.used.add(place)
         if part == BOOL and wide:
             return self.new(f"trunc i64 {self.new(f'load i64, ptr {place}')} to i1")
         return self.new(f"load {part}, ptr {place}{_aligned(part)}")
 
     def _to(self, part: str, operand: str, place: str, wide: bool) -> None:
         """Store a part of a value, see `_from`."""
+        if wide:
+            self.used.add(place)
         if part == BOOL and wide:
             part, operand = INT, self.new(f"zext i1 {operand} to i64")
         self.line(f"store {part} {operand}, ptr {place}{_aligned(part)}")
@@ -262,6 +267,16 @@ class Lines:
         start = sum(len(parts_of(item)) for item in type_.items[:i])
         parts = parts_of(type_.items[i])
         found = [self._from(part, f"%{name}.{start + j}", True) for j, part in enumerate(parts)]
+        return Value(type_.items[i], tuple(found))
+
+    def item_in(self, type_: Tuple, place: str, i: int) -> Value:
+        """One item of a tuple in its place."""
+        starts, _ = places_of(parts_of(type_))
+        first = sum(len(parts_of(item)) for item in type_.items[:i])
+        found = []
+        for j, part in enumerate(parts_of(type_.items[i])):
+            at = self.new(f"getelementptr i64, ptr {place}, i64 {starts[first + j]}")
+            found.append(self._from(part, at, True))
         return Value(type_.items[i], tuple(found))
 
     def store_item(self, name: str, type_: Tuple, i: int, value: Value) -> None:
@@ -334,6 +349,7 @@ class Lines:
                 head += [
                     f"  %{name}.{i} = getelementptr i64, ptr {whole}, i64 {at}"
                     for i, at in enumerate(places)
+                    if f"%{name}.{i}" in self.used
                 ]
                 continue
             head += [f"  %{name}.{i} = alloca {part}{_aligned(part)}" for i, part in parts]

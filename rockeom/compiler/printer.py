@@ -730,6 +730,17 @@ class _Function:
         self.ir.site = self.program.site(self.definition.text, node.lineno)
         return operand if self._is_natural(node) else self.ir.from_end(operand, length)
 
+    def _item_in_place(self, base: ast.expr, indices: list[ast.expr]) -> Value | None:
+        """An item of a tuple that has a place, without the others; its index is taken away."""
+        number = self._whole(indices[0]) if indices else None
+        if number is None or (tuple_ := self._tuple_in_place(base)) is None:
+            return None
+        type_, place = tuple_
+        if type_.fields or not -len(type_.items) <= number < len(type_.items):
+            return None
+        del indices[0]
+        return self.ir.item_in(type_, place, number % len(type_.items))
+
     def _part(self, node: ast.Subscript) -> Value:
         """What is subscripted, as an array without dimensions if it is a single number of one."""
         indices: list[ast.expr] = []
@@ -740,7 +751,7 @@ class _Function:
             base = base.value
             known = self._maybe(base)
             value = None if known is None else self.program.constant(known)
-        value = value or self._value(base)
+        value = value or self._item_in_place(base, indices) or self._value(base)
         while indices and isinstance(value.type, Tuple):
             number, length = self._whole(indices[0]), len(value.type.items)
             if number is None:
