@@ -108,10 +108,15 @@ def a_tuple(values: Sequence[Value], fields: tuple[str, ...] = ()) -> Value:
     return Value(Tuple(types, fields), tuple(part for value in values for part in value.parts))
 
 
+def first_part(type_: Tuple, i: int) -> int:
+    """Where the parts of an item of a tuple begin among those of all."""
+    return sum(len(parts_of(item)) for item in type_.items[:i])
+
+
 def item_of(value: Value, i: int) -> Value:
     """An item of a tuple."""
     assert isinstance(value.type, Tuple)
-    start = sum(len(parts_of(type_)) for type_ in value.type.items[:i])
+    start = first_part(value.type, i)
     type_ = value.type.items[i]
     return Value(type_, value.parts[start : start + len(parts_of(type_))])
 
@@ -264,15 +269,14 @@ class Lines:
 
     def load_item(self, name: str, type_: Tuple, i: int) -> Value:
         """One item of a variable that is a tuple."""
-        start = sum(len(parts_of(item)) for item in type_.items[:i])
-        parts = parts_of(type_.items[i])
+        start, parts = first_part(type_, i), parts_of(type_.items[i])
         found = [self._from(part, f"%{name}.{start + j}", True) for j, part in enumerate(parts)]
         return Value(type_.items[i], tuple(found))
 
     def item_in(self, type_: Tuple, place: str, i: int) -> Value:
         """One item of a tuple in its place."""
         starts, _ = places_of(parts_of(type_))
-        first = sum(len(parts_of(item)) for item in type_.items[:i])
+        first = first_part(type_, i)
         found = []
         for j, part in enumerate(parts_of(type_.items[i])):
             at = self.new(f"getelementptr i64, ptr {place}, i64 {starts[first + j]}")
@@ -281,7 +285,7 @@ class Lines:
 
     def store_item(self, name: str, type_: Tuple, i: int, value: Value) -> None:
         """Change one item of a variable that is a tuple."""
-        start = sum(len(parts_of(item)) for item in type_.items[:i])
+        start = first_part(type_, i)
         for j, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
             self._to(part, operand, f"%{name}.{start + j}", True)
 

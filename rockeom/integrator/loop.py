@@ -89,9 +89,9 @@ if TYPE_CHECKING:  # joined before this text
         ROTATION_RATE,
         SIDES,
         certain_event,
-        correction,
         dense_output,
         free_flight,
+        guards,
         hop_ends,
         initial_mode_is_one,
         is_rounding,
@@ -124,6 +124,7 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.rounding import noise_of
     from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
+    from rockeom.integrator.transitions.search import time_to_landing
     from rockeom.integrator.transitions.searched import N_KNOWN
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -214,7 +215,7 @@ def integrate(
                 step = fall_over(step, case, a)
                 motion, guard, h = accept(motion, step, case, a, recorder)
             else:
-                motion = after_refusal(motion, step)
+                motion = with_control(motion, step)
             if motion.outcome != COMPLETED:
                 break
         if guard >= 0:
@@ -554,8 +555,14 @@ def refuse(motion, step, finite, case, a):
 def land(motion, ground, step, case, a):
     """(verdict, step): correct what is left of the guard at the end of a step that ends on it."""
     certain = rocking(motion.mode) or step.lands
-    move, near = correction(motion, ground, step, case, a)
-    tau = motion.t + step.h
+    tau, near = motion.t + step.h, 0.01  # near : the largest correction that is believed
+    if certain:
+        move = time_to_landing(motion, step, case, a)
+        near = 0.1 if step.corrections == 0 else 0.01
+    else:
+        ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
+        guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
+        move = -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0
     least = max(2.0 * EPS * tau, 1e-5 * case.rtol * step.h)
     small = math.sqrt(max(1e-13, min(1e-6, case.rtol))) * step.h
     more = step.more
@@ -604,19 +611,9 @@ def look_within(motion, ground, step, gap, open_, case, a, recorder):
     h = step.h + step.more
     again = (leaves or closes) and step.overlooked < 20
     if again and overlooks(
-        mode,
-        t,
-        h,
-        case.p,
-        ground.x,
-        ground.y,
-        case.rtol,
-        case.atol,
-        a.coefficients,
-        closes,
-        a.w,
+        mode, t, h, case.p, ground.x, ground.y, case.rtol, case.atol, a.coefficients, closes, a.w,
         a.after,
-    ):
+    ):  # fmt: skip
         h *= 0.3
         return AGAIN, step._replace(
             h=h, h_next=h, overlooked=step.overlooked + 1, cut=False, target=-1, landed=-1,
@@ -683,8 +680,8 @@ def fall_over(step, case, a):
 
 
 @inlined
-def after_refusal(motion, step):
-    """The motion where no step can be taken."""
+def with_control(motion, step):
+    """The motion with what a step has changed of the control of its length, and its outcome."""
     return motion._replace(
         h_next=step.h_next,
         last_error=step.last_error,
@@ -698,7 +695,7 @@ def after_refusal(motion, step):
 @inlined
 def accept(motion, step, case, a, recorder):
     """(motion, guard, h): record a step, and go on from its end; the guard that ends the mode."""
-    went = after_refusal(motion, step)
+    went = with_control(motion, step)
     went = went._replace(still=step.still, sampled=step.sampled and not step.overturns)
     t, h = motion.t, step.h
     if h > 0.0:

@@ -24,7 +24,7 @@ from rockeom.compiler.decorators import inlined
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import EPS, NEVER
     from rockeom.integrator.ground import ground_acceleration
-    from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES, guards
+    from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES
     from rockeom.integrator.recorder import enter_mode
     from rockeom.integrator.records import Rest
     from rockeom.integrator.rounding import noise_of
@@ -101,15 +101,9 @@ def certain_event(motion, ground, step, gap, case, a):
 
 
 @inlined
-def correction(motion, ground, step, case, a):
-    """(time, most): from the end of a step to its event, and the largest that is believed."""
-    tau = motion.t + step.h
-    if step.lands:
-        move = to_landing(motion.mode, step.target, a.y_new, case.p, a.k[N_STAGES * N_STATES :])
-        return move, 0.1 if step.corrections == 0 else 0.01
-    ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
-    guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
-    return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
+def time_to_landing(motion, step, case, a):
+    """Time from the end of a step to the landing beside it, infinite where there is none."""
+    return to_landing(motion.mode, step.target, a.y_new, case.p, a.k[N_STAGES * N_STATES :])
 
 
 @inlined

@@ -32,7 +32,6 @@ if TYPE_CHECKING:  # joined before this text
         SIDES,
         TARGETS,
         dense_output,
-        guards,
         jump,
         rates,
     )
@@ -101,15 +100,9 @@ def certain_event(motion, ground, step, gap, case, a):
 
 
 @inlined
-def correction(motion, ground, step, case, a):
-    """(time, most): from the end of a step to its event, and the largest that is believed."""
-    tau = motion.t + step.h
-    if rocking(motion.mode):
-        move = to_impact(SIDES[motion.mode], a.y_new, a.k)
-        return move, 0.1 if step.corrections == 0 else 0.01
-    ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
-    guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
-    return -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0, 0.01
+def time_to_landing(motion, step, case, a):
+    """Time from the end of a step to the landing beside it, infinite where there is none."""
+    return to_impact(SIDES[motion.mode], a.y_new, a.k)
 
 
 @inlined
@@ -160,18 +153,9 @@ def through_rest(motion, ground, rest, case, a, recorder):
     """
     t = motion.t
     known = stand(
-        rest.mode,
-        t,
-        rest.time,
-        a.after,
-        case.p,
-        ground.x,
-        ground.y,
-        case.rtol,
-        case.atol,
-        a.k,
+        rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, case.rtol, case.atol, a.k,
         a.y_new,
-    )
+    )  # fmt: skip
     if known and records_steps(recorder) and t + rest.time > t:
         dense_output(
             rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, a.k, a.coefficients

@@ -136,7 +136,7 @@ def sum_of_flights(
         stops = slips < flight
         if stops:
             flight = slips
-        if have_ended(here, bouncing, heights, 1e-7 * start, known, w, dy):
+        if have_ended(here, bouncing, heights, start, known, w, dy):
             break
         if turn == TURNS:
             if fast_fly_on(here, bouncing, heights, start, known, dy):
@@ -312,16 +312,21 @@ def landing_of(contact, point):
     return guard
 
 
-def have_ended(here, bouncing, heights, slow, told, w, dy):
-    """Whether the bounces are slower than `slow`, or than the digits of other velocities."""
+def speed_of(point, heights, told, dy):
+    """The rate at which a point lands that bounces."""
+    rate, a = told[point * POINT + 1], -acceleration_of(told, 2 * point, dy)
+    return math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[point])
+
+
+def have_ended(here, bouncing, heights, start, told, w, dy):
+    """Whether nothing but the digits of other velocities is left of those of the bounces."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
-            fastest = max(fastest, math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[i]))
+            fastest = max(fastest, speed_of(i, heights, told, dy))
         _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
-    return fastest <= max(slow, 1e-8 * whole)
+    return fastest <= max(1e-7 * start, 1e-8 * whole)
 
 
 def fast_fly_on(here, bouncing, heights, start, told, dy):
@@ -332,9 +337,7 @@ def fast_fly_on(here, bouncing, heights, start, told, dy):
     every = True
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            rate, a = told[i * POINT + 1], -acceleration_of(told, 2 * i, dy)
-            fast = rate * rate + 2.0 * max(a, 0.0) * heights[i] > start * start
-            bouncing[i] = 0 if fast else 1
+            bouncing[i] = 0 if speed_of(i, heights, told, dy) > start else 1
         every = every and bouncing[i] == 0
     return every
 
