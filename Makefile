@@ -16,7 +16,7 @@ help: ## list the targets
 run: $(VENV)/.test ## derive, generate and simulate the flexible structure under El Centro 1940, into out/
 	$(BIN)/rockeom derive flexible_structure
 	$(BIN)/rockeom generate
-	$(BIN)/python -m rockeom.demo --out $(OUT)
+	$(BIN)/python -m rockeom.cli.demo --out $(OUT)
 
 # with bytecode: both workers, and the processes that tests start, read the same files
 test: $(VENV)/.test ## run the tests

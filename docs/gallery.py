@@ -33,7 +33,7 @@ LINES_OF_OUTPUT = 10
 
 FIRST = """\
 import rockeom as rk
-from rockeom.demo import COLUMN  # a steel column of shaking-table tests, in SI units
+from rockeom.cli.demo import COLUMN  # a steel column of shaking-table tests, in SI units
 
 still = rk.GroundMotion.none(4.0)  # s
 pulse = rk.GroundMotion.single_sine(amplitude=5.0, period=0.4, duration=3.0)  # m/s2, s, s"""

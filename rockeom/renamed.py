@@ -1,0 +1,97 @@
+"""Former names of functions, classes, arguments and attributes.
+
+For one release a former name works, and gives one DeprecationWarning with the name of today. All of
+them are made here, so that the release after removes them by the uses of this file. CHANGELOG lists
+them.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Callable, Mapping
+from functools import wraps
+from importlib import import_module
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+C = TypeVar("C", bound=type)
+
+
+def warn(former: str, name: str) -> None:
+    """Say the name of today, at the line outside the package that used the former one."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "rockeom":
+        level, frame = level + 1, frame.f_back
+    warnings.warn(f"{former} is now called {name}", DeprecationWarning, stacklevel=level)
+
+
+def module(of: str, names: Mapping[str, str]) -> Callable[[str], Any]:
+    """A `__getattr__` for the module `of`: its names of today under their former ones.
+
+    names : the former name, and that of today, which may begin with the module that has it
+    ("rockeom.analysis.dynamics:basins") where this is another one.
+    """
+
+    def getattr_of_module(name: str) -> Any:
+        if name not in names:
+            raise AttributeError(f"module {of!r} has no attribute {name!r}")
+        home, _, today = names[name].rpartition(":")
+        warn(f"{of}.{name}", f"{home or of}.{today}")
+        return getattr(import_module(home or of), today)
+
+    return getattr_of_module
+
+
+def arguments(**names: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Let a function take arguments by their former names, too: `@arguments(phase="mode")`."""
+
+    def decorate(function: Callable[..., T]) -> Callable[..., T]:
+        @wraps(function)
+        def with_former_names(*values: Any, **named: Any) -> T:
+            for former in names.keys() & named.keys():
+                today = names[former]
+                if today in named:
+                    raise TypeError(
+                        f"{function.__qualname__}: {former} is the former name of {today}, and "
+                        "both are given"
+                    )
+                warn(f"{function.__qualname__}: {former}", today)
+                named[today] = named.pop(former)
+            return function(*values, **named)
+
+        return with_former_names
+
+    return decorate
+
+
+def attributes(**names: str) -> Callable[[C], C]:
+    """Let a class have attributes and methods under their former names, too."""
+
+    def decorate(cls: C) -> C:
+        for former, name in names.items():
+            setattr(cls, former, _former_attribute(cls.__name__, former, name))
+        return cls
+
+    return decorate
+
+
+def fields(**names: str) -> Callable[[C], C]:
+    """Both of a class of fields: arguments of its constructor, and attributes."""
+
+    def decorate(cls: C) -> C:
+        init: Callable[..., None] = cls.__init__  # type: ignore[misc]
+        init.__qualname__ = cls.__qualname__
+        setattr(cls, "__init__", arguments(**names)(init))  # noqa: B010
+        return attributes(**names)(cls)
+
+    return decorate
+
+
+def _former_attribute(of: str, former: str, name: str) -> property:
+    def read(self: Any) -> Any:
+        warn(f"{of}.{former}", name)
+        return getattr(self, name)
+
+    read.__doc__ = f"The former name of {name}."
+    return property(read)
