@@ -11,7 +11,6 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping
 from functools import wraps
-from importlib import import_module
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -26,19 +25,20 @@ def warn(former: str, name: str) -> None:
     warnings.warn(f"{former} is now called {name}", DeprecationWarning, stacklevel=level)
 
 
-def module(of: str, names: Mapping[str, str]) -> Callable[[str], Any]:
-    """A `__getattr__` for the module `of`: its names of today under their former ones.
+def names(
+    module: str, today: Mapping[str, str], read: Callable[[str], Any]
+) -> Callable[[str], Any]:
+    """A `__getattr__` for a module: what its names of today give, under their former ones.
 
-    names : the former name, and that of today, which may begin with the module that has it
-    ("rockeom.analysis.dynamics:basins") where this is another one.
+    today : the name of today of each former one. read : gives what a name of today stands for, such
+    as `globals().__getitem__`.
     """
 
     def getattr_of_module(name: str) -> Any:
-        if name not in names:
-            raise AttributeError(f"module {of!r} has no attribute {name!r}")
-        home, _, today = names[name].rpartition(":")
-        warn(f"{of}.{name}", f"{home or of}.{today}")
-        return getattr(import_module(home or of), today)
+        if name not in today:
+            raise AttributeError(f"module {module!r} has no attribute {name!r}")
+        warn(f"{module}.{name}", f"{module}.{today[name]}")
+        return read(today[name])
 
     return getattr_of_module
 

@@ -1,8 +1,6 @@
 """Former names give what the names of today give, and say so once, at the line that uses them."""
 
-import sys
 from dataclasses import dataclass
-from types import ModuleType
 
 import pytest
 
@@ -20,18 +18,14 @@ class Declaration:
     functions: int
 
 
-def former_module_name():
-    package = ModuleType("springs")
-    package.stiffness = 5
-    sys.modules["springs"] = package
-    return renamed.module("springs", {"constant": "stiffness"})("constant")
+SPRINGS = renamed.names("springs", {"constant": "stiffness"}, {"stiffness": 5}.__getitem__)
 
 
 USES = {
     "force: phase is now called mode": (lambda: force(phase=3), 6),
     "Declaration: laws is now called functions": (lambda: Declaration(laws=4).functions, 4),
     "Declaration.laws is now called functions": (lambda: Declaration(4).laws, 4),
-    "springs.constant is now called springs.stiffness": (former_module_name, 5),
+    "springs.constant is now called springs.stiffness": (lambda: SPRINGS("constant"), 5),
 }
 
 
@@ -45,7 +39,7 @@ def test_a_former_name_works_and_warns_at_its_use(says):
 
 def test_a_name_that_never_was_is_no_attribute():
     with pytest.raises(AttributeError, match="has no attribute 'fase'"):
-        renamed.module("springs", {"constant": "stiffness"})("fase")
+        SPRINGS("fase")
 
 
 def test_an_argument_by_both_names_is_an_error():
