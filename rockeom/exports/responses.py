@@ -28,8 +28,9 @@ from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import installed_by, is_number, told
 from rockeom.simulation.extremes import Extremes
 from rockeom.simulation.options import SolverOptions
-from rockeom.simulation.recorder import Samples, Steps
+from rockeom.simulation.recorder import Samples
 from rockeom.simulation.response import KINDS, Outcome, Response
+from rockeom.simulation.steps import Steps
 from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure
 from rockeom.structures.fixed_base import FixedBase
 from rockeom.structures.impact_laws import (

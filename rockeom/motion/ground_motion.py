@@ -8,11 +8,12 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.motion import intensity, processing
 from rockeom.motion.arguments import finite as _finite, positive as _positive
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
@@ -37,14 +38,13 @@ from rockeom.motion.segments import (
     shaking_ends as _shaking_ends,
     velocity as _velocity,
 )
+from rockeom.motion.spectra import ResponseSpectrum, response_spectrum
+from rockeom.motion.synthetic import Noise, noise
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers.batch import Many, one_of
 from rockeom.numbers.checks import number, numbers, told
 from rockeom.numbers.dual import nominal, value_of
 from rockeom.numbers.functions import mathematics
-
-if TYPE_CHECKING:
-    from rockeom.motion.intensity import Measures
 
 QUIET_PERIODS = 10
 """Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
@@ -304,9 +304,8 @@ class GroundMotion:
             _positive("angular_frequency", angular_frequency),
             _positive("damping_ratio", damping_ratio),
         )
-        return _synthetic(
-            "Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt
-        )
+        made = noise("Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt)
+        return _of_noise(made)
 
     @classmethod
     def clough_penzien(
@@ -339,9 +338,10 @@ class GroundMotion:
             _positive("high_pass_angular_frequency", high_pass_angular_frequency),
             _positive("high_pass_damping_ratio", high_pass_damping_ratio),
         )
-        return _synthetic(
+        made = noise(
             "Clough-Penzien", spectral_intensity, ground, high_pass, duration, seed, envelope, dt
         )
+        return _of_noise(made)
 
     # -- made from numbers and files
 
@@ -539,7 +539,7 @@ class GroundMotion:
     @property
     def peak_velocity(self) -> float:
         """Largest absolute velocity of the ground [m/s] within the duration, exact to rounding."""
-        return _intensity().peak_velocity(self)
+        return intensity.peak_velocity(self)
 
     @property
     def peak_displacement(self) -> float:
@@ -548,15 +548,15 @@ class GroundMotion:
         Of a record that ends with a velocity it is what that makes of it: see
         `baseline_corrected`.
         """
-        return _intensity().peak_displacement(self)
+        return intensity.peak_displacement(self)
 
-    def measures(self) -> Measures:
+    def measures(self) -> intensity.Measures:
         """All intensity measures by name, from PGA to the predominant period, with units.
 
         >>> round(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav, 6)
         0.63662
         """
-        return _intensity().measures(self)
+        return intensity.measures(self)
 
     def significant_interval(self, lower: float = 0.05, upper: float = 0.95) -> tuple[float, float]:
         """Times [s] at which Arias intensity reaches the parts `lower` and `upper` of its whole.
@@ -564,17 +564,15 @@ class GroundMotion:
         Their difference is the significant duration (Trifunac and Brady 1975). Found within the
         segments. Raises MotionError for parts that are not between 0 and 1, and for no shaking.
         """
-        return _intensity().significant_interval(self, lower, upper)
+        return intensity.significant_interval(self, lower, upper)
 
     def response_spectrum(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
-    ) -> Any:
+    ) -> ResponseSpectrum:
         """The elastic response spectrum, see `analysis.response_spectrum`.
 
         periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
         """
-        from rockeom.analysis import response_spectrum
-
         periods = np.geomspace(0.02, 10.0, 100) if periods is None else periods
         return response_spectrum(self, periods, damping_ratio)
 
@@ -637,14 +635,6 @@ class GroundMotion:
         """The motion with so many seconds of quiet time added at its end, `quiet` [s]."""
         return self.padded_to(self.duration + _positive("quiet", quiet))
 
-    def padded(self, duration: float) -> GroundMotion:
-        """Gone: `padded_to` says the duration in all, `padded_by` the quiet time added."""
-        raise MotionError(
-            "padded has two successors, because it was taken for the other one: "
-            f"padded_to({duration}) lasts {duration} s in all, as padded did; "
-            f"padded_by({duration}) adds {duration} s of quiet time at the end"
-        )
-
     # -- processed
 
     def baseline_corrected(self, degree: int = 1, of: str = "velocity") -> GroundMotion:
@@ -658,7 +648,7 @@ class GroundMotion:
         Raises MotionError for a motion without samples and for a degree that such a polynomial
         cannot have.
         """
-        return _processing().baseline_corrected(self, degree, of)
+        return self._changed(processing.baseline_corrected(self, degree, of))
 
     def filtered(
         self, low: float | None = None, high: float | None = None, order: int = 4
@@ -674,7 +664,7 @@ class GroundMotion:
         Raises MotionError for a motion without samples, and for corners in wrong order, above half
         of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
-        return _processing().filtered(self, low, high, order)
+        return self._changed(processing.filtered(self, low, high, order))
 
     def resampled(self, dt: float, method: str = "linear") -> GroundMotion:
         """The motion as a record with another time step.
@@ -688,7 +678,7 @@ class GroundMotion:
         An analytic motion becomes a record, linear between the new times. The last one is the last
         whole step within the motion. Raises MotionError.
         """
-        return _processing().resampled(self, dt, method)
+        return self._changed(processing.resampled(self, dt, method))
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> GroundMotion:
         """The part from `start` to `end` [s], its times counted from there.
@@ -700,7 +690,20 @@ class GroundMotion:
         Raises MotionError for times outside the motion, for fewer than two samples, and where a
         Mavroeidis-Papageorgiou pulse would lose its beginning.
         """
-        return _processing().trimmed(self, start, self.duration if end is None else end)
+        until = self.duration if end is None else end
+        return self._changed(processing.trimmed(self, start, until))
+
+    def _changed(self, to: processing.Processed) -> GroundMotion:
+        """The motion of a processed record; its source names the process."""
+        if to.segments is not None:
+            made = GroundMotion(to.segments, self.name)
+        else:
+            assert to.samples is not None
+            assert to.dt is not None
+            made = GroundMotion.from_array(to.samples, to.dt, name=self.name)
+            if to.padded and made.duration < self.duration * (1.0 - 1e-9):
+                made = made.padded_to(self.duration)
+        return replace(made, source=f"{self.source}, {to.done}", is_vertical=self.is_vertical)
 
     def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
         """The component between two records at right angles: cos(angle) self + sin(angle) other.
@@ -833,24 +836,9 @@ def _readers() -> ModuleType:
     return readers
 
 
-def _intensity() -> ModuleType:
-    """As `_readers`, for what few simulations ask."""
-    from rockeom.motion import intensity
-
-    return intensity
-
-
-def _processing() -> ModuleType:
-    """As `_intensity`."""
-    from rockeom.motion import processing
-
-    return processing
-
-
-def _synthetic(model: str, *given: Any) -> GroundMotion:
-    from rockeom.motion import synthetic
-
-    return synthetic.motion(model, *given)
+def _of_noise(made: Noise) -> GroundMotion:
+    motion = GroundMotion.from_array(made.samples, made.dt, name=made.name)
+    return replace(motion, source=made.source)
 
 
 def _library() -> ModuleType:

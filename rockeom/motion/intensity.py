@@ -11,17 +11,16 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.motion import segments as table
 from rockeom.motion.arguments import finite, positive
 from rockeom.motion.errors import MotionError
+from rockeom.motion.segments import Motion
+from rockeom.motion.spectra import response_spectrum
 from rockeom.motion.units import STANDARD_GRAVITY
-
-if TYPE_CHECKING:
-    from rockeom.motion.ground_motion import GroundMotion
+from rockeom.numbers.functions import gauss_rule
 
 BRACKET = 0.05 * STANDARD_GRAVITY
 """Acceleration [m/s2] that a bracketed duration begins and ends with, where none is given."""
@@ -32,7 +31,6 @@ PREDOMINANT = np.geomspace(0.02, 10.0, 100)
 _MEAN_BAND = 0.25, 20.0  # Hz, as Rathje et al. (1998) take it
 _RESOLVED = 0.05  # Hz between two frequencies, at most
 _ANALYTIC_STEP = 1 / 400  # s, of the samples of a motion that has none
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
 @dataclass(frozen=True)
@@ -74,7 +72,7 @@ class Measures:
         )
 
 
-def measures(motion: GroundMotion) -> Measures:
+def measures(motion: Motion) -> Measures:
     """All intensity measures of a motion; nan for what a motion without shaking does not have."""
     parts = _Parts(motion)
 
@@ -98,28 +96,28 @@ def measures(motion: GroundMotion) -> Measures:
     )
 
 
-def peak_velocity(motion: GroundMotion) -> float:
+def peak_velocity(motion: Motion) -> float:
     """Largest absolute velocity of the ground [m/s], within the motion's duration."""
     return _Parts(motion).peak_velocity
 
 
-def peak_displacement(motion: GroundMotion) -> float:
+def peak_displacement(motion: Motion) -> float:
     """Largest absolute displacement of the ground [m], within the motion's duration."""
     return _Parts(motion).peak_displacement
 
 
-def arias_intensity(motion: GroundMotion, gravity: float = STANDARD_GRAVITY) -> float:
+def arias_intensity(motion: Motion, gravity: float = STANDARD_GRAVITY) -> float:
     """Arias intensity [m/s], with 1 g as so many m/s2."""
     return _Parts(motion).arias_intensity(positive("gravity", gravity))
 
 
-def cumulative_absolute_velocity(motion: GroundMotion) -> float:
+def cumulative_absolute_velocity(motion: Motion) -> float:
     """Cumulative absolute velocity [m/s]."""
     return _Parts(motion).cumulative_absolute_velocity
 
 
 def significant_interval(
-    motion: GroundMotion, lower: float = 0.05, upper: float = 0.95
+    motion: Motion, lower: float = 0.05, upper: float = 0.95
 ) -> tuple[float, float]:
     """Times [s] at which Arias intensity has reached two parts of its whole.
 
@@ -137,13 +135,13 @@ def significant_interval(
     return _Parts(motion).significant_interval(*parts)
 
 
-def significant_duration(motion: GroundMotion, lower: float = 0.05, upper: float = 0.95) -> float:
+def significant_duration(motion: Motion, lower: float = 0.05, upper: float = 0.95) -> float:
     """The time between those of `significant_interval` [s]."""
     start, end = significant_interval(motion, lower, upper)
     return end - start
 
 
-def bracketed_duration(motion: GroundMotion, threshold: float = BRACKET) -> float:
+def bracketed_duration(motion: Motion, threshold: float = BRACKET) -> float:
     """Time [s] from the first to the last that the acceleration reaches a threshold [m/s2].
 
     0.0 if it never does; 0.05 g if no threshold is given.
@@ -151,7 +149,7 @@ def bracketed_duration(motion: GroundMotion, threshold: float = BRACKET) -> floa
     return _Parts(motion).bracketed_duration(positive("threshold", threshold))
 
 
-def mean_period(motion: GroundMotion) -> float:
+def mean_period(motion: Motion) -> float:
     """Mean period of the Fourier spectrum [s]: sum(C**2/f)/sum(C**2) from 0.25 to 20 Hz.
 
     C : Fourier amplitudes of the samples, at frequencies f no more than 0.05 Hz apart, for which a
@@ -170,14 +168,14 @@ def mean_period(motion: GroundMotion) -> float:
     return float((power / frequency[band]).sum()) / whole if whole > 0.0 else math.nan
 
 
-def predominant_period(motion: GroundMotion) -> float:
+def predominant_period(motion: Motion) -> float:
     """Period [s] at which the pseudo-acceleration of an oscillator with 5 % damping is largest.
 
     Among 100 periods from 0.02 to 10 s, each 6 % above the one before; nan for no shaking.
     """
     if motion.peak == 0.0:
         return math.nan
-    spectrum = motion.response_spectrum(PREDOMINANT, 0.05)
+    spectrum = response_spectrum(motion, PREDOMINANT, 0.05)
     return float(PREDOMINANT[np.argmax(spectrum.pseudo_acceleration)])
 
 
@@ -187,7 +185,7 @@ class _Parts:
     rows (m, 7) : the segment of each part; low, high (m,) : local times of its ends [s].
     """
 
-    def __init__(self, motion: GroundMotion) -> None:
+    def __init__(self, motion: Motion) -> None:
         segments = motion.segments
         self.starts = table.at_starts(segments)
         index, low, high = _linear(segments)
@@ -217,10 +215,11 @@ class _Parts:
         """Of a function of the acceleration, from the start of some parts up to local times."""
         low = self.low[of]
         half = 0.5 * (high - low)
-        tau = low + half * (1.0 + _NODES[:, None])
-        rows = np.tile(self.rows[of], (len(_NODES), 1))
+        nodes, weights = gauss_rule()
+        tau = low + half * (1.0 + nodes[:, None])
+        rows = np.tile(self.rows[of], (len(nodes), 1))
         values = function(table.acceleration(rows, tau.ravel())).reshape(tau.shape)
-        return half * (_WEIGHTS @ values)
+        return half * (weights @ values)
 
     @cached_property
     def peak_velocity(self) -> float:

@@ -12,12 +12,13 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion import intensity as measured
+from rockeom.motion import intensity as measured, library
 from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recordings import Recording, chosen, recordings
+from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import near, told
 
@@ -132,8 +133,6 @@ class MotionSet(Sequence[GroundMotion]):
         Raises MotionError if none has them, if no extra is installed, and where a record has no
         such factor.
         """
-        from rockeom.motion import library
-
         read = {name: GroundMotion.from_library(name) for name in library.names(words)}
         kept = chosen(read, components, f"the library with the words {words!r}")
         motions = []
@@ -289,7 +288,7 @@ class MotionSet(Sequence[GroundMotion]):
 
     def response_spectra(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
-    ) -> dict[str, Any]:
+    ) -> dict[str, ResponseSpectrum]:
         """The elastic response spectrum of each motion by its name.
 
         periods, damping_ratio : as of `GroundMotion.response_spectrum`.

@@ -1,21 +1,32 @@
-"""Records made fit for use: baseline, filters, another time step, a part of the time.
-
-What is done is said at the end of the record's `source`; its name stays.
-"""
+"""Records made fit for use: baseline, filters, another time step, a part of the time."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.motion.arguments import finite, positive, whole
 from rockeom.motion.errors import MotionError
-from rockeom.motion.ground_motion import GroundMotion
-from rockeom.motion.segments import cut
+from rockeom.motion.segments import Motion, cut
 from rockeom.numbers.checks import told
+
+
+class Processed(NamedTuple):
+    """A changed motion: samples (m,) [m/s2] dt [s] apart, or analytic segments (n, 7).
+
+    done : the change in words, for the end of the motion's `source`. padded : whether the record
+    stays as long as it was.
+    """
+
+    done: str
+    samples: np.ndarray | None = None
+    dt: float | None = None
+    segments: np.ndarray | None = None
+    padded: bool = False
+
 
 _INTEGRALS = {"acceleration": 0, "velocity": 1, "displacement": 2}
 """What a baseline is fitted to: how often the acceleration is integrated for it."""
@@ -28,7 +39,7 @@ _RINGS = 1.5
 has it."""
 
 
-def baseline_corrected(motion: GroundMotion, degree: int, of: str) -> GroundMotion:
+def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
     """See `GroundMotion.baseline_corrected`."""
     if not isinstance(of, str) or of not in _INTEGRALS:
         raise MotionError(
@@ -51,12 +62,10 @@ def baseline_corrected(motion: GroundMotion, degree: int, of: str) -> GroundMoti
     falling = [math.perm(power, first) for power in powers]
     baseline = x[:, None] ** (powers - first) @ (coefficients * falling) / t[-1] ** first
     done = f"less its baseline, of degree {n} of the {of}"
-    return _record(motion, samples - baseline, dt, done)
+    return Processed(done, samples - baseline, dt, padded=True)
 
 
-def filtered(
-    motion: GroundMotion, low: float | None, high: float | None, order: int
-) -> GroundMotion:
+def filtered(motion: Motion, low: float | None, high: float | None, order: int) -> Processed:
     """See `GroundMotion.filtered`."""
     samples, dt = _samples(motion, "a filter")
     n = whole("order", order, 1)
@@ -84,16 +93,17 @@ def filtered(
     around = math.ceil(_RINGS * n / (min(corners.values()) * dt))
     passed = sosfiltfilt(sos, np.pad(samples, around), padtype=None)[around:-around]
     said = ", ".join(f"{name} corner {corner:g} Hz" for name, corner in corners.items())
-    return _record(motion, passed, dt, f"filtered, {said}, order {n} forward and backward")
+    done = f"filtered, {said}, order {n} forward and backward"
+    return Processed(done, passed, dt, padded=True)
 
 
-def resampled(motion: GroundMotion, dt: float, method: str) -> GroundMotion:
+def resampled(motion: Motion, dt: float, method: str) -> Processed:
     """See `GroundMotion.resampled`."""
     new = positive("dt", dt)
     if new > motion.duration:
         raise MotionError(f"dt is {new:g} s: give less than the motion's {motion.duration:g} s")
     if method == "linear":
-        return _record(motion, motion.sampled(new)[1], new, f"taken every {new:g} s", padded=False)
+        return Processed(f"taken every {new:g} s", motion.sampled(new)[1], new)
     if method != "band limited":
         raise MotionError(f'method is {told(method)}: give "linear" or "band limited"')
     samples, old = _samples(motion, "a band-limited interpolation")
@@ -108,10 +118,10 @@ def resampled(motion: GroundMotion, dt: float, method: str) -> GroundMotion:
     values = resample_poly(samples, ratio.numerator, ratio.denominator)
     kept = math.floor((len(samples) - 1) * old / new * (1.0 + 1e-12)) + 1
     done = f"band limited to a step of {new:g} s"
-    return _record(motion, values[:kept], new, done, padded=False)
+    return Processed(done, values[:kept], new)
 
 
-def trimmed(motion: GroundMotion, start: float, end: float) -> GroundMotion:
+def trimmed(motion: Motion, start: float, end: float) -> Processed:
     """See `GroundMotion.trimmed`."""
     first, last = finite("start", start), finite("end", end)
     if not 0.0 <= first < last <= motion.duration * (1.0 + 1e-12):
@@ -123,7 +133,7 @@ def trimmed(motion: GroundMotion, start: float, end: float) -> GroundMotion:
     if motion.samples is not None:
         samples, dt = _samples(motion, "a part")
         kept = samples[round(first / dt) : round(last / dt) + 1]
-        return _record(motion, kept, dt, done, padded=False)
+        return Processed(done, kept, dt)
     try:
         segments = cut(motion.segments, first, last)
     except ValueError:
@@ -131,11 +141,10 @@ def trimmed(motion: GroundMotion, start: float, end: float) -> GroundMotion:
             f"start is {first:g} s, within a Mavroeidis-Papageorgiou pulse, which has no end "
             "without its beginning: make a record of it first, by resampled(dt)"
         ) from None
-    source = f"{motion.source}, {done}"
-    return GroundMotion(segments, motion.name, source, is_vertical=motion.is_vertical)
+    return Processed(done, segments=segments)
 
 
-def _samples(motion: GroundMotion, what: str) -> tuple[np.ndarray, float]:
+def _samples(motion: Motion, what: str) -> tuple[np.ndarray, float]:
     """The samples of a record, with zeros for the quiet time after it, and their step [s]."""
     if motion.samples is None or motion.dt is None:
         raise MotionError(
@@ -143,13 +152,3 @@ def _samples(motion: GroundMotion, what: str) -> tuple[np.ndarray, float]:
         )
     n = math.floor(motion.duration / motion.dt * (1.0 + 1e-12)) + 1
     return np.append(motion.samples, np.zeros(max(n - len(motion.samples), 0))), motion.dt
-
-
-def _record(
-    motion: GroundMotion, samples: np.ndarray, dt: float, done: str, padded: bool = True
-) -> GroundMotion:
-    """A record made of another one, as long as that if `padded`, which says what was done."""
-    made = GroundMotion.from_array(samples, dt, name=motion.name)
-    if padded and made.duration < motion.duration * (1.0 - 1e-9):
-        made = made.padded_to(motion.duration)
-    return replace(made, source=f"{motion.source}, {done}", is_vertical=motion.is_vertical)

@@ -12,12 +12,43 @@ import math
 from collections.abc import Callable, Iterator
 from enum import IntEnum
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 START, END, KIND, C0, C1, C2, C3 = range(7)
 COLUMNS = 7
+
+
+class Motion(Protocol):
+    """Attributes of a `GroundMotion` that measures, spectra, processing and plots read."""
+
+    @property
+    def segments(self) -> np.ndarray: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def source(self) -> str: ...
+
+    @property
+    def dt(self) -> float | None: ...
+
+    @property
+    def samples(self) -> np.ndarray | None: ...
+
+    @property
+    def duration(self) -> float: ...
+
+    @property
+    def peak(self) -> float: ...
+
+    def velocity(self, t: np.ndarray) -> Any: ...
+
+    def displacement(self, t: np.ndarray) -> Any: ...
+
+    def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]: ...
 
 
 class SegmentKind(IntEnum):

@@ -1,17 +1,17 @@
-"""Ground motions made by chance: stationary filtered white noise, and the envelopes of its time."""
+"""Random ground motions: stationary filtered white noise, and its envelopes over time."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.motion.arguments import positive, whole
 from rockeom.motion.errors import MotionError
-from rockeom.motion.ground_motion import GroundMotion
 from rockeom.numbers.checks import numbers, told
 
 Filter = tuple[float, float]
@@ -94,7 +94,16 @@ def spectral_density(
     return spectral_intensity * passed
 
 
-def motion(
+class Noise(NamedTuple):
+    """Accelerations (n,) [m/s2] dt [s] apart, with the name and the source of their motion."""
+
+    samples: np.ndarray
+    dt: float
+    name: str
+    source: str
+
+
+def noise(
     model: str,
     spectral_intensity: float,
     ground: Filter,
@@ -103,7 +112,7 @@ def motion(
     seed: int,
     envelope: Callable[[np.ndarray], ArrayLike] | None,
     dt: float,
-) -> GroundMotion:
+) -> Noise:
     """See `GroundMotion.kanai_tajimi` and `GroundMotion.clough_penzien`."""
     s_0, length = positive("spectral_intensity", spectral_intensity), positive("duration", duration)
     dt, start = positive("dt", dt), whole("seed", seed, 0)
@@ -113,9 +122,9 @@ def motion(
     a = _stationary(n, dt, s_0, ground, high_pass, start)
     if envelope is not None:
         a = a * _factors(envelope, dt * np.arange(n))
-    made = GroundMotion.from_array(a, dt, name=f"{model}, seed {start}")
     filters = "; ".join(f"{w:g} rad/s, {xi:g}" for w, xi in filter(None, (ground, high_pass)))
-    return replace(made, source=f"{model}, S0 {s_0:g} m2/s3, filters {filters}")
+    source = f"{model}, S0 {s_0:g} m2/s3, filters {filters}"
+    return Noise(a, dt, f"{model}, seed {start}", source)
 
 
 def _stationary(

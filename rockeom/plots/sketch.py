@@ -25,7 +25,6 @@ def draw_structure(
     state: Mapping[str, float] | None = None,
     rotation: float = 0.0,
     ax: Axes | None = None,
-    deformation: None = None,
 ) -> Figure:
     """The bodies, the feet and the ground of a structure, in any state.
 
@@ -36,14 +35,8 @@ def draw_structure(
     Bodies, contacts and members are drawn as they are declared: a body without an outline as a
     mass, and what joins bodies where the declaration has `members`.
 
-    Raises ValueError for a state that cannot be, and TypeError for a `deformation`, as it was once
-    given: it is a part of the state now.
+    Raises ValueError for a state that cannot be.
     """
-    if deformation is not None:
-        raise TypeError(
-            "draw_structure takes no deformation: name the coordinate, such as "
-            'state={"theta": 0.1, "u": 0.02}'
-        )
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     if ax is None:

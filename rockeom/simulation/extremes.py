@@ -9,12 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from rockeom.simulation.recorder import Steps
+from rockeom.simulation.steps import Steps
 
 Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 """(n, m) values of m quantities at times (n,), states (n, N) and contact states (n,)."""

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, wraps
-from typing import Any
+from functools import cache
 
 from rockeom.integrator.methods.coefficients import PAIRS
 from rockeom.numbers.checks import number, told, whole_number
@@ -38,7 +35,7 @@ class SolverOptions:
     max_step : largest step [s].
     steps_per_segment : 0 for steps controlled by the tolerances; n > 0 for n equal steps in each
         segment of the ground's motion: between two samples of a record, or over a whole pulse or
-        quiet time. It was called steps_per_law, which is still understood.
+        quiet time.
         Impacts are landed on all the same. Where the estimated error of such a step exceeds 1e-7
         (1e-3 with Radau, whose estimate is of a much lower order than its error; or rtol, if that
         is more) it is refused, and the rest of that segment is integrated with steps controlled by
@@ -84,12 +81,6 @@ class SolverOptions:
         if self.rtol < 1e-15:
             raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
 
-    @property
-    def steps_per_law(self) -> int:
-        """The former name of steps_per_segment."""
-        _say_new_name()
-        return self.steps_per_segment
-
     @classmethod
     def of(cls, options: SolverOptions | None) -> SolverOptions:
         """The options given, or the defaults for None; raises TypeError for anything else."""
@@ -101,26 +92,6 @@ class SolverOptions:
             f"options is {told(options)}: give options of the solver, such as "
             "rk.SolverOptions(rtol=1e-8)"
         )
-
-
-def _say_new_name() -> None:
-    text = "SolverOptions: steps_per_law is now called steps_per_segment"
-    warnings.warn(text, DeprecationWarning, stacklevel=3)
-
-
-def _understanding_the_old_name(init: Callable[..., None]) -> Callable[..., None]:
-    @wraps(init)
-    def understanding(self: SolverOptions, *unnamed: Any, **named: Any) -> None:
-        if "steps_per_law" in named:
-            _say_new_name()
-            given = named.pop("steps_per_law")
-            named["steps_per_segment"] = whole_number("steps_per_law", given, 0)
-        init(self, *unnamed, **named)
-
-    return understanding
-
-
-setattr(SolverOptions, "__init__", _understanding_the_old_name(SolverOptions.__init__))  # noqa: B010
 
 
 @cache

@@ -16,6 +16,7 @@ import numpy as np
 
 from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.integrator.schema import has_points
+from rockeom.numbers.functions import gauss_rule
 from rockeom.structures.evaluation import (
     OF_ELEMENT,
     at_states,
@@ -210,12 +211,6 @@ class EnergyBalance(NamedTuple):
     friction: float = 0.0
 
 
-@cache
-def _quadrature() -> tuple[np.ndarray, np.ndarray]:
-    """(nodes, weights) within a step, a polynomial of degree 7, whose square is one of 14."""
-    return np.polynomial.legendre.leggauss(8)  # NumPy imports that where it is asked for
-
-
 class Works:
     """Works and losses of a motion since it began, by quadrature over its steps.
 
@@ -268,7 +263,7 @@ class Works:
     def _within(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
         """(n, m) works from the start of steps to places x in [0, 1] of them."""
         start, length = self.steps.span[index].T
-        nodes, weights = _quadrature()
+        nodes, weights = gauss_rule()  # a step has degree 7, and its square degree 14
         places = 0.5 * np.multiply.outer(x, 1.0 + nodes)
         t = start[:, None] + places * length[:, None]
         every = np.repeat(index, len(nodes))

@@ -9,69 +9,12 @@ from typing import Protocol
 import numpy as np
 
 from rockeom.simulation.extremes import Evaluate, Extremes, Running
+from rockeom.simulation.steps import Steps
 
 ALL, SAMPLES = KEPT = ("all", "samples")
 """What `simulate` may be told to keep."""
 
 _DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
-_TOGETHER = 4096  # steps that are evaluated at a time: of all their powers one copy is made
-
-
-@dataclass(frozen=True)
-class Steps:
-    """The dense record: steps (n, 2) start and length [s], contact (n,), powers (n, 8, N)."""
-
-    span: np.ndarray
-    contact: np.ndarray
-    powers: np.ndarray
-
-    def __len__(self) -> int:
-        return len(self.span)
-
-    def __getitem__(self, which: slice | np.ndarray) -> Steps:
-        return Steps(self.span[which], self.contact[which], self.powers[which])
-
-    def joined(self, *others: Steps) -> Steps:
-        """These steps and those that follow them."""
-        fields = zip(*((s.span, s.contact, s.powers) for s in (self, *others)), strict=True)
-        return Steps(*map(np.concatenate, fields))
-
-    def at(self, times: np.ndarray, side: str) -> tuple[np.ndarray, np.ndarray]:
-        """States (m, N) and contact states (m,) at times (m,)."""
-        starts = self.span[:, 0]
-        found = np.searchsorted(starts, times, side="right" if side == "right" else "left")
-        index = np.clip(found - 1, 0, len(starts) - 1)
-        x = (times - starts[index]) / self.span[index, 1]
-        return self.states(index, x), self.contact[index]
-
-    def states(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
-        """States (m, N) at places x in [0, 1] of the steps `index`."""
-        values = np.empty((len(index), self.powers.shape[2]))
-        for first in range(0, len(index), _TOGETHER):
-            some = slice(first, first + _TOGETHER)
-            powers, at = self.powers[index[some]], x[some, None]
-            found = powers[:, 7]
-            for j in range(6, -1, -1):
-                found = found * at + powers[:, j]
-            values[some] = found
-        return values
-
-    def samples(self, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(t, states, contact) at both ends of every step and between, no wider than spacing."""
-        n = np.maximum(np.ceil(self.span[:, 1] / spacing - 1e-9).astype(int), 1)
-        index = np.repeat(np.arange(len(n)), n + 1)
-        first = np.cumsum(n + 1) - (n + 1)
-        x = (np.arange(len(index)) - np.repeat(first, n + 1)) / np.repeat(n, n + 1)
-        values = self.states(index, x)
-        t = self.span[index, 0] + x * self.span[index, 1]
-        # the end of a step is the start of the next: keep one unless a state jumps there
-        keep = np.ones(len(t), dtype=bool)
-        seam = first[1:]
-        same = np.all(
-            np.abs(values[seam] - values[seam - 1]) <= 1e-9 * np.abs(values[seam]), axis=1
-        )
-        keep[seam[same & (self.contact[1:] == self.contact[:-1])]] = False
-        return t[keep], values[keep], self.contact[index][keep]
 
 
 @dataclass(frozen=True)

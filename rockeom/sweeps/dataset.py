@@ -36,42 +36,15 @@ def outcomes_of(flags: np.ndarray) -> np.ndarray:
     return flags.astype(np.int64) - PENDING + NOT_RUN
 
 
-_RENAMED = {
-    old + of: (f"maximum{of}" if old == "largest" else f"minimum{of}", f"peak{of}")
-    for old in ("largest", "smallest")
-    for of in ("", "_quantity")
-}
-"""Former names of variables: the present one, and that of the largest absolute value."""
-
-
 class Sweep(xr.Dataset):
-    """The dataset of `simulate_many`. It knows the former names of its variables, and says so."""
+    """The dataset of `simulate_many`. Jupyter shows it with a count of outcomes."""
 
     __slots__ = ()
-
-    def __getitem__(self, key: Any) -> Any:
-        for name in key if isinstance(key, list) else [key]:
-            if isinstance(name, str) and name in _RENAMED and name not in self.variables:
-                raise KeyError(_renamed(name))
-        return super().__getitem__(key)
-
-    def __getattr__(self, name: str) -> Any:
-        if name in _RENAMED and name not in self.variables:
-            raise AttributeError(_renamed(name))
-        return super().__getattr__(name)
 
     def _repr_html_(self) -> str:
         from rockeom.plots.notebook import html_of
 
         return html_of(self)
-
-
-def _renamed(name: str) -> str:
-    signed, peak = _RENAMED[name]
-    return (
-        f"{name!r} is now {signed!r}, which has a sign as before; the largest absolute value is "
-        f"{peak!r}"
-    )
 
 
 def dataset(kept: Kept, cases: Cases, module: ModuleType) -> Sweep:

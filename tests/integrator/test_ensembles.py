@@ -518,26 +518,6 @@ def test_extremes_of_all_states_are_those_within_the_steps():
         np.testing.assert_allclose(in_lanes[name], searched.values, rtol=1e-8, atol=1e-10)
 
 
-@pytest.mark.parametrize("old", ["largest", "smallest", "largest_quantity", "smallest_quantity"])
-def test_former_names_say_what_they_are_called_now(old, reference):
-    new = old.replace("largest", "maximum").replace("smallest", "minimum")
-    peak = old.replace("largest", "peak").replace("smallest", "peak")
-    for dataset in (
-        reference, reference.sel(amplitude=0.8), reference.isel(frequency=0).assign_attrs(a=1)
-    ):  # fmt: skip
-        with pytest.raises(AttributeError, match=f"'{new}'.*'{peak}'"):
-            getattr(dataset, old)
-        with pytest.raises(KeyError, match=f"'{new}'.*'{peak}'"):
-            dataset[old]
-        with pytest.raises(KeyError, match=f"'{new}'.*'{peak}'"):
-            dataset[["outcome", old]]
-        assert old not in dataset
-    # a user's own variable may have the name
-    assert reference.assign({old: reference.peak})[old].identical(reference.peak.rename(old))
-    with pytest.raises(AttributeError, match="nothing"):
-        reference.nothing  # noqa: B018
-
-
 @pytest.mark.parametrize(
     ("wrong", "word"),
     [({"quantities": "theta"}, "list"), ({"times": [1.0]}, "quantities"),

@@ -357,16 +357,6 @@ def test_option_that_is_no_number(option, value):
         rk.SolverOptions(**{option: value})
 
 
-def test_former_name_of_equal_steps_is_understood_and_says_the_new_one():
-    with pytest.warns(DeprecationWarning, match="steps_per_law is now called steps_per_segment"):
-        options = rk.SolverOptions(steps_per_law=2)
-    assert options == rk.SolverOptions(steps_per_segment=2)
-    with pytest.warns(DeprecationWarning, match="steps_per_segment"):
-        assert options.steps_per_law == 2
-    with pytest.warns(DeprecationWarning, match="now"), raises(ValueError, "steps_per_law is -1"):
-        rk.SolverOptions(steps_per_law=-1)
-
-
 METHODS = {
     "accelerations": lambda state, **others: BLOCK.accelerations(state, **others),
     "energies": lambda state, **others: BLOCK.energies(state, **others),

@@ -21,8 +21,8 @@ import rockeom as rk
 from rockeom.exports import responses as saved
 from rockeom.files import TEMPORARY
 from rockeom.simulation import extremes
-from rockeom.simulation.recorder import Steps
 from rockeom.simulation.response import KINDS, Response
+from rockeom.simulation.steps import Steps
 from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
 from tests.numeric.structures import S1, column

@@ -438,8 +438,3 @@ def test_sketch_of_every_shipped_structure_shows_all_its_bodies_and_feet(name):
         if kind not in ("load", "massless") and not shapes.copies:
             assert np.abs(shown - at).max(axis=1).min() < 1e-12
     assert len(ax.collections) >= 1  # the ground
-
-
-def test_sketch_asks_for_the_state_instead_of_a_deformation():
-    with pytest.raises(TypeError, match="name the coordinate"):
-        draw_structure(FLEXIBLE, rotation=0.1, deformation=0.02)
