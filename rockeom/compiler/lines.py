@@ -9,7 +9,9 @@ import math
 import struct
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from itertools import accumulate
+from functools import cache
+from itertools import islice
+from types import MappingProxyType
 from typing import NamedTuple
 
 from rockeom.compiler.types import (
@@ -35,10 +37,14 @@ class Unfit(Exception):  # noqa: N818
 
 
 class Value(NamedTuple):
-    """A type and what holds it: one operand of LLVM for a scalar; address and shape of an array."""
+    """A type and what holds it: one operand of LLVM for a scalar; address and shape of an array.
+
+    A tuple has a place on the stack, or none, and items that differ from those in the place.
+    """
 
     type: Type
     parts: tuple[str, ...]
+    items: Mapping[int, Value] = MappingProxyType({})
 
     @property
     def operand(self) -> str:
@@ -48,17 +54,23 @@ class Value(NamedTuple):
 
 def parts_of(type_: Type) -> tuple[str, ...]:
     """The LLVM types of the parts of a value."""
+    if isinstance(type_, str):
+        return (FLOAT, VECTOR) if type_ == DUAL else (type_,)
     if isinstance(type_, Array):
         return ("ptr", *[INT] * type_.dimensions)
-    if isinstance(type_, Tuple):
-        return tuple(part for item in type_.items for part in parts_of(item))
-    return (FLOAT, VECTOR) if type_ == DUAL else (type_,)
+    return tuple(part for item in type_.items for part in parts_of(item))
 
 
-def places_of(parts: Sequence[str]) -> tuple[list[int], int]:
-    """Where parts begin that lie one behind the other, in 64 bits each, and where they end."""
-    ends = list(accumulate(map(words, parts), initial=0))
-    return ends[:-1], ends[-1]
+@cache
+def size_of(type_: Type) -> int:
+    """How many 64 bits a value takes in a tuple."""
+    return sum(map(words, parts_of(type_)))
+
+
+@cache
+def start_of(type_: Tuple, i: int) -> int:
+    """Where an item of a tuple begins, in 64 bits from the first."""
+    return sum(map(size_of, type_.items[:i]))
 
 
 def joined(a: Type, b: Type) -> Type | None:
@@ -93,9 +105,16 @@ def _aligned(part: str) -> str:
 def returned(type_: Type) -> str:
     """LLVM's type of what a function returns."""
     parts = parts_of(type_)
-    if not parts:
+    if not parts or returned_in_place(type_):
         return "void"
     return parts[0] if len(parts) == 1 else "{ " + ", ".join(parts) + " }"
+
+
+def tuple_of(type_: Type, parts: Iterator[str]) -> Value:
+    """A value whose parts follow one another."""
+    if isinstance(type_, Tuple):
+        return a_tuple([tuple_of(item, parts) for item in type_.items], type_.fields)
+    return Value(type_, tuple(islice(parts, len(parts_of(type_)))))
 
 
 def literal(x: float) -> str:
@@ -105,20 +124,14 @@ def literal(x: float) -> str:
 def a_tuple(values: Sequence[Value], fields: tuple[str, ...] = ()) -> Value:
     """A tuple of values, a record if its fields have names."""
     types = tuple(value.type for value in values)
-    return Value(Tuple(types, fields), tuple(part for value in values for part in value.parts))
+    return Value(Tuple(types, fields), (), dict(enumerate(values)))
 
 
-def first_part(type_: Tuple, i: int) -> int:
-    """Where the parts of an item of a tuple begin among those of all."""
-    return sum(len(parts_of(item)) for item in type_.items[:i])
-
-
-def item_of(value: Value, i: int) -> Value:
-    """An item of a tuple."""
-    assert isinstance(value.type, Tuple)
-    start = first_part(value.type, i)
-    type_ = value.type.items[i]
-    return Value(type_, value.parts[start : start + len(parts_of(type_))])
+def returned_in_place(type_: Type) -> bool:
+    """Whether a function writes its result to a place of the caller: where it has a record."""
+    return isinstance(type_, Tuple) and (
+        bool(type_.fields) or any(map(returned_in_place, type_.items))
+    )
 
 
 # Operations are called as their classes in `ast`.
@@ -162,7 +175,7 @@ class Lines:
         self.lines: list[str] = []
         self.head: list[str] = []  # what stands at the beginning: places on the stack
         self.count = 0
-        self.used: set[str] = set()  # places of tuples that are read or written
+        self.within: dict[tuple[str, int], str] = {}  # places in tuples that are read or written
         self.site = (
             ""  # where the text is, as `checked` passes it on; empty: indices are not checked
         )
@@ -220,8 +233,18 @@ class Lines:
         self.jump(top, self.again)
         self.begin(end)
 
+    def chosen(self, value: Value, type_: Type, place: str) -> Value:
+        """One of the values of `either`, of its type; place : of a tuple."""
+        value = self.widened(value, type_)
+        if place:
+            self.put(value, place)
+            value = Value(type_, (place,))
+        return value
+
     def either(self, type_: Type, one: Value, other: Value, blocks: tuple[str, str]) -> Value:
         """The value that the block has from which this one was reached."""
+        if isinstance(type_, Tuple):
+            return one
         return Value(
             type_,
             tuple(
@@ -245,69 +268,124 @@ class Lines:
         return f"%{'in' if name in self.arguments else 'all'}.{name}"
 
     def load(self, name: str, type_: Type) -> Value:
-        if isinstance(type_, str) and type_ != DUAL:
-            return Value(type_, (self.new(f"load {type_}, ptr %{name}.0"),))
+        """The value of a variable; a tuple is read when an item is wanted."""
+        if type_ in (FLOAT, INT, BOOL):  # most are
+            return self.number(type_, f"load {type_}, ptr %{name}.0")
+        if isinstance(type_, Tuple):
+            return Value(type_, (self.whole(name),))
         places = [f"%{name}.{i}" for i in range(len(parts_of(type_)))]
-        wide = isinstance(type_, Tuple)
-        return Value(type_, tuple(map(self._from, parts_of(type_), places, [wide] * len(places))))
-
-    def _from(self, part: str, place: str, wide: bool) -> str:
-        """A part of a value from its place; wide : one of a tuple, where a bool is an i64."""
-        if wide:
-            self.used.add(place)
-        if part == BOOL and wide:
-            return self.new(f"trunc i64 {self.new(f'load i64, ptr {place}')} to i1")
-        return self.new(f"load {part}, ptr {place}{_aligned(part)}")
-
-    def _to(self, part: str, operand: str, place: str, wide: bool) -> None:
-        """Store a part of a value, see `_from`."""
-        if wide:
-            self.used.add(place)
-        if part == BOOL and wide:
-            part, operand = INT, self.new(f"zext i1 {operand} to i64")
-        self.line(f"store {part} {operand}, ptr {place}{_aligned(part)}")
-
-    def load_item(self, name: str, type_: Tuple, i: int) -> Value:
-        """One item of a variable that is a tuple."""
-        start, parts = first_part(type_, i), parts_of(type_.items[i])
-        found = [self._from(part, f"%{name}.{start + j}", True) for j, part in enumerate(parts)]
-        return Value(type_.items[i], tuple(found))
-
-    def item_in(self, type_: Tuple, place: str, i: int) -> Value:
-        """One item of a tuple in its place."""
-        starts, _ = places_of(parts_of(type_))
-        first = first_part(type_, i)
-        found = []
-        for j, part in enumerate(parts_of(type_.items[i])):
-            at = self.new(f"getelementptr i64, ptr {place}, i64 {starts[first + j]}")
-            found.append(self._from(part, at, True))
-        return Value(type_.items[i], tuple(found))
-
-    def store_item(self, name: str, type_: Tuple, i: int, value: Value) -> None:
-        """Change one item of a variable that is a tuple."""
-        start = first_part(type_, i)
-        for j, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
-            self._to(part, operand, f"%{name}.{start + j}", True)
+        return Value(type_, tuple(map(self._from, parts_of(type_), places)))
 
     def store(self, name: str, value: Value) -> None:
-        wide = isinstance(value.type, Tuple)
+        if isinstance(value.type, Tuple):
+            self.put(value, self.whole(name))
+            return
         for i, (part, operand) in enumerate(zip(parts_of(value.type), value.parts, strict=True)):
-            self._to(part, operand, f"%{name}.{i}", wide)
+            self._to(part, operand, f"%{name}.{i}")
+
+    def _from(self, part: str, place: str) -> str:
+        return self.new(f"load {part}, ptr {place}{_aligned(part)}")
+
+    def _to(self, part: str, operand: str, place: str) -> None:
+        self.line(f"store {part} {operand}, ptr {place}{_aligned(part)}")
+
+    # -- tuples, in which a bool is an i64
+
+    def inside(self, place: str, at: int) -> str:
+        """The place that is some 64 bits behind one on the stack."""
+        if not at:
+            return place
+        if (place, at) not in self.within:
+            self.count += 1
+            self.within[place, at] = name = f"%i{self.count}"
+            self.head.append(f"  {name} = getelementptr i64, ptr {place}, i64 {at}")
+        return self.within[place, at]
+
+    def item(self, value: Value, i: int) -> Value:
+        """An item of a tuple."""
+        assert isinstance(value.type, Tuple)
+        if i in value.items:
+            return value.items[i]
+        type_, start = value.type.items[i], start_of(value.type, i)
+        if isinstance(type_, Tuple):
+            return Value(type_, (self.inside(value.operand, start),))
+        found = []
+        for part in parts_of(type_):
+            at = self.inside(value.operand, start)
+            if part == BOOL:
+                found.append(self.new(f"trunc i64 {self._from(INT, at)} to i1"))
+            else:
+                found.append(self._from(part, at))
+            start += words(part)
+        return Value(type_, tuple(found))
+
+    def put(self, value: Value, place: str) -> None:
+        """Write a value to a place in a tuple."""
+        if isinstance(value.type, Tuple):
+            if value.parts and value.operand != place:
+                copy, size = "llvm.memcpy.p0.p0.i64", 8 * size_of(value.type)
+                self.declared[copy] = f"void @{copy}(ptr, ptr, i64, i1)"
+                self.line(
+                    f"call void @{copy}(ptr align 8 {place}, ptr align 8 {value.operand}, "
+                    f"i64 {size}, i1 false)"
+                )
+            for i, item in value.items.items():
+                self.put(item, self.inside(place, start_of(value.type, i)))
+            return
+        start = 0
+        for part, operand in zip(parts_of(value.type), value.parts, strict=True):
+            kind = part
+            if part == BOOL:
+                kind, operand = INT, self.new(f"zext i1 {operand} to i64")
+            self._to(kind, operand, self.inside(place, start))
+            start += words(part)
+
+    def settled(self, value: Value) -> Value:
+        """The same value, whose items stay what they are when variables are written."""
+        items = {
+            i: self.in_place(item) if isinstance(item.type, Tuple) else item
+            for i, item in value.items.items()
+        }
+        return value._replace(items=items) if items else value
+
+    def in_place(self, value: Value) -> Value:
+        """The same tuple, all of it in a new place."""
+        assert isinstance(value.type, Tuple)
+        place = self.place_of(value.type)
+        self.put(value, place)
+        return Value(value.type, (place,))
+
+    def place_of(self, type_: Tuple) -> str:
+        """A new place for a tuple."""
+        self.count += 1
+        name = f"%s{self.count}"
+        self.head.append(f"  {name} = alloca [{size_of(type_)} x i64], align 8")
+        return name
+
+    def flat(self, value: Value) -> list[str]:
+        """All parts of a value, those of the items of a tuple one behind the other."""
+        if not isinstance(value.type, Tuple):
+            return list(value.parts)
+        items = range(len(value.type.items))
+        return [part for i in items for part in self.flat(self.item(value, i))]
+
+    # -- functions
 
     def given(self, value: Value) -> list[str]:
         """The operands of an argument of a call; a tuple is passed by its place."""
-        parts = list(zip(parts_of(value.type), value.parts, strict=True))
-        if not isinstance(value.type, Tuple):
-            return [f"{part} {operand}" for part, operand in parts]
-        places, size = places_of([part for part, _ in parts])
-        whole = self.on_stack(INT, max(size, 1))
-        for at, (part, operand) in zip(places, parts, strict=True):
-            place = self.new(f"getelementptr i64, ptr {whole}, i64 {at}")
-            self._to(part, operand, place, True)
-        return [f"ptr {whole}"]
+        if isinstance(value.type, Tuple):
+            value = self.in_place(value) if value.items or not value.parts else value
+            return [f"ptr {value.operand}"]
+        parts = zip(parts_of(value.type), value.parts, strict=True)
+        return [f"{part} {operand}" for part, operand in parts]
 
     def call(self, symbol: str, returns: Type, operands: Sequence[str], how: str = "") -> Value:
         """how : attributes of the call."""
+        if returned_in_place(returns):
+            assert isinstance(returns, Tuple)
+            place = self.place_of(returns)
+            self.line(f"call void @{symbol}({', '.join([*operands, f'ptr {place}'])}){how}")
+            return Value(returns, (place,))
         type_, count = returned(returns), len(parts_of(returns))
         call = f"call {type_} @{symbol}({', '.join(operands)}){how}"
         if count == 0:
@@ -315,9 +393,9 @@ class Lines:
             return Value(NOTHING, ())
         result = self.new(call)
         if count == 1:
-            return Value(returns, (result,))
-        parts = [self.new(f"extractvalue {type_} {result}, {i}") for i in range(count)]
-        return Value(returns, tuple(parts))
+            return tuple_of(returns, iter([result]))
+        found = (self.new(f"extractvalue {type_} {result}, {i}") for i in range(count))
+        return tuple_of(returns, found)
 
     def external(self, name: str, *operands: str) -> Value:
         """A function of floats of another library."""
@@ -326,35 +404,34 @@ class Lines:
         return self.number(FLOAT, f"call {self.fast}double @{name}({given})")
 
     def give_back(self, value: Value) -> None:
-        parts = parts_of(value.type)
-        if not parts:
+        type_, parts = returned(value.type), parts_of(value.type)
+        if returned_in_place(value.type):
+            self.put(value, "%out")
+            self.line("ret void")
+        elif not parts:
             self.line("ret void")
         elif len(parts) == 1:
-            self.line(f"ret {parts[0]} {value.operand}")
+            self.line(f"ret {type_} {self.flat(value)[0]}")
         else:
-            whole, type_ = "undef", returned(value.type)
-            for i, (part, operand) in enumerate(zip(parts, value.parts, strict=True)):
+            whole = "undef"
+            for i, (part, operand) in enumerate(zip(parts, self.flat(value), strict=True)):
                 whole = self.new(f"insertvalue {type_} {whole}, {part} {operand}, {i}")
             self.line(f"ret {type_} {whole}")
         self.open = False
 
     def function(self, symbol: str, types: Mapping[str, Type], returns: Type, how: str) -> str:
         """The whole function as text. types : of all variables. how : its attributes."""
+        # said of what is written out, it only costs time
+        alone, read = ("", "") if "alwaysinline" in how else (" noalias", " readonly nocapture")
         head, operands = [], []
         for name, type_ in types.items():
             parts = list(enumerate(parts_of(type_)))
             if isinstance(type_, Tuple):
-                whole = self.whole(name)
-                places, size = places_of(parts_of(type_))
                 if name in self.arguments:
-                    operands.append(f"ptr noalias readonly {whole}")
+                    operands.append(f"ptr{alone}{read} {self.whole(name)}")
                 else:
-                    head.append(f"  {whole} = alloca i64, i64 {size}")
-                head += [
-                    f"  %{name}.{i} = getelementptr i64, ptr {whole}, i64 {at}"
-                    for i, at in enumerate(places)
-                    if f"%{name}.{i}" in self.used
-                ]
+                    size = size_of(type_)
+                    head.append(f"  {self.whole(name)} = alloca [{size} x i64], align 8")
                 continue
             head += [f"  %{name}.{i} = alloca {part}{_aligned(part)}" for i, part in parts]
             if name in self.arguments:
@@ -363,6 +440,8 @@ class Lines:
                     f"  store {part} %in.{name}.{i}, ptr %{name}.{i}{_aligned(part)}"
                     for i, part in parts
                 ]
+        if returned_in_place(returns):
+            operands.append(f"ptr{alone} %out")
         first = f"define internal {returned(returns)} @{symbol}({', '.join(operands)}) {how}{{"
         end = ["  ret void" if returns == NOTHING else "  unreachable"] if self.open else []
         return "\n".join([first, "entry:", *head, *self.head, *self.lines, *end, "}"])
@@ -381,7 +460,7 @@ class Lines:
             return self.number(FLOAT, f"sitofp i64 {value.operand} to double")
         if isinstance(value.type, Tuple) and isinstance(type_, Tuple):
             items = enumerate(type_.items)
-            wide = [self.widened(item_of(value, i), wider) for i, wider in items]
+            wide = [self.widened(self.item(value, i), wider) for i, wider in items]
             return a_tuple(wide, type_.fields)
         raise Unfit(f"{told(value.type)} where {told(type_)} is wanted")
 

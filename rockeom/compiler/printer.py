@@ -27,7 +27,8 @@ refused by file and line.
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
 variable, the function is printed once more. Nothing but what is marked @inlined is written out
-where it is called; a tuple is passed by its place on the stack.
+where it is called. A tuple is passed by its place on the stack, and a record returned in a place of
+the caller: whole ones are copied by one instruction, which LLVM resolves.
 
 The same text gives the same numbers on every machine, but for `contract`: a*b + c is rounded once
 where the text is a fused one and the processor can.
@@ -51,11 +52,9 @@ from rockeom.compiler.lines import (
     Unfit,
     Value,
     a_tuple,
-    item_of,
     joined,
     literal,
     parts_of,
-    places_of,
     returned,
     told,
 )
@@ -338,18 +337,20 @@ class Program:
         first, second = grown(ours, written_out), grown({*self.bodies} - ours, written_out)
         of_second = {called for s in first for called, _ in calls[s]} - first
         of_first = {called for s in second for called, _ in calls[s]} - second
-        return self._half(first, of_first, of_second), self._half(second, of_second, of_first)
+        names = {symbol: [called for called, _ in all_] for symbol, all_ in calls.items()}
+        return (
+            self._half(_callers_first(first, names), of_first, of_second),
+            self._half(_callers_first(second, names), of_second, of_first),
+        )
 
-    def _half(self, symbols: set[str], shown: set[str], asked: set[str]) -> str:
-        """Functions in the order of their names, and the tables that they want.
+    def _half(self, symbols: Iterable[str], shown: set[str], asked: set[str]) -> str:
+        """Functions, and the tables that they want.
 
         shown : those of them that the other half calls. asked : those of the other that they call.
         """
         heads = (_HEAD.match(self.bodies[symbol]) for symbol in sorted(asked))
         declared = [_NAMES.sub("", head[1]) for head in heads if head]
-        bodies = [
-            self.bodies[s].replace("define internal", "define", s in shown) for s in sorted(symbols)
-        ]
+        bodies = [self.bodies[s].replace("define internal", "define", s in shown) for s in symbols]
         text = "\n".join(bodies)
         declared += [d for name, d in sorted(self.declared.items()) if f"@{name}(" in text]
         tables = dict(zip(self.constants.values(), self.constants, strict=True))
@@ -357,6 +358,26 @@ class Program:
         renamed = {tables[name]: new for name, new in used.items()}
         text = _TABLE.sub(lambda name: used[name[0]], text)
         return _joined(renamed, declared, [text, *self._checks(text)])
+
+
+def _callers_first(symbols: Iterable[str], calls: Mapping[str, Iterable[str]]) -> list[str]:
+    """Symbols, each before those that it calls, else in the order of their names.
+
+    LLVM writes functions out in this order, and each that nothing calls any more goes at once.
+    """
+    left, order = set(symbols), []
+
+    def visit(symbol: str) -> None:
+        left.discard(symbol)
+        for called in sorted(left.intersection(calls[symbol]), reverse=True):
+            if called in left:
+                visit(called)
+        order.append(symbol)
+
+    for symbol in sorted(symbols, reverse=True):
+        if symbol in left:
+            visit(symbol)
+    return order[::-1]
 
 
 def _joined(
@@ -450,7 +471,8 @@ class _Function:
         self.arguments = [a.arg for a in arguments.args]
         if len(self.arguments) != len(types):
             self.refuse(None, f"it takes {len(self.arguments)} arguments, and got {len(types)}")
-        self.locals = _stored(tree) | set(self.arguments)
+        self.stores = _stores(tree)
+        self.locals = {*self.stores, *self.arguments}
         self.fused = program.contract and (definition.text.fused or "fused" in definition.marks)
         self.types: dict[str, Type] = dict(zip(self.arguments, types, strict=True))
         self.element = DUAL if any(map(has_duals, types)) else FLOAT  # of arrays that are made
@@ -481,6 +503,8 @@ class _Function:
     def body(self, symbol: str) -> str:
         """The whole function as text."""
         how = "noinline " if "apart" in self.definition.marks else ""
+        if symbol in self.program.written_out:
+            how = "alwaysinline "
         return self.ir.function(symbol, self.types, self.returns, f"{how}nounwind ")
 
     # -- constants ----------------------------------------------------------------------------
@@ -602,16 +626,12 @@ class _Function:
         return a_tuple([self._value(item) for item in node.elts])
 
     def _attribute(self, node: ast.Attribute) -> Value:
-        if isinstance(node.value, ast.Name) and node.value.id in self.locals:
-            type_ = self._type_of(node.value)
-            if isinstance(type_, Tuple) and node.attr in type_.fields:
-                return self.ir.load_item(node.value.id, type_, type_.fields.index(node.attr))
         value = self._value(node.value)
         if isinstance(value.type, Tuple) and node.attr in value.type.fields:
-            return item_of(value, value.type.fields.index(node.attr))
+            return self.ir.item(value, value.type.fields.index(node.attr))
         if node.attr != "shape" or not isinstance(value.type, Array):
             self.refuse(node, f".{node.attr} is not known")
-        return Value(Tuple((INT,) * value.type.dimensions), value.parts[1:])
+        return a_tuple([Value(INT, (length,)) for length in value.parts[1:]])
 
     def _unaryop(self, node: ast.UnaryOp) -> Value:
         if isinstance(node.op, ast.Not | ast.Invert):
@@ -699,11 +719,12 @@ class _Function:
         if type_ is None:
             self.refuse(node, f"either {told(first.type)} or {told(second.type)}")
         # only now is the type known to which the first is widened, at the end of its block
+        place = self.ir.place_of(type_) if isinstance(type_, Tuple) else ""
         self.ir.lines, after = self.ir.lines[:mark], self.ir.lines[mark:]
-        first = self.ir.widened(first, type_)
+        first = self.ir.chosen(first, type_, place)
         self.ir.jump(end)
         self.ir.lines += after
-        second = self.ir.widened(second, type_)
+        second = self.ir.chosen(second, type_, place)
         self.ir.jump(end)
         self.ir.begin(end)
         return self.ir.either(type_, first, second, blocks)
@@ -730,17 +751,6 @@ class _Function:
         self.ir.site = self.program.site(self.definition.text, node.lineno)
         return operand if self._is_natural(node) else self.ir.from_end(operand, length)
 
-    def _item_in_place(self, base: ast.expr, indices: list[ast.expr]) -> Value | None:
-        """An item of a tuple that has a place, without the others; its index is taken away."""
-        number = self._whole(indices[0]) if indices else None
-        if number is None or (tuple_ := self._tuple_in_place(base)) is None:
-            return None
-        type_, place = tuple_
-        if type_.fields or not -len(type_.items) <= number < len(type_.items):
-            return None
-        del indices[0]
-        return self.ir.item_in(type_, place, number % len(type_.items))
-
     def _part(self, node: ast.Subscript) -> Value:
         """What is subscripted, as an array without dimensions if it is a single number of one."""
         indices: list[ast.expr] = []
@@ -751,14 +761,14 @@ class _Function:
             base = base.value
             known = self._maybe(base)
             value = None if known is None else self.program.constant(known)
-        value = value or self._item_in_place(base, indices) or self._value(base)
+        value = value or self._value(base)
         while indices and isinstance(value.type, Tuple):
             number, length = self._whole(indices[0]), len(value.type.items)
             if number is None:
                 self.refuse(node, "the index of a tuple is a constant")
             if not -length <= number < length:
                 self.refuse(node, f"a tuple of {length} has no item {number}")
-            value = item_of(value, number % length)
+            value = self.ir.item(value, number % length)
             del indices[0]
         if not indices:
             return value
@@ -820,8 +830,8 @@ class _Function:
             ):
                 self.refuse(node, f"{name} of {len(node.args)} is not among the functions")
             return _BUILT_IN[name](self.ir, *map(self._value, node.args))
-        given = [self._given(a) for a in node.args]
-        types = tuple(type_ for type_, _ in given)
+        given = [self._value(a) for a in node.args]
+        types = tuple(value.type for value in given)
         symbol, returns = self.program.function(name, types, node, self.definition)
         how = ""
         if self._written_out(symbol, node):
@@ -829,15 +839,16 @@ class _Function:
             how = " alwaysinline"
         else:  # a record that no call sees in its place can be kept in registers
             given = [
-                (type_, self.ir.given(self._value(a)) if self._is_record(a, type_) else operands)
-                for a, (type_, operands) in zip(node.args, given, strict=True)
+                self.ir.in_place(value) if self._is_record(a, value.type) else value
+                for a, value in zip(node.args, given, strict=True)
             ]
-        return self.ir.call(symbol, returns, [o for _, operands in given for o in operands], how)
+        operands = [operand for value in given for operand in self.ir.given(value)]
+        return self.ir.call(symbol, returns, operands, how)
 
     def _is_record(self, node: ast.expr, type_: Type) -> bool:
-        """Whether an argument is a record that is a variable of this function."""
-        own = isinstance(node, ast.Name) and node.id not in self.arguments
-        return own and isinstance(type_, Tuple) and bool(type_.fields)
+        """Whether an argument is a record that is a variable, and is assigned more than once."""
+        changes = isinstance(node, ast.Name) and self.stores.get(node.id, 0) > 1
+        return changes and isinstance(type_, Tuple) and bool(type_.fields)
 
     def _record(self, node: ast.Call, name: str) -> Value:
         """A new record, of the types that its fields are annotated with."""
@@ -864,9 +875,7 @@ class _Function:
         """A record with other values in some fields."""
         value = self._value(of)
         changes = self._changes(node, value.type)
-        assert isinstance(value.type, Tuple)
-        parts = [changes.get(i, item_of(value, i)) for i in range(len(value.type.items))]
-        return a_tuple(parts, value.type.fields)
+        return value._replace(items={**value.items, **changes})
 
     def _changes(self, node: ast.Call, type_: Type) -> dict[int, Value]:
         """The new values of a `_replace`, by their places in the record."""
@@ -884,19 +893,6 @@ class _Function:
             changes[i] = self.ir.widened(new, old)
         return changes
 
-    def _is_change(self, statement: ast.Assign) -> bool:
-        """Print `record = record._replace(...)`, where only the new values are stored."""
-        match statement:
-            case ast.Assign(
-                targets=[ast.Name(id=name)],
-                value=ast.Call(func=ast.Attribute(value=ast.Name(id=of), attr="_replace")) as call,
-            ) if name == of and name not in self.arguments and name in self.locals:
-                type_ = self._type_of(call.func.value)  # type: ignore[attr-defined]
-                for i, value in self._changes(call, type_).items():
-                    self.ir.store_item(name, type_, i, value)  # type: ignore[arg-type]
-                return True
-        return False
-
     def _written_out(self, symbol: str, node: ast.Call) -> bool:
         """Whether a function is written out at this call."""
         if symbol not in self.program.sizes or symbol in self.program.written_out:
@@ -904,31 +900,6 @@ class _Function:
         # where an argument is a constant, little of it may be left
         folds = any(self._maybe(argument) is not None for argument in node.args)
         return folds and 3 * self.program.sizes[symbol] <= self.program.growth
-
-    def _given(self, node: ast.expr) -> tuple[Type, list[str]]:
-        """Type and operands of an argument of a call; a variable is not copied if it is a tuple."""
-        place = self._tuple_in_place(node)
-        if place is not None:
-            return place[0], [f"ptr {place[1]}"]
-        value = self._value(node)
-        return value.type, self.ir.given(value)
-
-    def _tuple_in_place(self, node: ast.expr) -> tuple[Tuple, str] | None:
-        """Type and place of a variable that is a tuple, or of one in a record; None of all else."""
-        if isinstance(node, ast.Name) and node.id in self.locals:
-            type_ = self._type_of(node)
-            return (type_, self.ir.whole(node.id)) if isinstance(type_, Tuple) else None
-        if not isinstance(node, ast.Attribute) or (of := self._tuple_in_place(node.value)) is None:
-            return None
-        record, place = of
-        if node.attr not in record.fields:
-            return None
-        i = record.fields.index(node.attr)
-        type_ = record.items[i]
-        if not isinstance(type_, Tuple):
-            return None
-        _, at = places_of([part for item in record.items[:i] for part in parts_of(item)])
-        return type_, self.ir.new(f"getelementptr i64, ptr {place}, i64 {at}")
 
     def _library_call(self, node: ast.Call, library: str, name: str) -> Value:
         if library == "np" and name in ("empty", "zeros", "array"):
@@ -970,7 +941,7 @@ class _Function:
                 self.refuse(statement, str(why))
             except _Later:
                 self.later = statement
-                self.assigned |= _stored(statement)
+                self.assigned |= _stores(statement).keys()
 
     def _do_pass(self, statement: ast.Pass) -> None:
         pass
@@ -980,9 +951,7 @@ class _Function:
             self._value(statement.value)
 
     def _do_assign(self, statement: ast.Assign) -> None:
-        if self._is_change(statement):
-            return
-        value = self._value(statement.value)
+        value = self.ir.settled(self._value(statement.value))
         for target in statement.targets:
             self._store(target, value)
 
@@ -1010,7 +979,7 @@ class _Function:
             if not isinstance(value.type, Tuple) or len(value.type.items) != len(target.elts):
                 self.refuse(target, f"{told(value.type)} for {len(target.elts)} names")
             for i, part in enumerate(target.elts):
-                self._store(part, item_of(value, i))
+                self._store(part, self.ir.item(value, i))
         elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Slice):
             self.ir.fill(self._slice(target, target.slice), value)
         elif isinstance(target, ast.Subscript):
@@ -1066,7 +1035,7 @@ class _Function:
             if self.ir.open:
                 self.ir.jump(end)
                 after.append(self.assigned)
-        self.natural = natural - _stored(statement)
+        self.natural = natural - _stores(statement).keys()
         if after:
             self.ir.begin(end)
             self.assigned = set.intersection(*after)
@@ -1075,7 +1044,7 @@ class _Function:
         if statement.orelse:
             self.refuse(statement, "a loop has no `else`")
         top, body, end = self.ir.label(), self.ir.label(), self.ir.label()
-        self.natural -= _stored(statement)
+        self.natural -= _stores(statement).keys()
         self.ir.jump(top)
         self.ir.begin(top)
         endless = self._maybe(statement.test) is True
@@ -1110,11 +1079,11 @@ class _Function:
         # counting down it stays above its last, which is not below -1
         least = self._maybe(last_node) if step < 0 else None
         natural = self._is_natural(first_node) if step > 0 else least is not None and least >= -1
-        self.natural -= _stored(statement)
+        self.natural -= _stores(statement).keys()
         before = set(self.assigned)
         with self.ir.counting(first, last, step) as loop:
             self._store_name(target, Value(INT, (loop.at,)))
-            if natural and not any(target.id in _stored(inner) for inner in statement.body):
+            if natural and not any(target.id in _stores(inner) for inner in statement.body):
                 self.natural.add(target.id)
             self._repeated(statement.body, _Loop(loop.again, loop.end))
         self.natural.discard(target.id)
@@ -1148,8 +1117,8 @@ def _is_place(value: Value) -> bool:
 
 
 @lru_cache(maxsize=10_000)  # asked for by every statement that another one is within
-def _stored(statement: ast.stmt) -> frozenset[str]:
-    """Names that are assigned somewhere in a statement."""
+def _stores(statement: ast.stmt) -> Mapping[str, int]:
+    """Names that are assigned in a statement, and in how many places of it."""
     match statement:
         case ast.Assign(targets=targets):
             pass
@@ -1157,15 +1126,15 @@ def _stored(statement: ast.stmt) -> frozenset[str]:
             targets = [target]
         case _:
             targets = []
-    found = {
-        node.id
-        for target in targets
-        for node in ast.walk(target)
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-    }
+    found: dict[str, int] = {}
+    for target in targets:
+        for node in (target,) if isinstance(target, ast.Name) else ast.walk(target):
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+                found[node.id] = found.get(node.id, 0) + 1
     for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
-        found |= _stored(inner)
-    return frozenset(found)
+        for name, count in _stores(inner).items():
+            found[name] = found.get(name, 0) + count
+    return found
 
 
 def _as_tuple(*items: Any) -> tuple[Any, ...]:

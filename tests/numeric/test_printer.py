@@ -65,6 +65,10 @@ class Body(NamedTuple):
     place: Place
     sizes: Floats
 
+class Two(NamedTuple):
+    first: Place
+    second: Place
+
 def moved(body, by):
     at = body.place
     if at.known:
@@ -79,7 +83,11 @@ def run(x: Floats, n: Ints, out: Floats):
         body = body._replace(place=body.place._replace(known=not body.place.known))
         if not body.place.known:
             body = body._replace(place=Place(x=body.place.x, turns=doubled, known=True))
-        out[i] = body.place.x + body[0].turns
+        other = body if doubled > 4 else body._replace(place=Place(x[i], i, False))
+        body, other = other, body
+        two = Two(body.place, other.place)
+        two = two._replace(first=two.second, second=two.first)
+        out[i] = body.place.x + body[0].turns + two.first.x / 3.0 + 7 * two.second.turns
 """
 
 HORNER = """
