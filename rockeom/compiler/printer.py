@@ -114,15 +114,16 @@ class Definition(NamedTuple):
         line = getattr(node, "lineno", self.tree.lineno)
         raise Refused(f"{self.text.name}, line {line}, in {self.tree.name}: {why}")
 
-    def arguments(self) -> tuple[tuple[str, Type], ...]:
+    def arguments(self, records: Mapping[str, Tuple]) -> tuple[tuple[str, Type], ...]:
         """Names and annotated types of the arguments of an entry."""
-        found = []
+        types = ANNOTATIONS | records
+        arguments = []
         for argument in self.tree.args.args:
             annotation = argument.annotation
-            if not isinstance(annotation, ast.Name) or annotation.id not in ANNOTATIONS:
+            if not isinstance(annotation, ast.Name) or annotation.id not in types:
                 self.refuse(argument, f"{argument.arg} has no annotation that is known")
-            found.append((argument.arg, ANNOTATIONS[annotation.id]))
-        return tuple(found)
+            arguments.append((argument.arg, types[annotation.id]))
+        return tuple(arguments)
 
 
 class Program:
@@ -169,6 +170,11 @@ class Program:
             for name, value in self.names.items()
             if isinstance(value, type) and issubclass(value, tuple) and value is not NamedTuple
         }
+        self.annotated = {  # records with annotations that say all of their types
+            name: Tuple(tuple(fields.values()), tuple(fields))  # type: ignore[arg-type]
+            for name, fields in self.records.items()
+            if None not in fields.values()
+        }
         for name, definition in self.definitions.items():
             if "entry" in definition.marks and not definition.text.elsewhere:
                 self.entry(name, definition)
@@ -176,22 +182,30 @@ class Program:
     def entry(self, name: str, definition: Definition) -> None:
         """Print a function, and one that takes all its arguments from a row of 64-bit places.
 
-        Arrays come as address and shape. What is returned stands in the place behind them.
+        Arrays come as address and shape, a record as its fields. The place behind them is for the
+        value that the function returns.
         """
-        arguments = definition.arguments()
+        arguments = definition.arguments(self.annotated)
         types = tuple(type_ for _, type_ in arguments)
         symbol, returns = self.function(name, types, None, definition)
         if returns not in (FLOAT, INT, BOOL, NOTHING):
             definition.refuse(None, f"an entry returns a number, not {told(returns)}")
-        lines, operands = [], []
+        lines, operands, i = [], [], 0
         parts = [part for type_ in types for part in parts_of(type_)]
-        for i, part in enumerate(parts):
-            kind = INT if part == BOOL else part
-            lines += [f"%p{i} = getelementptr i64, ptr %row, i64 {i}"]
-            lines += [f"%x{i} = load {kind}, ptr %p{i}"]
-            if part == BOOL:
-                lines += [f"%b{i} = icmp ne i64 %x{i}, 0"]
-            operands.append(f"{part} %{'b' if part == BOOL else 'x'}{i}")
+        for type_ in types:
+            if isinstance(type_, Tuple):  # its fields lie in the row as in a record
+                lines += [f"%p{i} = getelementptr i64, ptr %row, i64 {i}"]
+                operands.append(f"ptr %p{i}")
+                i += len(parts_of(type_))
+                continue
+            for part in parts_of(type_):
+                kind = INT if part == BOOL else part
+                lines += [f"%p{i} = getelementptr i64, ptr %row, i64 {i}"]
+                lines += [f"%x{i} = load {kind}, ptr %p{i}"]
+                if part == BOOL:
+                    lines += [f"%b{i} = icmp ne i64 %x{i}, 0"]
+                operands.append(f"{part} %{'b' if part == BOOL else 'x'}{i}")
+                i += 1
         call = f"call {returned(returns)} @{symbol}({', '.join(operands)})"
         if returns == NOTHING:
             lines.append(call)
@@ -204,32 +218,48 @@ class Program:
         body = "\n".join(f"  {line}" for line in [*lines, "ret void"])
         self.bodies[name] = f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}"
         self.of_text[name] = definition.text
-        self.entries[name] = Entry(arguments, returns)
+        fields = [
+            field
+            for argument, type_ in arguments
+            for field in (
+                zip(type_.fields, type_.items, strict=True)
+                if isinstance(type_, Tuple)
+                else [(argument, type_)]
+            )
+        ]
+        self.entries[name] = Entry(tuple(fields), returns)
 
     def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
         """Print a function that calls an entry of another program by its row of places."""
-        arguments, annotation = definition.arguments(), definition.tree.returns
+        arguments, annotation = definition.arguments(self.annotated), definition.tree.returns
         returns = ANNOTATIONS.get(annotation.id) if isinstance(annotation, ast.Name) else NOTHING
         if returns is None:
             definition.refuse(None, "what it returns has no annotation that is known")
         parts = [part for _, type_ in arguments for part in parts_of(type_)]
-        lines = [f"%row = alloca i64, i64 {len(parts) + 1}"]
-        for i, part in enumerate(parts):
-            lines.append(f"%p{i} = getelementptr i64, ptr %row, i64 {i}")
-            if part == BOOL:
-                lines.append(f"%w{i} = zext i1 %x{i} to i64")
-            wide = f"i64 %w{i}" if part == BOOL else f"{part} %x{i}"
-            lines.append(f"store {wide}, ptr %p{i}")
+        lines, operands, i = [f"%row = alloca i64, i64 {len(parts) + 1}"], [], 0
+        for _, type_ in arguments:
+            record = f"%x{i}" if isinstance(type_, Tuple) else ""
+            operands += [f"ptr {record}"] if record else []
+            for at, part in enumerate(parts_of(type_)):
+                lines.append(f"%p{i} = getelementptr i64, ptr %row, i64 {i}")
+                if record:
+                    lines.append(f"%q{i} = getelementptr i64, ptr {record}, i64 {at}")
+                    lines.append(f"%w{i} = load i64, ptr %q{i}")
+                elif part == BOOL:
+                    lines.append(f"%w{i} = zext i1 %x{i} to i64")
+                wide = f"i64 %w{i}" if record or part == BOOL else f"{part} %x{i}"
+                lines.append(f"store {wide}, ptr %p{i}")
+                operands += [] if record else [f"{part} %x{i}"]
+                i += 1
         lines.append(f"call void @{name}(ptr %row)")
         if returns == NOTHING:
             lines.append("ret void")
         else:
             lines.append(f"%place = getelementptr i64, ptr %row, i64 {len(parts)}")
             lines += [f"%r = load {returns}, ptr %place", f"ret {returns} %r"]
-        operands = ", ".join(f"{part} %x{i}" for i, part in enumerate(parts))
         body = "\n".join(f"  {line}" for line in lines)
         self.bodies[symbol] = (
-            f"define internal {returned(returns)} @{symbol}({operands}) {{\n{body}\n}}"
+            f"define internal {returned(returns)} @{symbol}({', '.join(operands)}) {{\n{body}\n}}"
         )
         self.of_text[symbol] = definition.text
         self.declared[name] = f"void @{name}(ptr)"
@@ -249,7 +279,7 @@ class Program:
             symbol = f"{name}.{sum(of == name for of, _ in self.printed)}"
             definition = self.definitions[name]
             if "entry" in definition.marks and definition.text.elsewhere:
-                if tuple(type_ for _, type_ in definition.arguments()) != types:
+                if tuple(type_ for _, type_ in definition.arguments(self.annotated)) != types:
                     caller.refuse(node, f"arguments of {name} are not as it is annotated")
                 self.printed[key] = symbol, self.elsewhere(name, symbol, definition)
                 return self.function(name, types, node, caller)
@@ -863,9 +893,7 @@ class _Function:
     def _field(self, node: ast.AST, name: str, field: str, given: ast.expr) -> Value:
         """The value of a field: a number is widened to the type of its annotation."""
         wanted, value = self.program.records[name][field], self._value(given)
-        if wanted is None or (isinstance(wanted, Array) and wanted == value.type):
-            return value
-        if has_duals(value.type) and wanted == FLOAT:
+        if wanted is None or wanted in (value.type, _without_derivatives(value.type)):
             return value
         if wanted in (value.type, joined(wanted, value.type)):
             return self.ir.widened(value, wanted)
@@ -1105,6 +1133,13 @@ def has_duals(type_: Type) -> bool:
     if isinstance(type_, Tuple):
         return any(map(has_duals, type_.items))
     return (type_.element if isinstance(type_, Array) else type_) == DUAL
+
+
+def _without_derivatives(type_: Type) -> Type:
+    """The type of a number, or of an array, whose text is printed for duals."""
+    if isinstance(type_, Array):
+        return type_._replace(element=FLOAT) if type_.element == DUAL else type_
+    return FLOAT if type_ == DUAL else type_
 
 
 def _is_slice(node: ast.Subscript) -> bool:

@@ -22,7 +22,7 @@ from rockeom.codes import (
     STEPS,
     STEPS_KEPT,
 )
-from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
+from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.extremes import widen
@@ -39,63 +39,61 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
     from rockeom.integrator.overturning import leans_most, own_time
+    from rockeom.integrator.records import Batch, Case, Recorder
 
 
 @entry
-def at_rest(contact: int, y: Floats, p: Floats) -> bool:
+def at_rest(mode: int, y: Floats, p: Floats) -> bool:
     """Full contact, and a kinetic energy below a billionth of the weight's potential energy."""
-    if not standing(contact, y, p):
+    if not standing(mode, y, p):
         return False
     energy = np.empty(3)
-    energies(contact, y, p, energy)
+    energies(mode, y, p, energy)
     return energy[0] <= 1e-9 * abs(energy[1])
 
 
 @entry
-def falls(
-    contact: int, y: Floats, still: Floats2, p: Floats, law: int, ratio: float, rtol: float,
-    atol: Floats, fallen: float, max_impacts: int, max_steps: int, reach: float,
-) -> bool:  # fmt: skip
+def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
     """Whether free motion from here leads to the ground, and not back upright.
 
     It is followed until the next impact, or, on springs, while the structure leans further and has
-    not been upright; `reach` [s] is how long at a time; `still` the table of ground that is.
+    not been upright. case : with tables of the ground at rest. reach [s] : how long at a time.
     """
-    if standing(contact, y, p):
+    if standing(mode, y, case.p):
         return False
-    rocks = SIDES[contact] != 0.0 and KINDS[contact][0] == IMPACT
+    rocks = SIDES[mode] != 0.0 and KINDS[mode][0] == IMPACT
+    free = case
     if rocks:
         # a rocking motion has a time of its own, in which it comes back or falls
-        reach = max(reach, 10.0 * own_time(contact, y, p))
-    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
+        reach = max(reach, 10.0 * own_time(mode, y, case.p))
+        free = free._replace(max_impacts=0)
     events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
-    event_states = np.empty((64, 2, N_STATES))
-    peaks = np.empty((2, N_STATES))
+    event_states, extremes = np.empty((64, 2, N_STATES)), np.empty((2, N_STATES))
+    followed = 0 if rocks else 2  # how it leans between calls is looked at on springs only
+    recorder = Recorder(
+        np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1)),
+        events, event_kinds, event_states, extremes[:followed],
+    )  # fmt: skip
     status = np.empty(len(AT_THE_START), np.int64)
     for i in range(len(AT_THE_START)):
         status[i] = AT_THE_START[i]
-    status[CONTACT] = contact
+    status[CONTACT] = mode
     rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
     clock = np.zeros(4)
     state = np.empty(N_STATES)
     for i in range(N_STATES):
         state[i] = y[i]
     lean = 0.0
-    followed = 0 if rocks else 2  # how it leans between calls is looked at on springs only
     for n in range(1000):
         for i in range(N_STATES):
-            peaks[0, i] = peaks[1, i] = state[i]
+            extremes[0, i] = extremes[1, i] = state[i]
         if n == 0:
-            _, lean = leans_most(peaks, fallen, p)
+            _, lean = leans_most(extremes, case.fallen, case.p)
         status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
-        code = integrate(
-            status, clock, state, rate, (n + 1) * reach, still, still, p, law, ratio, rtol, atol,
-            np.inf, 0, fallen, 1e-6, 0 if rocks else max_impacts, max_steps,
-            steps, step_contact, step_states, events, event_kinds, event_states, peaks[:followed],
-            scratch,
-        )  # fmt: skip
-        leaning, leans = leans_most(peaks, fallen, p)
-        upright = peaks[0, leaning] < 0.0 < peaks[1, leaning]
+        free = free._replace(t_end=(n + 1) * reach)
+        code = integrate(status, clock, state, rate, free, recorder, scratch)
+        leaning, leans = leans_most(extremes, case.fallen, case.p)
+        upright = extremes[0, leaning] < 0.0 < extremes[1, leaning]
         if code == OVERTURNED and not upright:
             return True
         if code not in (COMPLETED, FULL):
@@ -108,74 +106,85 @@ def falls(
 
 
 @entry
-def integrate_many(
-    first: int, status: Ints2, clock: Floats2, states: Floats2, rates: Floats2, t_end: Floats,
-    quiet_from: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2, v_rows: Ints2,
-    p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float, fixed: int,
-    fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int, outcome: Ints,
-    peaks: Floats3, impact_times: Floats2, gains: Floats2,
-) -> int:  # fmt: skip
-    """Integrate n motions one after the other, keeping the end, the peaks and the impacts.
+def integrate_many(first: int, batch: Batch) -> int:
+    """Integrate motions one after the other, keeping the end, the extremes and the impacts.
 
     first : the motion to go on with. Returns the one that the next call goes on with: n if there is
     none, less if a TURN is over.
-    status (n, 10), clock (n, 4), states and rates (n, N) as in `integrate`, at the start, and on
-    return at the end. horizontal, vertical : the rows of all motions, those of motion i from
-    h_rows[i, 0] to h_rows[i, 1]. t_end, quiet_from, law, ratio, fallen (n,), p (n, m). outcome
-    (n,): FULL, or that of a motion that has ended. impact_times (n, k): the first k of each.
-    gains (n, 2): see `add_gain`.
     """
-    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
     event_states = np.empty((64, 2, N_STATES))
+    steps, step_modes, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
     scratch = np.zeros(SCRATCH)
     left = TURN
-    for n in range(first, len(states)):
+    for n in range(first, len(batch.states)):
         if left < 0:
             return n
-        y = states[n]
-        widen(peaks[n], y)
-        noted = status[n, IMPACTS]
-        code = outcome[n]
+        y, status = batch.states[n], batch.status[n]
+        widen(batch.extremes[n], y)
+        case = case_of(
+            batch, n, batch.t_end[n],
+            batch.horizontal[batch.h_rows[n, 0] : batch.h_rows[n, 1]],
+            batch.vertical[batch.v_rows[n, 0] : batch.v_rows[n, 1]],
+        )  # fmt: skip
+        recorder = Recorder(
+            steps, step_modes, step_states, events, event_kinds, event_states, batch.extremes[n]
+        )
+        code = batch.outcome[n]
         while code == FULL:
             if left < 0:
                 return n
-            status[n, EVENTS_KEPT] = 0
-            left += status[n, STEPS]
-            code = integrate(
-                status[n], clock[n], y, rates[n], t_end[n], horizontal[h_rows[n, 0] : h_rows[n, 1]],
-                vertical[v_rows[n, 0] : v_rows[n, 1]], p[n], law[n], ratio[n], rtol, atol, h_max,
-                fixed, fallen[n], rest_tolerance, max_impacts, max_steps,
-                steps, step_contact, step_states, events, event_kinds, event_states, peaks[n],
-                scratch,
-            )  # fmt: skip
-            left -= status[n, STEPS]
-            for e in range(status[n, EVENTS_KEPT]):
-                if event_kinds[e, 0] != IMPACT and event_kinds[e, 0] != LANDING:
-                    continue
-                if noted < impact_times.shape[1]:
-                    impact_times[n, noted] = events[e]
-                    noted += 1
-                add_gain(
-                    event_kinds[e, 1],
-                    event_kinds[e, 2],
-                    event_states[e, 0],
-                    event_states[e, 1],
-                    p[n],
-                    scratch[_POWERS:_GUARDS],
-                    gains[n],
-                )
-        if code == COMPLETED and quiet_from[n] <= t_end[n]:
-            reach = 0.1 * t_end[n]
-            if falls(
-                status[n, CONTACT], y, horizontal[:0], p[n], law[n], ratio[n], rtol, atol,
-                fallen[n], max_impacts, max_steps, reach,
-            ):  # fmt: skip
+            status[EVENTS_KEPT] = 0
+            left += status[STEPS]
+            before = status[IMPACTS]
+            code = integrate(status, batch.clock[n], y, batch.rates[n], case, recorder, scratch)
+            left -= status[STEPS]
+            count_impacts(batch, n, before, recorder, scratch[_POWERS:_GUARDS])
+        if code == COMPLETED and batch.quiet_from[n] <= batch.t_end[n]:
+            still = batch.horizontal[:0]
+            free = case._replace(
+                horizontal=still, vertical=still, h_max=np.inf, fixed=0, rest_tolerance=1e-6
+            )
+            if falls(status[CONTACT], y, free, 0.1 * batch.t_end[n]):
                 code = OVERTURNED
-            elif at_rest(status[n, CONTACT], y, p[n]):
+            elif at_rest(status[CONTACT], y, case.p):
                 code = CAME_TO_REST
-        outcome[n] = code
-    return len(states)
+        batch.outcome[n] = code
+    return len(batch.states)
+
+
+@inlined
+def case_of(batch, n, t_end, horizontal, vertical):
+    """Motion n of a batch, with its segments, until a time."""
+    return Case(
+        t_end, horizontal, vertical, batch.p[n], batch.law[n], batch.ratio[n], batch.rtol,
+        batch.atol, batch.h_max, batch.fixed, batch.fallen[n], batch.rest_tolerance,
+        batch.max_impacts, batch.max_steps,
+    )  # fmt: skip
+
+
+def count_impacts(batch, n, before, recorder, energy):
+    """Note the times of the impacts that a call of `integrate` recorded, and what they gain.
+
+    before : how many there were. energy : scratch.
+    """
+    noted = before
+    for e in range(batch.status[n, EVENTS_KEPT]):
+        kind = recorder.event_kinds[e, 0]
+        if kind != IMPACT and kind != LANDING:
+            continue
+        if noted < batch.impact_times.shape[1]:
+            batch.impact_times[n, noted] = recorder.events[e]
+            noted += 1
+        add_gain(
+            recorder.event_kinds[e, 1],
+            recorder.event_kinds[e, 2],
+            recorder.event_states[e, 0],
+            recorder.event_states[e, 1],
+            batch.p[n],
+            energy,
+            batch.gains[n],
+        )
 
 
 @inlined

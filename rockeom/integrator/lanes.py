@@ -26,7 +26,6 @@ from rockeom.codes import (
     FULL,
     GUARD_DUE,
     IDLE,
-    IMPACT,
     IMPACTS,
     LAST_ERROR,
     NEXT_STEP,
@@ -39,10 +38,10 @@ from rockeom.codes import (
     TOUCHING,
     UPLIFT,
 )
-from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
+from rockeom.compiler.decorators import Floats, Ints, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.batches import add_gain
+    from rockeom.integrator.batches import add_gain, case_of, count_impacts
     from rockeom.integrator.bernstein import EPS
     from rockeom.integrator.ground import (
         ground_acceleration,
@@ -88,6 +87,7 @@ if TYPE_CHECKING:  # joined before this text
         TURN,
         integrate,
     )
+    from rockeom.integrator.records import Batch, Recorder
     from rockeom.integrator.steps import first_step, most_error
     from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
 
@@ -312,91 +312,76 @@ def turn(lane, z):
 # -- one lane ------------------------------------------------------------------------------------
 
 
-def take_in(lane, z, w, home, fallen):
-    """A case's own state into its lane."""
-    status, clock, states, rates_, peaks, _, _, _ = home
+def take_in(lane, z, w, batch):
+    """The state of a case into its lane."""
     case, n = w[W_CASE + lane], N_STATES // 2
-    z[Z_T + lane], z[Z_NEXT + lane] = clock[case, TIME], clock[case, NEXT_STEP]
-    last_error = clock[case, LAST_ERROR]
+    status, clock = batch.status[case], batch.clock[case]
+    y, rate = batch.states[case], batch.rates[case]
+    z[Z_T + lane], z[Z_NEXT + lane] = clock[TIME], clock[NEXT_STEP]
+    last_error = clock[LAST_ERROR]
     z[Z_DAMP + lane] = last_error**DAMPING if last_error > 0.0 else 1.0
-    z[Z_CONTACT + lane] = status[case, CONTACT]
-    z[Z_SIDE + lane] = GAP_SIDES[status[case, CONTACT]]
-    z[Z_TOUCHING + lane] = status[case, TOUCHING]
-    z[Z_TAKEN + lane] = status[case, STEPS]
-    z[Z_FALLEN + lane] = fallen[case]
+    z[Z_CONTACT + lane] = status[CONTACT]
+    z[Z_SIDE + lane] = GAP_SIDES[status[CONTACT]]
+    z[Z_TOUCHING + lane] = status[TOUCHING]
+    z[Z_TAKEN + lane] = status[STEPS]
+    z[Z_FALLEN + lane] = batch.fallen[case]
     z[Z_LANDING + lane] = z[Z_FLIGHT + lane] = 0.0
     for i in range(n):
-        z[Z_Q + i * LANES + lane] = states[case, i]
-        z[Z_K + i * LANES + lane] = states[case, n + i]
-        z[Z_K + (n + i) * LANES + lane] = rates_[case, n + i]
+        z[Z_Q + i * LANES + lane] = y[i]
+        z[Z_K + i * LANES + lane] = y[n + i]
+        z[Z_K + (n + i) * LANES + lane] = rate[n + i]
     for i in range(N_STATES):
-        z[Z_LEAST + i * LANES + lane] = peaks[case, 0, i]
-        z[Z_MOST + i * LANES + lane] = peaks[case, 1, i]
+        z[Z_LEAST + i * LANES + lane] = batch.extremes[case, 0, i]
+        z[Z_MOST + i * LANES + lane] = batch.extremes[case, 1, i]
 
 
-def take_out(lane, z, w, home):
-    """A lane's state back into its case's own arrays."""
-    status, clock, states, rates_, peaks, _, _, _ = home
+def take_out(lane, z, w, batch):
+    """The state of a lane back into the arrays of its case."""
     case, n = w[W_CASE + lane], N_STATES // 2
-    if z[Z_T + lane] > clock[case, TIME]:
-        status[case, IDLE] = 0
-    clock[case, TIME], clock[case, NEXT_STEP] = z[Z_T + lane], z[Z_NEXT + lane]
-    clock[case, LAST_ERROR] = z[Z_DAMP + lane] ** (1.0 / DAMPING)
-    status[case, CONTACT] = int(z[Z_CONTACT + lane])
-    status[case, TOUCHING] = int(z[Z_TOUCHING + lane])
-    status[case, STEPS] = int(z[Z_TAKEN + lane])
+    status, clock = batch.status[case], batch.clock[case]
+    y, rate = batch.states[case], batch.rates[case]
+    if z[Z_T + lane] > clock[TIME]:
+        status[IDLE] = 0
+    clock[TIME], clock[NEXT_STEP] = z[Z_T + lane], z[Z_NEXT + lane]
+    clock[LAST_ERROR] = z[Z_DAMP + lane] ** (1.0 / DAMPING)
+    status[CONTACT] = int(z[Z_CONTACT + lane])
+    status[TOUCHING] = int(z[Z_TOUCHING + lane])
+    status[STEPS] = int(z[Z_TAKEN + lane])
     for i in range(n):
-        states[case, i] = z[Z_Q + i * LANES + lane]
-        states[case, n + i] = rates_[case, i] = z[Z_K + i * LANES + lane]
-        rates_[case, n + i] = z[Z_K + (n + i) * LANES + lane]
+        y[i] = z[Z_Q + i * LANES + lane]
+        y[n + i] = rate[i] = z[Z_K + i * LANES + lane]
+        rate[n + i] = z[Z_K + (n + i) * LANES + lane]
     for i in range(N_STATES):
-        peaks[case, 0, i] = z[Z_LEAST + i * LANES + lane]
-        peaks[case, 1, i] = z[Z_MOST + i * LANES + lane]
+        batch.extremes[case, 0, i] = z[Z_LEAST + i * LANES + lane]
+        batch.extremes[case, 1, i] = z[Z_MOST + i * LANES + lane]
 
 
-def alone(lane, z, w, home, ground, data, how, work, until):
+def alone(lane, z, w, batch, recorder, scratch, until):
     """Carry a lane by the scalar loop until a time; where the error is controlled, to an event."""
-    status, clock, states, rates_, peaks, outcome, impact_times, gains = home
-    horizontal, h_rows, vertical, v_rows, _ = ground
-    p, law, ratio, fallen = data
-    rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps = how
-    steps, step_contact, step_states, events, event_kinds, event_states, scratch = work
-    take_out(lane, z, w, home)
-    case = w[W_CASE + lane]
+    take_out(lane, z, w, batch)
+    n = w[W_CASE + lane]
+    status = batch.status[n]
     code = FULL
     controlled = z[Z_EQUAL + lane] == 0.0
     room = 2 if controlled else 64
+    case = case_of(
+        batch, n, until,
+        batch.horizontal[w[W_NX + lane] : batch.h_rows[n, 1]],
+        batch.vertical[w[W_NY + lane] : batch.v_rows[n, 1]],
+    )  # fmt: skip
+    own = recorder._replace(events=recorder.events[:room], extremes=batch.extremes[n])
     while code == FULL:
-        noted = status[case, IMPACTS]
-        status[case, STEPS_KEPT] = status[case, EVENTS_KEPT] = 0
+        before = status[IMPACTS]
+        status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
         code = integrate(
-            status[case], clock[case], states[case], rates_[case], until,
-            horizontal[w[W_NX + lane] : h_rows[case, 1]],
-            vertical[w[W_NY + lane] : v_rows[case, 1]], p[case], law[case], ratio[case], rtol, atol,
-            h_max, fixed, fallen[case], rest_tolerance, max_impacts, max_steps,
-            steps, step_contact, step_states, events[:room], event_kinds, event_states,
-            peaks[case], scratch,
-        )  # fmt: skip
-        for e in range(status[case, EVENTS_KEPT]):
-            if event_kinds[e, 0] != IMPACT:
-                continue
-            if noted < impact_times.shape[1]:
-                impact_times[case, noted] = events[e]
-                noted += 1
-            add_gain(
-                event_kinds[e, 1],
-                event_kinds[e, 2],
-                event_states[e, 0],
-                event_states[e, 1],
-                p[case],
-                scratch[_POWERS:_GUARDS],
-                gains[case],
-            )
+            status, batch.clock[n], batch.states[n], batch.rates[n], case, own, scratch
+        )
+        count_impacts(batch, n, before, own, scratch[_POWERS:_GUARDS])
         if controlled:
             break
     if code != COMPLETED and code != FULL:
-        outcome[case] = code
-    take_in(lane, z, w, home, fallen)
+        batch.outcome[n] = code
+    take_in(lane, z, w, batch)
 
 
 @inlined
@@ -416,105 +401,114 @@ def hop(lane, z, t, flight):
         z[Z_LANDING + lane], z[Z_H + lane], z[Z_T_NEW + lane] = HOP, length, t + length
 
 
-def impact(lane, z, w, home, stop, data, how, work):
+def impact(lane, z, w, batch, scratch):
     """Pass a lane that has landed into the contact state that follows, as the loop does."""
-    status, _, states, rates_, _, outcome, impact_times, gains = home
-    p, law, ratio, _ = data
-    rtol, atol, rest_tolerance, max_impacts, scratch = how[0], how[1], how[4], how[5], work[6]
     case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
-    y, rate = states[case], rates_[case]
-    after, y_w = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW]
+    status, y, p, law, ratio = (
+        batch.status[case], batch.states[case], batch.p[case], batch.law[case], batch.ratio[case],
+    )  # fmt: skip
+    after = scratch[_AFTER:_POWERS]
     # what is left of the gap
     left = -z[Z_Q + ROTATION * LANES + lane] / z[Z_K + ROTATION * LANES + lane]
-    t = min(t + left, stop[case])
-    z[Z_T + lane] = t
+    z[Z_T + lane] = t = min(t + left, batch.t_end[case])
     for i in range(n):
         v, a = z[Z_K + i * LANES + lane], z[Z_K + (n + i) * LANES + lane]
         y[i], y[n + i] = z[Z_Q + i * LANES + lane] + left * (v + 0.5 * left * a), v + left * a
-    if status[case, IMPACTS] < impact_times.shape[1]:
-        impact_times[case, status[case, IMPACTS]] = t
+    if status[IMPACTS] < batch.impact_times.shape[1]:
+        batch.impact_times[case, status[IMPACTS]] = t
     before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
-    passed = ratio_at(law[case], ratio[case], status[case, IMPACTS], y, p[case])
-    contact = jump(before, 0, law[case], passed, y, p[case], after)
-    add_gain(before, contact, y, after, p[case], scratch[_POWERS:_GUARDS], gains[case])
+    contact = jump(before, 0, law, ratio_at(law, ratio, status[IMPACTS], y, p), y, p, after)
+    add_gain(before, contact, y, after, p, scratch[_POWERS:_GUARDS], batch.gains[case])
     touching = -1
-    status[case, IMPACTS] += 1
-    status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
+    status[IMPACTS] += 1
+    status[GUARD_DUE] = status[RATE_STALE] = 1
     for i in range(N_STATES):
         y[i] = after[i]
-    if status[case, IMPACTS] > max_impacts:
-        outcome[case] = TOO_MANY_IMPACTS
+    if status[IMPACTS] > batch.max_impacts:
+        batch.outcome[case] = TOO_MANY_IMPACTS
     elif SIDES[contact] != 0.0:
         touching = CLOSED[before][0]
-        ax, ay = (
-            ground_acceleration(ground_x(z, lane), t),
-            ground_acceleration(ground_y(z, lane), t),
-        )
-        rates(contact, y, p[case], ax, ay, rate)
-        status[case, GUARD_DUE] = status[case, RATE_STALE] = 0
-        for i in range(n):
-            z[Z_K + (n + i) * LANES + lane] = rate[n + i]
-        # the flight to come, if short enough, is the first of those that time_to_rest adds up
-        a, v = -SIDES[contact] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
-        flight, loss = 2.0 * v / a, 1.0 - v / speed
-        rests, follows = np.inf, contact
-        # nor is it asked while what this impact has lost says that the sum is far too long
-        if a > 0.0 and not flight > min(2.0 * loss, 1.0) * rest_tolerance / math.sqrt(a):
-            rests, follows = time_to_rest(
-                contact, y, p[case], law[case], ratio[case], status[case, IMPACTS], ax, ay,
-                rest_tolerance, y_w, after, scratch[_POWERS:_GUARDS],
-            )  # fmt: skip
-        hop(lane, z, t, flight)
-        short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
-        if short and stand(
-            follows, t, rests, after, p[case], ground_x(z, lane), ground_y(z, lane), rtol, atol,
-            scratch[_K:_W], y_w,
-        ):  # fmt: skip
-            for i in range(N_STATES):
-                y[i] = y_w[i]
-            z[Z_T + lane] = t + rests
-            z[Z_NEXT + lane] = z[Z_LANDING + lane] = 0.0
-            contact, touching = follows, -1
-            status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
-            for i in range(N_STATES):
-                least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
-                z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
+        contact, rests = fly_or_rest(lane, z, case, contact, speed, batch, scratch)
+        if rests:
+            touching = -1
     z[Z_CONTACT + lane], z[Z_SIDE + lane] = contact, GAP_SIDES[contact]
     z[Z_TOUCHING + lane] = touching
     for i in range(n):
         z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
 
 
-def fresh_rates(lane, z, case, home, p):
+@inlined
+def fly_or_rest(lane, z, case, contact, speed, batch, scratch):
+    """(contact state, whether it rests): begin the flight after an impact, or end all to come.
+
+    speed : the rate of rotation before the impact.
+    """
+    y, rate, p, t = batch.states[case], batch.rates[case], batch.p[case], z[Z_T + lane]
+    status, tolerance = batch.status[case], batch.rest_tolerance
+    after, y_w, n = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW], N_STATES // 2
+    ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
+    rates(contact, y, p, ax, ay, rate)
+    status[GUARD_DUE] = status[RATE_STALE] = 0
+    for i in range(n):
+        z[Z_K + (n + i) * LANES + lane] = rate[n + i]
+    # the flight to come, if short enough, is the first of those that time_to_rest adds up
+    a, v = -SIDES[contact] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+    flight, loss = 2.0 * v / a, 1.0 - v / speed
+    rests, follows = np.inf, contact
+    # nor is it asked while what this impact has lost says that the sum is far too long
+    if a > 0.0 and not flight > min(2.0 * loss, 1.0) * tolerance / math.sqrt(a):
+        rests, follows = time_to_rest(
+            contact, y, p, batch.law[case], batch.ratio[case], status[IMPACTS], ax, ay, tolerance,
+            y_w, after, scratch[_POWERS:_GUARDS],
+        )  # fmt: skip
+    hop(lane, z, t, flight)
+    short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
+    if not (
+        short
+        and stand(
+            follows, t, rests, after, p, ground_x(z, lane), ground_y(z, lane), batch.rtol,
+            batch.atol, scratch[_K:_W], y_w,
+        )
+    ):  # fmt: skip
+        return contact, False
+    z[Z_T + lane] = t + rests
+    z[Z_NEXT + lane] = z[Z_LANDING + lane] = 0.0
+    status[GUARD_DUE] = status[RATE_STALE] = 1
+    for i in range(N_STATES):
+        y[i] = y_w[i]
+        least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
+        z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
+    return follows, True
+
+
+def fresh_rates(lane, z, case, batch):
     """The rates of a lane at its time, found anew."""
-    states, rates_ = home[2], home[3]
     t, n = z[Z_T + lane], N_STATES // 2
-    y, rate = states[case], rates_[case]
+    y, rate = batch.states[case], batch.rates[case]
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
     ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
-    rates(int(z[Z_CONTACT + lane]), y, p, ax, ay, rate)
+    rates(int(z[Z_CONTACT + lane]), y, batch.p[case], ax, ay, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
 
 
-def next_step(lane, z, case, home, p, how, work):
+def next_step(lane, z, case, batch, scratch):
     """Let a lane's next step be a first one, as the loop chooses it."""
-    contact, scratch = int(z[Z_CONTACT + lane]), work[6]
     z[Z_NEXT + lane] = first_step(
-        contact, z[Z_T + lane], home[2][case], home[3][case], p, ground_x(z, lane),
-        ground_y(z, lane), how[0], how[1], scratch[_W:_Y_NEW], scratch[_AFTER:_POWERS],
+        int(z[Z_CONTACT + lane]), z[Z_T + lane], batch.states[case], batch.rates[case],
+        batch.p[case], ground_x(z, lane), ground_y(z, lane), batch.rtol, batch.atol,
+        scratch[_W:_Y_NEW], scratch[_AFTER:_POWERS],
     )  # fmt: skip
 
 
 @inlined
-def next_laws(lane, z, w, case, ground, fixed):
-    """Pass to the laws of the ground that hold at a lane's time; whether it jumps there."""
-    horizontal, h_rows, vertical, v_rows, stop = ground
+def next_segments_of(lane, z, w, case, batch):
+    """Pass to the segments of the ground that hold at a lane's time; whether it jumps there."""
     t, jumped = z[Z_T + lane], False
     if t >= z[Z_END_X + lane]:
         before = ground_acceleration(ground_x(z, lane), t)
-        n, row = segment_at(horizontal[: h_rows[case, 1]], w[W_NX + lane] + 1, t)
+        n, row = segment_at(batch.horizontal[: batch.h_rows[case, 1]], w[W_NX + lane] + 1, t)
         w[W_NX + lane] = n
         z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
         z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
@@ -522,25 +516,25 @@ def next_laws(lane, z, w, case, ground, fixed):
         jumped = jumps(before, ground_acceleration(row, t))
     if t >= z[Z_END_Y + lane]:
         before = ground_acceleration(ground_y(z, lane), t)
-        n, row = segment_at(vertical[: v_rows[case, 1]], w[W_NY + lane] + 1, t)
+        n, row = segment_at(batch.vertical[: batch.v_rows[case, 1]], w[W_NY + lane] + 1, t)
         w[W_NY + lane] = n
         z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
         z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
         z[Z_Y3 + lane] = row[6]
         jumped |= jumps(before, ground_acceleration(row, t))
-    z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], stop[case])
+    z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], batch.t_end[case])
     span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
-    z[Z_EQUAL + lane] = span / fixed if fixed > 0 and span < np.inf else 0.0
+    z[Z_EQUAL + lane] = span / batch.fixed if batch.fixed > 0 and span < np.inf else 0.0
     z[Z_LONGEST + lane] = min(sampling_step(ground_x(z, lane)), sampling_step(ground_y(z, lane)))
     return jumped
 
 
 @inlined
-def straight_on(lane, z, w, case, ground, fixed):
+def straight_on(lane, z, w, case, batch):
     """Pass to the next segment of a record where nothing else changes; whether it is so."""
-    rows, n, t = ground[0], w[W_NX + lane] + 1, z[Z_T + lane]
-    until = min(z[Z_END_Y + lane], ground[4][case])
-    if n >= ground[1][case, 1] or not t < until or z[Z_KIND_X + lane] != 0.0:
+    rows, n, t = batch.horizontal, w[W_NX + lane] + 1, z[Z_T + lane]
+    until = min(z[Z_END_Y + lane], batch.t_end[case])
+    if n >= batch.h_rows[case, 1] or not t < until or z[Z_KIND_X + lane] != 0.0:
         return False
     start, end, x0, x1 = rows[n, 0], rows[n, 1], rows[n, 3], rows[n, 4]
     before = z[Z_X0 + lane] + z[Z_X1 + lane] * (t - z[Z_START_X + lane])
@@ -550,16 +544,16 @@ def straight_on(lane, z, w, case, ground, fixed):
     z[Z_START_X + lane], z[Z_END_X + lane], z[Z_X0 + lane], z[Z_X1 + lane] = start, end, x0, x1
     z[Z_LAST + lane] = min(end, until)
     span = min(end - start, z[Z_END_Y + lane] - z[Z_START_Y + lane])
-    z[Z_EQUAL + lane] = span / fixed if fixed > 0 else 0.0
+    z[Z_EQUAL + lane] = span / batch.fixed if batch.fixed > 0 else 0.0
     return True
 
 
-def skip_laws(lane, z, w, case, home, ground, up, down, doubt):
-    """Pass laws of the horizontal ground in which no foot lifts, while the vertical one is none."""
-    rows, n = ground[0], w[W_NX + lane] + 1
+def skip_segments(lane, z, w, case, batch, up, down, doubt):
+    """Pass segments of the ground in which no foot lifts, while it is at rest vertically."""
+    rows, n = batch.horizontal, w[W_NX + lane] + 1
     ay, first = z[Z_Y0 + lane], n
     still_up, still_down = up[0] + up[2] * ay, down[0] + down[2] * ay
-    while n < ground[1][case, 1] and rows[n, 2] == 0.0 and rows[n, 1] < ground[4][case]:
+    while n < batch.h_rows[case, 1] and rows[n, 2] == 0.0 and rows[n, 1] < batch.t_end[case]:
         ax = rows[n, 3]
         ax_end = ax + rows[n, 4] * (rows[n, 1] - rows[n, 0])
         opens = max(still_up + up[1] * ax, still_down + down[1] * ax)
@@ -571,16 +565,16 @@ def skip_laws(lane, z, w, case, home, ground, up, down, doubt):
         w[W_NX + lane] = n - 1
         z[Z_T + lane] = rows[n - 1, 1]
         z[Z_TOUCHING + lane] = -1.0
-        home[0][case, GUARD_DUE] = home[0][case, RATE_STALE] = 1
+        batch.status[case, GUARD_DUE] = batch.status[case, RATE_STALE] = 1
 
 
-def pass_rest(lane, z, w, case, home, ground, p, fixed):
-    """Pass a structure that cannot move on both its feet over the laws in which it stays there.
+def pass_rest(lane, z, w, case, batch):
+    """Pass a structure that cannot move on both its feet over the segments in which it stays there.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
     both ends of a linear law decide; it ends where a curved one begins.
     """
-    status, y = home[0], home[2][case]
+    y, p = batch.states[case], batch.p[case]
     up = down = (0.0, 0.0, 0.0)
     for c in range(len(SIDES)):
         if SIDES[c] != 0.0:
@@ -592,11 +586,11 @@ def pass_rest(lane, z, w, case, home, ground, p, fixed):
             else:
                 down = (still, by_x, by_y)
     doubt = 1e-9 * (abs(up[0]) + abs(down[0]))
-    while z[Z_T + lane] < ground[4][case]:
+    while z[Z_T + lane] < batch.t_end[case]:
         if z[Z_T + lane] >= z[Z_LAST + lane]:
             if z[Z_END_Y + lane] == np.inf and z[Z_KIND_Y + lane] == 0.0 == z[Z_Y1 + lane]:
-                skip_laws(lane, z, w, case, home, ground, up, down, doubt)
-            next_laws(lane, z, w, case, ground, fixed)
+                skip_segments(lane, z, w, case, batch, up, down, doubt)
+            next_segments_of(lane, z, w, case, batch)
         if z[Z_KIND_X + lane] != 0.0 or z[Z_KIND_Y + lane] != 0.0:
             return
         for end in range(2):
@@ -610,49 +604,48 @@ def pass_rest(lane, z, w, case, home, ground, p, fixed):
                 return
         z[Z_T + lane] = z[Z_LAST + lane]
         z[Z_TOUCHING + lane] = -1.0
-        status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
+        batch.status[case, GUARD_DUE] = batch.status[case, RATE_STALE] = 1
 
 
 @inlined
-def ready(lane, z, w, home, ground, data, how, work):
+def ready(lane, z, w, batch, recorder, scratch):
     """Bring a lane to where it takes its next step with the others; False where its way ends."""
-    status, outcome, stop = home[0], home[5], ground[4]
-    fixed = how[3]
     case = w[W_CASE + lane]
-    while outcome[case] == FULL and z[Z_T + lane] < stop[case]:
-        if z[Z_TAKEN + lane] >= how[6]:
-            outcome[case] = STALLED
+    status = batch.status[case]
+    while batch.outcome[case] == FULL and z[Z_T + lane] < batch.t_end[case]:
+        if z[Z_TAKEN + lane] >= batch.max_steps:
+            batch.outcome[case] = STALLED
             break
-        if z[Z_T + lane] >= z[Z_LAST + lane] and next_laws(lane, z, w, case, ground, fixed):
-            status[case, GUARD_DUE] = status[case, RATE_STALE] = 1
+        if z[Z_T + lane] >= z[Z_LAST + lane] and next_segments_of(lane, z, w, case, batch):
+            status[GUARD_DUE] = status[RATE_STALE] = 1
         if z[Z_SIDE + lane] != 0.0:
-            if status[case, RATE_STALE] == 1:
-                fresh_rates(lane, z, case, home, data[0][case])
-                status[case, GUARD_DUE] = status[case, RATE_STALE] = 0
+            if status[RATE_STALE] == 1:
+                fresh_rates(lane, z, case, batch)
+                status[GUARD_DUE] = status[RATE_STALE] = 0
             if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
-                next_step(lane, z, case, home, data[0][case], how, work)
+                next_step(lane, z, case, batch, scratch)
             return True
         if N_STATES == 2 and KINDS[int(z[Z_CONTACT + lane])][0] == UPLIFT:
             t = z[Z_T + lane]
-            pass_rest(lane, z, w, case, home, ground, data[0][case], fixed)
+            pass_rest(lane, z, w, case, batch)
             if z[Z_T + lane] > t:
                 continue
-        elif status[case, RATE_STALE] == 0 and z[Z_TOUCHING + lane] == -1.0:
+        elif status[RATE_STALE] == 0 and z[Z_TOUCHING + lane] == -1.0:
             return True
         elif z[Z_EQUAL + lane] == 0.0:
             if z[Z_NEXT + lane] == 0.0:
-                fresh_rates(lane, z, case, home, data[0][case])
-                next_step(lane, z, case, home, data[0][case], how, work)
+                fresh_rates(lane, z, case, batch)
+                next_step(lane, z, case, batch, scratch)
             until = end_of_step(lane, z, z[Z_NEXT + lane])
-            alone(lane, z, w, home, ground, data, how, work, until)
+            alone(lane, z, w, batch, recorder, scratch, until)
             continue
-        alone(lane, z, w, home, ground, data, how, work, z[Z_LAST + lane])
+        alone(lane, z, w, batch, recorder, scratch, z[Z_LAST + lane])
     return False
 
 
 @inlined
 def end_of_step(lane, z, h):
-    """Where a step ends that a lane takes alone; at the end of the law if time does not move."""
+    """End of a step that a lane takes alone; the end of the segment where time does not move."""
     t, last = z[Z_T + lane], z[Z_LAST + lane]
     return last if t + 1.1 * h >= last or t + h <= t else t + h
 
@@ -680,86 +673,93 @@ def shake_all(z, times):
                     z[Z_AY + j * LANES + lane] = pulse(ground_y(z, lane), t + times[j] * h)
 
 
-def run_lanes(first, z, w, home, ground, data, how, work):
-    """Run cases from `first` on to their times `stop`, or to the outcomes that end them.
+@inlined
+def steps_with_others(lane, z, w, batch):
+    """Whether a lane takes its next step at once, by the verdict on the last one."""
+    case, verdict = w[W_CASE + lane], z[Z_VERDICT + lane]
+    if case < 0:
+        return False
+    if verdict == TURNS:
+        # equal steps stay equal
+        at_end = z[Z_EQUAL + lane] != 0.0 or z[Z_LANDING + lane] == TURN_AT_END
+        z[Z_VERDICT + lane] = verdict = REPEATED if not at_end and turn(lane, z) else DOUBTFUL
+    steps = verdict in (REPEATED, REFUSED)
+    if verdict == STANDS:
+        # on both feet a structure of one coordinate passes many segments at once
+        steps = z[Z_T + lane] < z[Z_LAST + lane] or (
+            (N_STATES > 2 or z[Z_SIDE + lane] != 0.0) and straight_on(lane, z, w, case, batch)
+        )
+    return steps and z[Z_TAKEN + lane] < batch.max_steps
+
+
+def pass_event(lane, z, w, batch, recorder, scratch):
+    """Pass a lane through the event that its last step ended on, or that it leaves in doubt."""
+    verdict = z[Z_VERDICT + lane]
+    if verdict == LANDED:
+        impact(lane, z, w, batch, scratch)
+    elif verdict == DOUBTFUL:
+        until = z[Z_LAST + lane]
+        # nan: beyond an eighth of a turn lanes know no sine, nor soon behind it
+        if z[Z_EQUAL + lane] == 0.0 and z[Z_ERROR + lane] == z[Z_ERROR + lane]:
+            until = end_of_step(lane, z, z[Z_H + lane])
+        alone(lane, z, w, batch, recorder, scratch, until)
+
+
+@inlined
+def put_case(case, lane, z, w, batch):
+    """Put a case into a lane that is empty."""
+    w[W_CASE + lane] = case
+    w[W_NX + lane], w[W_NY + lane] = batch.h_rows[case, 0] - 1, batch.v_rows[case, 0] - 1
+    for place in range(Z_LAST, Z_CONTACT, LANES):
+        z[place + lane] = 0.0
+    for i in range(N_PARAMETERS):
+        z[Z_P + i * LANES + lane] = batch.p[case, i]
+    take_in(lane, z, w, batch)
+
+
+@inlined
+def next_in_lane(lane, waiting, z, w, batch, recorder, scratch):
+    """(whether a lane runs, the case that waits): go on with its case, or with those that wait."""
+    runs = w[W_CASE + lane] >= 0
+    if runs:
+        pass_event(lane, z, w, batch, recorder, scratch)
+    while True:
+        if runs:
+            if ready(lane, z, w, batch, recorder, scratch):
+                return True, waiting
+            take_out(lane, z, w, batch)
+        w[W_CASE + lane] = -1
+        z[Z_KIND_X + lane] = z[Z_KIND_Y + lane] = 0.0
+        if waiting == len(batch.t_end):
+            return False, waiting
+        put_case(waiting, lane, z, w, batch)
+        waiting += 1
+        runs = True
+
+
+def run_lanes(first, z, w, batch, recorder, scratch):
+    """Run cases from `first` on to their ends, or to the outcomes that end them.
 
     Returns the next one when a TURN is over, or -1 when all have ended.
-
-    z, w : the lanes, as the last call left them. home : what each case is taken in from and out to.
-    ground, data, how : motions, structures and options, as in `integrate_lanes`. work : records and
-    scratch of `integrate`.
     """
-    p, fallen = data[0], data[3]
-    h_rows, v_rows, stop = ground[1], ground[3], ground[4]
-    h_max = how[2]
-    coarse = most_error(how[0])  # such an equal step is left to `integrate`
+    coarse = most_error(batch.rtol)  # such an equal step is left to `integrate`
     waiting, left = first, TURN
-    while True:
-        if left < 0:
-            return waiting
+    while left >= 0:
         running, held, controlled = 0, False, False
         for lane in range(LANES):
-            verdict = z[Z_VERDICT + lane]
-            if w[W_CASE + lane] >= 0 and verdict == TURNS:
-                verdict = DOUBTFUL
-                # equal steps stay equal
-                if (
-                    z[Z_EQUAL + lane] == 0.0
-                    and z[Z_LANDING + lane] != TURN_AT_END
-                    and turn(lane, z)
-                ):
-                    verdict = REPEATED
-            steps = verdict in (REPEATED, REFUSED)
-            if w[W_CASE + lane] >= 0 and verdict == STANDS:
-                # on both feet a structure of one coordinate passes many segments at once
-                steps = z[Z_T + lane] < z[Z_LAST + lane] or (
-                    (N_STATES > 2 or z[Z_SIDE + lane] != 0.0)
-                    and straight_on(lane, z, w, w[W_CASE + lane], ground, how[3])
-                )
-            if steps and w[W_CASE + lane] >= 0 and z[Z_TAKEN + lane] < how[6]:
+            runs = steps_with_others(lane, z, w, batch)
+            if not runs:
+                runs, waiting = next_in_lane(lane, waiting, z, w, batch, recorder, scratch)
+            if runs:
                 running += 1
                 held = held or z[Z_SIDE + lane] == 0.0
                 controlled = controlled or z[Z_EQUAL + lane] == 0.0
-                continue
-            goes_on = False
-            if w[W_CASE + lane] >= 0:
-                if verdict == LANDED:
-                    impact(lane, z, w, home, stop, data, how, work)
-                elif verdict == DOUBTFUL:
-                    until = z[Z_LAST + lane]
-                    # nan: beyond an eighth of a turn lanes know no sine, nor soon behind it
-                    if z[Z_EQUAL + lane] == 0.0 and z[Z_ERROR + lane] == z[Z_ERROR + lane]:
-                        until = end_of_step(lane, z, z[Z_H + lane])
-                    alone(lane, z, w, home, ground, data, how, work, until)
-                goes_on = True
-            while True:
-                if goes_on:
-                    if ready(lane, z, w, home, ground, data, how, work):
-                        running += 1
-                        held = held or z[Z_SIDE + lane] == 0.0
-                        controlled = controlled or z[Z_EQUAL + lane] == 0.0
-                        break
-                    take_out(lane, z, w, home)
-                w[W_CASE + lane] = -1
-                z[Z_KIND_X + lane] = z[Z_KIND_Y + lane] = 0.0
-                if waiting == len(stop):
-                    break
-                # the next case
-                w[W_CASE + lane] = waiting
-                w[W_NX + lane], w[W_NY + lane] = h_rows[waiting, 0] - 1, v_rows[waiting, 0] - 1
-                for place in range(Z_LAST, Z_CONTACT, LANES):
-                    z[place + lane] = 0.0
-                for i in range(N_PARAMETERS):
-                    z[Z_P + i * LANES + lane] = p[waiting, i]
-                take_in(lane, z, w, home, fallen)
-                waiting += 1
-                goes_on = True
         if running == 0:
             return -1
         left -= running
-        plan_lanes(z, h_max)
+        plan_lanes(z, batch.h_max)
         shake_all(z, STAGE_PLACES)
-        step_lanes(z, how[0], how[1])
+        step_lanes(z, batch.rtol, batch.atol)
         if controlled:
             control_lanes(z)
         judge_lanes(z, coarse)
@@ -767,34 +767,20 @@ def run_lanes(first, z, w, home, ground, data, how, work):
             shake_all(z, NODE_PLACES)
             judge_held_lanes(z, coarse)
         accept_lanes(z)
+    return waiting
 
 
 @entry
-def integrate_lanes(
-    first: int, z: Floats, w: Ints, status: Ints2, clock: Floats2, states: Floats2,
-    rates: Floats2, stop: Floats, horizontal: Floats2, h_rows: Ints2, vertical: Floats2,
-    v_rows: Ints2, p: Floats2, law: Ints, ratio: Floats, rtol: float, atol: Floats, h_max: float,
-    fixed: int, fallen: Floats, rest_tolerance: float, max_impacts: int, max_steps: int,
-    outcome: Ints, peaks: Floats3, impact_times: Floats2, gains: Floats2,
-) -> int:  # fmt: skip
-    """Integrate n motions, each to its time `stop`.
+def integrate_lanes(first: int, z: Floats, w: Ints, batch: Batch) -> int:
+    """Integrate the motions of a batch, each to its end.
 
     first : the motion to begin with. Returns the one that the next call begins with, where a TURN
     is over, or -1 where all have ended. z (Z_SIZE,), w (W_SIZE,) : the lanes, zeros and -1 at
-    first; what a call leaves there the next one goes on with.
-
-    status (n, 10), clock (n, 4), states and rates (n, N) are those of `integrate`, so that it may
-    go on from there. outcome (n,) gets that of a motion that ends before, and is FULL at the start.
-    The rest as in `integrate_many`.
+    first; a call goes on with what the last one left there. Whether a motion falls later on, and
+    `quiet_from`, are left to `integrate_many`.
     """
-    steps, step_contact, step_states = np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1))
-    events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
-    event_states = np.empty((64, 2, N_STATES))
-    return run_lanes(
-        first, z, w,
-        (status, clock, states, rates, peaks, outcome, impact_times, gains),
-        (horizontal, h_rows, vertical, v_rows, stop),
-        (p, law, ratio, fallen),
-        (rtol, atol, h_max, fixed, rest_tolerance, max_impacts, max_steps),
-        (steps, step_contact, step_states, events, event_kinds, event_states, np.zeros(SCRATCH)),
+    recorder = Recorder(
+        np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1)), np.empty(64),
+        np.empty((64, 4), np.int64), np.empty((64, 2, N_STATES)), np.empty((0, N_STATES)),
     )  # fmt: skip
+    return run_lanes(first, z, w, batch, recorder, np.zeros(SCRATCH))

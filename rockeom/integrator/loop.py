@@ -49,7 +49,7 @@ from rockeom.codes import (
     TOO_MANY_IMPACTS,
     TOUCHING,
 )
-from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, entry, inlined
+from rockeom.compiler.decorators import Floats, Ints, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import EPS, NEVER
@@ -149,38 +149,27 @@ AGAIN, DONE, UNDECIDED = range(3)  # what becomes of a step
 
 @entry
 def integrate(
-    status: Ints, clock: Floats, y: Floats, rate: Floats, t_end: float, horizontal: Floats2,
-    vertical: Floats2, p: Floats, law: int, ratio: float, rtol: float, atol: Floats, h_max: float,
-    fixed: int, fallen: float, rest_tolerance: float, max_impacts: int, max_steps: int,
-    steps: Floats2, step_contact: Ints, step_states: Floats3, events: Floats, event_kinds: Ints2,
-    event_states: Floats3, peaks: Floats2, scratch: Floats,
-) -> int:  # fmt: skip
-    """Integrate to t_end, to the outcome that ends the motion, or until a record or turn is FULL.
+    status: Ints,
+    clock: Floats,
+    y: Floats,
+    rate: Floats,
+    case: Case,
+    recorder: Recorder,
+    scratch: Floats,
+) -> int:
+    """Integrate to the end, to the outcome that ends the motion, or until a record or turn is FULL.
 
     status, clock : what must be known to go on, see `rockeom.codes`.
     y, rate (N,) : the state and its rate.
     These four are changed in place, so that a call goes on where the last one ended, to the last
     bit.
-    horizontal, vertical (m, 7) : the ground motion, each row start, end, kind and constants of a
-        segment; no step straddles an end, and behind the last one the ground stands still.
-    fixed : 0 to control the error, or the number of equal steps in each segment. An equal step
-        whose estimated error is above COARSE is refused, and the rest of its segment is integrated
-        with control of the error.
-    steps (n, 2) start and length, step_contact (n,), step_states (n, 8, N) the dense output of
-    each step; n = 0 keeps none. events (m,) times, event_kinds (m, 4) kind, mode before and after
-    and the guard that fell, event_states (m, 2, N) state before and after. peaks (2, N) extremes.
     """
-    case = Case(
-        t_end, horizontal, vertical, p, law, ratio, rtol, atol, h_max, fixed, most_error(rtol),
-        fallen, rest_tolerance, max_impacts, max_steps,
-    )  # fmt: skip
-    recorder = Recorder(steps, step_contact, step_states, events, event_kinds, event_states, peaks)
     a = arrays_of(y, rate, scratch)
     motion = resumed(status, clock)
     ground = ground_at(motion.t, case)
     ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
     begins = motion.taken == 0 and motion.impacts == 0 and motion.rate_stale
-    if begins and not initial_mode_is_one(motion.mode, y, p, ax, ay):
+    if begins and not initial_mode_is_one(motion.mode, y, case.p, ax, ay):
         return SEVERAL_SOLUTIONS
     turn = motion.taken + TURN
     while True:
@@ -190,15 +179,13 @@ def integrate(
                 motion = motion._replace(rate_stale=True, guard_due=True)
         error = -1.0  # of a step that is already taken
         if QUIET_STEPS and may_be_quiet(motion, recorder):
-            motion, ground, error = quiet_steps(
-                motion, ground, min(turn, max_steps - 1), case, a, peaks
-            )
-            if motion.taken >= max_steps and error == -1.0:
+            motion, ground, error = quiet_steps(motion, ground, turn, case, a, recorder)
+            if motion.taken >= case.max_steps and error == -1.0:
                 motion = motion._replace(outcome=STALLED)
                 break
             if motion.t >= ground.x[1] or motion.t >= ground.y[1]:
                 continue  # the other table's segment ends there, too
-        if not motion.t < t_end:
+        if not motion.t < case.t_end:
             break
         if is_full(motion, recorder) or motion.taken > turn:
             motion = motion._replace(outcome=FULL)
@@ -323,11 +310,11 @@ def may_be_quiet(motion, recorder):
     return quiet and (rocking(motion.mode) or motion.mode == HELD)
 
 
-def quiet_steps(motion, ground, most, case, a, peaks):
+def quiet_steps(motion, ground, turn, case, a, recorder):
     """Take steps in which nothing happens, one after the other, as the loop itself would.
 
     Nearly all steps of a motion are such. Returns the motion and the ground after them, and the
-    error of a step that was taken and is left for the loop to judge, or -1. most : the number of
+    error of a step that was taken and is left for the loop to judge, or -1. turn : the number of
     steps after which it returns.
     """
     mode, t, h_next, last_error = motion.mode, motion.t, motion.h_next, motion.last_error
@@ -337,6 +324,7 @@ def quiet_steps(motion, ground, most, case, a, peaks):
     nx, gx = segment_at(case.horizontal, ground.n_x, t)
     ny, gy = segment_at(case.vertical, ground.n_y, t)
     unjudged, jumped = -1.0, False
+    most, extremes = min(turn, case.max_steps - 1), recorder.extremes
     while taken <= most:
         if t >= gx[1]:
             before_x = ground_acceleration(gx, t)
@@ -366,15 +354,15 @@ def quiet_steps(motion, ground, most, case, a, peaks):
         open_ = stays_open(gap, -1)
         if HELD >= 0 and mode == HELD:
             open_ = stays_on_both_feet(t, h, y, y_new, k, p, gx)
-        ordinary = error <= (case.coarse if equal else 1.0) and finite_end(k) and open_
+        ordinary = error <= (most_error(case.rtol) if equal else 1.0) and finite_end(k) and open_
         if not ordinary or may_fall(case.fallen, gap, h, y, y_new, k, p):
             unjudged = error
             break
-        if peaks.shape[0] > 0:
-            if widens(peaks, h, y, y_new, k):
+        if records_extremes(recorder):
+            if widens(extremes, h, y, y_new, k):
                 dense_output(mode, t, h, y, p, gx, gy, k, a.coefficients)
-                widen_within(peaks, a.coefficients)
-            widen(peaks, y_new)
+                widen_within(extremes, a.coefficients)
+            widen(extremes, y_new)
         h_next = proposed
         if not cut:
             h_next, last_error = controlled(h, error, last_error)
@@ -461,7 +449,8 @@ def plan(motion, ground, case, a):
     if hops:
         h = flight
     return Step(
-        h=h, end=end, longest=longest, whole=whole, bound=case.coarse if equal else 1.0, error=0.0,
+        h=h, end=end, longest=longest, whole=whole,
+        bound=most_error(case.rtol) if equal else 1.0, error=0.0,
         cut=cut, equal=equal, still=still, stands=stands, hops=hops, hop=hop, target=-1, landed=-1,
         lands=False, slope=0.0, more=0.0, corrections=0, overlooked=0,
         sampled=motion.sampled and motion.touching < 0 and not still, overturns=False, turns=False,

@@ -23,9 +23,15 @@ class Ground(NamedTuple):
 
 
 class Case(NamedTuple):
-    """What stays the same in a motion, see `integrate`.
+    """What stays the same in a motion.
 
-    coarse : the largest error of an equal step, in units of the tolerance.
+    t_end : the end of the motion. horizontal, vertical (m, 7) : the ground motion, each row start,
+    end, kind and constants of a segment; no step straddles an end, and behind the last one the
+    ground is at rest. p : parameters of the structure, and the table of an impact law behind them.
+    law, ratio : of impacts. rtol, atol (N,) : tolerances of a step. h_max : the longest step.
+    fixed : 0 to control the error, or the number of equal steps in each segment. An equal step
+    whose estimated error is above COARSE is refused, and the rest of its segment is integrated with
+    control of the error. fallen : the overturning angle. rest_tolerance : see `zeno_time`.
     """
 
     t_end: float
@@ -38,11 +44,47 @@ class Case(NamedTuple):
     atol: Floats
     h_max: float
     fixed: int
-    coarse: float
     fallen: float
     rest_tolerance: float
     max_impacts: int
     max_steps: int
+
+
+class Batch(NamedTuple):
+    """n motions of one structure, and what is the same in all of them, see `Case`.
+
+    status (n, 10), clock (n, 4), states and rates (n, N) : as of `integrate`, at the start, and on
+    return at the end. Motion i has the segments from h_rows[i, 0] to h_rows[i, 1] of `horizontal`,
+    and those of v_rows[i] of `vertical`. t_end, quiet_from, law, ratio, fallen (n,), p (n, m).
+    outcome (n,) : FULL, or that of a motion that has ended. extremes (n, 2, N). impact_times (n, k)
+    : of the first k impacts. gains (n, 2) : see `add_gain`.
+    """
+
+    status: Ints2
+    clock: Floats2
+    states: Floats2
+    rates: Floats2
+    t_end: Floats
+    quiet_from: Floats
+    horizontal: Floats2
+    h_rows: Ints2
+    vertical: Floats2
+    v_rows: Ints2
+    p: Floats2
+    law: Ints
+    ratio: Floats
+    rtol: float
+    atol: Floats
+    h_max: float
+    fixed: int
+    fallen: Floats
+    rest_tolerance: float
+    max_impacts: int
+    max_steps: int
+    outcome: Ints
+    extremes: Floats3
+    impact_times: Floats2
+    gains: Floats2
 
 
 class Arrays(NamedTuple):
@@ -68,7 +110,12 @@ class Arrays(NamedTuple):
 
 
 class Recorder(NamedTuple):
-    """Where steps, events and extremes are written, see `integrate`; no rows where they are not."""
+    """Where steps, events and extremes are written; no rows where they are not.
+
+    steps (n, 2) : start and length, with the modes (n,) and the dense output (n, 8, N) of each.
+    events (m,) : times, with event_kinds (m, 4), which are kind, mode before and after, and the
+    guard that fell, and event_states (m, 2, N) before and after. extremes (2, N) of the state.
+    """
 
     steps: Floats2
     step_modes: Ints

@@ -179,7 +179,7 @@ class _Bench:
             np.zeros(compiled.SCRATCH),
         )  # fmt: skip
         self.falls = compiled.falls.bound(
-            0, self.y, STILL, p, 0, 0.0, 0.0, self.atol, 0.0, 0, 0, 0.0
+            0, self.y, 0.0, STILL, STILL, p, 0, 0.0, 0.0, self.atol, np.inf, 0, 0.0, 1e-6, 0, 0, 0.0
         )
         self.at_rest = compiled.at_rest.bound(0, self.y, p)
 
@@ -217,7 +217,7 @@ class _Bench:
     def _later(self, p: np.ndarray, reach: float) -> Outcome:
         """What will become of a motion that was followed to its end, the ground at rest."""
         contact = int(self.status[CONTACT])
-        self.falls["contact"] = self.at_rest["contact"] = contact
+        self.falls["mode"] = self.at_rest["mode"] = contact
         self.falls["reach"], self.at_rest["p"] = reach, p
         if self.falls():
             return Outcome.OVERTURNED

@@ -101,7 +101,7 @@ class Results:
         try:
             if lanes:
                 z, w = _aligned(compiled.Z_SIZE), np.full(compiled.W_SIZE, -1)
-                call = compiled.integrate_lanes.bound(0, z, w, *state, q.end, *others)
+                call = compiled.integrate_lanes.bound(0, z, w, *state, q.end, q.quiet_from, *others)
                 while in_lanes >= 0 and not stop.is_set():
                     call["first"] = in_lanes
                     in_lanes = call()

@@ -17,6 +17,7 @@ from rockeom.simulation.case import Problems
 from rockeom.sweeps.cases import Part
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
+from tests.oracle.ways import flat
 
 STEP = rk.SolverOptions(steps_per_segment=1)
 
@@ -460,8 +461,9 @@ def test_vectors_have_the_bits_of_plain_python(which):
             spaces[GLUE] |= {n: spaces[VECTORS][n] for n in of_vectors if n != "integrate_lanes"}
     plain = spaces[GLUE]
     found = []
-    for functions in (Loaded(codes[0], entries, *codes[1:]).functions, plain):
-        names = ("integrate_lanes", "integrate_many")
+    names = ("integrate_lanes", "integrate_many")
+    of_python = {name: flat(plain[name]) for name in names}
+    for functions in (Loaded(codes[0], entries, *codes[1:]).functions, of_python):
         sizes = {name: plain[name] for name in ("Z_SIZE", "W_SIZE")}
         calls = {name: Called(functions[name]) for name in names}
         part = Part(np.arange(len(problems)), Problems.of(problems), [])

@@ -6,7 +6,7 @@ import pytest
 import rockeom as rk
 from tests.machine_code import functions
 from tests.numeric.structures import S1
-from tests.oracle.ways import differences, printed, python, run
+from tests.oracle.ways import differences, flat, printed, python, run
 
 STRUCTURES = {
     "flexible structure": rk.FlexibleStructure(**S1, stiffness=571.8e3, damping=502.4),
@@ -34,7 +34,7 @@ def test_whole_motions_have_the_bits_of_python(method):
     plain = python(structure.module, method)
     machine = functions("", structure.module, method, contract=False)
     size = plain["SCRATCH"]
-    one = run(plain["integrate"], structure, size, 0.5, method)
+    one = run(flat(plain["integrate"]), structure, size, 0.5, method)
     other = run(machine["integrate"], structure, size, 0.5, method)
     assert one[0] == other[0]
     assert len(one[5].nonzero()[0]) >= 2  # events

@@ -10,8 +10,9 @@ import math
 import warnings
 from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import islice
 from types import ModuleType
-from typing import Any
+from typing import Any, get_type_hints
 
 import numpy as np
 
@@ -82,6 +83,21 @@ def python(module: ModuleType, method: str) -> dict[str, Any]:
 def _run(source: str, names: dict[str, Any]) -> None:
     tree = ast.fix_missing_locations(_Products().visit(ast.parse(source)))
     exec(compile(tree, "plain", "exec"), names)
+
+
+def flat(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of Python that takes the fields of its records, as machine code does."""
+    kinds = [kind for name, kind in get_type_hints(function).items() if name != "return"]
+
+    def with_fields(*values: Any) -> Any:
+        left = iter(values)
+        given = [
+            kind(*islice(left, len(kind._fields))) if hasattr(kind, "_fields") else next(left)
+            for kind in kinds
+        ]
+        return function(*given)
+
+    return with_fields
 
 
 def by_numba(module: ModuleType) -> Ways:
