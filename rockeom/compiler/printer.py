@@ -116,7 +116,7 @@ class Definition(NamedTuple):
 
     def arguments(self, records: Mapping[str, Tuple]) -> tuple[tuple[str, Type], ...]:
         """Names and annotated types of the arguments of an entry."""
-        types = ANNOTATIONS | records
+        types = {**ANNOTATIONS, **records}
         arguments = []
         for argument in self.tree.args.args:
             annotation = argument.annotation
