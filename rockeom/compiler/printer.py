@@ -39,6 +39,7 @@ from __future__ import annotations
 import ast
 import operator
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -218,16 +219,7 @@ class Program:
         body = "\n".join(f"  {line}" for line in [*lines, "ret void"])
         self.bodies[name] = f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}"
         self.of_text[name] = definition.text
-        fields = [
-            field
-            for argument, type_ in arguments
-            for field in (
-                zip(type_.fields, type_.items, strict=True)
-                if isinstance(type_, Tuple)
-                else [(argument, type_)]
-            )
-        ]
-        self.entries[name] = Entry(tuple(fields), returns)
+        self.entries[name] = Entry(flattened(arguments), returns)
 
     def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
         """Print a function that calls an entry of another program by its row of places."""
@@ -1123,6 +1115,21 @@ class _Function:
 
     def _do_continue(self, statement: ast.Continue) -> None:
         self.ir.jump(self.loops[-1].again)
+
+
+def flattened(arguments: Sequence[tuple[str, Type]]) -> tuple[tuple[str, Type], ...]:
+    """Arguments, records by their fields; `record.field` where two have one name."""
+    named = [
+        (f"{argument}.{field}", field, item)
+        for argument, type_ in arguments
+        for field, item in (
+            zip(type_.fields, type_.items, strict=True)
+            if isinstance(type_, Tuple)
+            else [(argument, type_)]
+        )
+    ]
+    counts = Counter(field for _, field, _ in named)
+    return tuple((field if counts[field] == 1 else whole, item) for whole, field, item in named)
 
 
 _NO_REMAINDER = "// and % are for numbers that clearly cannot be negative"

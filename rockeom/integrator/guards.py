@@ -143,15 +143,15 @@ def to_impact(side, y_new, k):
     return move - 0.5 * side * k[N_STAGES * N_STATES + ROTATION_RATE] * move * move / v
 
 
-def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
-    """Whether all guards of a contact state clearly stay open in a step, without dense output.
+def stays_held(mode, t, h, ground, case, a):
+    """Whether all guards of a mode clearly stay open in a step, without dense output.
 
-    They are sampled on the quintics through both ends, see `stays_open`. quintics : scratch.
+    They are sampled on the quintics through both ends, see `stays_open`.
     """
-    if HELD >= 0 and contact == HELD and straight(gx, gy):
-        return stays_on_both_feet(t, h, y, y_new, k, p, gx)
-    n = N_STATES // 2
-    quintics_through_ends(h, y, y_new, k, quintics)
+    if HELD >= 0 and mode == HELD and straight(ground.x, ground.y):
+        return stays_on_both_feet(t, h, a.y, a.y_new, a.k, case.p, ground.x)
+    n, w, g, b, quintics = N_STATES // 2, a.w, a.g, a.b, a.stack
+    quintics_through_ends(h, a.y, a.y_new, a.k, quintics)
     for m in range(8):
         for i in range(n):
             at = 8 * i + 1
@@ -161,14 +161,13 @@ def stays_held(contact, t, h, y, y_new, k, p, gx, gy, w, g, b, quintics):
                 place += QUINTIC[m, j + 1] * quintics[at + j + 1]
                 slope += QUARTIC[m, j] * (quintics[at + j + 1] - quintics[at + j])
             w[i], w[n + i] = place, slope * (5.0 / h)
-        tau = t + NODES[m] * h
-        guards(contact, w, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
+        guards_at(mode, t + NODES[m] * h, w, case.p, ground, g)
         for n_g in range(N_GUARDS + N_PARTS):
             b[8 * n_g + m] = g[n_g]
-    for n_g in range(GUARDS[contact]):
+    for n_g in range(GUARDS[mode]):
         held = clearly_open(b, 8 * n_g)
-        if N_PARTS > 0 and PARTS[contact][n_g] >= 0:
-            part = 8 * PARTS[contact][n_g]
+        if N_PARTS > 0 and PARTS[mode][n_g] >= 0:
+            part = 8 * PARTS[mode][n_g]
             held = clearly_open(b, part) or clearly_open(b, part + 8)
         if not held:
             return False
@@ -212,34 +211,38 @@ def beside_gap(contact, guard, there, away):
     return KINDS[contact][guard] == IMPACT or small
 
 
-def guard_polynomials(contact, t, h, p, gx, gy, coefficients, w, g, b):
+@inlined
+def guards_at(mode, t, y, p, ground, g):
+    """The guards of a mode in a state at a time of the ground's segments, into g."""
+    guards(mode, y, p, ground_acceleration(ground.x, t), ground_acceleration(ground.y, t), g)
+
+
+def guard_polynomials(mode, t, h, ground, case, a):
     """Bernstein coefficients of all guards over the step of the dense output, into b (m * 8,)."""
+    w, g, b = a.w, a.g, a.b
     sampled = False
-    for n in range(GUARDS[contact]):
-        if KINDS[contact][n] != IMPACT:
+    for n in range(GUARDS[mode]):
+        if KINDS[mode][n] != IMPACT:
             sampled = True
             continue
-        # an impact's guard is the rotation, on its side: exactly the dense output
-        polynomial_of(ROTATION, SIDES[contact], coefficients, b, 8 * n)
+        # the guard of an impact is the rotation, on its side: exactly the dense output
+        polynomial_of(ROTATION, SIDES[mode], a.coefficients, b, 8 * n)
     if not sampled:
         return
     for n in range(N_GUARDS + N_PARTS):
-        if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
+        if n >= N_GUARDS or KINDS[mode][n] != IMPACT:
             for i in range(8):
                 b[8 * n + i] = 0.0
     for m in range(8):
-        dense_at(coefficients, NODES[m], w)
-        tau = t + NODES[m] * h
-        guards(contact, w, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
+        dense_at(a.coefficients, NODES[m], w)
+        guards_at(mode, t + NODES[m] * h, w, case.p, ground, g)
         for n in range(N_GUARDS + N_PARTS):
-            if n >= N_GUARDS or KINDS[contact][n] != IMPACT:
+            if n >= N_GUARDS or KINDS[mode][n] != IMPACT:
                 for i in range(8):
                     b[8 * n + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
 
 
-def first_event(
-    contact, t, h, instant, landed, touching, y, p, gx, gy, fallen, noises, w, g, b, stack
-):  # fmt: skip
+def first_event(mode, t, h, instant, landed, touching, ground, case, a):
     """Where in a step a guard first falls through zero, which, and what is known of it there.
 
     Returns (place, guard, slope, from_closed, unclear): the place in the step, NEVER if no guard
@@ -249,38 +252,38 @@ def first_event(
     """
     place, target, slope = NEVER, -1, 0.0
     from_closed = unclear = False
-    rocks = rocking(contact)
-    ax, ay = ground_acceleration(gx, t), ground_acceleration(gy, t)
-    for i in range(GUARDS[contact]):
+    rocks = rocking(mode)
+    b = a.b
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    for i in range(GUARDS[mode]):
         known = is_known(touching, i)
         if i == landed or (landed >= 0 and known):
             continue
         closed = known
-        whole = N_PARTS == 0 or PARTS[contact][i] < 0
+        whole = N_PARTS == 0 or PARTS[mode][i] < 0
         if b[8 * i] < 0.0 and whole and not rocks and not closed:
             # beside zero but for rounding, by an event before this one, is closed, too
-            near = grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8)
-            if KINDS[contact][i] == IMPACT:
-                near = CLOSED_GAP * fallen
+            near = grain_of(mode, i, ax, ay, h, b, 8, case, a)
+            if KINDS[mode][i] == IMPACT:
+                near = CLOSED_GAP * case.fallen
             closed = b[8 * i] >= -near
         noise = 0.0
         if closed:
-            noise = rounding(contact, i, h, y, p, ax, ay, b)
-            grain = grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8)
-            noise = max(noise, grain)
+            noise = rounding(mode, i, h, a.y, case.p, ax, ay, b)
+            noise = max(noise, grain_of(mode, i, ax, ay, h, b, 8, case, a))
         row = i
         if not whole:
-            x, row = larger_falls(b, PARTS[contact][i], closed, noise, stack)
+            x, row = larger_falls(b, PARTS[mode][i], closed, noise, a.stack)
         else:
-            grain = EXACT if KINDS[contact][i] == IMPACT else SAMPLED
-            x = first_fall(b, 8 * i, grain, closed, noise, stack)
+            grain = EXACT if KINDS[mode][i] == IMPACT else SAMPLED
+            x = first_fall(b, 8 * i, grain, closed, noise, a.stack)
         doubtful = known and abs(b[8 * row + 1]) <= noise
         beside = closed and not known and x * h <= instant
         if beside and rises_first(b, 8 * row, noise):
             continue
         if x < place:
             hover = size(b, 8 * row)
-            if hover <= grain_of(contact, i, y, p, ax, ay, h, fallen, noises, w, g, b, 8):
+            if hover <= grain_of(mode, i, ax, ay, h, b, 8, case, a):
                 continue  # nothing but rounding errors
             place = x
             target = i
@@ -291,59 +294,60 @@ def first_event(
     return place, target, slope, from_closed, unclear
 
 
-def settle(contact, t, h, y, p, gx, gy, touching, rtol, g, w, rate, fallen, noise):
+def settle(mode, t, h, touching, ground, case, a):
     """Index of a guard that is below zero and stays there, the lowest if there are several; or -1.
 
-    Ground acceleration may jump where a law of the ground begins, and a new contact state may be
-    one that cannot last. Impacts are not asked, they happen only in motion; nor is the guard
-    through which the state has just come, nor one that rounding left below zero while it rises.
+    The acceleration of the ground may jump where a segment begins, and a new mode may be one that
+    cannot last. Impacts happen only in motion, and are left out; so are the guard through which the
+    state has just come, and one that rounding left below zero while it rises.
     """
-    if GUARDS[contact] == 0 or (GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT):
+    if GUARDS[mode] == 0 or rocking(mode):
         return -1
     due = -1
     moved = False
-    guards(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), g)
-    for i in range(GUARDS[contact]):
+    w, g, rate = a.w, a.g, a.k
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    guards(mode, a.y, case.p, ax, ay, g)
+    for i in range(GUARDS[mode]):
         known = is_known(touching, i)
-        kind = KINDS[contact][i]
+        kind = KINDS[mode][i]
         if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
         if not moved:
             # look ahead, by some of the errors that the time of an event may have
             moved = True
-            tau = max(64.0 * EPS * max(t, h), 1e-4 * rtol * h)
-            rates(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate)
+            tau = max(64.0 * EPS * max(t, h), 1e-4 * case.rtol * h)
+            rates(mode, a.y, case.p, ax, ay, rate)
             for n in range(N_STATES):
-                w[n] = y[n] + tau * rate[n]
-            guards(
-                contact, w, p, ground_acceleration(gx, t + tau), ground_acceleration(gy, t + tau), g
-            )
+                w[n] = a.y[n] + tau * rate[n]
+            guards_at(mode, t + tau, w, case.p, ground, g)
         if g[i] < 0.0 and (due < 0 or g[i] < g[due]):
             due = i
     if due >= 0:
-        value, ax, ay = g[due], ground_acceleration(gx, t), ground_acceleration(gy, t)
-        if value >= -grain_of(contact, due, y, p, ax, ay, 0.0, fallen, noise, w, g, g, 1):
+        value = g[due]
+        if value >= -grain_of(mode, due, ax, ay, 0.0, g, 1, case, a):
             return -1
     return due
 
 
-def opens_soon(contact, index, t, h, y, p, gx, gy, k, w, g, later, noise):
+def opens_soon(mode, index, t, h, ground, case, a, noise):
     """Whether a guard that is closed at t is open a little later, by its motion to third order.
 
     Where shaking begins from nothing it is the change of the acceleration that opens it. It may be
     open for a short part of the step only. noise : rounding errors of the guard.
     """
     tau, n = h / 64.0, N_STATES // 2
+    y, k, w, g, later = a.y, a.k, a.w, a.g, a.after
     for _ in range(4):
         for i in range(n):
             w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
             w[n + i] = y[n + i] + tau * k[n + i]
-        ax, ay = ground_acceleration(gx, t + tau), ground_acceleration(gy, t + tau)
-        rates(contact, w, p, ax, ay, later)
+        ax, ay = ground_acceleration(ground.x, t + tau), ground_acceleration(ground.y, t + tau)
+        rates(mode, w, case.p, ax, ay, later)
         for i in range(n):
             w[i] += tau * tau * (later[n + i] - k[n + i]) / 6.0
             w[n + i] += 0.5 * tau * (later[n + i] - k[n + i])
-        guards(contact, w, p, ax, ay, g)
+        guards(mode, w, case.p, ax, ay, g)
         if g[index] > noise:
             return True
         tau /= 32.0
@@ -369,23 +373,24 @@ def fell_before(contact, target, touching, h, y, g, b):
     return False
 
 
-def overlooks(contact, t, h, p, gx, gy, rtol, atol, coefficients, at_end, w, rate):
+def overlooks(mode, t, h, ground, case, a, at_end):
     """Whether a step passed over forces that act beside a closed gap only, unseen by its stages.
 
     The dense output is asked closer and closer to the end of the step, or to its start, whether it
-    obeys the equations: what it lacks there of velocity must be small beside the tolerance.
+    obeys the equations: the velocity that it lacks there must be small compared with the tolerance.
     """
-    n = N_STATES // 2
+    n, w, rate = N_STATES // 2, a.w, a.after
     part = 0.25
     for _ in range(11):
         part *= 0.5
         x = 1.0 - part if at_end else part
         tau = t + x * h
-        dense_at(coefficients, x, w)
-        rates(contact, w, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), rate)
+        dense_at(a.coefficients, x, w)
+        ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
+        rates(mode, w, case.p, ax, ay, rate)
         for i in range(n, N_STATES):
-            slope, _ = slope_at(coefficients, x, i)
+            slope, _ = slope_at(a.coefficients, x, i)
             lacks = part * abs(h * rate[i] - slope)
-            if lacks > 100.0 * (atol[i] + rtol * abs(w[i])):
+            if lacks > 100.0 * (case.atol[i] + case.rtol * abs(w[i])):
                 return True
     return False

@@ -87,7 +87,7 @@ if TYPE_CHECKING:  # joined before this text
         TURN,
         integrate,
     )
-    from rockeom.integrator.records import Batch, Recorder
+    from rockeom.integrator.records import Batch, Ground, Recorder
     from rockeom.integrator.steps import first_step, most_error
     from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
 
@@ -150,6 +150,12 @@ def ground_y(z, lane):
         z[Z_START_Y + lane], np.inf, z[Z_KIND_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane],
         z[Z_Y2 + lane], z[Z_Y3 + lane],
     )  # fmt: skip
+
+
+@inlined
+def ground_of(z, lane):
+    """The segments of a lane."""
+    return Ground(0, ground_x(z, lane), 0, ground_y(z, lane))
 
 
 @inlined
@@ -459,15 +465,15 @@ def fly_or_rest(lane, z, case, contact, speed, batch, scratch):
     if a > 0.0 and not flight > min(2.0 * loss, 1.0) * tolerance / math.sqrt(a):
         rests, follows = time_to_rest(
             contact, y, p, batch.law[case], batch.ratio[case], status[IMPACTS], ax, ay, tolerance,
-            y_w, after, scratch[_POWERS:_GUARDS],
+            after,
         )  # fmt: skip
     hop(lane, z, t, flight)
     short = t + rests < z[Z_LAST + lane] or rests < 16.0 * EPS * t
     if not (
         short
         and stand(
-            follows, t, rests, after, p, ground_x(z, lane), ground_y(z, lane), batch.rtol,
-            batch.atol, scratch[_K:_W], y_w,
+            follows, t, rests, after, p, ground_of(z, lane), batch.rtol, batch.atol,
+            scratch[_K:_W], y_w,
         )
     ):  # fmt: skip
         return contact, False
@@ -497,8 +503,8 @@ def next_step(lane, z, case, batch, scratch):
     """Let a lane's next step be a first one, as the loop chooses it."""
     z[Z_NEXT + lane] = first_step(
         int(z[Z_CONTACT + lane]), z[Z_T + lane], batch.states[case], batch.rates[case],
-        batch.p[case], ground_x(z, lane), ground_y(z, lane), batch.rtol, batch.atol,
-        scratch[_W:_Y_NEW], scratch[_AFTER:_POWERS],
+        batch.p[case], ground_of(z, lane), batch.rtol, batch.atol, scratch[_W:_Y_NEW],
+        scratch[_AFTER:_POWERS],
     )  # fmt: skip
 
 

@@ -99,6 +99,7 @@ if TYPE_CHECKING:  # joined before this text
         rates,
         take_step,
         through_rest,
+        time_to_landing,
         transition,
         without_hop,
         zeno_time,
@@ -124,7 +125,6 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.rounding import noise_of
     from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
-    from rockeom.integrator.transitions.search import time_to_landing
     from rockeom.integrator.transitions.searched import N_KNOWN
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -404,10 +404,7 @@ def settle_mode(motion, ground, case, a):
     mode, t = motion.mode, motion.t
     if motion.guard_due and not rocking(mode):
         h = min(motion.h_next, end_of_segments(ground, case) - t)  # at rest it may be of any length
-        guard = settle(
-            mode, t, h, a.y, case.p, ground.x, ground.y, motion.touching, case.rtol, a.g, a.w, a.k,
-            case.fallen, a.noises,
-        )  # fmt: skip
+        guard = settle(mode, t, h, motion.touching, ground, case, a)
         if guard >= 0:
             return settled, guard, h
     rates(
@@ -415,9 +412,7 @@ def settle_mode(motion, ground, case, a):
     )
     h_next = motion.h_next
     if h_next == 0.0:
-        h_next = first_step(
-            mode, t, a.y, a.k, case.p, ground.x, ground.y, case.rtol, case.atol, a.w, a.after
-        )
+        h_next = first_step(mode, t, a.y, a.k, case.p, ground, case.rtol, case.atol, a.w, a.after)
     return settled._replace(rate_stale=False, guard_due=False, h_next=h_next), -1, 0.0
 
 
@@ -511,7 +506,7 @@ def judge(motion, ground, step, case, a, recorder):
             return AGAIN, tried._replace(lands=True, target=guard, h=h, cut=False, sampled=False)
         tried = tried._replace(sampled=open_)
         unsure = not (open_ or closed or rocking(motion.mode) or motion.touching >= 0)
-        open_ = open_ or (unsure and holds(motion, ground, tried, case, a))
+        open_ = open_ or (unsure and stays_held(motion.mode, motion.t, tried.h, ground, case, a))
     return look_within(motion, ground, tried, gap, open_, case, a, recorder)
 
 
@@ -576,15 +571,6 @@ def land(motion, ground, step, case, a):
 
 
 @inlined
-def holds(motion, ground, step, case, a):
-    """Whether all guards clearly stay open in a step, see `stays_held`."""
-    return stays_held(
-        motion.mode, motion.t, step.h, a.y, a.y_new, a.k, case.p, ground.x, ground.y,
-        a.w, a.g, a.b, a.stack,
-    )  # fmt: skip
-
-
-@inlined
 def look_within(motion, ground, step, gap, open_, case, a, recorder):
     """(verdict, step): make the dense output where something may happen within, and look there."""
     mode, t = motion.mode, motion.t
@@ -599,10 +585,7 @@ def look_within(motion, ground, step, gap, open_, case, a, recorder):
             lengthen(step, a)
     h = step.h + step.more
     again = (leaves or closes) and step.overlooked < 20
-    if again and overlooks(
-        mode, t, h, case.p, ground.x, ground.y, case.rtol, case.atol, a.coefficients, closes, a.w,
-        a.after,
-    ):  # fmt: skip
+    if again and overlooks(mode, t, h, ground, case, a, closes):
         h *= 0.3
         return AGAIN, step._replace(
             h=h, h_next=h, overlooked=step.overlooked + 1, cut=False, target=-1, landed=-1,
@@ -628,11 +611,10 @@ def first_event_within(motion, ground, step, case, a):
     """(verdict, step): up to the first guard that falls by its polynomial over the step."""
     mode, t = motion.mode, motion.t
     instant = 4.0 * EPS * max(t, step.h)
-    guard_polynomials(mode, t, step.h, case.p, ground.x, ground.y, a.coefficients, a.w, a.g, a.b)
+    guard_polynomials(mode, t, step.h, ground, case, a)
     place, target, slope, from_closed, unclear = first_event(
-        mode, t, step.h, instant, step.landed, motion.touching, a.y, case.p, ground.x, ground.y,
-        case.fallen, a.noises, a.w, a.g, a.b, a.stack,
-    )  # fmt: skip
+        mode, t, step.h, instant, step.landed, motion.touching, ground, case, a
+    )
     if place == NEVER:
         return DONE, step._replace(target=target, slope=slope)
     h = step.h
@@ -641,10 +623,8 @@ def first_event_within(motion, ground, step, case, a):
             # it does not fall where both its rate and its acceleration open it
             slow = a.y[ROTATION_RATE] == 0.0 or SIDES[mode] * a.k[ROTATION_RATE] > 0.0
         else:
-            slow = unclear or opens_soon(
-                mode, target, t, h, a.y, case.p, ground.x, ground.y, a.k, a.w, a.g, a.after,
-                noise_of(mode, target, case.p, case.fallen, a.noises, a.w, a.g),
-            )  # fmt: skip
+            noise = noise_of(mode, target, case.p, case.fallen, a.noises, a.w, a.g)
+            slow = unclear or opens_soon(mode, target, t, h, ground, case, a, noise)
         if from_closed and slow and h > max(1e-6 * step.longest, 1e3 * EPS * t):
             # an opening so short that rounding, or the error of a dense output of low order,
             # hides it in a step of this length

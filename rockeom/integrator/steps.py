@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.overturning import own_time
 
 
-def first_step(contact, t, y, rate, p, gx, gy, rtol, atol, w, later):
+def first_step(mode, t, y, rate, p, ground, rtol, atol, w, later):
     """A first step, from the sizes of the state, of its rate, and of the change of that.
 
     A rocking structure tells how long it may be, by Hairer's estimate or a tenth of its own time;
@@ -36,19 +36,13 @@ def first_step(contact, t, y, rate, p, gx, gy, rtol, atol, w, later):
         size = max(size, abs(y[i]) / scale)
         speed = max(speed, abs(rate[i]) / scale)
     cautious = 1e-6 if size < 1e-5 or speed < 1e-5 else 0.01 * size / speed
-    longest = 0.1 * own_time(contact, y, p)
-    if NARROW or not rocking(contact) or not cautious < longest:
+    longest = 0.1 * own_time(mode, y, p)
+    if NARROW or not rocking(mode) or not cautious < longest:
         return cautious
     for i in range(N_STATES):
         w[i] = y[i] + cautious * rate[i]
-    rates(
-        contact,
-        w,
-        p,
-        ground_acceleration(gx, t + cautious),
-        ground_acceleration(gy, t + cautious),
-        later,
-    )
+    tau = t + cautious
+    rates(mode, w, p, ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau), later)
     for i in range(N_STATES):
         scale = cautious * (atol[i] + rtol * abs(y[i]))
         change = max(change, abs(later[i] - rate[i]) / scale)

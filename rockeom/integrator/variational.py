@@ -13,23 +13,14 @@ of the guard g that falls there; the states on both sides are followed as they m
 the same passage as in the loop, and taken back to the fixed time by the rates on either side.
 """
 
-from typing import TYPE_CHECKING
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from rockeom.codes import GRAZES, IMPACT, LANDING, OTHER_WAY, REST, STEPPED_OVER
-from rockeom.compiler.decorators import (
-    Duals,
-    Duals2,
-    Duals3,
-    Floats,
-    Floats2,
-    Floats3,
-    Ints,
-    Ints2,
-    entry,
-    inlined,
-)
+from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Ints, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.full_contact import cannot_move
@@ -48,6 +39,7 @@ if TYPE_CHECKING:  # joined before this text
         take_step,
         value,
     )
+    from rockeom.integrator.records import Case, Ground, Recorder
     from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
     from rockeom.integrator.transitions.searched import N_KNOWN, pass_on
     from rockeom.integrator.transitions.zeno import time_of_bounces
@@ -62,114 +54,170 @@ _NEW = _STAGES + N_ALL_STAGES * (N_STATES + 2)
 _MOVED = _NEW + N_STATES
 _BEHIND = _MOVED + N_STATES
 _STATE = _BEHIND + N_STATES
-_KICK = _STATE + N_STATES
-_GUARD = _KICK + 2 * N_STATES
-_TOLD = _GUARD + N_GUARDS + N_PARTS
-DUALS_SIZE = _TOLD + N_KNOWN
+_GUARD = _STATE + N_STATES
+_KNOWN_POINTS = _GUARD + N_GUARDS + N_PARTS
+DUALS_SIZE = _KNOWN_POINTS + N_KNOWN
 FLOATS_SIZE = 4 * N_STATES
+
+
+class Varied(NamedTuple):
+    """The numbers of a motion with their derivatives.
+
+    horizontal, vertical : tables of the ground motion, empty where nothing in them varies; corners
+    : whether the ends of their segments do. p, ratio (1,) : as of `Case`. longest : of the steps in
+    which derivatives are carried, see `go_on`.
+    """
+
+    horizontal: Duals2
+    vertical: Duals2
+    corners: bool
+    p: Duals
+    ratio: Duals
+    longest: float
+
+
+class Tangents(NamedTuple):
+    """Where the states with their derivatives are written.
+
+    y (N,) : at the start, and on return at the end. times (q,) : ascending, with the states (q, N)
+    there. event_states (k, 2, N) : on both sides of each event, and event_times (k,), as they move.
+    reached (1,) : the event up to which they are known.
+    """
+
+    times: Floats
+    y: Duals
+    states: Duals2
+    event_states: Duals3
+    event_times: Duals
+    reached: Ints
+
+
+class Shaken(NamedTuple):
+    """The segments of the ground that hold, without and with derivatives, and how they begin.
+
+    tau_x, tau_y : derivatives of the times at which they begin; their values are zero.
+    """
+
+    ground: Ground
+    varied: Ground
+    tau_x: float
+    tau_y: float
 
 
 @entry
 def carry(
-    steps: Floats2, step_contact: Ints, step_states: Floats3, events: Floats, event_kinds: Ints2,
-    event_states: Floats3, horizontal: Floats2, vertical: Floats2, dual_horizontal: Duals2,
-    dual_vertical: Duals2, corners: bool, p: Floats, dual_p: Duals, law: int, dual_ratio: Duals,
-    rtol: float, atol: Floats, rest_tolerance: float, longest: float, times: Floats, y: Duals,
-    found: Duals2, event_y: Duals3, event_t: Duals, floats: Floats, duals: Duals, told: Ints,
-) -> int:  # fmt: skip
-    """Carry y, the state at the start with its derivatives, to the end of a motion.
+    recorder: Recorder, case: Case, varied: Varied, out: Tangents, floats: Floats, duals: Duals
+) -> int:
+    """Carry the state at the start with its derivatives to the end of a recorded motion.
 
-    steps to event_states : the record of the motion, see `integrate`, step_states that of dense
-    outputs. horizontal to rest_tolerance : what it was integrated with; corners : whether ends of
-    laws of the ground move. longest : of the steps of derivatives, see `go_on`. found (q, N) : the
-    state at the times (q,), which ascend. event_y (k, 2, N), event_t (k,) : the states on both
-    sides of each event, and its time, as they move. floats, duals : scratch. told (1,) : the event
-    to which it has come.
-    Returns 0, GRAZES, or OTHER_WAY where a passage is not found again.
+    recorder : steps, with their dense output, and events of the motion. floats, duals : scratch.
+    Returns 0, GRAZES, or OTHER_WAY where a transition is not found again.
     """
-    y_new = duals[_NEW:_MOVED]
-    start = floats[:N_STATES]
-    nx, gx, dual_gx = row_behind(horizontal, dual_horizontal, 0, 0.0)
-    ny, gy, dual_gy = row_behind(vertical, dual_vertical, 0, 0.0)
-    tau_x = tau_y = moving(0.0, 0.0)
-    e = q = impacts = 0
-    i = 0
+    y, start = out.y, floats[:N_STATES]
+    shaken = shaken_at_the_start(case, varied)
+    e = q = impacts = i = 0
     length = 0.0
-    while i <= len(steps):
-        last = i == len(steps)
-        t = steps[i, 0] if not last else np.inf
-        # -- what has happened at its start; a law of the ground may begin there, too
-        due = events.shape[0] > e and events[e] <= t
-        t_event = events[e] if due else t
-        lands = due and event_kinds[e, 0] in (IMPACT, LANDING)
+    while i <= len(recorder.steps):
+        last = i == len(recorder.steps)
+        t = recorder.steps[i, 0] if not last else np.inf
+        # -- what has happened at its start; a segment of the ground may begin there, too
+        due = recorder.events.shape[0] > e and recorder.events[e] <= t
+        lands = due and recorder.event_kinds[e, 0] in (IMPACT, LANDING)
         if not (lands or (last and not due)):
-            contact = event_kinds[e, 1] if due else step_contact[i]
-            if t_event >= gx[1]:
-                tau_x = dual_gx[1] - value(dual_gx[1])
-                nx, row, dual_gx = row_behind(horizontal, dual_horizontal, nx, t_event)
-                if corners:
-                    turn_corner(contact, t_event, gx, gy, row, gy, tau_x, p, y, floats)
-                gx = row
-            if t_event >= gy[1]:
-                tau_y = dual_gy[1] - value(dual_gy[1])
-                ny, row, dual_gy = row_behind(vertical, dual_vertical, ny, t_event)
-                if corners:
-                    turn_corner(contact, t_event, gx, gy, gx, row, tau_y, p, y, floats)
-                gy = row
+            mode = recorder.event_kinds[e, 1] if due else recorder.step_modes[i]
+            t_event = recorder.events[e] if due else t
+            shaken = next_shaken(mode, t_event, shaken, case, varied, y, floats)
         if due:
-            told[0] = e
+            out.reached[0] = e
             code, e, impacts, rested = pass_through(
-                e, impacts, length, events, event_kinds, event_states, gx, gy, dual_gx, dual_gy,
-                tau_x, tau_y, p, dual_p, law, dual_ratio, rtol, atol, rest_tolerance, y, event_y,
-                event_t, floats, duals,
-            )  # fmt: skip
+                e, impacts, length, recorder, shaken, case, varied, out, floats, duals
+            )
             if code != 0:
                 return code
-            if rested and not last and events[e - 1] > t:
+            if rested and not last and recorder.events[e - 1] > t:
                 i += 1  # what was recorded of the time of the rest
             length = 0.0
             continue
         if last:
             break
         # -- the step itself, and parts of it up to the times that are asked for
-        contact, h = step_contact[i], steps[i, 1]
+        mode, length = recorder.step_modes[i], recorder.steps[i, 1]
         for j in range(N_STATES):
-            start[j] = step_states[i, 0, j]
+            start[j] = recorder.step_states[i, 0, j]
         put(y, start)
-        still = stands_still(contact, t, gx, gy, p, floats)
-        while q < len(times) and times[q] < t + h:
-            part = times[q] - t
-            for j in range(N_STATES):
-                y_new[j] = y[j]
-            if part > 0.0 and not still:
-                go_on(
-                    contact, t, part, longest, y, dual_p, dual_gx, dual_gy, rtol, atol, duals, y_new
-                )
-            for j in range(N_STATES):
-                found[q, j] = y_new[j]
-            q += 1
+        still = stands_still(mode, t, shaken.ground, case.p, floats)
+        q = states_within(mode, t, length, still, q, shaken.varied, case, varied, out, duals)
         if not still:
-            go_on(contact, t, h, longest, y, dual_p, dual_gx, dual_gy, rtol, atol, duals, y_new)
+            go_on(mode, t, length, y, shaken.varied, case, varied, duals)
             for j in range(N_STATES):
-                y[j] = y_new[j]
-        length = h
+                y[j] = duals[_NEW + j]
         i += 1
-    while q < len(times):
+    while q < len(out.times):
         for j in range(N_STATES):
-            found[q, j] = y[j]
+            out.states[q, j] = y[j]
         q += 1
-    told[0] = e
+    out.reached[0] = e
     return 0
 
 
-def go_on(contact, t, h, longest, y, p, gx, gy, rtol, atol, duals, y_new):
-    """A step of the motion with its derivatives, from y into y_new, in parts up to `longest`.
+@inlined
+def shaken_at_the_start(case, varied):
+    n_x, x, varied_x = row_behind(case.horizontal, varied.horizontal, 0, 0.0)
+    n_y, y, varied_y = row_behind(case.vertical, varied.vertical, 0, 0.0)
+    begins = moving(0.0, 0.0)
+    return Shaken(
+        Ground(n_x, x, n_y, y), Ground(n_x, varied_x, n_y, varied_y), tau_x=begins, tau_y=begins
+    )
 
-    What does not vibrate errs in no step, however long; were it followed in such a step, what a
-    number changes would grow by as much as the step is longer than stability allows.
+
+@inlined
+def next_shaken(mode, t, shaken, case, varied, y, floats):
+    """The segments that hold at t and after it; y where their beginnings vary."""
+    n_x, x, varied_x, tau_x = shaken.ground.n_x, shaken.ground.x, shaken.varied.x, shaken.tau_x
+    n_y, row_y, varied_y, tau_y = shaken.ground.n_y, shaken.ground.y, shaken.varied.y, shaken.tau_y
+    if t >= x[1]:
+        tau_x = varied_x[1] - value(varied_x[1])
+        n_x, row, varied_x = row_behind(case.horizontal, varied.horizontal, n_x, t)
+        if varied.corners:
+            turn_corner(mode, t, x, row_y, row, row_y, tau_x, case.p, y, floats)
+        x = row
+    if t >= row_y[1]:
+        tau_y = varied_y[1] - value(varied_y[1])
+        n_y, row, varied_y = row_behind(case.vertical, varied.vertical, n_y, t)
+        if varied.corners:
+            turn_corner(mode, t, x, row_y, x, row, tau_y, case.p, y, floats)
+        row_y = row
+    return Shaken(
+        Ground(n_x, x, n_y, row_y), Ground(n_x, varied_x, n_y, varied_y), tau_x=tau_x, tau_y=tau_y
+    )
+
+
+def states_within(mode, t, h, still, q, ground, case, varied, out, duals):
+    """Write the states at the times within a step; returns the number of the next time."""
+    y_new = duals[_NEW:_MOVED]
+    while q < len(out.times) and out.times[q] < t + h:
+        part = out.times[q] - t
+        if part > 0.0 and not still:
+            go_on(mode, t, part, out.y, ground, case, varied, duals)
+        else:
+            for j in range(N_STATES):
+                y_new[j] = out.y[j]
+        for j in range(N_STATES):
+            out.states[q, j] = y_new[j]
+        q += 1
+    return q
+
+
+def go_on(mode, t, h, y, ground, case, varied, duals):
+    """A step of the motion with its derivatives, from y into duals[_NEW:], in parts.
+
+    A state that does not vibrate has no error in a step, however long it is; its derivatives would
+    grow there by as much as the step is longer than stability allows. So parts are at most
+    `varied.longest`.
     """
-    k, here = duals[_STAGES:_NEW], duals[_MOVED:_BEHIND]
-    parts = 1 + int(h / longest)
+    k, here, y_new = duals[_STAGES:_NEW], duals[_MOVED:_BEHIND], duals[_NEW:_MOVED]
+    x, vertical = ground.x, ground.y
+    parts = 1 + int(h / varied.longest)
     part = h / parts
     for j in range(N_STATES):
         y_new[j] = y[j]
@@ -177,244 +225,223 @@ def go_on(contact, t, h, longest, y, p, gx, gy, rtol, atol, duals, y_new):
         for j in range(N_STATES):
             here[j] = y_new[j]
         now = t + i * part
-        rates(contact, here, p, ground_acceleration(gx, now), ground_acceleration(gy, now), k)
-        take_step(contact, now, part, here, p, gx, gy, rtol, atol, k, y_new)
+        ax, ay = ground_acceleration(x, now), ground_acceleration(vertical, now)
+        rates(mode, here, varied.p, ax, ay, k)
+        take_step(mode, now, part, here, varied.p, x, vertical, case.rtol, case.atol, k, y_new)
 
 
-def stands_still(contact, t, gx, gy, p, floats):
+def stands_still(mode, t, ground, p, floats):
     """Whether nothing can move in a step from the state floats[:N], nor its derivatives."""
     start, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
     for j in range(N_STATES // 2, N_STATES):
         if start[j] != 0.0:
             return False
-    rates(contact, start, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_there)
-    return cannot_move(contact, rate_there, start, p)
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    rates(mode, start, p, ax, ay, rate_there)
+    return cannot_move(mode, rate_there, start, p)
 
 
-def row_behind(table, dual_table, n, t):
-    """(n, row, row with its derivatives) of the law of the ground that holds at t and after it.
+def row_behind(table, varied_table, n, t):
+    """(n, row, row with its derivatives) of the segment that holds at t and after it.
 
-    A dual table that is empty changes nothing.
+    A table with derivatives that is empty changes nothing.
     """
     n, row = segment_at(table, n, t)
-    if n < dual_table.shape[0]:
-        return n, row, segment_of(dual_table, n)
+    if n < varied_table.shape[0]:
+        return n, row, segment_of(varied_table, n)
     return n, row, row
 
 
-def pass_through(
-    e, impacts, length, events, event_kinds, event_states, gx, gy, dual_gx, dual_gy, tau_x, tau_y,
-    p, dual_p, law, dual_ratio, rtol, atol, rest_tolerance, y, event_y, event_t, floats, duals,
-):  # fmt: skip
-    """(code, event, impacts, rested): pass through event e and what follows it in no time.
+def pass_through(e, impacts, length, recorder, shaken, case, varied, out, floats, duals):
+    """(code, event, impacts, rested): pass through event e and those that follow at its instant.
 
     Returns the event that is next, and whether infinitely many impacts were the last.
     """
+    y, ground = out.y, shaken.ground
     before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
     moved, behind = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE]
-    t, contact, guard = events[e], event_kinds[e, 1], event_kinds[e, 3]
-    if guard == STEPPED_OVER:
+    t, mode = recorder.events[e], recorder.event_kinds[e, 1]
+    if recorder.event_kinds[e, 3] == STEPPED_OVER:
         return GRAZES, e, impacts, False
     for j in range(N_STATES):
-        before[j] = event_states[e, 0, j]
+        before[j] = recorder.event_states[e, 0, j]
     put(y, before)
-    rates(contact, before, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_there)
-    code, tau = moves_by(
-        e, contact, guard, length, t, event_kinds, event_states, gx, gy, dual_gx, dual_gy, tau_x,
-        tau_y, p, dual_p, rtol, atol, y, floats, duals,
-    )  # fmt: skip
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    rates(mode, before, case.p, ax, ay, rate_there)
+    code, tau = moves_by(e, length, recorder, shaken, case, varied, y, floats, duals)
     if code != 0:
         return code, e, impacts, False
     for j in range(N_STATES):
         moved[j] = y[j] + rate_there[j] * tau
     rested = False
     while True:
-        rested = event_kinds[e, 0] == REST
-        kind, contact, guard = event_kinds[e, 0], event_kinds[e, 1], event_kinds[e, 3]
-        if guard == STEPPED_OVER:
+        kind = recorder.event_kinds[e, 0]
+        rested = kind == REST
+        if recorder.event_kinds[e, 3] == STEPPED_OVER:
             return GRAZES, e, impacts, False
-        ax, ay = ground_acceleration(dual_gx, t + tau), ground_acceleration(dual_gy, t + tau)
-        if kind == REST:  # after the last impact, at t
+        if rested:  # after the last impact, at t
             rests, follows = comes_to_rest(
-                contact, t, tau, impacts, moved, dual_p, law, dual_ratio, ax, ay, dual_gx, dual_gy,
-                rtol, atol, rest_tolerance, behind, duals,
-            )  # fmt: skip
+                e, t + tau, impacts, recorder, shaken.varied, case, varied, duals
+            )
             tau += rests - value(rests)
-            t = events[e]
+            t = recorder.events[e]
         else:
             follows = passed(
-                contact, guard, length, t, impacts, moved, dual_p, law, dual_ratio, ax, ay, dual_gx,
-                dual_gy, rtol, behind, duals,
-            )  # fmt: skip
-        if follows != event_kinds[e, 2]:
+                e, t + tau, length, impacts, recorder, shaken.varied, case, varied, duals
+            )
+        if follows != recorder.event_kinds[e, 2]:
             return OTHER_WAY, e, impacts, rested
-        event_t[e] = t + tau
+        out.event_times[e] = t + tau
         for j in range(N_STATES):
-            event_y[e, 0, j] = moved[j]
-            before[j] = event_states[e, 1, j]
+            out.event_states[e, 0, j] = moved[j]
+            before[j] = recorder.event_states[e, 1, j]
         put(behind, before)
         for j in range(N_STATES):
-            event_y[e, 1, j] = moved[j] = behind[j]
+            out.event_states[e, 1, j] = moved[j] = behind[j]
         if kind in (IMPACT, LANDING):
             impacts += 1
         e += 1
-        at_once = e < events.shape[0] and (events[e] == t or event_kinds[e, 0] == REST)
-        if not at_once:
+        more = e < recorder.events.shape[0]
+        if not (more and (recorder.events[e] == t or recorder.event_kinds[e, 0] == REST)):
             break
-    rates(follows, before, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_there)
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    rates(follows, before, case.p, ax, ay, rate_there)
     for j in range(N_STATES):
         y[j] = moved[j] - rate_there[j] * tau
     return 0, e, impacts, rested
 
 
-def moves_by(
-    e, contact, guard, length, t, event_kinds, event_states, gx, gy, dual_gx, dual_gy, tau_x, tau_y,
-    p, dual_p, rtol, atol, y, floats, duals,
-):  # fmt: skip
-    """(code, tau): how the time of an event moves.
+def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
+    """(code, tau): the derivatives of the time of an event.
 
-    It is a law of the ground that begins, the start of the motion, or a guard that falls.
+    It is a segment of the ground that begins, the start of the motion, or a guard that falls.
     """
-    begins = event_kinds[e, 0] not in (IMPACT, LANDING)
-    if begins and t == gx[0]:
-        return 0, tau_x
-    if begins and t == gy[0]:
-        return 0, tau_y
+    t, mode, guard = recorder.events[e], recorder.event_kinds[e, 1], recorder.event_kinds[e, 3]
+    ground, p = shaken.ground, case.p
+    begins = recorder.event_kinds[e, 0] not in (IMPACT, LANDING)
+    if begins and t == ground.x[0]:
+        return 0, shaken.tau_x
+    if begins and t == ground.y[0]:
+        return 0, shaken.tau_y
     still = moving(0.0, 0.0)
     if t == 0.0:
         return 0, still
-    g, state = duals[_GUARD:_TOLD], duals[_STATE:_KICK]
+    g, state = duals[_GUARD:_KNOWN_POINTS], duals[_STATE:_GUARD]
     before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
     later, rate_soon = floats[2 * N_STATES : 3 * N_STATES], floats[3 * N_STATES :]
     # how fast the guard falls, and how fast that changes
-    falls = falls_by(contact, guard, t, before, rate_there, gx, gy, p, state, g)
+    falls = falls_by(mode, guard, t, before, rate_there, ground, p, state, g)
     ahead = 1e-3 * length
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
     soon = t + ahead
-    rates(
-        contact, later, p, ground_acceleration(gx, soon), ground_acceleration(gy, soon), rate_soon
-    )
-    after = falls_by(contact, guard, soon, later, rate_soon, gx, gy, p, state, g)
+    ax, ay = ground_acceleration(ground.x, soon), ground_acceleration(ground.y, soon)
+    rates(mode, later, p, ax, ay, rate_soon)
+    after = falls_by(mode, guard, soon, later, rate_soon, ground, p, state, g)
     for j in range(N_STATES):
-        later[j] = atol[j] + rtol * abs(before[j])
-    grain = abs(
-        guard_along(
-            contact,
-            guard,
-            before,
-            later,
-            ground_acceleration(gx, t),
-            ground_acceleration(gy, t),
-            p,
-            state,
-            g,
-        )
-    )
+        later[j] = case.atol[j] + case.rtol * abs(before[j])
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    grain = abs(guard_along(mode, guard, before, later, ax, ay, p, state, g))
     # where it falls faster and faster it comes from where it was open: a short hop is no graze
     bends = max(after - falls, 0.0) / ahead if ahead > 0.0 else 0.0
     if not falls < 0.0 or falls * falls <= DIGITS * grain * bends:
         # its time is not known; where nothing changes there, none is asked for
-        return (0 if goes_on(e, t, gx, gy, p, event_kinds, event_states, floats) else GRAZES), still
-    guards(contact, y, dual_p, ground_acceleration(dual_gx, t), ground_acceleration(dual_gy, t), g)
+        return (0 if goes_on(e, t, ground, p, recorder, floats) else GRAZES), still
+    now = shaken.varied
+    guards(mode, y, varied.p, ground_acceleration(now.x, t), ground_acceleration(now.y, t), g)
     return 0, (value(g[guard]) - g[guard]) / falls
 
 
-def falls_by(contact, guard, t, y, dy, gx, gy, p, state, g):
+def falls_by(mode, guard, t, y, dy, ground, p, state, g):
     """How fast a guard changes along the motion."""
     now = moving(t, 1.0)
-    return guard_along(
-        contact,
-        guard,
-        y,
-        dy,
-        ground_acceleration(gx, now),
-        ground_acceleration(gy, now),
-        p,
-        state,
-        g,
-    )
+    ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
+    return guard_along(mode, guard, y, dy, ax, ay, p, state, g)
 
 
-def guard_along(contact, guard, y, dy, ax, ay, p, state, g):
+def guard_along(mode, guard, y, dy, ax, ay, p, state, g):
     """How fast a guard changes where the state does so by dy."""
     for j in range(N_STATES):
         state[j] = moving(y[j], dy[j])
-    guards(contact, state, p, ax, ay, g)
+    guards(mode, state, p, ax, ay, g)
     return rate(g[guard])
 
 
-def goes_on(e, t, gx, gy, p, event_kinds, event_states, floats):
+def goes_on(e, t, ground, p, recorder, floats):
     """Whether neither the state nor its rates change at an event."""
-    rate_there, y, rate_behind = (
-        floats[N_STATES : 2 * N_STATES],
-        floats[:N_STATES],
-        floats[2 * N_STATES :],
-    )
+    y, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
+    rate_behind = floats[2 * N_STATES : 3 * N_STATES]
     for j in range(N_STATES):
-        y[j] = event_states[e, 1, j]
-    rates(
-        event_kinds[e, 2], y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), rate_behind
-    )
+        y[j] = recorder.event_states[e, 1, j]
+    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    rates(recorder.event_kinds[e, 2], y, p, ax, ay, rate_behind)
     same = True
     for j in range(N_STATES):
-        y[j] = event_states[e, 0, j]
-        same = same and event_states[e, 1, j] == y[j]
+        y[j] = recorder.event_states[e, 0, j]
+        same = same and recorder.event_states[e, 1, j] == y[j]
         size = abs(rate_there[j]) + abs(rate_behind[j])
         same = same and abs(rate_behind[j] - rate_there[j]) <= 1e-8 * size
     return same
 
 
 @inlined
-def passed(
-    contact, guard, length, t, impacts, y, p, law, dual_ratio, ax, ay, gx, gy, rtol, out, duals
-):  # fmt: skip
-    """The contact state behind a passage, as in the loop; the state there into out."""
+def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
+    """The mode after an event, as in the loop; the state there into duals[_BEHIND:].
+
+    now : the time of the event, with its derivatives. The state before is in duals[_MOVED:].
+    """
+    mode, guard = recorder.event_kinds[e, 1], recorder.event_kinds[e, 3]
+    y, out, p = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE], varied.p
     if N_POINTS == 0:
-        ratio = ratio_at(law, dual_ratio[0], impacts, y, p)
-        follows = jump(contact, guard, law, ratio, y, p, out)
+        ratio = ratio_at(case.law, varied.ratio[0], impacts, y, p)
+        follows = jump(mode, guard, case.law, ratio, y, p, out)
     else:
-        ahead = 1e-5 * length
-        later_x, later_y = ground_acceleration(gx, t + ahead), ground_acceleration(gy, t + ahead)
+        ahead, known = 1e-5 * length, duals[_KNOWN_POINTS:]
+        ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
+        later = value(now) + ahead
+        later_x, later_y = (
+            ground_acceleration(ground.x, later),
+            ground_acceleration(ground.y, later),
+        )
         follows, _ = pass_on(
-            contact, guard, length, y, p, ax, ay, later_x, later_y, ahead, rtol, duals[_TOLD:], out
+            mode, guard, length, y, p, ax, ay, later_x, later_y, ahead, case.rtol, known, out
         )
     return follows
 
 
 @inlined
-def comes_to_rest(
-    contact, t, tau, impacts, y, p, law, dual_ratio, ax, ay, gx, gy, rtol, atol, tolerance, out,
-    duals,
-):  # fmt: skip
-    """(time, contact) of infinitely many impacts, as in the loop; the state behind them into out.
+def comes_to_rest(e, now, impacts, recorder, ground, case, varied, duals):
+    """(time, mode) of infinitely many impacts, as in the loop; the state there in duals[_BEHIND:].
 
-    y : that at the last one that is told of; changed into the one before they have ended.
+    duals[_MOVED:] : the state at the last recorded impact, on return that before they have ended.
+    now : the time of that impact, with its derivatives.
     """
+    mode, tolerance, p = recorder.event_kinds[e, 1], case.rest_tolerance, varied.p
+    y, out, stands = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE], duals[_NEW:_MOVED]
+    ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
     if N_POINTS > 0:
-        rests, follows = time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, duals[_TOLD:], out)
+        known = duals[_KNOWN_POINTS:]
+        rests, follows = time_of_bounces(mode, y, p, ax, ay, tolerance, case.rtol, known, out)
     else:
-        w, stands, kick = duals[_STATE:_KICK], duals[_NEW:_MOVED], duals[_KICK:_GUARD]
         rests, follows = time_to_rest(
-            contact, y, p, law, dual_ratio[0], impacts, ax, ay, tolerance, w, stands, kick
+            mode, y, p, case.law, varied.ratio[0], impacts, ax, ay, tolerance, stands
         )
-        stand(follows, t + tau, rests, stands, p, gx, gy, rtol, atol, duals[_STAGES:_NEW], out)
+        stand(
+            follows, now, rests, stands, p, ground, case.rtol, case.atol, duals[_STAGES:_NEW], out
+        )
         for j in range(N_STATES):
             y[j] += out[j] - stands[j]  # there, had the impacts not faded yet
     return rests, follows
 
 
-def turn_corner(contact, t, gx, gy, new_x, new_y, tau, p, y, floats):
-    """The state where one law of the ground ends and another begins, at a time that moves."""
-    here, before, behind = (
-        floats[:N_STATES],
-        floats[N_STATES : 2 * N_STATES],
-        floats[2 * N_STATES :],
-    )
+def turn_corner(mode, t, gx, gy, new_x, new_y, tau, p, y, floats):
+    """The state where one segment of the ground ends and another begins, at a time that varies."""
+    here, before = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
+    behind = floats[2 * N_STATES : 3 * N_STATES]
     for j in range(N_STATES):
         here[j] = value(y[j])
-    rates(contact, here, p, ground_acceleration(gx, t), ground_acceleration(gy, t), before)
-    rates(contact, here, p, ground_acceleration(new_x, t), ground_acceleration(new_y, t), behind)
+    rates(mode, here, p, ground_acceleration(gx, t), ground_acceleration(gy, t), before)
+    rates(mode, here, p, ground_acceleration(new_x, t), ground_acceleration(new_y, t), behind)
     for j in range(N_STATES):
         y[j] += (before[j] - behind[j]) * tau
 

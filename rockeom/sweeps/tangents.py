@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.codes import GRAZES, OTHER_WAY
 from rockeom.compiler.types import WIDTH
+from rockeom.integrator import records
 from rockeom.integrator.program import carrying
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.dual import nominal, tangent_of, value_of
@@ -223,6 +224,12 @@ class Motion:
         program = carrying(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
+        case = records.Case(
+            t_end=q.end, horizontal=q.horizontal, vertical=q.vertical, p=p, law=q.law,
+            ratio=q.ratio, rtol=r.options.rtol, atol=atol, h_max=r.options.max_step, fixed=0,
+            fallen=q.fallen, rest_tolerance=r.options.rest_tolerance,
+            max_impacts=r.options.max_impacts, max_steps=r.options.max_steps,
+        )  # fmt: skip
         floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
@@ -239,11 +246,9 @@ class Motion:
             found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
             stopped = program.carry(
-                steps.span, steps.contact, steps.powers, t, kinds, states, q.horizontal, q.vertical,
-                *rows, corners, p, _dual(p, along.p, some), q.law,
-                _dual(q.ratio, along.ratio, some)[None],
-                r.options.rtol, atol, r.options.rest_tolerance, self.longest_step, times, y, found,
-                event_y, event_t, floats, duals, told,
+                steps.span, steps.contact, steps.powers, t, kinds, states, np.empty((0, n)), *case,
+                *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
+                self.longest_step, times, y, found, event_y, event_t, told, floats, duals,
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan

@@ -572,6 +572,49 @@ def test_entry_of_another_program_is_called_with_what_it_takes():
             Program(texts)
 
 
+OF_RECORDS = """
+from typing import NamedTuple
+
+
+class Scale(NamedTuple):
+    n: int
+    upwards: bool
+    size: float
+
+
+class Row(NamedTuple):
+    x: Floats
+    n: int
+
+
+@entry
+def fill(first: int, scale: Scale, row: Row) -> float:
+    for i in range(first, scale.n):
+        row.x[i] = scale.size * i if scale.upwards else -scale.size * i
+    return row.x[row.n]
+"""
+GIVES_RECORDS = """
+@entry
+def run(x: Floats, upwards: bool) -> float:
+    scale = Scale(len(x), not upwards, 1.5)
+    return fill(1, scale._replace(upwards=upwards), Row(x, 2))
+"""
+
+
+def test_entry_takes_records_by_their_fields_of_python_and_of_another_program():
+    there = Program([Text("there.py", HEAD + OF_RECORDS)])
+    names = [name for name, _ in there.entries["fill"].arguments]
+    assert names == ["first", "scale.n", "upwards", "size", "x", "row.n"]
+    here = Program([Text("there.py", HEAD + OF_RECORDS, elsewhere=True), Text("h", GIVES_RECORDS)])
+    codes = [compiled(program.ir()) for program in (there, here)]
+    calls = Loaded(codes[0], there.entries | here.entries, codes[1]).functions
+    for upwards, sign in ((True, 1.0), (False, -1.0)):
+        x, y = np.zeros(4), np.zeros(4)
+        assert calls["fill"](1, 4, upwards, 1.5, x, 2) == calls["run"](y, upwards) == sign * 3.0
+        assert (x == y).all()
+        assert (x == sign * np.array([0.0, 1.5, 3.0, 4.5])).all()
+
+
 def test_array_that_machine_code_would_misread_is_refused():
     run = functions(HEAD + "@entry\ndef run(x: Floats2) -> float:\n    return x[1, 0]")["run"]
     assert run(np.array([[1.0, 2.0], [3.0, 4.0]])) == 3.0

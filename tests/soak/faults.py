@@ -60,7 +60,7 @@ _FULL = """\
 _NONE_FITS = """\
         raise ValueError(
             f"no phase of"""
-_EQUAL = ("bound=case.coarse if equal", "bound=np.inf if equal")
+_EQUAL = ("bound=most_error(case.rtol) if equal", "bound=np.inf if equal")
 
 FAULTS = {
     "contact": Fault(
@@ -88,7 +88,7 @@ FAULTS = {
     "lanes": Fault(
         "nor that of a step of many lanes",
         LANES,
-        (("coarse = most_error(how[0])", "coarse = np.inf"),),
+        (("coarse = most_error(batch.rtol)", "coarse = np.inf"),),
         ("flexible_structure",),
         ("lanes",),
         check="lanes",

@@ -70,7 +70,17 @@ def may_fade(side, y, rate, law, ratio, tolerance):
     return a > 0.0 and 4.0 * v * v <= 1.001 * longest * longest * a
 
 
-def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, kick):
+@inlined
+def on_both_feet():
+    """The mode in which the rotation is zero, or -1."""
+    held = -1
+    for mode in range(len(SIDES)):
+        if SIDES[mode] == 0.0:
+            held = mode
+    return held
+
+
+def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
     """(time, contact): when the infinitely many impacts to come will all have happened.
 
     Close to the end of a free rocking motion the flights between impacts are parabolas: a flight
@@ -80,18 +90,15 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, 
 
     impacts : how many there were. `out` gets the state in which the structure stands once the
     rotation has given to the other rates what flights and impacts give them; `stand` moves these
-    through the time. kick (2 * N,) : scratch.
+    through the time.
     """
-    held = -1
-    for c in range(len(SIDES)):
-        if SIDES[c] == 0.0:
-            held = c
+    held = on_both_feet()
     if held < 0:
         return np.inf, contact
+    w, kick, smooth = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_STATES)
     for i in range(N_STATES):
         w[i] = y[i]
         kick[i] = 0.0
-    smooth = kick[N_STATES:]
     total = flight = a = 0.0
     start = abs(y[ROTATION_RATE])
     loss = whole = 1.0
@@ -144,7 +151,7 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, w, out, 
     return np.inf, contact
 
 
-def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
+def stand(contact, t, h, y, p, ground, rtol, atol, k, y_new):
     """Move what still moves in full contact through the time h in which impacts faded.
 
     One step of the method, from y at t into y_new: so the work of the ground and of dampers in that
@@ -154,6 +161,7 @@ def stand(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
         y_new[i] = y[i]
     if h == 0.0:
         return True
+    gx, gy = ground.x, ground.y
     rates(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), k)
     error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
     y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0

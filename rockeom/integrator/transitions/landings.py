@@ -13,12 +13,14 @@ from rockeom.codes import LANDING, STAYS_OPEN, UNCLEAR
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import ground_acceleration
+    from rockeom.integrator.guards import guards_at
     from rockeom.integrator.interface import (
         ANGLES,
         GUARDS,
         KINDS,
         N_POINTS,
+        N_STAGES,
+        N_STATES,
         SUBJECTS,
         guards,
         points,
@@ -70,49 +72,40 @@ def single_hop(contact, touching, y, p, dy):
     return hop, lasts
 
 
-def fall_within(
-    contact, t, h, y, y_new, k, end, p, gx, gy, w, samples, sampled, touching, hop
-):  # fmt: skip
-    """(guard, place): which guard of a contact state falls through zero in a step, and where.
+def fall_within(motion, ground, step, sampled, hop, case, a):
+    """(guard, place): which guard of a mode falls through zero in a step, and where.
 
     STAYS_OPEN where all of them stay far from zero, UNCLEAR where that cannot be said so easily.
     They are sampled on the quintics through both ends: parabolas through the ends and the middle,
-    but for what they miss at three quarters.
+    but for what they miss at three quarters. The samples are four rows of all guards: at the start,
+    in the middle, at three quarters, at the end.
 
-    k : the rates at the start, and from `end` on those at the end. gx, gy : laws of the ground.
-    samples : four rows of all guards: at the start, in the middle, at three quarters, at the end.
     sampled : they are those of the step before, whose last are the first of this one.
-    touching : which are closed, see `is_closed`.
     hop : a gap that opens at the start and should be closed again at the end, or -1.
     """
+    mode, t, h, samples, w, p = motion.mode, motion.t, step.h, a.b, a.w, case.p
     at_end = samples[3 * ROW :]
     if sampled:
-        for i in range(GUARDS[contact]):
+        for i in range(GUARDS[mode]):
             samples[i] = at_end[i]
     else:
-        guards_at(contact, t, y, p, gx, gy, samples)
-    between(h, 0, y, y_new, k, end, w)
-    guards_at(contact, t + 0.5 * h, w, p, gx, gy, samples[ROW:])
-    between(h, 1, y, y_new, k, end, w)
-    guards_at(contact, t + 0.75 * h, w, p, gx, gy, samples[2 * ROW :])
-    guards_at(contact, t + h, y_new, p, gx, gy, at_end)
+        guards_at(mode, t, a.y, p, ground, samples)
+    between(h, 0, a.y, a.y_new, a.k, w)
+    guards_at(mode, t + 0.5 * h, w, p, ground, samples[ROW:])
+    between(h, 1, a.y, a.y_new, a.k, w)
+    guards_at(mode, t + 0.75 * h, w, p, ground, samples[2 * ROW :])
+    guards_at(mode, t + h, a.y_new, p, ground, at_end)
     falls, place = STAYS_OPEN, 0.0
-    for i in range(GUARDS[contact]):
-        opens = touching > 0 and is_closed(touching, i)
+    for i in range(GUARDS[mode]):
+        opens = motion.touching > 0 and is_closed(motion.touching, i)
         if i != hop and stays_open_by(samples, i, opens):
             continue
-        if falls != STAYS_OPEN or KINDS[contact][i] != LANDING:
+        if falls != STAYS_OPEN or KINDS[mode][i] != LANDING:
             return UNCLEAR, 0.0
         falls, place = i, falls_by(samples, i, opens, i == hop)
         if place == 0.0:
             return UNCLEAR, 0.0
     return falls, place
-
-
-@inlined
-def guards_at(contact, t, y, p, gx, gy, g):
-    """Guards of a state at a time of the ground's laws, into g."""
-    guards(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), g)
 
 
 @inlined
@@ -200,12 +193,12 @@ def end_closed(contact, samples):
 
 
 @inlined
-def between(h, place, y, y_new, k, end, w):
+def between(h, place, y, y_new, k, w):
     """The state in the middle of a step, or at three quarters, on the quintics through both ends.
 
     place : the row of INSIDE. w (N,) : the state.
     """
-    n, rate, hh = N_COORDINATES, 1.0 / h, h * h
+    n, end, rate, hh = N_COORDINATES, N_STAGES * N_STATES, 1.0 / h, h * h
     for i in range(n):
         way, v0, v1 = y_new[i] - y[i], h * y[n + i], h * y_new[n + i]
         a0, a1 = hh * k[n + i], hh * k[end + n + i]

@@ -67,18 +67,9 @@ def free_flight(mode, touching, t, y, p, k):
 
 
 @inlined
-def falls_of(motion, ground, step, sampled, hop, case, a):
-    """(guard, place) in a step, see `fall_within`."""
-    return fall_within(
-        motion.mode, motion.t, step.h, a.y, a.y_new, a.k, N_STAGES * N_STATES, case.p,
-        ground.x, ground.y, a.w, a.b, sampled, motion.touching, hop,
-    )  # fmt: skip
-
-
-@inlined
 def hop_ends(motion, ground, step, gap, case, a):
     """Whether a step that is one hop clearly ends where it closes again."""
-    guard, _ = falls_of(motion, ground, step, False, step.hop, case, a)
+    guard, _ = fall_within(motion, ground, step, False, step.hop, case, a)
     return guard == step.hop
 
 
@@ -94,7 +85,7 @@ def certain_event(motion, ground, step, gap, case, a):
 
     open : all guards clearly stay open. closed : one is below zero at the end.
     """
-    guard, place = falls_of(motion, ground, step, step.sampled, -1, case, a)
+    guard, place = fall_within(motion, ground, step, step.sampled, -1, case, a)
     open_ = guard == STAYS_OPEN
     closed = guard < 0 and not open_ and end_closed(motion.mode, a.b)
     return guard if guard >= 0 else -1, place if guard >= 0 else NEVER, open_, closed
@@ -194,11 +185,11 @@ def is_known(touching, i):
 
 
 @inlined
-def grain_of(mode, index, y, p, ax, ay, h, fallen, noise, w, g, b, stride):
+def grain_of(mode, index, ax, ay, h, b, stride, case, a):
     """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
     if KINDS[mode][index] == SWITCH:
-        return noise_of(mode, index, p, fallen, noise, w, g)
-    return guard_noise(mode, index, y, p, ax, ay, h, b, stride)
+        return noise_of(mode, index, case.p, case.fallen, a.noises, a.w, a.g)
+    return guard_noise(mode, index, a.y, case.p, ax, ay, h, b, stride)
 
 
 @inlined

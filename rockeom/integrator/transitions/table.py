@@ -139,8 +139,8 @@ def zeno_time(motion, ground, end, case, a):
         stale, due = motion.rate_stale and not known, motion.guard_due and not known
         return motion._replace(rate_stale=stale, guard_due=due), rest
     time, follows = time_to_rest(
-        mode, a.y, case.p, case.law, case.ratio, motion.impacts, ax, ay, case.rest_tolerance, a.w,
-        a.after, a.coefficients,
+        mode, a.y, case.p, case.law, case.ratio, motion.impacts, ax, ay, case.rest_tolerance,
+        a.after,
     )  # fmt: skip
     return motion._replace(follows=follows), Rest(time, follows, False)
 
@@ -153,9 +153,8 @@ def through_rest(motion, ground, rest, case, a, recorder):
     """
     t = motion.t
     known = stand(
-        rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, case.rtol, case.atol, a.k,
-        a.y_new,
-    )  # fmt: skip
+        rest.mode, t, rest.time, a.after, case.p, ground, case.rtol, case.atol, a.k, a.y_new
+    )
     if known and records_steps(recorder) and t + rest.time > t:
         dense_output(
             rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, a.k, a.coefficients
@@ -172,9 +171,9 @@ def is_known(touching, i):
 
 
 @inlined
-def grain_of(mode, index, y, p, ax, ay, h, fallen, noise, w, g, b, stride):
+def grain_of(mode, index, ax, ay, h, b, stride, case, a):
     """Size of the rounding errors of a guard."""
-    return noise_of(mode, index, p, fallen, noise, w, g)
+    return noise_of(mode, index, case.p, case.fallen, a.noises, a.w, a.g)
 
 
 @inlined
