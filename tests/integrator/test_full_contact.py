@@ -42,12 +42,11 @@ def constants(structure):
 def stays(structure, h, ends, gx, gy=QUIET):
     """Whether the loop calls a step in full contact open, from (y, acceleration) at both ends."""
     f = loop(structure)
-    (y, a), (y_new, a_new) = ends
-    k = np.zeros(f["SCRATCH"])
-    k[3], k[f["N_STAGES"] * 4 + 3] = a, a_new
-    w, g, b, room = np.zeros(4), np.zeros(2), np.zeros(16), np.zeros(640)
-    p = constants(structure)
-    return f["stays_held"](f["HELD"], 0.0, h, y, y_new, k, p, gx, gy, w, g, b, room)
+    (y, at_start), (y_new, at_end) = ends
+    a = f["arrays_of"](y, np.zeros(4), np.zeros(f["SCRATCH"]))
+    a.y_new[:], a.k[3], a.k[f["N_STAGES"] * 4 + 3] = y_new, at_start, at_end
+    case = f["Case"](*[None] * len(f["Case"]._fields))._replace(p=constants(structure))
+    return f["stays_held"](f["HELD"], 0.0, h, f["Ground"](0, gx, 0, gy), case, a)
 
 
 def least_guard(structure, h, ends, line):
@@ -143,9 +142,7 @@ def test_time_to_rest_is_that_of_all_flights_one_by_one(ratio):
         y = np.array([0.0, u, speed, u_dot])
         rate, out = np.zeros(4), np.zeros(4)
         m.rates(right, y, p, ax, 0.0, rate)
-        rests, _ = f["time_to_rest"](
-            right, y, p, 0, ratio, 0, ax, 0.0, 1e-2, np.zeros(4), out, np.zeros(8)
-        )
+        rests, _ = f["time_to_rest"](right, y, p, 0, ratio, 0, ax, 0.0, 1e-2, out)
         assert math.isinf(rests) or f["may_fade"](1.0, y, rate, 0, ratio, 1e-2)
         if math.isinf(rests):
             continue
