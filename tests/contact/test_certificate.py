@@ -1,5 +1,7 @@
 """What is said of guards in a step by four samples of each, and the equations of an event."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -8,8 +10,8 @@ from rockeom.integrator.texts import text_of
 
 N = 2
 TEXT = {
-    "N_STATES": 2, "N_POINTS": 1, "N_GUARDS": N, "N_PARTS": 0, "GUARDS": (1, 2),
-    "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)), "ground_acceleration": lambda _row, t: t,
+    "N_STATES": 2, "N_STAGES": 1, "N_POINTS": 1, "N_GUARDS": N, "N_PARTS": 0, "GUARDS": (1, 2),
+    "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)),
 }  # fmt: skip
 exec(text_of("integrator/transitions/searched.py"), TEXT)
 exec(text_of("integrator/transitions/landings.py"), TEXT)
@@ -22,16 +24,16 @@ def at(cubic, t):
 def said(cubics, touching, contact=0, hop=-1):
     """Of guards that are cubics of time, in a step from 0 to 1."""
 
-    def guards(_contact, _y, _p, t, _ay, g):
+    def guards_at(_mode, t, _y, _p, _ground, g):
         for i, cubic in enumerate(cubics):
             g[i] = at(cubic, t)
 
-    TEXT["guards"] = guards
+    TEXT["guards_at"] = guards_at
     still = np.zeros(2)
-    return TEXT["fall_within"](
-        contact, 0.0, 1.0, still, still, np.zeros(4), 2, None, None, None, np.zeros(2),
-        np.zeros(4 * N), False, touching, hop,
-    )  # fmt: skip
+    motion = SimpleNamespace(mode=contact, t=0.0, touching=touching)
+    arrays = SimpleNamespace(y=still, y_new=still, k=np.zeros(4), w=np.zeros(2), b=np.zeros(4 * N))
+    step, case = SimpleNamespace(h=1.0), SimpleNamespace(p=None)
+    return TEXT["fall_within"](motion, None, step, False, hop, case, arrays)
 
 
 def random_cubics(closed):
