@@ -196,6 +196,16 @@ class Step(NamedTuple):
     outcome: int
 
 
+class State(NamedTuple):
+    """A state y (N,) in a mode, the parameters p, and the accelerations of the ground there."""
+
+    mode: int
+    y: Floats
+    p: Floats
+    ax: float
+    ay: float
+
+
 class Rest(NamedTuple):
     """The end of infinitely many impacts: after which time, in which mode; or a step over them."""
 

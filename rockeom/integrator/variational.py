@@ -39,7 +39,7 @@ if TYPE_CHECKING:  # joined before this text
         take_step,
         value,
     )
-    from rockeom.integrator.records import Case, Ground, Recorder
+    from rockeom.integrator.records import Case, Ground, Recorder, State
     from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
     from rockeom.integrator.transitions.searched import N_KNOWN, pass_on
     from rockeom.integrator.transitions.zeno import time_of_bounces
@@ -421,7 +421,9 @@ def comes_to_rest(e, now, impacts, recorder, ground, case, varied, duals):
     ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
     if N_POINTS > 0:
         known = duals[_KNOWN_POINTS:]
-        rests, follows = time_of_bounces(mode, y, p, ax, ay, tolerance, case.rtol, known, out)
+        rests, follows = time_of_bounces(
+            State(mode, y, p, ax, ay), tolerance, case.rtol, known, out
+        )
     else:
         rests, follows = time_to_rest(
             mode, y, p, case.law, varied.ratio[0], impacts, ax, ay, tolerance, stands

@@ -26,7 +26,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.ground import ground_acceleration
     from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES
     from rockeom.integrator.recorder import enter_mode
-    from rockeom.integrator.records import Rest
+    from rockeom.integrator.records import Rest, State
     from rockeom.integrator.rounding import noise_of
     from rockeom.integrator.transitions.landings import (
         end_closed,
@@ -133,6 +133,13 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
 
 
 @inlined
+def state_of(motion, ground, case, a):
+    """The state of a motion between two steps, with the ground there."""
+    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
+    return State(motion.mode, a.y, case.p, ax, ay)
+
+
+@inlined
 def failure_of(mode):
     """The outcome where no mode follows, or several."""
     return NO_SOLUTION if mode == IMPOSSIBLE else SEVERAL_SOLUTIONS
@@ -146,21 +153,17 @@ def after_step_over(motion, rest):
 @inlined
 def stepped_over(motion, ground, end, fits, case, a):
     """The rest after a step over events, not stepped where there is none; its state in y_new."""
-    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
-    time, mode = step_over(
-        motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, end - motion.t, fits, case.rtol,
-        a.known, a.y_new,
-    )  # fmt: skip
+    state = state_of(motion, ground, case, a)
+    longest = end - motion.t
+    time, mode = step_over(state, case.rest_tolerance, longest, fits, case.rtol, a.known, a.y_new)
     return Rest(time, mode, time < np.inf)
 
 
 @inlined
 def zeno_time(motion, ground, end, case, a):
     """(motion, rest): when the infinitely many impacts to come will all have happened."""
-    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
-    time, follows = time_of_bounces(
-        motion.mode, a.y, case.p, ax, ay, case.rest_tolerance, case.rtol, a.known, a.y_new
-    )
+    state = state_of(motion, ground, case, a)
+    time, follows = time_of_bounces(state, case.rest_tolerance, case.rtol, a.known, a.y_new)
     return motion._replace(follows=follows), Rest(time, follows, False)
 
 

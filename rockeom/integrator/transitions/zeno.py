@@ -3,12 +3,15 @@
 Joined behind contacts.py, whose passages the impacts are, see `rockeom.integrator.program`.
 """
 
+from __future__ import annotations
+
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
+from rockeom.compiler.decorators import Floats, Ints
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.interface import (
@@ -55,145 +58,189 @@ SHORTER = 4  # times of a step over events that are tried, each a tenth of the o
 LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
-def time_of_bounces(contact, y, p, ax, ay, tolerance, rtol, known, out):
-    """(time, contact): when the infinitely many impacts to come will all have happened.
+class Bounces(NamedTuple):
+    """The points that bounce (N_POINTS,): 1 of those; their gaps; and 1 of those that touch now.
+
+    The gaps are kept apart from the state, since they are lost among its last digits.
+    """
+
+    points: Ints
+    heights: Floats
+    near: Ints
+
+
+class Series(NamedTuple):
+    """A flight with which those after it are compared: in the end they shrink by one ratio.
+
+    point, mode : which point landed, and in which mode; -1 before there is such a flight. time :
+    from the start. rate : of the landing; ratio : of the last two rates of flights like this one.
+    flights : since; after `patience` of them another flight takes its place.
+    """
+
+    point: int
+    mode: int
+    time: float
+    rate: float
+    ratio: float
+    flights: int
+    patience: int
+
+
+def time_of_bounces(state, tolerance, rtol, known, out):
+    """(time, mode): when the infinitely many impacts to come will all have happened.
 
     From a landing after which points leave what they touched. out (N,) : the state after that time,
-    with these points closed. Returns (inf, contact) while the time is longer than `tolerance` times
+    with these points closed. Returns (inf, mode) while the time is longer than `tolerance` times
     sqrt(l/a), a the acceleration of a point in free motion and l the radius of gyration. Lost
-    flights may take LONGEST_LOST of it, and where they take longer, they end at once. The contact
-    state is IMPOSSIBLE or AMBIGUOUS, and the time inf, where none or several may follow that.
+    flights may take LONGEST_LOST of it, and where they take longer, they end at once. The mode is
+    IMPOSSIBLE or AMBIGUOUS, and the time inf, where none or several may follow that.
     """
+    mode, y = state.mode, state.y
     w, dy = np.empty(N_STATES), np.empty(N_STATES)
-    bouncing, heights = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    near = np.zeros(N_POINTS, np.int64)
-    rates(contact, y, p, ax, ay, dy)
-    start, limit, lost = slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing)
+    bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    bounces = Bounces(bouncing, np.zeros(N_POINTS), near)
+    rates(mode, y, state.p, state.ax, state.ay, dy)
+    start, limit, lost = slow_bounces(state, tolerance, known, dy, bounces.points)
     if start == 0.0:
-        return np.inf, contact
-    total, follows = np.inf, contact
+        return np.inf, mode
+    total, follows = np.inf, mode
     if limit > 0.0:
         for i in range(N_STATES):
             w[i] = y[i]
-        beside_bounces(contact, limit, known, dy, bouncing, heights)
-        total, follows = sum_of_flights(
-            contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
-        )
+        beside_bounces(mode, limit, known, dy, bounces)
+        flying = state._replace(y=w)
+        total, follows = sum_of_flights(flying, start, limit, rtol, known, dy, bounces, out)
     if follows < 0:
-        total, follows = np.inf, contact
+        total, follows = np.inf, mode
     if lost and not total < np.inf:
         total = 0.0
         for i in range(N_POINTS):
-            bouncing[i] = 0
-        follows = all_closed(contact, bouncing, 0.0, 0.0, p, ax, ay, rtol, known, near, y, out)
+            bounces.points[i] = 0
+        follows = all_closed(state, bounces, 0.0, 0.0, rtol, known, out)
     for _ in range(N_POINTS):
-        if not (total < np.inf and follows >= 0 and any_lost(follows, out, p, ax, ay, known, dy)):
+        after = state._replace(mode=follows, y=out)
+        if not (total < np.inf and follows >= 0 and any_lost(after, known, dy)):
             break
         # what follows may bring back a point that left: it has no time to
         for i in range(N_STATES):
             w[i] = out[i]
         for i in range(N_POINTS):
-            bouncing[i] = 0
-        follows = all_closed(follows, bouncing, 0.0, 0.0, p, ax, ay, rtol, known, near, w, out)
+            bounces.points[i] = 0
+        follows = all_closed(after._replace(y=w), bounces, 0.0, 0.0, rtol, known, out)
     return (total, follows) if follows >= 0 else (np.inf, follows)
 
 
-def any_lost(contact, y, p, ax, ay, known, dy):
+def any_lost(state, known, dy):
     """Whether a flight that begins in a state is lost. known, dy : scratch."""
     lost = False
-    rates(contact, y, p, ax, ay, dy)
-    points(y, p, known)
+    rates(state.mode, state.y, state.p, state.ax, state.ay, dy)
+    points(state.y, state.p, known)
     for i in range(N_POINTS):
-        _, _, _, is_lost = hop_of(i, contact, y, known, dy)
+        _, _, _, is_lost = hop_of(i, state.mode, state.y, known, dy)
         lost = lost or is_lost
     return lost
 
 
-def sum_of_flights(
-    contact, w, p, ax, ay, start, limit, rtol, known, dy, bouncing, heights, near, out
-):  # fmt: skip
-    """(time, contact) of bounces from a state w (N,), which moves on to their end.
+def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
+    """(time, mode) of bounces from a state, whose y (N,) moves on to their end.
 
     Close to the end flights are parabolas, each from the rates of the state in which it begins, and
     the impacts between are those of any landing. They are followed until one is like another before
-    it but for its speed: what is left is a geometric series then. heights (N_POINTS,) : gaps of the
-    points of bouncing (N_POINTS,), apart since they are lost among the last digits of a state.
-    limit : the longest time, see `time_of_bounces`. dy : the rates of w; near : scratch.
+    it but for its speed: what is left is a geometric series then. limit : the longest time, see
+    `time_of_bounces`. dy : the rates of y.
     """
-    n = N_COORDINATES
-    met, landed = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
+    w, here, landed = state.y, state.mode, np.zeros(N_POINTS, np.int64)
     total = last = 0.0
-    here = contact
-    # a flight before, with which others are compared
-    first, first_here, first_total, rate_then, ratio_then = -1, -1, 0.0, 0.0, 0.0
-    w_then = np.empty(N_STATES)
-    flights, patience = 0, 2
+    series, w_then = Series(-1, -1, 0.0, 0.0, 0.0, 0, 2), np.empty(N_STATES)
     for turn in range(TURNS + 1):
         if turn > 0:
-            rates(here, w, p, ax, ay, dy)
-        flight, which = next_landing(here, bouncing, heights, w, known, dy)
+            rates(here, w, state.p, state.ax, state.ay, dy)
+        flight, which = next_landing(here, bounces, w, known, dy)
         slips, guard = next_stop(here, w, known, dy)
         stops = slips < flight
         if stops:
             flight = slips
-        if have_ended(here, bouncing, heights, start, known, w, dy):
+        if have_ended(here, bounces, start, known, w, dy):
             break
         if turn == TURNS:
-            if fast_fly_on(here, bouncing, heights, start, known, dy):
-                return np.inf, contact
+            if fast_fly_on(here, bounces, start, known, dy):
+                return np.inf, state.mode
             break
         if not total + flight <= limit:
             # where the last flights were nothing, some have come to their end and others fly on
-            if not (last <= 1e-6 * total and some_ended(here, bouncing)):
-                return np.inf, contact
+            if not (last <= 1e-6 * total and some_ended(here, bounces.points)):
+                return np.inf, state.mode
             break
         if not stops:
             rate = known[which * POINT + 1]
-            alike = which == first and here == first_here
+            alike = which == series.point and here == series.mode
             if alike:
-                ratio, period = rate / rate_then, total - first_total
+                ratio, period = rate / series.rate, total - series.time
                 left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
                 if total + left * period > limit:
-                    return np.inf, contact
-                all_landed = True
-                for i in range(N_POINTS):
-                    all_landed = all_landed and landed[i] >= bouncing[i]
-                if left > 0.0 and all_landed and abs(ratio - ratio_then) <= 1e-9 * (1.0 - ratio):
+                    return np.inf, state.mode
+                steady = abs(ratio - series.ratio) <= 1e-9 * (1.0 - ratio)
+                if left > 0.0 and steady and all_landed(landed, bounces.points):
                     to_the_end(ratio, period, w_then, w)
                     total += left * period
                     break
-                ratio_then = ratio
-            if alike or first < 0 or flights == patience:
-                if flights == patience and not alike:
-                    patience *= 2
-                first, first_here, first_total, rate_then, flights = which, here, total, rate, 0
+                series = series._replace(ratio=ratio)
+            if alike or series.point < 0 or series.flights == series.patience:
+                waited = series.flights == series.patience and not alike
+                series = Series(
+                    which, here, total, rate, series.ratio, 0, series.patience * (1 + int(waited))
+                )
                 for i in range(N_STATES):
                     w_then[i] = w[i]
                 for i in range(N_POINTS):
                     landed[i] = 0
             guard, last = landing_of(here, which), flight
-            flights += 1
+            series = series._replace(flights=series.flights + 1)
         total += flight
-        fly(here, -1 if stops else which, flight, known, dy, bouncing, heights, near, w)
+        fly(here, -1 if stops else which, flight, known, dy, bounces, w)
         for i in range(N_POINTS):
-            met[i] = near[i]
-            landed[i] = max(landed[i], near[i])
-        for i in range(N_STATES):
-            out[i] = w[i]
-        points(w, p, known)
-        here, _ = meet(
-            here, guard, near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known, out
-        )  # fmt: skip
+            landed[i] = max(landed[i], bounces.near[i])
+        here = meet_after_flight(
+            state._replace(mode=here), guard, flight, rtol, known, bounces, out
+        )
         if here < 0:
-            return np.inf, contact
-        for i in range(n, N_STATES):
-            w[i] = out[i]
-        points(w, p, known)
-        for i in range(N_POINTS):
-            if met[i] == 1 and POINT_STATES[here][i] == OPEN and known[i * POINT + 1] > 0.0:
-                bouncing[i] = 1
-    follows = all_closed(here, bouncing, start, limit, p, ax, ay, rtol, known, near, w, out)
-    return (total, follows) if follows >= 0 else (np.inf, contact)
+            return np.inf, state.mode
+    follows = all_closed(state._replace(mode=here), bounces, start, limit, rtol, known, out)
+    return (total, follows) if follows >= 0 else (np.inf, state.mode)
+
+
+def all_landed(landed, bouncing):
+    """Whether all points that bounce have landed."""
+    every = True
+    for i in range(N_POINTS):
+        every = every and landed[i] >= bouncing[i]
+    return every
+
+
+def meet_after_flight(state, guard, flight, rtol, known, bounces, out):
+    """The mode after the landing, or the end of a slip, that a flight ends with; y moves there.
+
+    Points that leave by it bounce, too.
+    """
+    w, p, ax, ay = state.y, state.p, state.ax, state.ay
+    met = np.zeros(N_POINTS, np.int64)
+    for i in range(N_POINTS):
+        met[i] = bounces.near[i]
+    for i in range(N_STATES):
+        out[i] = w[i]
+    points(w, p, known)
+    follows, _ = meet(
+        state.mode, guard, bounces.near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known, out
+    )
+    if follows < 0:
+        return follows
+    for i in range(N_COORDINATES, N_STATES):
+        w[i] = out[i]
+    points(w, p, known)
+    for i in range(N_POINTS):
+        if met[i] == 1 and POINT_STATES[follows][i] == OPEN and known[i * POINT + 1] > 0.0:
+            bounces.points[i] = 1
+    return follows
 
 
 def hop_of(point, contact, y, known, dy):
@@ -214,16 +261,16 @@ def hop_of(point, contact, y, known, dy):
     return height, a, radius, lost
 
 
-def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
+def slow_bounces(state, tolerance, known, dy, bouncing):
     """(start, limit, lost): the fastest rate of points that leave, or land, and the longest time.
 
     bouncing (N_POINTS,) : set to 1 for these points. lost : whether a flight of theirs is. Zeros
     where no point leaves and comes back; no time where one is too fast for it.
     """
-    start = 0.0
+    mode, y, start = state.mode, state.y, 0.0
     all_lost, any_is_lost, returns, fast = True, False, False, False
     for i in range(N_POINTS):
-        height, a, radius, lost = hop_of(i, contact, y, known, dy)
+        height, a, radius, lost = hop_of(i, mode, y, known, dy)
         if height == 0.0:
             continue
         rate = known[i * POINT + 1]
@@ -237,14 +284,14 @@ def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
     if fast:
         return start, 0.0, any_is_lost
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
-    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    without_forces(y, state.p, state.ax, state.ay, mode, known, wanted, sizes)
     most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            _, _, radius, _ = hop_of(i, contact, y, known, dy)
+            _, _, radius, _ = hop_of(i, mode, y, known, dy)
             limit = min(limit, most * math.sqrt(radius / sizes[2 * i]))
     for i in range(N_POINTS):
-        _, a, _, _ = hop_of(i, contact, y, known, dy)
+        _, a, _, _ = hop_of(i, mode, y, known, dy)
         rate = known[i * POINT + 1]
         if bouncing[i] == 1 and (
             rate < -limit * sizes[2 * i] or (a <= 0.0 and rate > limit * sizes[2 * i])
@@ -253,33 +300,33 @@ def slow_bounces(contact, y, p, ax, ay, tolerance, known, dy, bouncing):
     return start, limit, any_is_lost
 
 
-def beside_bounces(contact, limit, known, dy, bouncing, heights):
-    """Set bouncing for points in flight that land within the time of the bounces, and heights."""
+def beside_bounces(mode, limit, known, dy, bounces):
+    """Let points in flight bounce, too, that land within the time of the bounces."""
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
-        if POINT_STATES[contact][i] == OPEN and bouncing[i] == 0:
+        if POINT_STATES[mode][i] == OPEN and bounces.points[i] == 0:
             a = -acceleration_of(known, 2 * i, dy)
             if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
-                bouncing[i], heights[i] = 1, gap
+                bounces.points[i], bounces.heights[i] = 1, gap
 
 
-def next_landing(here, bouncing, heights, w, told, dy):
+def next_landing(here, bounces, w, told, dy):
     """(time, point) of the next landing of those that bounce: (inf, -1) where none lands by itself.
 
     A gap that opens faster and faster waits for the landing of another.
     """
     flight, which = np.inf, -1
     for i in range(N_POINTS):
-        if bouncing[i] == 0 or POINT_STATES[here][i] != OPEN:
+        if bounces.points[i] == 0 or POINT_STATES[here][i] != OPEN:
             continue
-        a = -acceleration_of(told, 2 * i, dy)
+        height, a = bounces.heights[i], -acceleration_of(told, 2 * i, dy)
         rate, size = rate_of(told, 2 * i, w, N_COORDINATES)
-        if heights[i] == 0.0 and -FITS * size <= rate < 0.0:
+        if height == 0.0 and -FITS * size <= rate < 0.0:
             rate = 0.0  # it would land again and again, and nothing would change
-        square = rate * rate + 2.0 * a * heights[i]
+        square = rate * rate + 2.0 * a * height
         lasts = np.inf
         if rate < 0.0 and square >= 0.0:
-            lasts = 2.0 * heights[i] / (math.sqrt(square) - rate)
+            lasts = 2.0 * height / (math.sqrt(square) - rate)
         elif a > 0.0:
             lasts = (rate + math.sqrt(square)) / a
         if lasts < flight:
@@ -318,26 +365,26 @@ def speed_of(point, heights, told, dy):
     return math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[point])
 
 
-def have_ended(here, bouncing, heights, start, told, w, dy):
+def have_ended(here, bounces, start, told, w, dy):
     """Whether nothing but the digits of other velocities is left of those of the bounces."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
-        if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            fastest = max(fastest, speed_of(i, heights, told, dy))
+        if bounces.points[i] == 1 and POINT_STATES[here][i] == OPEN:
+            fastest = max(fastest, speed_of(i, bounces.heights, told, dy))
         _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
     return fastest <= max(1e-7 * start, 1e-8 * whole)
 
 
-def fast_fly_on(here, bouncing, heights, start, told, dy):
+def fast_fly_on(here, bounces, start, told, dy):
     """Take the bounces back of points that are as fast as at the start: whether all are.
 
     start : the rate of the fastest then.
     """
-    every = True
+    every, bouncing = True, bounces.points
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            bouncing[i] = 0 if speed_of(i, heights, told, dy) > start else 1
+            bouncing[i] = 0 if speed_of(i, bounces.heights, told, dy) > start else 1
         every = every and bouncing[i] == 0
     return every
 
@@ -353,12 +400,12 @@ def some_ended(here, bouncing):
     return ended
 
 
-def fly(here, which, flight, told, dy, bouncing, heights, near, w):
-    """Move a state w to the next landing, and say which points touch there, in near."""
-    n = N_COORDINATES
+def fly(here, which, flight, told, dy, bounces, w):
+    """Move a state w to the next landing, and say which points touch there, in `bounces.near`."""
+    n, heights, near = N_COORDINATES, bounces.heights, bounces.near
     for i in range(N_POINTS):
         near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
-        if bouncing[i] == 1 and near[i] == 0:
+        if bounces.points[i] == 1 and near[i] == 0:
             rise = told[i * POINT + 1] * flight
             drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
             heights[i] += rise - drop
@@ -383,13 +430,14 @@ def to_the_end(ratio, period, w_then, w):
         w[i] += left * along_ + left_of_squares * (w[i] - w_then[i] - along_)
 
 
-def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out):
-    """The contact state that follows once all points that bounce are closed, or a negative number.
+def all_closed(state, bounces, start, time, rtol, known, out):
+    """The mode that follows once all points that bounce are closed, or a negative number.
 
-    So are others whose flights are lost. w : the state until then; out : with them closed, and with
-    slips ended, see `end_slips`. known, near : scratch.
+    So are others whose flights are lost. state : until then; out : its y with them closed, and with
+    slips ended, see `close_and_end_slips`. known : scratch.
     """
-    n = N_COORDINATES
+    here, w, p, ax, ay = state.mode, state.y, state.p, state.ax, state.ay
+    n, near = N_COORDINATES, bounces.near
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     for i in range(N_STATES):
@@ -399,7 +447,7 @@ def all_closed(here, bouncing, start, time, p, ax, ay, rtol, known, near, w, out
     without_forces(out, p, ax, ay, here, known, wanted, sizes)
     for i in range(N_POINTS):
         _, _, _, lost = hop_of(i, here, w, known, dy)
-        closed = lost or bouncing[i] == 1 or POINT_STATES[here][i] != OPEN
+        closed = lost or bounces.points[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
         if closed:
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
@@ -463,43 +511,42 @@ def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sli
             sliding[i] = 0.0
 
 
-def step_over(contact, y, p, ax, ay, tolerance, longest, fits, rtol, known, out):
-    """(time, contact): a step over events without end, or over one that nothing may follow.
+def step_over(state, tolerance, longest, fits, rtol, known, out):
+    """(time, mode): a step over events without end, or over one that nothing may follow.
 
     In `tolerance` times sqrt(l/a), see `time_of_bounces`, but no more than `longest`, and in a
     shorter time where a faster landing lies within it. out (N,) : the state after it. The time is
-    inf, and the contact state IMPOSSIBLE or AMBIGUOUS, where no impulses fit, where they change
+    inf, and the mode IMPOSSIBLE or AMBIGUOUS, where no impulses fit, where they change
     velocities by more than accelerations can in such a time, or, if `fits`, where no forces fit
     after it.
     """
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
-    all_known(y, p, contact, known)
-    whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    mode, y, p = state.mode, state.y, state.p
+    all_known(y, p, mode, known)
+    whole = without_forces(y, p, state.ax, state.ay, mode, known, wanted, sizes)
     time, taken, follows = np.inf, np.inf, IMPOSSIBLE
     for i in range(N_POINTS):
         time = min(time, math.sqrt(radius_of(known, i) / sizes[2 * i]))
     time = min(tolerance * time, longest)
     for _ in range(SHORTER):
         if not taken < np.inf:
-            taken, follows = step_of_moreau(
-                contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known, out
-            )
+            taken, follows = step_of_moreau(state, time, whole, sizes, fits, rtol, known, out)
             time *= 0.1
     return taken, follows
 
 
-def step_of_moreau(contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known, out):
-    """(time, contact) of a time step of Moreau, or inf, see `step_over`.
+def step_of_moreau(state, time, whole, sizes, fits, rtol, known, out):
+    """(time, mode) of a time step of Moreau, or inf, see `step_over`.
 
     Velocities change by what moves the structure freely, and by impulses at the points that touch,
     which do not bounce. whole, sizes : of `without_forces`.
     """
-    n = N_COORDINATES
-    w, dy, forces = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_COORDINATES)
-    near, bouncing = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
-    all_known(y, p, contact, known)
-    rates(contact, y, p, ax, ay, dy)
-    free_motion(y, p, ax, ay, contact, known[MATRIX:], forces)
+    mode, y, p, ax, ay = state.mode, state.y, state.p, state.ax, state.ay
+    n, w, dy = N_COORDINATES, np.empty(N_STATES), np.empty(N_STATES)
+    forces, near = np.empty(N_COORDINATES), np.zeros(N_POINTS, np.int64)
+    all_known(y, p, mode, known)
+    rates(mode, y, p, ax, ay, dy)
+    free_motion(y, p, ax, ay, mode, known[MATRIX:], forces)
     through_mass(known[MATRIX:], forces, 1)
     for i in range(n):
         massless = known[MATRIX + i * n + i] == 0.0
@@ -510,11 +557,11 @@ def step_of_moreau(contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known,
         falls, _ = rate_of(known, 2 * i, w, n)
         least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[2 * i]
         _, size = rate_of(known, 2 * i, y, 0)
-        near[i] = 1 if POINT_STATES[contact][i] != OPEN or least <= GRAIN * size else 0
+        near[i] = 1 if POINT_STATES[mode][i] != OPEN or least <= GRAIN * size else 0
         if near[i] == 1:
             alike = min(alike, time * time * sizes[ROWS + i] * sizes[2 * i])
         known[LAWS + 2 * i] = 0.0  # restitution
-    as_said = collide(contact, near, alike, known, w)
+    as_said = collide(mode, near, alike, known, w)
     if as_said < 0:
         return np.inf, as_said
     for i in range(n):
@@ -522,7 +569,9 @@ def step_of_moreau(contact, y, p, ax, ay, time, whole, sizes, fits, rtol, known,
         w[i] = y[i] + time * w[n + i]
     if squared(known, forces) > SLOWEST * SLOWEST * time * time * whole:
         return np.inf, IMPOSSIBLE
-    follows = all_closed(as_said, bouncing, 0.0, time, p, ax, ay, rtol, known, near, w, out)
+    none = Bounces(np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS), near)
+    after = state._replace(mode=as_said, y=w)
+    follows = all_closed(after, none, 0.0, time, rtol, known, out)
     if follows < 0 and fits:
         return np.inf, follows
     return time, follows if follows >= 0 else as_said
