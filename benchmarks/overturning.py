@@ -12,6 +12,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 GRID = {"frequency": np.linspace(0.5, 8.0, 400), "amplitude": np.linspace(0.5, 8.0, 400)}
@@ -25,7 +26,7 @@ def timed(work: Callable[[], object]) -> float:
 
 
 def main() -> None:
-    pulse = analysis.dimensionless_pulses(BLOCK)
+    pulse = dynamics.dimensionless_pulses(BLOCK)
     few = {name: values[::80] for name, values in GRID.items()}
     rk.simulate_many(pulse, few, arrays=True)  # what is compiled is not counted
     sweep = rk.simulate_many(pulse, GRID, arrays=True)

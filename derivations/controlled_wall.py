@@ -52,12 +52,13 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
 from rockeom.thesis import equation
+from rockeom.thesis.wall_tests import energy_ratio_4_31
 
 use_style()
 sp.init_printing()
 
 wall = analysis.Wall.thesis()
-measured = analysis.FreeVibration.table_a1()
+measured = analysis.identification.FreeVibration.table_a1()
 legible = measured.reading != "guessed"
 D = measured.displacement
 
@@ -105,7 +106,7 @@ ax.annotate("tendon", anchor, (8, -3), textcoords="offset points", color=fb.FORC
 ax.set(xlim=(-1.1, 1.3), ylim=(-0.5, 3.0))
 
 x = np.linspace(-0.033, 0.033, 801)
-edge = analysis.RotationCentre.thesis_edge()
+edge = analysis.formulas.RotationCentre.thesis_edge()
 right.plot(x * 1e3, 1e3 * wall.rotation_centre.distance_from_edge(x), label="$C_2=96$ mm (4-7)")
 right.plot(x * 1e3, 1e3 * edge.distance_from_edge(x), "--", label="$C_2=66$ mm")
 rows = measured.at_peak & legible
@@ -180,7 +181,9 @@ by_hand = (half + wall.rotation_centre.distance(small)) * np.sin(turn)
 np.testing.assert_allclose(wall.uplift(small), by_hand * (1 + turn**2 / 2), rtol=1e-7)
 
 lifted = np.where(D > 0, measured.left_uplift, measured.right_uplift)
-good = analysis.coefficient_of_determination(lifted[legible], wall.uplift(D[legible]))
+good = analysis.identification.coefficient_of_determination(
+    lifted[legible], wall.uplift(D[legible])
+)
 print(f"R2 of the uplifts: {good:.3f}")
 assert round(good, 2) >= 0.99  # as the thesis says of 4-9
 
@@ -237,7 +240,9 @@ assert np.isclose(unstressed, 3.0935, atol=5e-5)
 assert np.isclose(distance - unstressed, 6.4564e-3, atol=5e-8)
 assert np.isclose(tendon.stiffness, modulus * area / unstressed)
 
-fit = analysis.coefficient_of_determination(measured.tendon_force[rows], wall.tendon_force(D[rows]))
+fit = analysis.identification.coefficient_of_determination(
+    measured.tendon_force[rows], wall.tendon_force(D[rows])
+)
 print(f"k = {tendon.stiffness / 1e6:.2f} MN/m; R2 of the forces at the peaks: {fit:.3f}")
 assert abs(fit - 0.927) < 0.01  # that of the thesis
 
@@ -509,7 +514,7 @@ print(f"next peak: (8) {1e3 * found:.4f} mm, SciPy {1e3 * simulated:.4f} mm, "
 assert abs(found - simulated) < 1e-6
 assert abs(simulated - heavier) < 1e-8
 assert np.isclose(longer / duration, np.sqrt(1.1), rtol=1e-6)
-library = analysis.peak_sequence(wall.restoring_force, -first, ratio, width, passages=1)
+library = analysis.formulas.peak_sequence(wall.restoring_force, -first, ratio, width, passages=1)
 assert abs(library[1] - found) < 1e-8
 
 # %% [markdown]
@@ -588,7 +593,7 @@ assert rms.min() < 1.5e-3
 # %% tags=["hide-input"]
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.2), layout="constrained")
 v = np.linspace(0.0, 0.85, 851)
-left.plot(v, analysis.energy_ratio_4_31(v), label="4-31")
+left.plot(v, energy_ratio_4_31(v), label="4-31")
 for rows_, mark, name in ((to_right, ">", "to the right"), (~to_right, "<", "to the left")):
     left.plot(speeds[rows_], ratios[rows_], mark, mfc="white", color=fb.INK, label=f"(8), {name}")
 left.axhline(best, color=fb.LINES[1], ls="--", lw=0.9, label=f"$r={best:.2f}$")
@@ -623,14 +628,14 @@ def released(structure, start=float(signed[0])):
     """Peaks, signed [m], and their times [s], of a free vibration."""
     run = rk.simulate(structure, quiet, initial={"u": start})
     when = np.unique(run.t)
-    record = analysis.FreeVibration.from_samples(when, run.at(when)["u"])
+    record = analysis.identification.FreeVibration.from_samples(when, run.at(when)["u"])
     return run, record.displacement[record.at_peak], record.time[record.at_peak]
 
 
 run, found_peaks, found_times = released(oscillator, -first)
 np.testing.assert_allclose(found_peaks[1], found, rtol=1e-6)
 np.testing.assert_allclose(found_times[1], duration, rtol=1e-4)
-by_8 = analysis.peak_sequence(wall.restoring_force, -first, ratio, width, passages=8)
+by_8 = analysis.formulas.peak_sequence(wall.restoring_force, -first, ratio, width, passages=8)
 np.testing.assert_allclose(found_peaks[:9], by_8, atol=1e-6)
 
 # %% [markdown]
@@ -701,7 +706,7 @@ for start in (-30.0e-3, -30.41e-3, -30.8e-3):
           f"{row[1]:.2f} mm (passage)")  # fmt: skip
 by_4_31 = (fifth[-30.8e-3][0] - fifth[-30.0e-3][0]) / 0.8
 by_one_r = 1.25e3 * np.diff(
-    [analysis.peak_sequence(wall.restoring_force, x0, best, width, passages=4)[4]
+    [analysis.formulas.peak_sequence(wall.restoring_force, x0, best, width, passages=4)[4]
      for x0 in (30.0e-3, 30.8e-3)]
 ).item()  # fmt: skip
 print(f"mm of the fifth peak for one of the release: {by_4_31:.1f}, with one r {by_one_r:.1f}")
@@ -715,7 +720,9 @@ assert by_4_31 > 3 * by_one_r
 # release.
 
 # %%
-edge_wall = dataclasses.replace(wall, rotation_centre=analysis.RotationCentre.thesis_edge())
+edge_wall = dataclasses.replace(
+    wall, rotation_centre=analysis.formulas.RotationCentre.thesis_edge()
+)
 wider = dataclasses.replace(
     wall, rotation_centre=dataclasses.replace(wall.rotation_centre, epsilon=1.1 * width)
 )
@@ -853,7 +860,7 @@ near = np.array([0.5, 0.999, 1.001, 2.0]) * settled
 assert (np.sign(descends.restoring_force(near)) == [-1, -1, 1, 1]).all()
 
 assert np.isclose(gain(0.01, 0.01, 1.0), 0.0, atol=1e-9)
-sharp = analysis.peak_sequence(wall.restoring_force, -first, 0.85, 1e-5, passages=1)[1]
+sharp = analysis.formulas.peak_sequence(wall.restoring_force, -first, 0.85, 1e-5, passages=1)[1]
 assert np.isclose(sharp, in_no_time, rtol=1e-5)
 assert found > in_no_time
 

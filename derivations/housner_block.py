@@ -462,8 +462,10 @@ for ratio in (0.1, 0.5, 0.8, 0.99):
     release = ratio * block.alpha
     exact = quarter_period(release)
     assert np.isclose(elliptic(release), exact, rtol=1e-9)
-    assert np.isclose(analysis.exact_quarter_period(release, block.alpha, p), exact, rtol=1e-9)
-    assert np.isclose(analysis.quarter_period(ratio, p), linearised(release), rtol=1e-12)
+    assert np.isclose(
+        analysis.formulas.exact_quarter_period(release, block.alpha, p), exact, rtol=1e-9
+    )
+    assert np.isclose(analysis.formulas.quarter_period(ratio, p), linearised(release), rtol=1e-12)
     assert np.isclose(simulated(block, release), exact, rtol=1e-9)
     assert np.isclose(simulated(slender_block, release), linearised(release), rtol=1e-9)
     assert abs(linearised(release) / exact - 1) < 0.012  # what linearising costs at 14 degrees

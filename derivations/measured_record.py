@@ -46,6 +46,7 @@ import numpy as np
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import use_style
+from rockeom.thesis.points_of_interest import points_by_prominence, points_by_score
 
 use_style()
 
@@ -166,12 +167,12 @@ plt.show()
 # middle: of three hundred samples the peak is known ten times better than of one.
 
 # %%
-peaks = analysis.fitted_peaks(record, "theta")
+peaks = analysis.identification.fitted_peaks(record, "theta")
 crossings = record.free_vibration("theta").time[1::2]
 between = int(0.5 * (crossings[1] - crossings[0]) / h)
 assert np.isclose(peaks.deviation[1], estimated * np.sqrt(225 / 64 / between), rtol=0.02)
 
-found = analysis.Impacts.of_record(record, block, threshold=6.0)  # J
+found = analysis.identification.Impacts.of_record(record, block, threshold=6.0)  # J
 true = np.array([ratio[foot] for foot in found.foot])
 assert np.mean(np.abs(found.energy_ratio - true) < found.half_width) > 0.75
 
@@ -212,13 +213,13 @@ print("all impacts alike?", found.mean())
 # tenth of it.
 
 # %%
-gain = np.array([analysis.kink_gain(h, window) for window in (0.02, 0.04, 0.08)])
+gain = np.array([analysis.identification.kink_gain(h, window) for window in (0.02, 0.04, 0.08)])
 assert np.allclose(gain[:-1] / gain[1:], 2.0, rtol=0.06)  # half the window, twice the force
 
 figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.0), layout="constrained")
 calm = analysis.MeasuredRecord(t, {"theta": exact + rng.normal(0.0, sigma / 10, len(t))})
 for window, mark in ((0.04, "o"), (0.08, "s")):
-    forces = analysis.impact_forces_of_record(calm, window=window, **shape)
+    forces = analysis.identification.impact_forces_of_record(calm, window=window, **shape)
     fast = np.abs(forces.speed) > 0.3
     for ax, force, base in (
         (axes[0], forces.horizontal, forces.baseline_horizontal),
@@ -255,7 +256,7 @@ assert shown < 0.1
 # Away from the impacts the forces of 3-8 and 3-9 are good, and their interval says how good.
 
 # %%
-support = analysis.support_forces_of_record(record, window=0.1, **shape)
+support = analysis.identification.support_forces_of_record(record, window=0.1, **shape)
 rows = np.flatnonzero(support.smooth & (t < 3))[::5]
 rates = run.at(t[rows])["theta_dot"]
 vertical = np.array(
@@ -284,7 +285,9 @@ figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.0), sharey=True, layout="const
 hits = np.array([hit.time for hit in run.impacts_above(0.02)])
 middle, own = (hits[1:] + hits[:-1]) / 2, 0.5 / np.diff(hits)  # of a cycle, two half-cycles
 for ax, window in zip(axes, (0.5, 1.5), strict=True):
-    spectra = analysis.moving_window(record, "theta", window=window, step=10, frequencies=(0.3, 8))
+    spectra = analysis.identification.moving_window(
+        record, "theta", window=window, step=10, frequencies=(0.3, 8)
+    )
     ax.pcolormesh(spectra.time, spectra.frequency, spectra.amplitude.T, cmap="Greys")
     ax.plot(spectra.time, spectra.dominant, label="largest")
     ax.plot(middle, own, "--", label="between impacts")
@@ -312,8 +315,9 @@ plt.show()
 # 4. Let the impact last: replace the jump of the rate by a straight fall over 20 ms. Which windows
 #    now give a force that is the impact's own?
 #    *Hint: the acceleration is then finite; compare windows below and above 20 ms.*
-# 5. Use `points_by_score` and `points_by_prominence` on the record. Which peaks does the window of
-#    half a second miss, and why? *Hint: compare it with the time between peaks.*
+# 5. Use `points_by_score` and `points_by_prominence` of `rockeom.thesis.points_of_interest` on the
+#    record. Which peaks does the window of half a second miss, and why? *Hint: compare it with the
+#    time between peaks.*
 
 # %% [markdown]
 # <details><summary>Solution 1</summary>
@@ -363,7 +367,7 @@ for order in range(1, 12):
     assert sum(comb(order, j) ** 2 for j in range(order + 1)) == comb(2 * order, order)
 
 smooth = record.low_pass(25.0)
-assert analysis.noise_level(t, smooth["theta"]) < 1e-6 * sigma
+assert analysis.identification.noise_level(t, smooth["theta"]) < 1e-6 * sigma
 assert 0.1 < smooth.noise["theta"].level / sigma < 0.3
 
 equal = rk.simulate(
@@ -374,7 +378,7 @@ equal = rk.simulate(
 )
 coarse = equal.at(t)["theta"] + rng.normal(0.0, 10 * sigma, len(t))
 noisy = analysis.MeasuredRecord(t, {"theta": coarse})
-told = analysis.Impacts.of_record(noisy, block, threshold=1.0)
+told = analysis.identification.Impacts.of_record(noisy, block, threshold=1.0)
 sure = told.half_width < 0.05 * told.energy_ratio
 print(f"r to 5 % down to {told.energy_before[sure].min():.1f} J")
 assert 8.0 < told.energy_before[sure].min() < 11.0
@@ -394,8 +398,8 @@ for window, least, most in [(0.01, 0.99, 1.1), (0.02, 0.99, 1.1), (0.08, 0.5, 0.
 by_score, by_prominence = (
     t[found.peaks]
     for found in (
-        analysis.points_by_score(record, "theta"),
-        analysis.points_by_prominence(record, "theta"),
+        points_by_score(record, "theta"),
+        points_by_prominence(record, "theta"),
     )
 )
 assert np.array_equal(by_prominence[:-3], by_score)

@@ -453,11 +453,13 @@ def stroboscope(beta):
     motion = rk.GroundMotion.harmonic(
         squat * beta, angular_frequency=drive, phase=math.pi / 2, duration=6.0
     )
-    return analysis.StroboscopicMap(squat_block, motion, 3.0, squat_law, mirrored=True)
+    return analysis.dynamics.StroboscopicMap(squat_block, motion, 3.0, squat_law, mirrored=True)
 
 
 settled = stroboscope(2.0).points({"x_dot": -0.3}, cycles=60)[-1]
-branches = [analysis.orbit_branch(stroboscope, between=(2.0, 3.26), guess=settled, step=0.05)]
+branches = [
+    analysis.dynamics.orbit_branch(stroboscope, between=(2.0, 3.26), guess=settled, step=0.05)
+]
 for _ in range(3):
     leaves = branches[-1].bifurcations[0]
     print(f"{leaves.kind} at beta = {leaves.value:.8f}, orbit {leaves.orbit.order}")
@@ -668,8 +670,8 @@ plt.show()
 # <details><summary>Solution 6</summary>
 #
 # The doublings are at 3.1106, 3.2066 and 3.2264, where a multiplier of the orbit passes -1;
-# `analysis.period_doublings` finds them to ten digits. The ratio of their distances is 4.83; 4.669
-# is the limit of such ratios.
+# `analysis.dynamics.period_doublings` finds them to ten digits. The ratio of their distances is
+# 4.83; 4.669 is the limit of such ratios.
 #
 # </details>
 
@@ -712,7 +714,7 @@ assert all(one < 1 for one in borders.values())
 assert math.isclose(borders[50.0], 0.5, rel_tol=0.05)
 
 # at a doubling a multiplier of the orbit is -1
-cascade = analysis.period_doublings(stroboscope, (2.0, 3.26), settled, number=3)
+cascade = analysis.dynamics.period_doublings(stroboscope, (2.0, 3.26), settled, number=3)
 broken, *doublings = cascade.values
 assert np.allclose(doublings, [3.1106, 3.2066, 3.2264], atol=5e-5)
 assert np.isclose((doublings[1] - doublings[0]) / (doublings[2] - doublings[1]), 4.83, atol=5e-3)

@@ -197,7 +197,7 @@ for A_run in (1.01, 1.5, 4.0, 30.0):
     t_1 = math.log(A_run / (A_run - 1))
     assert not falls(push(A_run, t_1 * (1 - 1e-6)))
     assert falls(push(A_run, t_1 * (1 + 1e-6)))
-    needed = analysis.overturning_constant(t_1, unit_block.alpha, 1.0)
+    needed = analysis.formulas.overturning_constant(t_1, unit_block.alpha, 1.0)
     assert math.isclose(needed, A_run * unit, rel_tol=1e-12)
 
 # %%
@@ -240,7 +240,7 @@ plt.show()
 # %%
 lowest_order = sp.limit(A * sp.log(A / (A - 1)), A, sp.oo)
 assert lowest_order == 1
-speed = analysis.overturning_spectral_velocity(
+speed = analysis.formulas.overturning_spectral_velocity(
     gravestone.alpha, gravestone.frequency_parameter, gravestone.gravity
 )
 print(f"the gravestone: more than {threshold / gravestone.gravity:.2f} g, or {speed:.2f} m/s")
@@ -336,7 +336,7 @@ for w in (0.7, 2.0, 6.0):
 lengths = np.geomspace(0.1, 8, 120)  # of the first push
 constant = 1 / -np.expm1(-lengths)
 assert np.allclose(np.exp(lengths), constant / (constant - 1))  # (5)
-half = analysis.overturning_half_sine(lengths, unit_block.alpha, 1.0) / unit
+half = analysis.formulas.overturning_half_sine(lengths, unit_block.alpha, 1.0) / unit
 full = [without_impact(math.pi / length) for length in lengths]
 figure, ax = plt.subplots(figsize=(5.8, 3.8), layout="constrained")
 ax.loglog(lengths, constant, label="constant, (5)")
@@ -417,7 +417,7 @@ def pulse(omega, A):
 
 grid = {"omega": np.linspace(0.5, 8, 61), "A": np.linspace(1.1, 9, 61)}
 sweep = rk.simulate_many(pulse, over=grid, arrays=True)
-found = analysis.impacts_before_overturning(sweep)
+found = analysis.dynamics.impacts_before_overturning(sweep)
 exact = np.array([[fate(w, A, e) for A in grid["A"]] for w in grid["omega"]])
 assert (found.values == exact).all()
 
@@ -587,7 +587,8 @@ for (label, (aspect, height)), color in zip(stones.items(), fb.LINES, strict=Fal
         rk.RigidBlock(half_width=one / 2 / aspect, half_height=one / 2) for one in heights
     ]
     needed = [
-        analysis.overturning_half_sine(first_push, one.alpha, one.frequency_parameter) / one.gravity
+        analysis.formulas.overturning_half_sine(first_push, one.alpha, one.frequency_parameter)
+        / one.gravity
         for one in of_this_shape
     ]
     ax.semilogx(heights, needed, color=color, label=label)

@@ -339,7 +339,7 @@ def energy_ratio(slenderness):
 
 for slenderness, _, _, printed in TABLE_2_1:
     assert abs(energy_ratio(slenderness) - printed) < 5.001e-4
-    by_package = analysis.energy_ratio_of_block(math.atan(1 / slenderness))
+    by_package = analysis.formulas.energy_ratio_of_block(math.atan(1 / slenderness))
     assert math.isclose(by_package, energy_ratio(slenderness), rel_tol=1e-12)
 
 # %%

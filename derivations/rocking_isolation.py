@@ -151,11 +151,11 @@ plt.show()
 #
 # ## 3. The same record, twice
 #
-# `beside_fixed_base` simulates both. An impact leaves the part $r$ = 0.74 of the energy of the
-# rotation, as thesis 5-14 has it.
+# `compare_with_fixed_base` simulates both. An impact leaves the part $r$ = 0.74 of the energy of
+# the rotation, as thesis 5-14 has it.
 
 # %%
-beside = analysis.beside_fixed_base(column, record, impact=rk.EnergyRatio(0.74))
+beside = analysis.compare_with_fixed_base(column, record, impact=rk.EnergyRatio(0.74))
 rocking, bolted = beside.rocking, beside.fixed
 for name, ratio in beside.ratios.items():
     print(f"{name:14s} {getattr(rocking, name):9.4g} instead of {getattr(bolted, name):9.4g}: "
@@ -247,7 +247,9 @@ plt.show()
 strong = rk.GroundMotion.from_array(record.samples[:1000], record.dt)
 factors = np.array([0.1, 0.25, 0.5, 1.0, 1.5])
 found = [
-    analysis.beside_fixed_base(column, strong.scaled(float(x)), impact=rk.EnergyRatio(0.74)).ratios
+    analysis.compare_with_fixed_base(
+        column, strong.scaled(float(x)), impact=rk.EnergyRatio(0.74)
+    ).ratios
     for x in factors
 ]
 names = ("base_shear", "base_moment", "displacement")

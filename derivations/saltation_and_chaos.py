@@ -374,13 +374,13 @@ def family(beta, shift=0.5, mirrored=True, options=None):
         beta * unit, angular_frequency=omega, phase=math.pi / 2 - shift, duration=600.0
     )
     law = rk.VelocityRatio(ratio)
-    return analysis.StroboscopicMap(
+    return analysis.dynamics.StroboscopicMap(
         unit_block, motion, 3.0, impact=law, mirrored=mirrored, options=options
     )
 
 
 settled = family(1.5).points({"theta": 0.03}, cycles=100)[-1]
-symmetric = analysis.orbit_branch(family, between=(1.5, 2.8), guess=settled, step=0.03)
+symmetric = analysis.dynamics.orbit_branch(family, between=(1.5, 2.8), guess=settled, step=0.03)
 (breaks,) = symmetric.bifurcations
 assert breaks.kind == "symmetry breaking"
 assert math.isclose(breaks.value, amplitude(v_sym), rel_tol=1e-9)
@@ -391,7 +391,9 @@ def early(beta):
 
 
 settled_early = early(1.5).points({"theta": 0.03}, cycles=100)[-1]
-downwards = analysis.orbit_branch(early, between=(1.5, 0.4), guess=settled_early, step=0.05)
+downwards = analysis.dynamics.orbit_branch(
+    early, between=(1.5, 0.4), guess=settled_early, step=0.05
+)
 fold = downwards.bifurcations[0]
 assert fold.kind == "fold"
 assert math.isclose(fold.value, amplitude(v_fold), rel_tol=1e-9)
@@ -442,7 +444,7 @@ plt.show()
 # points is a zero of a smooth function of $\beta$, and can be found to ten digits.
 
 # %%
-cascade = analysis.period_doublings(family, between=(1.5, 2.8), guess=settled, number=4)
+cascade = analysis.dynamics.period_doublings(family, between=(1.5, 2.8), guess=settled, number=4)
 for one in cascade.bifurcations:
     print(f"{one.kind:18s} beta = {one.value:.9f}")
 print("ratios of distances", np.round(cascade.ratios, 3))
@@ -461,7 +463,7 @@ assert abs(end - cascade.accumulations[-2]) < 1e-4
 # %%
 values = np.concatenate([np.linspace(1.5, 2.6, 45), np.linspace(2.6, 2.74, 57)[1:]])
 rough = rk.SolverOptions(rtol=1e-8, atol=1e-10, output_step=100.0)
-sections = analysis.poincare_sections(
+sections = analysis.dynamics.poincare_sections(
     lambda beta: family(beta, mirrored=False, options=rough),
     over={"beta": values},
     starts=[dict(zip(unit_block.states, settled, strict=True))],
@@ -569,13 +571,13 @@ plt.show()
 # the scatter of the means of batches.
 
 # %%
-spectrum = analysis.lyapunov_spectrum(family(2.7, mirrored=False), settled, cycles=600)
+spectrum = analysis.dynamics.lyapunov_spectrum(family(2.7, mirrored=False), settled, cycles=600)
 low, high = spectrum.bounds(0.95)
 print(f"exponents {spectrum.exponents.round(4)}, 95 % of the first: {low[0]:.3f} to {high[0]:.3f}")
 assert low[0] > 0  # chaos
 assert math.isclose(spectrum.exponents.sum(), 4 * math.log(ratio) / 3.0, rel_tol=1e-6)
 
-calm = analysis.lyapunov_spectrum(family(2.4, mirrored=False), settled, cycles=60)
+calm = analysis.dynamics.lyapunov_spectrum(family(2.4, mirrored=False), settled, cycles=60)
 assert calm.exponents[0] < 0
 
 # %% [markdown]
@@ -756,11 +758,11 @@ def squat_family(beta):
     ground = rk.GroundMotion.harmonic(
         squat_block.alpha * beta, angular_frequency=omega, phase=math.pi / 2, duration=300.0
     )
-    return analysis.StroboscopicMap(
+    return analysis.dynamics.StroboscopicMap(
         squat_block, ground, 3.0, impact=rk.VelocityRatio(ratio), mirrored=True
     )
 
 
 guess = squat_family(2.0).points({"x": 0.1}, cycles=60)[-1]
-of_squat = analysis.period_doublings(squat_family, (2.0, 3.26), guess, number=2)
+of_squat = analysis.dynamics.period_doublings(squat_family, (2.0, 3.26), guess, number=2)
 assert np.allclose(of_squat.values, [2.435274, 3.110601, 3.206572], atol=1e-6)

@@ -158,24 +158,26 @@ released = [rk.simulate(block, still, initial={"theta": at}) for at in (0.24, 0.
 figure = plots.plot_phase_portrait(released, separatrix=True)""",
     "design_report": "figure = plots.design_report(column, [pulse, stronger]).figures()",
     "poincare_section": """\
-found = analysis.poincare_sections(
+found = analysis.dynamics.poincare_sections(
     shaken(3.3), starts={"x": np.linspace(0.1, 0.2, 40)}, cycles=40, impacts=3
 )
 figure = plots.poincare_section(found, x="impact_time", y="x_dot", at="after")""",
     "bifurcation_diagram": """\
-found = analysis.poincare_sections(
+found = analysis.dynamics.poincare_sections(
     shaken, over={"beta": np.linspace(2.2, 3.3, 150)}, starts={"x": [-0.1, 0.1]}, impacts=3
 )
 start = found.strobe.isel(beta=0, x=0, look=-1).values
-symmetric = analysis.orbit_branch(shaken, between=(2.2, 3.3), guess=start)
+symmetric = analysis.dynamics.orbit_branch(shaken, between=(2.2, 3.3), guess=start)
 broken = symmetric.switched(symmetric.bifurcations[0])
 figure = plots.bifurcation_diagram(
     found, x="beta", y="x_dot", at="before", branches=[symmetric, broken]
 )""",
     "basins_of_attraction": """\
 starts = {"x": np.linspace(-1.0, 1.0, 120), "x_dot": np.linspace(-1.2, 1.2, 120)}
-found = analysis.poincare_sections(shaken(3.0, 1.0, 0.9), starts=starts, settling=150, cycles=12)
-figure = plots.basins_of_attraction(analysis.basins(found), x="x", y="x_dot")""",
+found = analysis.dynamics.poincare_sections(
+    shaken(3.0, 1.0, 0.9), starts=starts, settling=150, cycles=12
+)
+figure = plots.basins_of_attraction(analysis.dynamics.basins(found), x="x", y="x_dot")""",
 }
 """Of what `rockeom.plots` draws; what has no example is named by its first sentence."""
 
@@ -195,7 +197,7 @@ def shaken(beta, period=3.0, e=0.5):  # by beta cos(omega t)
         beta * squat.alpha, period=period, phase=np.pi / 2, duration=300 * period
     )
     law = rk.VelocityRatio(e)
-    return analysis.StroboscopicMap(squat, shaking, period, impact=law, mirrored=True)"""
+    return analysis.dynamics.StroboscopicMap(squat, shaking, period, impact=law, mirrored=True)"""
 
 
 def gallery(part: str) -> str:

@@ -69,7 +69,7 @@ import rockeom as rk
 def loaded(*names):
     return sorted({*names} & set(sys.modules))
 
-rk.analysis.quarter_period(0.5, 1.0)
+rk.analysis.formulas.quarter_period(0.5, 1.0)
 assert not loaded("sympy", "llvmlite", "matplotlib"), "a formula"
 
 block = rk.RigidBlock(half_width=0.095, half_height=0.45)
@@ -101,8 +101,8 @@ import rockeom.compiler.machine, rockeom.simulation.simulate
 rk.ControlledWall.thesis().vector, rk.FlexibleControlledWall.thesis().vector
 rk.GroundMotion.single_sine(amplitude=2.8, period=0.5, duration=2.0).segments
 here = set(sys.modules) - before
-formulas = {name for name in here if name.startswith("rockeom.analysis.")}
-print(sorted(formulas - {"rockeom.analysis.arguments", "rockeom.analysis.controlled_wall"}))
+of_analysis = {name.removeprefix("rockeom.analysis.") for name in here if ".analysis." in name}
+print(sorted(of_analysis - {"arguments", "groups", "formulas", "formulas.controlled_wall"}))
 print(sorted(here & {
     "csv", "difflib", "numpy.polynomial", "rockeom.motion.readers", "scipy", "subprocess",
 }))

@@ -22,7 +22,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rockeom.analysis.isolation import Demands, demands, energy_balance
+from rockeom.analysis.design.isolation import Demands, demands, energy_balance
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.plots import style

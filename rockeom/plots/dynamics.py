@@ -14,13 +14,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from rockeom.analysis.arguments import dims_of_starts
-from rockeom.analysis.sections import FALLEN, NOT_PERIODIC, UNKNOWN
+from rockeom.analysis.dynamics.sections import FALLEN, NOT_PERIODIC, UNKNOWN
 from rockeom.analysis.unfinished import check_finished
 from rockeom.plots import coordinates, style
 
 if TYPE_CHECKING:
-    from rockeom.analysis.branches import Bifurcation, OrbitBranch
-    from rockeom.analysis.orbits import PeriodicOrbit
+    from rockeom.analysis.dynamics.branches import Bifurcation, OrbitBranch
+    from rockeom.analysis.dynamics.orbits import PeriodicOrbit
 
 _MOMENTS = ("period", "before", "after")
 """When a motion is looked at: at the starts of cycles, and on both sides of impacts."""
@@ -40,7 +40,7 @@ def poincare_section(
         poincare_section(found, x="theta", y="theta_dot")
         poincare_section(found, x="impact_time", y="theta_dot", at="after")
 
-    sections : of `analysis.poincare_sections`, of one value of each parameter.
+    sections : of `analysis.dynamics.poincare_sections`, of one value of each parameter.
     x, y : states; at impacts also "impact_time", since the start of the cycle.
     at : "period", the starts of the cycles; or "before" or "after" the impacts.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
@@ -71,13 +71,13 @@ def bifurcation_diagram(
 
         bifurcation_diagram(found, x="beta", y="x_dot", at="before", branches=[symmetric, broken])
 
-    sections : of `analysis.poincare_sections` over the parameter x alone, from one start or more:
-        orbits that coexist show if there are starts of each.
+    sections : of `analysis.dynamics.poincare_sections` over the parameter x alone, from one start
+        or more: orbits that coexist show if there are starts of each.
     y : the state that is drawn. at : "period", the starts of the cycles; or "before" or "after" the
         impacts.
-    branches : of `analysis.orbit_branch`, stable motions solid, unstable ones dashed, with marks
-        where they bifurcate. Drawn are looks at them or the states before their impacts, as `at`
-        says.
+    branches : of `analysis.dynamics.orbit_branch`, stable motions solid, unstable ones dashed,
+        with marks where they bifurcate. Drawn are looks at them or the states before their impacts,
+        as `at` says.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
     Up to six starts have a colour each. Raises ValueError for names that the sections do not have,
@@ -106,8 +106,8 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
         raise ValueError(f"{function}: at is {at!r}: choose {', '.join(map(repr, _MOMENTS))}")
     if at != "period" and "impact_state" not in sections:
         raise ValueError(
-            f"{function}: the sections have no impacts: give analysis.poincare_sections impacts=, "
-            "the most in a cycle"
+            f"{function}: the sections have no impacts: give "
+            "analysis.dynamics.poincare_sections impacts=, the most in a cycle"
         )
     check_finished(function, sections)
     known = sections["state"].values.tolist()
@@ -218,10 +218,10 @@ _ORBITS = ("#9ecae1", "#fdae6b", "#a1d99b", "#dba9c8", "#f7f0a8", "#c7b8e2")
 def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None = None) -> Figure:
     """What motions end on, over the states from which they start, and the orbits themselves.
 
-        basins_of_attraction(analysis.basins(found), x="theta", y="theta_dot")
+        basins_of_attraction(analysis.dynamics.basins(found), x="theta", y="theta_dot")
 
-    basins : of `analysis.basins`, over a grid of two states or a table of starts, which is drawn as
-        dots. x, y : the two states.
+    basins : of `analysis.dynamics.basins`, over a grid of two states or a table of starts, which is
+        drawn as dots. x, y : the two states.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
     Each orbit has a shade, which repeats itself after six, and its looks at the starts of cycles a
@@ -230,7 +230,9 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
     """
     function = "basins_of_attraction"
     if "fate" not in basins:
-        raise ValueError(f"{function}: the sections have no fates: give analysis.basins(sections)")
+        raise ValueError(
+            f"{function}: the sections have no fates: give analysis.dynamics.basins(sections)"
+        )
     fate = coordinates.only(function, basins["fate"], basins, x, y)
     if ax is None:
         ax = style.new_figure(6.6, 4.0).add_subplot()

@@ -13,7 +13,7 @@ from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.plots import style
 
 if TYPE_CHECKING:
-    from rockeom.analysis import ResponseSpectrum
+    from rockeom.analysis.dynamics.spectra import ResponseSpectrum
 
 _POINTS = 4000
 """Times at which a motion is drawn, besides its breaks."""

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from rockeom.analysis.fragility import Fragility, fragility_of
-from rockeom.analysis.overturning import impacts_before_overturning
+from rockeom.analysis.dynamics.overturning import impacts_before_overturning
+from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import check_finished
 from rockeom.plots import coordinates, style
@@ -299,14 +299,14 @@ def fragility_curve(
         fragility_curve(sweep, intensity="pga")
         fragility_curve(sweep, intensity="pga", demand="theta", limit=0.05)
 
-    found : a sweep, or a curve that `analysis.fit_fragility` has fitted.
+    found : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
     intensity, demand, limit : as of `analysis.fragility_of`; of overturning without the latter two.
         Of a curve that is given, `intensity` labels the axis.
     level : probability of the bounds at an intensity; they come from the Fisher information.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
     Dots are the fractions observed. Raises ValueError where no curve is most likely, as
-    `analysis.fit_fragility` says.
+    `analysis.risk.fit_fragility` says.
     """
     if isinstance(found, Fragility):
         curve, label = found, style.plain(intensity.replace("_", " "))

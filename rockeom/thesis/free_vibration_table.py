@@ -17,6 +17,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.structures.impact_laws import ImpactLaw
 
 WALL = analysis.Wall.thesis()
@@ -48,7 +49,7 @@ def measured_peaks() -> tuple[np.ndarray, np.ndarray]:
     All 13 rows are legible as scanned. Of the ten later peaks six are in rows that are repaired
     or guessed (`FreeVibration.reading`); none of the ten counts.
     """
-    table = analysis.FreeVibration.table_a1()
+    table = identification.FreeVibration.table_a1()
     chosen = np.flatnonzero(table.at_peak)[:PEAKS]
     return table.time[chosen], table.displacement[chosen]
 
@@ -92,7 +93,7 @@ def _released(structure: rk.Structure, law: ImpactLaw | None, says: str) -> Mode
     t = np.linspace(0.0, float(run.t[-1]), 4001)  # between them splines are exact to 1e-9 s
     state = run.at(t)
     displacement = state["u"] if oscillates else WALL.height * np.sin(state["theta"])
-    found = analysis.FreeVibration.from_samples(t, displacement)
+    found = identification.FreeVibration.from_samples(t, displacement)
     chosen = np.flatnonzero(found.at_peak)[:PEAKS]
     time, peak = found.time[chosen], found.displacement[chosen]
     return ModelPeaks(

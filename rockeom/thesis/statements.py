@@ -21,6 +21,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement
 from rockeom.thesis.free_vibration_table import WALL
@@ -199,7 +200,7 @@ def _() -> Finding:
 
 @sentence("5.3.1", "5-14 gives r = 0.74 for the column")
 def _() -> Finding:
-    r = float(analysis.energy_ratio_of_lumped_mass(**COLUMN))
+    r = float(formulas.energy_ratio_of_lumped_mass(**COLUMN))
     return (
         f"{r:.3f}; the split of the inertia is a choice, its sum was taken for this r",
         None,
@@ -304,7 +305,7 @@ def _() -> Finding:
 @slip("2.5.1", "the damping of FEMA 356, 2-15, is up to 10 % less than that of 2-16")
 def _() -> Finding:
     r = np.linspace(0.49, 0.999, 200)
-    less = 100 * (1 - analysis.fema_356_damping(r) / analysis.priestley_damping(r))
+    less = 100 * (1 - formulas.fema_356_damping(r) / formulas.priestley_damping(r))
     return f"{less.min():.0f} to {less.max():.0f} % less for r from 0.49 to 1", bool(
         less.max() < 10
     )
@@ -322,14 +323,14 @@ def _() -> Finding:
 
 @slip("2.7", "flag shape and bilinear differ from the others in c and d")
 def _() -> Finding:
-    factors = analysis.GRANT_FACTORS
+    factors = formulas.damping.GRANT_FACTORS
     odd = [name for name, f in factors.items() if f.d < 1]
     return f"{' and '.join(odd)} have d below 1 (Table 2-4)", set(odd) == {"flag", "bilinear"}
 
 
 @slip("Table 2-2", "k_f = K_z B_f and c_f = C_z B_f of a rectangular mat")
 def _() -> Finding:
-    mat = analysis.rectangular_mat(1.0, 1.0, 2.18, 20e6, 1 / 3, 1800.0)
+    mat = formulas.rectangular_mat(1.0, 1.0, 2.18, 20e6, 1 / 3, 1800.0)
     ratio = float(mat.stiffness / mat.vertical_stiffness)
     return f"k_f = {ratio:g} K_z: two springs share it, and K_z B_f is no stiffness", False
 
@@ -342,13 +343,15 @@ def _() -> Finding:
 @slip("3.1, 3.3", "aspect 4.9 with r = 0.89 by 2-6")
 def _() -> Finding:
     slope = BLOCK["half_height"] / BLOCK["half_width"]
-    r, five = (float(analysis.energy_ratio_of_block(math.atan(1 / x))) for x in (slope, 5.0))
+    r, five = (float(formulas.energy_ratio_of_block(math.atan(1 / x))) for x in (slope, 5.0))
     return f"{r:.3f} at {slope:.2f}; {five:.3f} belongs to 5", abs(r - 0.89) < 0.005
 
 
 @slip("5.2, 5.3.3", "k = 571.8 kN/m in the runs on solid feet")
 def _() -> Finding:
-    k = [float(analysis.stiffness_from_period(COLUMN["mass"], t)) / 1e3 for t in (0.112, 0.092)]
+    k = [
+        float(identification.stiffness_from_period(COLUMN["mass"], t)) / 1e3 for t in (0.112, 0.092)
+    ]
     return (
         f"5-1 gives {k[0]:.1f} kN/m at their 0.112 s; {k[1]:.1f} kN/m belongs to 0.092 s, that of "
         "the rubber pad",
@@ -358,8 +361,8 @@ def _() -> Finding:
 
 @slip("5.3.1", "0.74 is about 12 % below the average of the tests")
 def _() -> Finding:
-    ratios = analysis.energy_ratios_from_peaks_of_lumped_mass(
-        analysis.rotation_from_displacement(_peaks_of_figure_5_6() / 1e3, *GAUGE),
+    ratios = formulas.energy_ratios_from_peaks_of_lumped_mass(
+        identification.rotation_from_displacement(_peaks_of_figure_5_6() / 1e3, *GAUGE),
         **{n: x for n, x in COLUMN.items() if "inertia" not in n},
     )
     mean = float(np.mean(ratios))
@@ -388,14 +391,16 @@ def _peaks_of_figure_5_6() -> np.ndarray:
 def _error_of_column(law: Any) -> float:
     """Of the sizes of the peaks in Figure 5-6, root mean square [mm]."""
     measured = np.abs(_peaks_of_figure_5_6())
-    start = float(analysis.rotation_from_displacement(measured[0] / 1e3, *GAUGE))
+    start = float(identification.rotation_from_displacement(measured[0] / 1e3, *GAUGE))
     run = rk.simulate(
         rk.LumpedMassStructure(**COLUMN), rk.GroundMotion.none(4.0), impact=law,
         initial={"theta": start},
     )  # fmt: skip
     zeros = [0.0, *(event.time for event in run.impacts)]
     turns = [0.0, *(0.5 * (a + b) for a, b in itertools.pairwise(zeros[1:]))][: len(measured)]
-    found = analysis.displacement_from_rotation(np.abs(run.at(np.array(turns))["theta"]), *GAUGE)
+    found = identification.displacement_from_rotation(
+        np.abs(run.at(np.array(turns))["theta"]), *GAUGE
+    )
     return float(np.sqrt(np.mean((1e3 * found - measured) ** 2)))
 
 
@@ -430,7 +435,7 @@ def _() -> Finding:
 
 @slip("Table A-1", "the last column is the distance to the edge of the wall")
 def _() -> Finding:
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     rows = (
         measured.at_peak
         & (np.asarray(measured.reading) != "guessed")
@@ -443,7 +448,7 @@ def _() -> Finding:
 
 @slip("4.5.1", "upright is where the acceleration vanishes")
 def _() -> Finding:
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     rows = ~measured.at_peak & (np.asarray(measured.reading) != "guessed")
     beside = 1e3 * float(np.mean(np.abs(measured.displacement[rows])))
     return f"there the wall is {beside:.1f} mm from upright on average (Table A-1)", beside < 0.1

@@ -18,6 +18,7 @@ from types import MappingProxyType
 from typing import Any
 
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 
 Cell = str | float | None
 Row = tuple[Cell, ...]
@@ -449,7 +450,7 @@ FIGURE_4_29 = PrintedTable(
 
 
 def _peaks_and_crossings() -> PrintedTable:
-    record = analysis.FreeVibration.table_a1()
+    record = identification.FreeVibration.table_a1()
     millimetres = (
         record.left_uplift,
         record.right_uplift,
@@ -573,7 +574,7 @@ def computed(number: str) -> tuple[Row, ...]:
 def _restitution_of_blocks() -> list[Row]:
     rows: list[Row] = []
     for height, width, ratio, material, *_ in TABLE_2_1.rows:
-        r = analysis.energy_ratio_of_block(math.atan2(1.0, _number(ratio)))
+        r = formulas.energy_ratio_of_block(math.atan2(1.0, _number(ratio)))
         rows.append((height, width, ratio, material, None, float(r)))
     return rows
 
@@ -582,8 +583,8 @@ def _springs_of_mats() -> list[Row]:
     ground = (MAT["modulus"], MAT["poisson"], MAT["density"])
     half = MAT["side"] / 2
     mats = (
-        analysis.circular_mat(MAT["radius"], *ground),
-        analysis.rectangular_mat(half, half, MAT["beta"], *ground),
+        formulas.circular_mat(MAT["radius"], *ground),
+        formulas.rectangular_mat(half, half, MAT["beta"], *ground),
     )
     values = zip(
         *(
@@ -601,7 +602,7 @@ def _springs_of_mats() -> list[Row]:
 def _factors_of_grant() -> list[Row]:
     rows: list[Row] = []
     for name, *_ in TABLE_2_4.rows:
-        f = analysis.GRANT_FACTORS[str(name)]
+        f = formulas.damping.GRANT_FACTORS[str(name)]
         rows.append((name, f.a, f.b, f.c, f.d, f.e, f.f, 1 + (2 + f.c) ** -f.d))
     return rows
 
@@ -609,8 +610,8 @@ def _factors_of_grant() -> list[Row]:
 def _factors_of_design() -> list[Row]:
     rows: list[Row] = []
     for name, *_ in TABLE_2_5.rows:
-        f = analysis.DESIGN_FACTORS[str(name)]
-        damping = analysis.grant_damping(
+        f = formulas.damping.DESIGN_FACTORS[str(name)]
+        damping = formulas.grant_damping(
             str(name), 4.0, 2.0, constant_damping=0.0, tangent_damping=0.05
         )
         rows.append((name, f.a, f.b, f.c, f.d, 100 * float(damping)))
@@ -627,13 +628,13 @@ def _damping_of_walls() -> list[Row]:
         wall = 686 + wall_mass / 3 * (h**2 + d**2)
         added = 442 + added_mass * (added_height**2 + (d / 2) ** 2)
         radius = math.hypot(d / 2, centroid)
-        r = analysis.energy_ratio_of_block(
+        r = formulas.energy_ratio_of_block(
             math.atan2(d / 2, centroid),
             inertia=wall + added - mass * radius**2,
             mass=mass,
             radius=radius,
         )
-        damping = 100 * analysis.priestley_damping(r)
+        damping = 100 * formulas.priestley_damping(r)
         rows.append((name, length, height, prestress, None, float(r), float(damping)))
     return rows
 
@@ -642,8 +643,8 @@ def _forces_at_impact() -> list[Row]:
     half_width, half_height = BLOCK["half_width"], BLOCK["half_height"]
     alpha, radius = math.atan2(half_width, half_height), math.hypot(half_width, half_height)
     release = math.radians(_number(FIGURE_3_3.rows[0][1]))
-    speed = analysis.impact_speed(release, alpha=alpha, radius=radius)
-    horizontal, vertical = analysis.block_reactions_at_impact(
+    speed = formulas.impact_speed(release, alpha=alpha, radius=radius)
+    horizontal, vertical = formulas.block_reactions_at_impact(
         speed, side=1, mass=BLOCK["mass"], alpha=alpha, radius=radius, slender=True
     )
     rows: list[Row] = []
@@ -747,7 +748,7 @@ _LARGEST = "largest displacement"
 
 def _of_displacement() -> list[Row]:
     wall = analysis.Wall.thesis()
-    record = analysis.FreeVibration.table_a1()
+    record = identification.FreeVibration.table_a1()
     forces = wall.tendon_force(record.displacement) / 1e3
     uplifts = 1e3 * wall.uplift(record.displacement)
     centres = 1e3 * record.rotation_centre(wall.half_width) + 30
@@ -763,7 +764,7 @@ def _of_displacement() -> list[Row]:
 
 
 def _energies_at_peaks() -> list[Row]:
-    record = analysis.FreeVibration.table_a1()
+    record = identification.FreeVibration.table_a1()
     gravity, elastic, _ = record.energies(analysis.Wall.thesis())
     return [
         (float(t), float(e))
@@ -782,12 +783,12 @@ def _uplift_of_column() -> list[Row]:
     for run, description, displacement, _ in TABLE_5_1.rows:
         size = _number(displacement) / 1e3
         if run == "2":
-            arm = float(analysis.rotation_centre(size))
-            theta = analysis.rotation_about_moving_centre(size, arm, height)
+            arm = float(identification.rotation_centre(size))
+            theta = identification.rotation_about_moving_centre(size, arm, height)
         else:
             pivot = edge if run == "4" else foot
             arm = edge + pivot
-            theta = analysis.rotation_from_displacement(size, pivot, height)
+            theta = identification.rotation_from_displacement(size, pivot, height)
         found: Cell = displacement
         if isinstance(run, str) and run in models:
             response = _if_recorded(lambda r: shaken.column_run(r, models[r], 0.74), run)
@@ -813,12 +814,12 @@ def _release_of_column() -> list[Row]:
 
     start, displacement, _ = FIGURE_5_6.rows[0]
     alpha = math.atan2(COLUMN["half_width"], COLUMN["height"])
-    release = float(analysis.rotation_from_displacement(_number(displacement) / 1e3, *GAUGE))
+    release = float(identification.rotation_from_displacement(_number(displacement) / 1e3, *GAUGE))
     decay = _free_decay(rk.LumpedMassStructure(**COLUMN), rk.EnergyRatio(0.81), "theta", release, 8)
     return [
         (
             _number(start) + time,
-            1e3 * float(analysis.displacement_from_rotation(theta, *GAUGE)),
+            1e3 * float(identification.displacement_from_rotation(theta, *GAUGE)),
             theta / alpha,
         )
         for time, theta in decay

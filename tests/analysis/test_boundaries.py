@@ -5,26 +5,27 @@ import pytest
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics, formulas
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
 
 from .exact_slender import exact_fates
 
 SLENDER = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
 LAW = rk.VelocityRatio(0.9)
-SINE = analysis.dimensionless_pulses(SLENDER, impact=LAW, p=2.0)
-HALF_SINE = analysis.dimensionless_pulses(SLENDER, rk.GroundMotion.half_sine, impact=LAW, p=2.0)
+SINE = dynamics.dimensionless_pulses(SLENDER, impact=LAW, p=2.0)
+HALF_SINE = dynamics.dimensionless_pulses(SLENDER, rk.GroundMotion.half_sine, impact=LAW, p=2.0)
 
 
 def between(case, low, high, **others):
     """The point between two amplitudes."""
-    return analysis.overturning_point(
+    return dynamics.overturning_point(
         case, {**others, "amplitude": low}, {**others, "amplitude": high}, accuracy=1e-12
     )
 
 
 def housner(frequency):
     """The amplitude of half a sine that overturns the slender block, in g alpha."""
-    return float(analysis.overturning_half_sine(np.pi / (2 * frequency), 0.2, 2)) / (GRAVITY * 0.2)
+    return float(formulas.overturning_half_sine(np.pi / (2 * frequency), 0.2, 2)) / (GRAVITY * 0.2)
 
 
 @pytest.mark.parametrize("frequency", [0.7, 3.0])
@@ -41,7 +42,7 @@ def test_half_sine_overturns_from_housners_amplitude_on(frequency):
 def test_boundary_of_the_slender_block_is_followed_on_its_exact_course():
     point = between(SINE, 1.2, 2.5, frequency=4.0)
     box = {"frequency": (1.5, 7.0), "amplitude": (1.0, 8.0)}
-    line = analysis.followed_boundary(SINE, point, box, step=0.1)
+    line = dynamics.followed_boundary(SINE, point, box, step=0.1)
     assert line.attrs["first"] == line.attrs["last"] == "left what is within"
     frequency, amplitude = line.frequency.values, line.amplitude.values
     assert np.ptp(frequency) > 3
@@ -62,7 +63,7 @@ def test_boundary_ends_where_its_step_is_wider_than_the_fate_beside_it():
     box = {"frequency": (0.2, 7.0), "amplitude": (1.0, 8.0)}
     point = between(SINE, 3.0, 5.2, frequency=4.0)
     assert (point.below, point.above) == (1.0, np.inf)
-    line = analysis.followed_boundary(SINE, point, box, step=0.1)
+    line = dynamics.followed_boundary(SINE, point, box, step=0.1)
     assert line.attrs["last"] == "the boundary between these fates ends"
     assert line.attrs["first"] == "left what is within"
     frequency, amplitude = (float(line[name][-1]) for name in box)
@@ -108,9 +109,9 @@ def test_what_is_no_boundary_says_so():
     with pytest.raises(ValueError, match=r"another fate, at frequency = 4, amplitude = .* stands"):
         between(SINE, 4.5, 6.0, **at)
     with pytest.raises(ValueError, match="start has amplitude, end frequency: give the same names"):
-        analysis.overturning_point(SINE, {"amplitude": 1.0}, at)
+        dynamics.overturning_point(SINE, {"amplitude": 1.0}, at)
     point = between(SINE, 1.2, 2.5, **at)
     with pytest.raises(ValueError, match="within has amplitude, the point frequency, amplitude"):
-        analysis.followed_boundary(SINE, point, {"amplitude": (1.0, 8.0)})
+        dynamics.followed_boundary(SINE, point, {"amplitude": (1.0, 8.0)})
     with pytest.raises(ValueError, match="which is not within"):
-        analysis.followed_boundary(SINE, point, {"frequency": (5, 6), "amplitude": (1, 8)})
+        dynamics.followed_boundary(SINE, point, {"frequency": (5, 6), "amplitude": (1, 8)})

@@ -14,7 +14,7 @@ from hypothesis import given, settings, strategies as st
 from scipy.optimize import brentq
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import dynamics
 from tests.interrupts import interrupted_at
 
 SLENDER = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
@@ -66,7 +66,7 @@ def slender(beta, omega, e, phase, mirrored=True, p=1.0):
         beta * UNIT, period=period, phase=phase + math.pi / 2, duration=2 * period
     )
     law = rk.VelocityRatio(e)
-    return analysis.StroboscopicMap(block, motion, period, law, mirrored=mirrored)
+    return dynamics.StroboscopicMap(block, motion, period, law, mirrored=mirrored)
 
 
 def expected_at(half, phase, orbit):
@@ -84,7 +84,7 @@ LONG, LOSS, LOOK = 0.5, 0.5, -1.79  # omega, e, and a phase at which no impact f
 @cache
 def folded():
     """From the faster motion at beta = 1.5 to weaker shaking, and back along the slower one."""
-    return analysis.orbit_branch(
+    return dynamics.orbit_branch(
         lambda beta: slender(beta, LONG, LOSS, LOOK),
         (1.5, 0.1),
         Half(1.5, LONG, LOSS).looked_at(LOOK),
@@ -139,7 +139,7 @@ def at_beta(mirrored):
 @cache
 def symmetric(mirrored):
     start = Half(1.8, OMEGA, E).looked_at(-1.0)
-    return analysis.orbit_branch(at_beta(mirrored), (1.8, 2.2), start, step=0.1)
+    return dynamics.orbit_branch(at_beta(mirrored), (1.8, 2.2), start, step=0.1)
 
 
 def where_symmetry_breaks():
@@ -197,7 +197,7 @@ def test_branch_in_any_parameter_is_the_closed_form(beta, omega, e, name, factor
         return slender(**given | {name: value}, phase=phase)
 
     ends = given[name], given[name] * (factor if abs(factor - 1) > 0.01 else 1.05)
-    branch = analysis.orbit_branch(at, ends, half(ends[0]).looked_at(phase), step=0.3)
+    branch = dynamics.orbit_branch(at, ends, half(ends[0]).looked_at(phase), step=0.3)
     assert branch.values[-1] == ends[1]
     for value, orbit in zip(branch.values, branch.orbits, strict=True):
         clock = value if name == "p" else 1.0
@@ -216,13 +216,13 @@ def hogan(beta, mirrored=True, options=None):
         SQUAT.alpha * beta, angular_frequency=2 * math.pi / 3, phase=math.pi / 2, duration=6.0
     )
     law = rk.VelocityRatio(0.5)
-    return analysis.StroboscopicMap(SQUAT, motion, 3.0, law, options=options, mirrored=mirrored)
+    return dynamics.StroboscopicMap(SQUAT, motion, 3.0, law, options=options, mirrored=mirrored)
 
 
 @cache
 def cascade():
     start = hogan(2.0).points({"x_dot": -0.3}, 60)[-1]
-    return analysis.period_doublings(hogan, (2.0, 3.26), start, number=4)
+    return dynamics.period_doublings(hogan, (2.0, 3.26), start, number=4)
 
 
 def test_cascade_doubles_the_order_and_tends_to_feigenbaum():
@@ -233,7 +233,7 @@ def test_cascade_doubles_the_order_and_tends_to_feigenbaum():
     assert [one.orbit.order for one in found.bifurcations] == [
         (1, 1), (1, 1), (2, 2), (4, 4), (8, 8)
     ]  # fmt: skip
-    assert found.ratios[-1] == pytest.approx(analysis.FEIGENBAUM, rel=0.02)
+    assert found.ratios[-1] == pytest.approx(dynamics.branches.FEIGENBAUM, rel=0.02)
     # a number found without any multiplier, from long runs
     assert found.accumulations[-1] == pytest.approx(3.2318, abs=5e-5)
 
@@ -258,7 +258,7 @@ def test_doublings_are_the_same_by_another_method_and_without_a_mirror():
     other = rk.SolverOptions(method="RK45", rtol=1e-11, atol=1e-13)
     for bifurcation, cycles in zip(cascade().bifurcations[1:], (1, 2, 4, 8), strict=True):
         value, start = bifurcation.value, bifurcation.orbit.looks[::2]
-        found = analysis.bifurcation_value(
+        found = dynamics.bifurcation_value(
             lambda beta: hogan(beta, False, other), (value - 1e-4, value + 1e-4), start, cycles
         )
         assert found == pytest.approx(value, abs=1e-8)
@@ -282,7 +282,7 @@ def test_block_that_slides_to_and_fro_is_den_hartogs():
         size, period=period, phase=phi + w * look, duration=2 * period
     )
     rate = size * (math.cos(w * look + phi) - math.cos(phi)) / w - hold * look
-    stroboscope = analysis.StroboscopicMap(
+    stroboscope = dynamics.StroboscopicMap(
         block, motion, period, states=("x", "x_dot"), mirrored=True
     )
     orbit = stroboscope.orbit({"x_dot": 1.1 * rate})
@@ -306,7 +306,7 @@ def test_frame_moves_as_the_block_it_is_equivalent_to():
     motion = rk.GroundMotion.harmonic(2.5, period=1.2, phase=0.6, duration=2.4)
     law = rk.VelocityRatio(0.8)
     maps = [
-        analysis.StroboscopicMap(one, motion, 1.2, law, mirrored=True) for one in (frame, block)
+        dynamics.StroboscopicMap(one, motion, 1.2, law, mirrored=True) for one in (frame, block)
     ]
     start = maps[1].points({"theta": 0.02}, 60)[-1]
     found, expected = (one.orbit(start) for one in maps)
@@ -330,7 +330,7 @@ class Formula:
         after, slopes = (
             np.array([getattr(y, part) for y in found]) for part in ("value", "tangent")
         )
-        return analysis.Shooting(
+        return dynamics.Shooting(
             x, after[:, None], slopes[:, None, :1], slopes[:, None, 1:], (), np.ones(1)
         )
 
@@ -338,7 +338,7 @@ class Formula:
         return self.closed(self.shooting(np.reshape(guess, (cycles, 1))))
 
     def closed(self, shot):
-        return analysis.PeriodicOrbit(
+        return dynamics.PeriodicOrbit(
             ("x",), shot.x[0], len(shot.x), shot.derivative, shot.size, shot.residual, shot.x, ()
         )
 
@@ -349,7 +349,7 @@ def bubble(value):
 
 
 def test_period_that_doubles_and_halves_again_is_a_loop():
-    line = analysis.orbit_branch(bubble, (-2.0, 2.0), [0.0])
+    line = dynamics.orbit_branch(bubble, (-2.0, 2.0), [0.0])
     assert [one.kind for one in line.bifurcations] == ["period doubling"] * 2
     assert [one.value for one in line.bifurcations] == pytest.approx([-1.0, 1.0], abs=1e-9)
     loop = line.switched(line.bifurcations[0])
@@ -370,7 +370,7 @@ def test_where_two_branches_cross_both_are_followed():
     def crossing(value):
         return Formula(lambda x: x + x * x - value * x)
 
-    line = analysis.orbit_branch(crossing, (-1.0, 1.0), [0.0])
+    line = dynamics.orbit_branch(crossing, (-1.0, 1.0), [0.0])
     (found,) = line.bifurcations
     assert (found.kind, found.value) == ("branch point", pytest.approx(0.0, abs=1e-9))
     other = line.switched(found)
@@ -379,11 +379,11 @@ def test_where_two_branches_cross_both_are_followed():
 
 
 def test_interrupted_branch_is_kept_and_goes_on():
-    part = analysis.orbit_branch(interrupted_at(60, bubble), (-2.0, 2.0), [0.0])
+    part = dynamics.orbit_branch(interrupted_at(60, bubble), (-2.0, 2.0), [0.0])
     assert part.ended == "it was interrupted"
     assert -2.0 < part.values[-1] < 2.0
     last = part.orbits[-1]
-    rest = analysis.orbit_branch(bubble, (part.values[-1], 2.0), last.looks, last.cycles)
+    rest = dynamics.orbit_branch(bubble, (part.values[-1], 2.0), last.looks, last.cycles)
     assert len(part.bifurcations) + len(rest.bifurcations) == 2
 
 
@@ -402,10 +402,10 @@ def test_bad_input_is_refused_with_a_remedy():
     motion = rk.GroundMotion.harmonic(0.1, period=1.0, duration=3.0)
     uneven = rk.GroundMotion.from_array([0.0, 1.0, 0.0, 0.0] * 3 + [0.0], 0.25)
     with pytest.raises(ValueError, match="not its own negative half a period later"):
-        analysis.StroboscopicMap(SLENDER, uneven, 1.0, mirrored=True)
+        dynamics.StroboscopicMap(SLENDER, uneven, 1.0, mirrored=True)
     with pytest.raises(ValueError, match="upward has 'y': choose among theta, theta_dot"):
-        analysis.StroboscopicMap(SLENDER, motion, 1.0, mirrored=True, upward=("y",))
+        dynamics.StroboscopicMap(SLENDER, motion, 1.0, mirrored=True, upward=("y",))
     with pytest.raises(ValueError, match="give two values that differ"):
-        analysis.orbit_branch(hogan, (2.0, 2.0), {"x_dot": -0.3})
+        dynamics.orbit_branch(hogan, (2.0, 2.0), {"x_dot": -0.3})
     with pytest.raises(ValueError, match=r"value is 3\.0: the branch goes from"):
         folded().at(3.0)

@@ -12,6 +12,7 @@ from scipy.optimize import minimize_scalar
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 
 WALL = analysis.Wall.thesis()
 HEAVY = analysis.Wall.thesis(initial_force=111e3)
@@ -124,25 +125,6 @@ def test_inertia_falls_by_three_percent_as_the_centre_moves():
     r = (1 - 2 * WALL.mass * WALL.corner_radius**2 / WALL.corner_inertia * sin_alpha**2) ** 2
     assert r == pytest.approx(0.835, abs=5e-4)
     assert dataclasses.replace(WALL, inertia=13161.0).corner_inertia == 13161.0
-
-
-def test_gauges_outside_the_wall():
-    """Readings of gauges on the line of the base give back the uplift of its edges."""
-    d = np.array([-0.03, -0.001, 0.002, 0.02])
-    edges = analysis.corrected_uplifts(WALL.uplift(d, -0.538), WALL.uplift(d, 0.538))
-    np.testing.assert_allclose(edges.left, WALL.uplift(d, -0.508), rtol=1e-9)
-    np.testing.assert_allclose(edges.right, WALL.uplift(d, 0.508), rtol=1e-9)
-    inside = np.where(d > 0, 1, -1) * (WALL.detached_length(d) - 0.508)
-    np.testing.assert_allclose(edges.centre_from_left_gauge, 0.538 + inside, rtol=1e-9)
-    # 4-1 to 4-4 as printed, in mm
-    left, right = -0.9, 11.8
-    x = 1076 * 0.9 / 12.7
-    edges = analysis.corrected_uplifts(left * 1e-3, right * 1e-3)
-    assert edges.left == pytest.approx(left * (x - 30) / x * 1e-3)
-    assert edges.right == pytest.approx(right * (1076 - x - 30) / (1076 - x) * 1e-3)
-    level = analysis.corrected_uplifts(1e-3, 1e-3)
-    assert (level.left, level.right) == (1e-3, 1e-3)
-    assert np.isnan(level.centre_from_left_gauge)
 
 
 # --- energies and the pushover
@@ -311,28 +293,6 @@ def test_boundary_of_the_energy_loss():
     np.testing.assert_allclose(limit.speed, [0.711, 0.468], atol=5e-4)
 
 
-# --- restitution as a function of the speed; forces
-
-
-def test_bands_of_the_restitution():
-    v = np.array([0.0, 0.15, -0.299, 0.3, 0.4, 0.47, -0.7, 0.78, 0.9])
-    expected = [0.85, 0.85 + 0.15 / 45, 0.85 + 0.299 / 45, 0.81, 0.81, 0.852, 0.852, 0.95, 0.95]
-    np.testing.assert_allclose(analysis.energy_ratio_4_31(v), expected, rtol=1e-15)
-    v = np.array([-0.2, 0.364999, 0.365, 0.47, 0.78])
-    expected = [0.645, 0.809999, 0.81, 0.85, 0.94]
-    np.testing.assert_allclose(analysis.energy_ratio_4_38(v), expected, rtol=1e-15)
-    # the text wants 0.88 for the slowest and 0.91 for the fastest impacts or the reverse
-    np.testing.assert_allclose(analysis.energy_ratio_4_36([0.34, -1.02]), [0.88, 0.91], atol=1e-4)
-    with pytest.raises(ValueError, match=r"energy_ratio_4_36: velocity is 5.0.*add energy"):
-        analysis.energy_ratio_4_36(5.0)
-
-
-def test_forces_of_the_ground():
-    assert analysis.back_calculated_force(2016.06, -12.0, 2.0) == pytest.approx(20160.6)
-    # 16 pi t reaches pi/2 after 1/32 s
-    assert analysis.harmonic_force(1 / 32, 2016.06, 5.88) == pytest.approx(-2016.06 * 5.88)
-
-
 # --- the oscillator with Dirac-delta damping
 
 
@@ -358,7 +318,7 @@ def next_peak(start, mass, force, r, width=N):
 
 @pytest.mark.parametrize(("start", "r"), [(-0.03041, 0.88), (0.012, 0.6), (-0.0025, 0.95)])
 def test_peaks_of_the_closed_form_against_integration(start, r):
-    peaks = analysis.peak_sequence(WALL.restoring_force, start, r, N, passages=2)
+    peaks = formulas.peak_sequence(WALL.restoring_force, start, r, N, passages=2)
     for before, after in pairwise(peaks):
         assert next_peak(before, 2016.06, WALL.restoring_force, r)[1] == pytest.approx(
             after, abs=1e-9
@@ -366,7 +326,7 @@ def test_peaks_of_the_closed_form_against_integration(start, r):
 
 
 def test_peaks_do_not_depend_on_the_mass():
-    (expected,) = analysis.peak_sequence(WALL.restoring_force, -0.02, 0.88, N, passages=1)[1:]
+    (expected,) = formulas.peak_sequence(WALL.restoring_force, -0.02, 0.88, N, passages=1)[1:]
     for mass in (200.0, 20e3):
         found = next_peak(-0.02, mass, WALL.restoring_force, 0.88)[1]
         assert found == pytest.approx(expected, abs=1e-9)
@@ -375,23 +335,23 @@ def test_peaks_do_not_depend_on_the_mass():
 def test_narrow_delta_multiplies_the_energy():
     """A spring: amplitudes fall by sqrt(r), each passage with its own."""
     ratios = np.array([0.9, 0.5, 1.0])
-    peaks = analysis.peak_sequence(lambda x: 3.0 * x, 0.1, ratios, width=1e-9)
+    peaks = formulas.peak_sequence(lambda x: 3.0 * x, 0.1, ratios, width=1e-9)
     expected = 0.1 * np.cumprod([1.0, *-np.sqrt(ratios)])
     np.testing.assert_allclose(peaks, expected, rtol=1e-6)
 
 
 def test_no_loss_returns_to_the_height_of_release():
     """A force that is no odd function, -V' of a valley with two slopes."""
-    peaks = analysis.peak_sequence(lambda x: np.where(x > 0, 1.0, 4.0) * x, -0.1, 1.0, 0.01, 2)
+    peaks = formulas.peak_sequence(lambda x: np.where(x > 0, 1.0, 4.0) * x, -0.1, 1.0, 0.01, 2)
     np.testing.assert_allclose(peaks, [-0.1, 0.2, -0.1], rtol=1e-12)
 
 
 def test_measured_decay_of_the_wall():
     """Table A-1 with one r of 0.88: 13 peaks; their times with F_k raised by 6 %, as in 4.8.1."""
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     peaks = np.flatnonzero(measured.at_peak)[:13]
     d = measured.displacement[peaks]
-    found = analysis.peak_sequence(WALL.restoring_force, d[0], 0.88, N, passages=12)
+    found = formulas.peak_sequence(WALL.restoring_force, d[0], 0.88, N, passages=12)
     assert math.sqrt(np.mean((found - d) ** 2)) < 1.2e-3
 
     def stiffer(x):
@@ -419,14 +379,12 @@ def test_measured_decay_of_the_wall():
         (lambda: WALL.time_along_trajectory(0.0, 0.0), "a wall at rest stays"),
         (lambda: WALL.time_along_trajectory(0.03, -0.01), "between initial_displacement and 0"),
         (lambda: WALL.dissipation_limit(0.03, 1.5), "fraction is 1.5"),
-        (lambda: analysis.RotationCentre(0.4, -0.1, 1e-3), "RotationCentre: C2 is -0.1"),
-        (lambda: analysis.Tendon(1e7, 2e5, 1e5), "initial_force is 200000.0.*below yield_force"),
-        (lambda: analysis.corrected_uplifts(0.0, 0.0, 1.0, 0.5), "overhang is 0.5"),
-        (lambda: analysis.peak_sequence(WALL.restoring_force, 0.0, 0.9, N, 3), "give a peak"),
-        (lambda: analysis.peak_sequence(WALL.restoring_force, 0.01, 1.1, N, 3), "add energy"),
-        (lambda: analysis.peak_sequence(WALL.restoring_force, 0.01, 0.9, N), "passages is missing"),
-        (lambda: analysis.peak_sequence(lambda x: -x, 0.01, 0.9, N, 1), "does not pull"),
-        (lambda: analysis.quarter_period_fit(6.0), "ends at 5.155 m"),
+        (lambda: formulas.RotationCentre(0.4, -0.1, 1e-3), "RotationCentre: C2 is -0.1"),
+        (lambda: formulas.Tendon(1e7, 2e5, 1e5), "initial_force is 200000.0.*below yield_force"),
+        (lambda: formulas.peak_sequence(WALL.restoring_force, 0.0, 0.9, N, 3), "give a peak"),
+        (lambda: formulas.peak_sequence(WALL.restoring_force, 0.01, 1.1, N, 3), "add energy"),
+        (lambda: formulas.peak_sequence(WALL.restoring_force, 0.01, 0.9, N), "passages is missing"),
+        (lambda: formulas.peak_sequence(lambda x: -x, 0.01, 0.9, N, 1), "does not pull"),
     ],
 )
 def test_what_cannot_be_is_refused(call, message):

@@ -7,13 +7,14 @@ import pytest
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.structures.classes import SHIPPED, class_of
 from rockeom.structures.evaluation import at_states
 from tests.numeric.structures import FOUNDATION_STIFFNESS, S1, column, every_structure
 from tests.shipped import plain
 
 WALL = analysis.Wall.thesis()
-BARE_TABLE = analysis.FreeVibration.table_a1()
+BARE_TABLE = identification.FreeVibration.table_a1()
 KINDS = [
     *every_structure(),
     rk.DiracDeltaBlock(alpha=0.25, energy_ratio=0.9, regularisation=0.01),
@@ -32,7 +33,9 @@ def free(peaks, speed=0.3):
     values, rates = np.zeros(n), np.zeros(n)
     values[::2] = peaks
     rates[1::2] = -speed * np.sign(peaks[:-1])
-    return analysis.FreeVibration(np.arange(n) % 2 == 0, np.arange(n) * 0.1, values, rates, rates)
+    return identification.FreeVibration(
+        np.arange(n) % 2 == 0, np.arange(n) * 0.1, values, rates, rates
+    )
 
 
 def place_of(structure, y, name="displacement"):
@@ -58,13 +61,13 @@ def test_restitution_of_any_structure_from_its_rotation_and_from_its_displacemen
     """One answer, whatever of it was measured and whoever is asked."""
     part = 0.02 if structure.module.STATE_UNITS[structure.module.ROTATION] in ("rad", "m") else 0.5
     rotation = part * np.array([1.0, -0.9, 0.7])
-    displacement = place_of(structure, analysis.held_states(structure, rotation))
-    by_rotation = analysis.Impacts.of_peaks([0, 1, 2], rotation, structure)
-    by_place = analysis.Impacts.of_peaks(
+    displacement = place_of(structure, identification.equilibrium_states(structure, rotation))
+    by_rotation = identification.Impacts.of_peaks([0, 1, 2], rotation, structure)
+    by_place = identification.Impacts.of_peaks(
         [0, 1, 2], displacement, structure, quantity="displacement"
     )
     assert np.all((by_rotation.energy_ratio > 0) & (by_rotation.energy_ratio < 1))
-    energy = analysis.static_energy(structure, rotation)
+    energy = identification.static_energy(structure, rotation)
     np.testing.assert_allclose(by_rotation.energy_ratio, energy[1:] / energy[:-1], rtol=1e-12)
     found = (
         by_place.energy_ratio,
@@ -80,8 +83,8 @@ def test_record_of_a_structure_whose_rotation_has_another_name():
     cart = rk.TwoSpringCart(**S1, foundation_stiffness=FOUNDATION_STIFFNESS)
     t = np.arange(800) * 0.005
     record = analysis.MeasuredRecord(t, {"u": 0.02 * np.exp(-0.1 * t) * np.cos(3 * t)})
-    found = analysis.Impacts.of_record(record, cart, smallest=1e-3)
-    energy = analysis.static_energy(cart, found.peak_before)
+    found = identification.Impacts.of_record(record, cart, smallest=1e-3)
+    energy = identification.static_energy(cart, found.peak_before)
     np.testing.assert_allclose(found.energy_before, energy, rtol=1e-12)
     assert len(found) == 3
 
@@ -100,13 +103,13 @@ def test_restitution_of_blocks_is_that_of_the_closed_forms():
     """3-3 and 5-4, of rotations and of displacements of the centroid and of the mass."""
     block, frame = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25), rk.LumpedMassStructure(**S1)
     peaks = np.array([0.12, -0.1, 0.09])
-    by_formula = analysis.energy_ratios_from_peaks(peaks, block.alpha)
-    along = analysis.displacement_from_rotation(peaks, block.half_width, block.half_height)
+    by_formula = analysis.formulas.energy_ratios_from_peaks(peaks, block.alpha)
+    along = identification.displacement_from_rotation(peaks, block.half_width, block.half_height)
     found = free(along).restitution(block).energy_ratio
     np.testing.assert_allclose(found, by_formula, rtol=1e-10)
     shape = {n: v for n, v in S1.items() if "inertia" not in n}
-    by_formula = analysis.energy_ratios_from_peaks_of_lumped_mass(peaks, **shape)
-    along = analysis.displacement_from_rotation(peaks, S1["half_width"], S1["height"])
+    by_formula = analysis.formulas.energy_ratios_from_peaks_of_lumped_mass(peaks, **shape)
+    along = identification.displacement_from_rotation(peaks, S1["half_width"], S1["height"])
     found = free(along).restitution(frame).energy_ratio
     np.testing.assert_allclose(found, by_formula, rtol=1e-10)
 
@@ -124,14 +127,14 @@ def test_energies_of_a_block_in_motion():
 def test_column_that_has_not_lifted_only_bends():
     """Half the stiffness times the square of its displacement, full contact."""
     d = np.array([1e-4, -2e-4])
-    found = analysis.static_energy(column(), d, quantity="displacement")
+    found = identification.static_energy(column(), d, quantity="displacement")
     np.testing.assert_allclose(found, 571.8e3 * d**2 / 2, rtol=1e-3)
 
 
 def test_table_a_1_by_each_model_of_the_wall():
     """4-18 and 4-20 by the formulas and by the oscillator that is derived of them, of one table."""
     table = BARE_TABLE
-    bare = analysis.FreeVibration(
+    bare = identification.FreeVibration(
         table.at_peak, table.time, table.displacement, table.velocity, table.acceleration
     )
     formulas = bare.restitution(WALL)
@@ -151,14 +154,14 @@ def test_peak_beyond_the_balance_is_refused():
     block = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
     for quantity, peaks in ((None, [0.3, -0.1]), ("theta", [0.1, -0.3])):
         with pytest.raises(ValueError, match=r"is -?0.3: a free structure turns back before"):
-            analysis.Impacts.of_peaks([0, 1], peaks, block, quantity=quantity)
+            identification.Impacts.of_peaks([0, 1], peaks, block, quantity=quantity)
 
 
 def test_what_a_structure_does_not_have_or_reach_is_refused():
     with pytest.raises(ValueError, match=r"no quantity 'displacment' \(did you mean displ"):
-        analysis.static_energy(column(), 0.01, quantity="displacment")
+        identification.static_energy(column(), 0.01, quantity="displacment")
     with pytest.raises(ValueError, match=r"has fallen before its displacement is 30.0"):
-        analysis.static_energy(column(), 30.0, quantity="displacement")
+        identification.static_energy(column(), 30.0, quantity="displacement")
 
 
 # --- many states at once

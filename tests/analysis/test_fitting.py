@@ -8,13 +8,14 @@ from scipy import stats
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.thesis.tables import COLUMN, FIGURE_5_6, GAUGE
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 STILL = rk.GroundMotion.none(3.0)
 McMANUS = rk.LumpedMassStructure(**COLUMN)
 RUN_1 = np.array([(time, displacement) for time, displacement, _ in FIGURE_5_6.rows])
-PEAKS = analysis.rotation_from_displacement(RUN_1[::2, 1] * 1e-3, *GAUGE)  # rad
+PEAKS = identification.rotation_from_displacement(RUN_1[::2, 1] * 1e-3, *GAUGE)  # rad
 RATIO = {"r": (0.0, 1.0)}
 
 
@@ -32,7 +33,7 @@ def test_a_straight_line_has_the_errors_of_linear_regression():
     rng = np.random.default_rng(5)
     x = np.linspace(0.0, 3.0, 12)
     y = 2.0 * x + 1.0 + 0.1 * rng.standard_normal(12)
-    found = analysis.fit(lambda k, c: k * x + c, y, {"k": 1.0, "c": 0.0})
+    found = identification.fit(lambda k, c: k * x + c, y, {"k": 1.0, "c": 0.0})
     line = stats.linregress(x, y)
     assert found.values == pytest.approx({"k": line.slope, "c": line.intercept}, rel=1e-7)
     errors = {"k": line.stderr, "c": line.intercept_stderr}
@@ -41,7 +42,7 @@ def test_a_straight_line_has_the_errors_of_linear_regression():
     assert high - low == pytest.approx(2 * stats.t.ppf(0.95, 10) * line.stderr, rel=1e-6)
     assert found.r_squared == pytest.approx(line.rvalue**2)
     # a given uncertainty stands by itself
-    known = analysis.fit(lambda k, c: k * x + c, y, {"k": 1.0, "c": 0.0}, uncertainty=0.1)
+    known = identification.fit(lambda k, c: k * x + c, y, {"k": 1.0, "c": 0.0}, uncertainty=0.1)
     exact = np.linalg.inv([[x @ x, x.sum()], [x.sum(), 12]]) * 0.01
     assert known.covariance == pytest.approx(exact, rel=1e-6)
     assert known.reduced_chi_square == pytest.approx(found.rms**2 * 12 / 10 / 0.01)
@@ -50,15 +51,15 @@ def test_a_straight_line_has_the_errors_of_linear_regression():
 def test_swings_of_a_block_are_those_of_quadrature():
     still = rk.GroundMotion.none(4.0)
     run = rk.simulate(BLOCK, still, impact=rk.EnergyRatio(0.85), initial={"theta": 0.13})
-    found = analysis.swings(run, "theta", 9)
+    found = identification.swings(run, "theta", 9)
     alpha, p = BLOCK.alpha, BLOCK.frequency_parameter
     assert found.crossing_time == pytest.approx([e.time for e in run.impacts[:9]], abs=1e-9)
-    assert analysis.energy_ratios_from_peaks(found.peak, alpha) == pytest.approx(0.85, abs=1e-9)
-    quarters = analysis.exact_quarter_period(np.abs(found.peak), alpha, p)
+    assert formulas.energy_ratios_from_peaks(found.peak, alpha) == pytest.approx(0.85, abs=1e-9)
+    quarters = formulas.exact_quarter_period(np.abs(found.peak), alpha, p)
     assert found.crossing_time - found.peak_time == pytest.approx(quarters, abs=1e-8)
     # of a motion that ends before, what is missing stands at its end
     short = rk.simulate(BLOCK, rk.GroundMotion.none(0.5), initial={"theta": 0.13})
-    cut = analysis.swings(short, "theta", 4)
+    cut = identification.swings(short, "theta", 4)
     assert cut.peak[1:].tolist() == [0.0] * 3
     assert cut.crossing_time[1:].tolist() == [0.5] * 3
 
@@ -70,7 +71,7 @@ def test_swings_of_a_block_are_those_of_quadrature():
 )
 def test_the_ratio_of_noisy_peaks_lies_within_its_interval(known, trials, least):
     true, noise = 0.83, 1e-3
-    exact = analysis.swings(rk.simulate(
+    exact = identification.swings(rk.simulate(
         BLOCK, STILL, impact=rk.EnergyRatio(true), initial={"theta": 0.13}
     ), "theta", 6).peak  # fmt: skip
     rng = np.random.default_rng(11)
@@ -94,7 +95,7 @@ def test_the_ratio_of_noisy_peaks_lies_within_its_interval(known, trials, least)
 def test_a_structure_and_its_law_from_peaks_and_crossings():
     """Height, r and the release of a block at once, the times from another instant."""
     true = {"r": 0.83, "theta": 0.13, "height": 0.4549, "release_time": 0.7}
-    exact = analysis.swings(rk.simulate(
+    exact = identification.swings(rk.simulate(
         BLOCK, STILL, impact=rk.EnergyRatio(0.83), initial={"theta": 0.13}
     ), "theta", 9)  # fmt: skip
     rng = np.random.default_rng(3)
@@ -160,7 +161,7 @@ def test_a_fit_without_exact_derivatives_finds_the_same():
     with pytest.raises(TypeError, match="asked for as a float"):
         analysis.fit_free_vibration(in_floats, start, crossing_times=crossings, exact=True)
     with pytest.raises(ValueError, match=r"return \(4, 2\), a row for each value"):
-        analysis.fit(
+        identification.fit(
             lambda k, c: k * np.arange(4.0) + c, crossings, {"k": 1.0, "c": 0.0},
             derivatives=lambda k, c: np.arange(4.0),
         )  # fmt: skip
@@ -173,7 +174,7 @@ def test_a_noisy_record_at_200_hz():
     theta = run.at(t)["theta"]
     for seed in range(5):
         noise = 3e-4 * np.random.default_rng(seed).standard_normal(len(t))
-        record = analysis.FreeVibration.from_samples(t, theta + noise, smallest=4e-3)
+        record = identification.FreeVibration.from_samples(t, theta + noise, smallest=4e-3)
         found = analysis.fit_free_vibration(
             let_go, {"r": 0.8, "theta": 0.12},
             crossing_times=record.time[~record.at_peak], quantity="theta", bounds=RATIO,
@@ -193,23 +194,23 @@ def test_run_1_of_mcmanus():
     assert found.degrees_of_freedom == 6  # the release itself tells nothing
     # 0.96 mm is what the peaks are off with the 0.81 of Figure 5-23, as found before
     run = rk.simulate(**vars(column(0.81)))
-    theta = analysis.swings(run, "theta", 8).peak
-    off = analysis.displacement_from_rotation(theta, *GAUGE) - RUN_1[::2, 1] * 1e-3
+    theta = identification.swings(run, "theta", 8).peak
+    off = identification.displacement_from_rotation(theta, *GAUGE) - RUN_1[::2, 1] * 1e-3
     assert np.sqrt(np.mean(off[1:] ** 2)) == pytest.approx(0.96e-3, abs=5e-6)
     assert found.rms < np.sqrt(np.mean((theta - PEAKS)[1:] ** 2))
 
 
 def test_ratios_by_release_are_those_of_the_energies():
-    found = analysis.energy_ratios_by_release(
+    found = identification.energy_ratios_by_release(
         lambda theta, r: let_go(r, theta), [0.13, -0.11, 0.112, -0.09], quantity="theta"
     )
-    by_energy = analysis.energy_ratios_from_peaks([0.13, -0.11, 0.112, -0.09], BLOCK.alpha)
+    by_energy = formulas.energy_ratios_from_peaks([0.13, -0.11, 0.112, -0.09], BLOCK.alpha)
     assert found[[0, 2]] == pytest.approx(by_energy[[0, 2]], abs=1e-8)
     assert math.isnan(found[1])  # a peak higher than the one before
     with pytest.raises(ValueError, match="one side and the other"):
-        analysis.energy_ratios_by_release(lambda theta, r: let_go(r, theta), [0.13, 0.11])
+        identification.energy_ratios_by_release(lambda theta, r: let_go(r, theta), [0.13, 0.11])
     with pytest.raises(ValueError, match=r"longer than 0\.2 s"):
-        analysis.energy_ratios_by_release(
+        identification.energy_ratios_by_release(
             lambda theta, r: rk.Case(
                 BLOCK, rk.GroundMotion.none(0.2), rk.EnergyRatio(r), {"theta": theta}
             ),
@@ -221,17 +222,17 @@ def test_ratios_by_release_are_those_of_the_energies():
 def test_rotation_centres_come_back():
     rng = np.random.default_rng(2)
     d = np.linspace(-0.03, 0.03, 60)
-    path = analysis.RotationCentre(C1=0.3, C2=0.1, epsilon=0.004)
+    path = formulas.RotationCentre(C1=0.3, C2=0.1, epsilon=0.004)
     noisy = path.distance_from_edge(d) + 0.01 * rng.standard_normal(60)
-    found = analysis.fit_rotation_centre(d, noisy)
+    found = identification.fit_rotation_centre(d, noisy)
     for name in ("C1", "C2", "epsilon"):
         low, high = found.interval(name, 0.99)
         assert low < getattr(path, name) < high
     # 5-5, another one for each direction of motion
     v = np.where(np.arange(60) % 2, 1.0, -1.0)
     reach = np.where(v > 0, 0.2, 0.23)
-    centre = analysis.rotation_centre(d, reach=reach) + 0.005 * rng.standard_normal(60)
-    parts = analysis.fit_moving_centre(d, centre, v)
+    centre = identification.rotation_centre(d, reach=reach) + 0.005 * rng.standard_normal(60)
+    parts = identification.fit_moving_centre(d, centre, v)
     for name, true in (("clockwise", 0.2), ("counterclockwise", 0.23)):
         low, high = parts[name].interval("reach", 0.99)
         assert low < true < high
@@ -240,9 +241,9 @@ def test_rotation_centres_come_back():
 
 def test_table_a_1():
     """4-8 and 4-5 fitted anew, and r of its peaks with what they leave open."""
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     legible = np.asarray(measured.reading) != "guessed"
-    centre = analysis.fit_rotation_centre(
+    centre = identification.fit_rotation_centre(
         measured.displacement[legible], measured.centre_from_edge[legible]
     )
     low, high = centre.interval("C2")
@@ -252,7 +253,7 @@ def test_table_a_1():
     # the centre never comes as near to the middle as C1 + C2 = B has it
     assert centre.interval("C1")[1] < 0.412
     r = measured.restitution(analysis.Wall.thesis()).energy_ratio[:12]
-    found = analysis.fit(lambda r: np.full(12, r), r, {"r": 0.8})
+    found = identification.fit(lambda r: np.full(12, r), r, {"r": 0.8})
     assert found.values["r"] == pytest.approx(r.mean())
     half = stats.t.ppf(0.975, 11) * r.std(ddof=1) / math.sqrt(12)
     assert found.interval("r") == pytest.approx((r.mean() - half, r.mean() + half))
@@ -263,22 +264,22 @@ def test_what_cannot_be_fitted():
     x = np.arange(5.0)
     line = {"k": 1.0, "c": 0.0}
     with pytest.raises(ValueError, match="do not tell k, c apart"):
-        analysis.fit(lambda k, c: (k + c) * x, x, line)
+        identification.fit(lambda k, c: (k + c) * x, x, line)
     with pytest.raises(ValueError, match="c moves none"):
-        analysis.fit(lambda k, c: k * x, x, line)
+        identification.fit(lambda k, c: k * x, x, line)
     with pytest.raises(ValueError, match="their scatter"):
-        analysis.fit(lambda k, c: k * x[:2] + c, x[:2], line)
+        identification.fit(lambda k, c: k * x[:2] + c, x[:2], line)
     with pytest.raises(ValueError, match=r"first guess of k .* begin between"):
-        analysis.fit(lambda k, c: k * x + c, x, line, bounds={"k": (2.0, 3.0)})
+        identification.fit(lambda k, c: k * x + c, x, line, bounds={"k": (2.0, 3.0)})
     with pytest.raises(ValueError, match="bounds has 'm'"):
-        analysis.fit(lambda k, c: k * x + c, x, line, bounds={"m": (2.0, 3.0)})
+        identification.fit(lambda k, c: k * x + c, x, line, bounds={"m": (2.0, 3.0)})
     with pytest.raises(ValueError, match=r"shape \(4,\), measured is \(5,\)"):
-        analysis.fit(lambda k, c: k * x[1:] + c, x, line)
+        identification.fit(lambda k, c: k * x[1:] + c, x, line)
     with pytest.raises(ValueError, match="uncertainty of both"):
         analysis.fit_free_vibration(let_go, {"r": 0.8}, peaks=[0.1, -0.1], crossing_times=[0.1])
     with pytest.raises(ValueError, match="nothing was measured"):
         analysis.fit_free_vibration(let_go, {"r": 0.8})
     # a bound that holds a parameter is told
-    found = analysis.fit(lambda k: k * x, 2 * x + 0.1, {"k": 0.5}, bounds={"k": (0.0, 1.0)})
+    found = identification.fit(lambda k: k * x, 2 * x + 0.1, {"k": 0.5}, bounds={"k": (0.0, 1.0)})
     assert found.at_bounds == ("k",)
     assert "held by a bound" in found.summary()

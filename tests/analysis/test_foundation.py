@@ -6,7 +6,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import rockeom as rk
-from rockeom.analysis import foundation
+from rockeom.analysis.formulas import foundation
 
 WEIGHT, B, BED, SPRING, SPACING = 3.0e5, 1.4, 2.5e7, 4.0e7, 0.8
 ROTATIONS = np.array([-0.05, -1e-4, 0.0, 1e-3, 3.06e-3, 3.07e-3, 0.02, 0.3])

@@ -6,7 +6,8 @@ import xarray as xr
 from scipy.optimize import minimize
 from scipy.stats import norm
 
-from rockeom.analysis import fit_fragility, fragility_of, outcome_labels, peaks_of
+from rockeom.analysis.risk.fragility import fit_fragility, fragility_of
+from rockeom.analysis.sweeps import outcome_labels, peaks_of
 
 IM = np.array([0.1, 0.2, 0.3, 0.4, 0.6, 0.8])
 HITS = np.array([0, 2, 5, 4, 9, 19])

@@ -7,11 +7,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
+from rockeom.thesis.wall_tests import quarter_period_fit
 
 WALL = analysis.Wall.thesis()
-TABLE = analysis.FreeVibration.table_a1()
+TABLE = identification.FreeVibration.table_a1()
 CLEAN = TABLE.reading == "clean"
-R2 = analysis.coefficient_of_determination
+R2 = identification.coefficient_of_determination
 
 # --- Table A-1
 
@@ -53,7 +55,7 @@ def test_quarter_periods_of_the_wall():
     """Figures 4-13 and 4-24: R2 0.976 of 4-5 and 0.911 of 4-17 in the thesis, here 22 quarters."""
     quarters = TABLE.quarter_periods()
     assert len(quarters.time) == 22
-    fit = R2(quarters.time, analysis.quarter_period_fit(quarters.peak))
+    fit = R2(quarters.time, quarter_period_fit(quarters.peak))
     assert fit == pytest.approx(0.97, abs=5e-3)
     substitute = R2(quarters.time, WALL.quarter_period_substitute_gravity(quarters.peak))
     assert substitute == pytest.approx(0.920, abs=1e-3)
@@ -93,7 +95,7 @@ def test_damped_oscillation_at_200_samples_a_second(crossing):
     t = np.arange(0.0, 1.2, 0.005) - lag / w
     z = (-k + 1j * w) * np.ones_like(t)
     x, v, a = (np.real(z**power * np.exp(z * t)) * 0.02 for power in range(3))
-    record = analysis.FreeVibration.from_samples(t, x, v, a, crossing=crossing)
+    record = identification.FreeVibration.from_samples(t, x, v, a, crossing=crossing)
     i = np.arange(8)
     peaks, crossings = record.time[record.at_peak], record.time[~record.at_peak]
     np.testing.assert_allclose(peaks, (i * np.pi - lag) / w, atol=2e-6)
@@ -125,10 +127,10 @@ def decay(start, count, r, width):
 def test_computed_decay_of_the_wall():
     """Peaks, losses, uplifts and rotation centre of a computed record, sampled as the test was."""
     t, x, v, a = decay(-0.03, 130, 0.85, 3.551e-3)
-    record = analysis.FreeVibration.from_samples(
+    record = identification.FreeVibration.from_samples(
         t, x, v, a, WALL.tendon_force(x), WALL.uplift(x, -0.508), WALL.uplift(x, 0.508)
     )
-    exact = analysis.peak_sequence(WALL.restoring_force, -0.03, 0.85, 3.551e-3, passages=4)
+    exact = formulas.peak_sequence(WALL.restoring_force, -0.03, 0.85, 3.551e-3, passages=4)
     peaks = record.at_peak
     np.testing.assert_allclose(record.displacement[peaks][:5], exact, atol=2e-5)
     v_peaks = WALL.potential_energy(exact)
@@ -142,13 +144,13 @@ def test_computed_decay_of_the_wall():
         atol=1e-3,
     )
     # without forces of the tendon the displacement gives the energies
-    bare = analysis.FreeVibration.from_samples(t, x)
+    bare = identification.FreeVibration.from_samples(t, x)
     np.testing.assert_allclose(
         bare.energies(WALL).total[peaks], record.energies(WALL).total[peaks], rtol=5e-3
     )
     # the losses are spread: the acceleration vanishes on the way to upright (4.5.1 takes it for
     # upright), by the 1.2 to 1.8 mm that Table A-1 has on the average
-    early = analysis.FreeVibration.from_samples(t, x, v, a, crossing="acceleration")
+    early = identification.FreeVibration.from_samples(t, x, v, a, crossing="acceleration")
     before = early.displacement[~early.at_peak] * np.sign(early.displacement[peaks][:-1])
     assert np.all((before[:3] > 1.0e-3) & (before[:3] < 2.2e-3))
 
@@ -156,7 +158,7 @@ def test_computed_decay_of_the_wall():
 def test_noise_about_upright_makes_no_peaks():
     t = np.arange(0.0, 1.0, 0.002)
     x = 0.02 * np.cos(2 * np.pi * 2 * t) + 2e-4 * np.sin(2 * np.pi * 180 * t)
-    record = analysis.FreeVibration.from_samples(t, x, smallest=1e-3)
+    record = identification.FreeVibration.from_samples(t, x, smallest=1e-3)
     assert record.at_peak.sum() == 4  # at 0, 1/4, 1/2 and 3/4 s; at 1 s it has not turned back
     np.testing.assert_allclose(record.time[record.at_peak], [0, 0.25, 0.5, 0.75], atol=0.01)
     np.testing.assert_allclose(record.time[~record.at_peak], [0.125, 0.375, 0.625], atol=2e-3)
@@ -169,11 +171,11 @@ def test_floor_follows_from_the_noise_of_the_record(sigma):
     t = np.arange(0.0, 6.0, 0.002) - lag
     noise = np.random.default_rng(1).normal(0.0, sigma, len(t)) if sigma else 0.0
     x = 0.02 * np.exp(-1.2 * t) * np.cos(2 * np.pi * 2 * t)
-    record = analysis.FreeVibration.from_samples(t, x + noise)
+    record = identification.FreeVibration.from_samples(t, x + noise)
     count = record.at_peak.sum()
     if sigma:
         assert 0.02 * np.exp(-1.2 * (count + 1) / 4) < 8 * sigma
-        assert analysis.resolved_floor(t, x + noise) == pytest.approx(5 * sigma, rel=0.2)
+        assert identification.resolved_floor(t, x + noise) == pytest.approx(5 * sigma, rel=0.2)
     else:
         assert count == 24
     np.testing.assert_allclose(record.time[record.at_peak], np.arange(count) / 4 - lag, atol=0.06)
@@ -186,13 +188,13 @@ def test_crossing_that_noise_makes_three():
     """A ripple, odd about upright and steeper than the motion: the crossing is the middle one."""
     t = np.arange(0.0, 0.45, 0.0005)
     x = 0.02 * np.cos(2 * np.pi * 2 * t) + 4e-4 * np.sin(2 * np.pi * 180 * (t - 0.125))
-    record = analysis.FreeVibration.from_samples(t, x, smallest=2e-3)
+    record = identification.FreeVibration.from_samples(t, x, smallest=2e-3)
     assert record.time[1] == pytest.approx(0.125, abs=1e-6)
 
 
 def test_record_that_begins_on_the_way_back_has_no_peak_there():
     t = np.arange(0.03, 1.0, 0.005)
-    record = analysis.FreeVibration.from_samples(t, np.cos(2 * np.pi * 2 * t))
+    record = identification.FreeVibration.from_samples(t, np.cos(2 * np.pi * 2 * t))
     assert record.time[0] == pytest.approx(0.25, abs=1e-5)
 
 
@@ -202,7 +204,7 @@ def test_record_that_begins_on_the_way_back_has_no_peak_there():
 def sampled(**other):
     t = np.arange(0.0, 1.0, 0.01)
     given = {"time": t, "displacement": np.cos(9 * t)} | other
-    return analysis.FreeVibration.from_samples(**given)
+    return identification.FreeVibration.from_samples(**given)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import design
 from rockeom.thesis import shaken
 from tests.numeric.structures import S1, column, on_springs
 
@@ -19,7 +20,7 @@ needs_records = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def beside():
-    return analysis.beside_fixed_base(column(), PULSE, impact=rk.EnergyRatio(0.74))
+    return analysis.compare_with_fixed_base(column(), PULSE, impact=rk.EnergyRatio(0.74))
 
 
 def test_demands_are_the_largest_of_the_responses(beside):
@@ -62,7 +63,7 @@ def test_structure_without_a_width_or_without_feet_has_no_base_moment():
     run = rk.simulate(cart, rk.GroundMotion.none(0.05), initial={"u": 0.01})
     assert run.base_moment is None
     with pytest.raises(ValueError, match="two_spring_cart has no feet"):
-        analysis.demands(run)
+        design.demands(run)
 
 
 def test_moment_of_a_wall_is_about_its_centreline():
@@ -82,7 +83,7 @@ def test_energy_balance_closes_for_both_structures(run, law):
     """Figure 5-45's comparison; the quadrature knows nothing of the integrator's own error."""
     motion = shaken.column_motion(run)
     cut = rk.GroundMotion.from_array(motion.samples[:800], motion.dt)
-    beside = analysis.beside_fixed_base(column(), cut, impact=law)
+    beside = analysis.compare_with_fixed_base(column(), cut, impact=law)
     for response in (beside.rocking_run, beside.fixed_run):
         balance = analysis.energy_balance(response)
         assert balance.error < 1e-6
@@ -123,9 +124,12 @@ def test_wrong_tolerance_is_told_by_the_balance():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: analysis.beside_fixed_base(PULSE, column()), "structure is .*: give one such as"),
         (
-            lambda: analysis.beside_fixed_base(rk.LumpedMassStructure(**S1), PULSE),
+            lambda: analysis.compare_with_fixed_base(PULSE, column()),
+            "structure is .*: give one such as",
+        ),
+        (
+            lambda: analysis.compare_with_fixed_base(rk.LumpedMassStructure(**S1), PULSE),
             "no degree of freedom",
         ),
     ],

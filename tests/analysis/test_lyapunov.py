@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import dynamics
 from rockeom.cli.demo import COLUMN
 from tests.interrupts import interrupted_at
 
@@ -20,11 +20,11 @@ def hogan(beta, last=2):
     motion = rk.GroundMotion.harmonic(
         SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=last * PERIOD
     )
-    return analysis.StroboscopicMap(SQUAT, motion, PERIOD, impact=rk.VelocityRatio(RESTITUTION))
+    return dynamics.StroboscopicMap(SQUAT, motion, PERIOD, impact=rk.VelocityRatio(RESTITUTION))
 
 
 def settled(beta, x=0.1, x_dot=0.0, cycles=2500):
-    found = analysis.poincare_sections(
+    found = dynamics.poincare_sections(
         hogan(beta, cycles + 2), starts={"x": [x], "x_dot": [x_dot]}, settling=cycles, cycles=1
     )
     return found.strobe.values[0, 0, -1]
@@ -48,7 +48,7 @@ def pair(stroboscope, start, cycles, apart=1e-7):
 
 def test_sum_of_exponents_is_the_mean_contraction_of_the_impacts():
     """Between impacts a block without damping keeps areas of its plane, an impact takes e**2."""
-    spectrum = analysis.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=40, settling=0)
+    spectrum = dynamics.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=40, settling=0)
     run = rk.simulate(
         SQUAT, hogan(3.3, 41).motion, impact=rk.VelocityRatio(RESTITUTION),
         initial={"x": 0.1}, duration=40 * PERIOD,
@@ -60,7 +60,7 @@ def test_sum_of_exponents_is_the_mean_contraction_of_the_impacts():
 def test_two_motions_part_as_the_largest_exponent_says():
     """In chaos, over the same cycles; the difference of two motions has an error of its length."""
     start, cycles = settled(3.3, cycles=100), 60
-    spectrum = analysis.lyapunov_spectrum(hogan(3.3), start, cycles=cycles, settling=0)
+    spectrum = dynamics.lyapunov_spectrum(hogan(3.3), start, cycles=cycles, settling=0)
     grown = pair(hogan(3.3), start, cycles)
     np.testing.assert_allclose(spectrum.growth[:, 0], grown, atol=2e-4)
     assert spectrum.exponents[0] == pytest.approx(grown.mean() / PERIOD, abs=1e-5)
@@ -69,9 +69,9 @@ def test_two_motions_part_as_the_largest_exponent_says():
 def test_two_motions_of_a_structure_that_bends_near_each_other_as_its_spectrum_says():
     column = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
     shaking = rk.GroundMotion.harmonic(4.0, period=0.5, duration=1.0)
-    stroboscope = analysis.StroboscopicMap(column, shaking, period=0.5)
+    stroboscope = dynamics.StroboscopicMap(column, shaking, period=0.5)
     start = stroboscope.points({"theta": 0.05}, 5)[-1]
-    spectrum = analysis.lyapunov_spectrum(stroboscope, start, cycles=20, settling=0)
+    spectrum = dynamics.lyapunov_spectrum(stroboscope, start, cycles=20, settling=0)
     np.testing.assert_allclose(spectrum.growth[:, 0], pair(stroboscope, start, 20), atol=1e-3)
     assert spectrum.exponents.shape == (4,)
 
@@ -79,8 +79,8 @@ def test_two_motions_of_a_structure_that_bends_near_each_other_as_its_spectrum_s
 def test_squat_block_is_chaotic_beside_a_cycle_of_three_periods():
     """At 3.242 the start decides between chaos and a cycle that coexists; the signs tell."""
     cycle = settled(3.242, 1 / 3, -1 / 3)
-    quiet = analysis.lyapunov_spectrum(hogan(3.242), cycle, cycles=60, settling=12)
-    wild = analysis.lyapunov_spectrum(hogan(3.242), settled(3.242, cycles=500), cycles=200)
+    quiet = dynamics.lyapunov_spectrum(hogan(3.242), cycle, cycles=60, settling=12)
+    wild = dynamics.lyapunov_spectrum(hogan(3.242), settled(3.242, cycles=500), cycles=200)
     assert quiet.bounds()[1][0] < 0 < wild.bounds()[0][0]
     assert quiet.dimension == 0.0
     assert 1.0 < wild.dimension < 2.0
@@ -89,16 +89,16 @@ def test_squat_block_is_chaotic_beside_a_cycle_of_three_periods():
 def test_largest_exponent_is_positive_just_where_looks_do_not_repeat_themselves():
     """Through the cascade, in windows of 16 and 10 cycles, and in the chaos between them."""
     values = [3.22, 3.24, 3.25, 3.265, 3.3]
-    found = analysis.poincare_sections(
+    found = dynamics.poincare_sections(
         lambda beta: hogan(beta, 5002), over={"beta": values}, starts={"x": [0.1]},
         settling=5000, cycles=64,
     )  # fmt: skip
     cycles = []
     for beta in values:
-        one = analysis.basins(found.sel(beta=beta), tolerance=1e-6)
+        one = dynamics.basins(found.sel(beta=beta), tolerance=1e-6)
         cycles.append(int(one.orbit_cycles[0]) if one.fate > 0 else 0)
         at = found.strobe.sel(beta=beta).values[0, -1]
-        low, high = analysis.lyapunov_spectrum(hogan(beta), at, cycles=320, settling=5).bounds()
+        low, high = dynamics.lyapunov_spectrum(hogan(beta), at, cycles=320, settling=5).bounds()
         assert low[0] > 0 if cycles[-1] == 0 else high[0] < 0
     assert cycles == [4, 0, 16, 10, 0]
 
@@ -106,7 +106,7 @@ def test_largest_exponent_is_positive_just_where_looks_do_not_repeat_themselves(
 def test_exponents_of_a_cycle_are_the_logarithms_of_its_multipliers():
     """At 3.25, in a window between chaotic motions: a cycle of 16 periods."""
     cycle = settled(3.25)
-    spectrum = analysis.lyapunov_spectrum(hogan(3.25), cycle, cycles=64, settling=16)
+    spectrum = dynamics.lyapunov_spectrum(hogan(3.25), cycle, cycles=64, settling=16)
     orbit = hogan(3.25).orbit(cycle, cycles=16)
     assert orbit.stable
     multiplier = abs(orbit.multipliers[0])  # the other one is less than rounding errors of it
@@ -118,38 +118,38 @@ def test_exponents_of_a_cycle_are_the_logarithms_of_its_multipliers():
 
 def test_two_calls_give_what_one_does():
     stroboscope = hogan(3.3)
-    whole = analysis.lyapunov_spectrum(stroboscope, {"x": 0.1}, cycles=50, settling=5)
-    half = analysis.lyapunov_spectrum(stroboscope, {"x": 0.1}, cycles=25, settling=5)
-    both = analysis.lyapunov_spectrum(stroboscope, half, cycles=25)
+    whole = dynamics.lyapunov_spectrum(stroboscope, {"x": 0.1}, cycles=50, settling=5)
+    half = dynamics.lyapunov_spectrum(stroboscope, {"x": 0.1}, cycles=25, settling=5)
+    both = dynamics.lyapunov_spectrum(stroboscope, half, cycles=25)
     np.testing.assert_array_equal(both.growth, whole.growth)
     np.testing.assert_array_equal(both.state, whole.state)
     with pytest.raises(ValueError, match="go on with it by the map that it was found with"):
-        analysis.lyapunov_spectrum(
-            analysis.StroboscopicMap(SQUAT, stroboscope.motion, PERIOD, states=("x",)), half
+        dynamics.lyapunov_spectrum(
+            dynamics.StroboscopicMap(SQUAT, stroboscope.motion, PERIOD, states=("x",)), half
         )
 
 
 def test_interrupted_spectrum_is_that_of_the_cycles_done(monkeypatch):
-    from rockeom.analysis import lyapunov
+    from rockeom.analysis.dynamics import lyapunov
 
-    whole = analysis.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
+    whole = dynamics.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
     monkeypatch.setattr(lyapunov, "tangents", interrupted_at(24, lyapunov.tangents))
-    part = analysis.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
+    part = dynamics.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
     assert part.cycles == 23
-    rest = analysis.lyapunov_spectrum(hogan(3.3), part, cycles=20)
+    rest = dynamics.lyapunov_spectrum(hogan(3.3), part, cycles=20)
     np.testing.assert_array_equal(rest.growth[:30], whole.growth)
 
 
 def test_cycle_in_which_the_block_comes_to_rest_forgets_where_it_began():
     """The ground is too weak to lift it again."""
-    spectrum = analysis.lyapunov_spectrum(hogan(0.5), {"x": 0.1}, cycles=20, settling=10)
+    spectrum = dynamics.lyapunov_spectrum(hogan(0.5), {"x": 0.1}, cycles=20, settling=10)
     assert (spectrum.exponents == -np.inf).all()
     assert spectrum.dimension == 0.0
 
 
 def test_block_that_falls_has_no_exponents():
     with pytest.raises(ArithmeticError, match=r"no cycle 1 from .*fell over"):
-        analysis.lyapunov_spectrum(hogan(3.3), {"x": 0.9, "x_dot": 0.9}, cycles=20)
+        dynamics.lyapunov_spectrum(hogan(3.3), {"x": 0.9, "x_dot": 0.9}, cycles=20)
 
 
 # --- statistics
@@ -158,7 +158,7 @@ def test_block_that_falls_has_no_exponents():
 def spectrum_of(growth, period=1.0):
     growth = np.asarray(growth, dtype=float)
     n = growth.shape[1]
-    return analysis.LyapunovSpectrum(tuple("xyzw"[:n]), period, growth, np.zeros(n), "", np.eye(n))
+    return dynamics.LyapunovSpectrum(tuple("xyzw"[:n]), period, growth, np.zeros(n), "", np.eye(n))
 
 
 def test_bounds_hold_the_mean_of_growth_that_hangs_on_the_cycle_before():

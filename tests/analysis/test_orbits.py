@@ -10,6 +10,7 @@ from scipy.special import erf
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics
 
 # --- the slender block: periodic motion and multipliers in closed form
 
@@ -60,7 +61,7 @@ def slender_map(beta, omega, e, phase):
     motion = rk.GroundMotion.harmonic(
         beta * UNIT, angular_frequency=omega, phase=phase + math.pi / 2, duration=2 * period
     )
-    return analysis.StroboscopicMap(SLENDER, motion, period, impact=rk.VelocityRatio(e))
+    return dynamics.StroboscopicMap(SLENDER, motion, period, impact=rk.VelocityRatio(e))
 
 
 @pytest.mark.parametrize(("branch", "stable"), [(0, True), (1, False)])
@@ -90,7 +91,7 @@ def test_symmetry_breaks_where_the_closed_form_says():
     motion, phi, _ = symmetric_orbits(near[0], omega, e)[0]
     look = (phase - phi) / omega
     assert 0 < look < math.pi / omega
-    found = analysis.bifurcation_value(
+    found = dynamics.bifurcation_value(
         lambda beta: slender_map(beta, omega, e, phase),
         near,
         SLENDER.alpha * motion(look),
@@ -109,7 +110,7 @@ def test_orbit_is_followed_to_where_it_ends():
         SLENDER.alpha * motion((phase - phi) / omega)
         for motion, phi, _ in (o[0] for o in closed[:ends])
     ]
-    found = analysis.continued_orbits(
+    found = dynamics.continued_orbits(
         lambda beta: slender_map(beta, omega, e, phase), betas, expected[0]
     )
     assert ends - 1 <= len(found) <= ends
@@ -128,7 +129,7 @@ def hogan(beta):
     motion = rk.GroundMotion.harmonic(
         SQUAT.alpha * beta, angular_frequency=2 * math.pi / 3, phase=math.pi / 2, duration=6.0
     )
-    return analysis.StroboscopicMap(SQUAT, motion, period=3.0, impact=rk.VelocityRatio(E_HOGAN))
+    return dynamics.StroboscopicMap(SQUAT, motion, period=3.0, impact=rk.VelocityRatio(E_HOGAN))
 
 
 def settled(beta, cycles=300):
@@ -137,7 +138,7 @@ def settled(beta, cycles=300):
 
 def test_each_impact_shrinks_areas_by_the_square_of_the_velocity_ratio():
     """Two impacts a cycle, and no losses between them: det A = e**4."""
-    for orbit in analysis.continued_orbits(hogan, np.linspace(3.0, 3.26, 6), settled(3.0)[-1]):
+    for orbit in dynamics.continued_orbits(hogan, np.linspace(3.0, 3.26, 6), settled(3.0)[-1]):
         assert np.linalg.det(orbit.derivative) == pytest.approx(E_HOGAN**4, rel=1e-6)
         assert np.prod(orbit.multipliers).real == pytest.approx(E_HOGAN**4, rel=1e-6)
 
@@ -149,7 +150,7 @@ def test_column_that_does_not_lift_is_a_linear_oscillator():
     omega, damping, period, size = 10.0, 0.05, 0.5, 0.1
     column = rk.UpliftingOscillator.from_frequency(omega, damping, height=2.0, half_width=1.0)
     motion = rk.GroundMotion.harmonic(size, period=period, duration=2 * period)
-    stroboscope = analysis.StroboscopicMap(column, motion, period, states=("u", "u_dot"))
+    stroboscope = dynamics.StroboscopicMap(column, motion, period, states=("u", "u_dot"))
     orbit = stroboscope.orbit({"u": 1e-3})
     damped = omega * math.sqrt(1 - damping**2)
     expected = np.exp((-damping * omega + 1j * damped * np.array([1, -1])) * period)
@@ -172,7 +173,7 @@ def wall_map(amplitude, frequency=8.0, factor=1.0):
     wall = rk.ControlledWallOscillator.from_wall(WALL, RATIO, effective_mass=MASS / factor)
     period = 1 / frequency
     motion = rk.GroundMotion.harmonic(amplitude, period=period, duration=2 * period)
-    return analysis.StroboscopicMap(wall, motion, period, states=("u", "u_dot"))
+    return dynamics.StroboscopicMap(wall, motion, period, states=("u", "u_dot"))
 
 
 def one_cycle_by_scipy(state, amplitude, frequency, factor=1.0):
@@ -195,7 +196,7 @@ def test_wall_at_8_hz_has_one_symmetric_orbit_that_cannot_double():
     """
     start = wall_map(5.0).points({"u": 0.004, "u_dot": 0.2}, 60)[-1]
     amplitudes = np.linspace(5.0, 7.0, 9)
-    orbits = analysis.continued_orbits(wall_map, amplitudes, start)
+    orbits = dynamics.continued_orbits(wall_map, amplitudes, start)
     assert len(orbits) == len(amplitudes)
     for amplitude, orbit in zip(amplitudes[::4], orbits[::4], strict=True):
         cycle = one_cycle_by_scipy(orbit.state, amplitude, 8.0)
@@ -220,7 +221,7 @@ def test_wall_doubles_its_period_at_a_lower_frequency():
     def at(frequency):
         return wall_map(6.03, frequency, factor)
 
-    found = analysis.bifurcation_value(at, (4.55, 4.556), guess)
+    found = dynamics.bifurcation_value(at, (4.55, 4.556), guess)
     assert found == pytest.approx(4.5529, abs=2e-4)
     orbit = at(found).orbit(guess)
     cycle = one_cycle_by_scipy(orbit.state, 6.03, found, factor)
@@ -234,7 +235,7 @@ def test_wall_doubles_its_period_at_a_lower_frequency():
 
 def test_bad_input_is_refused_with_a_remedy():
     motion = rk.GroundMotion.harmonic(0.1, period=1.0, duration=3.0)
-    make = analysis.StroboscopicMap
+    make = dynamics.StroboscopicMap
     with pytest.raises(ValueError, match=r"period is 0\.7 s: the motion does not repeat"):
         make(SLENDER, motion, 0.7)
     with pytest.raises(ValueError, match=r"lasts 3\.0 s: give two periods of 2\.0 s"):
@@ -249,7 +250,7 @@ def test_bad_input_is_refused_with_a_remedy():
     with pytest.raises(ValueError, match=r"shape \(3,\): give one number for each of theta"):
         good.orbit([0.0, 0.0, 1.0])
     with pytest.raises(ValueError, match=r"multiplier is 0\.5"):
-        analysis.bifurcation_value(hogan, (3.0, 3.1), {"x_dot": -0.3}, multiplier=0.5)
+        dynamics.bifurcation_value(hogan, (3.0, 3.1), {"x_dot": -0.3}, multiplier=0.5)
 
 
 def test_what_is_not_there_is_said():
@@ -258,6 +259,6 @@ def test_what_is_not_there_is_said():
     column = rk.UpliftingOscillator.from_frequency(10.0, 0.0, height=2.0, half_width=1.0)
     motion = rk.GroundMotion.harmonic(0.1, period=math.pi / 5, duration=4.0)  # at resonance
     with pytest.raises(ArithmeticError, match="resonance without damping"):
-        analysis.StroboscopicMap(column, motion, math.pi / 5, states=("u", "u_dot")).orbit({})
+        dynamics.StroboscopicMap(column, motion, math.pi / 5, states=("u", "u_dot")).orbit({})
     with pytest.raises(ValueError, match="no multiplier passes -1"):
-        analysis.bifurcation_value(hogan, (3.0, 3.05), settled(3.0)[-1])
+        dynamics.bifurcation_value(hogan, (3.0, 3.05), settled(3.0)[-1])

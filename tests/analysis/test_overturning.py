@@ -5,6 +5,7 @@ import pytest
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics, formulas
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
 from tests.interrupts import interrupted_at
 
@@ -12,7 +13,7 @@ from .exact_slender import exact_fates
 
 SLENDER = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
 SPEED_RATIO = 0.9
-PULSE = analysis.dimensionless_pulses(SLENDER, impact=rk.VelocityRatio(SPEED_RATIO), p=2.0)
+PULSE = dynamics.dimensionless_pulses(SLENDER, impact=rk.VelocityRatio(SPEED_RATIO), p=2.0)
 
 GRID = {"frequency": np.linspace(1.0, 6.0, 41), "amplitude": np.linspace(0.8, 8.0, 37)}
 
@@ -28,7 +29,7 @@ def boundaries(sweep):
 
 
 def test_slender_block_under_sines_meets_the_fates_of_its_exact_motion(sweep):
-    found = analysis.impacts_before_overturning(sweep, most=3).values
+    found = dynamics.impacts_before_overturning(sweep, most=3).values
     w, a = (grid.ravel() for grid in np.meshgrid(*GRID.values(), indexing="ij"))
     exact = exact_fates(w, a, SPEED_RATIO).reshape(found.shape)
     assert {0.0, 1.0, np.inf} <= set(exact.ravel())
@@ -48,15 +49,15 @@ def test_boundaries_of_the_slender_block_enclose_those_of_its_exact_motion(bound
 
 
 def test_least_half_sine_that_overturns_is_housners():
-    pulse = analysis.dimensionless_pulses(
+    pulse = dynamics.dimensionless_pulses(
         SLENDER, rk.GroundMotion.half_sine, impact=rk.VelocityRatio(SPEED_RATIO), p=2.0
     )
     over = {"frequency": [0.5, 1.0, 2.0, 4.0], "amplitude": np.linspace(0.9, 8.0, 72)}
     sweep = rk.simulate_many(pulse, over, arrays=True)
     found = analysis.overturning_boundaries(pulse, sweep, "amplitude", accuracy=1e-9, arrays=True)
-    least = analysis.minimum_overturning(found, "frequency", "amplitude")
+    least = dynamics.minimum_overturning(found, "frequency", "amplitude")
     half = np.pi / (2.0 * least.frequency.values)
-    exact = analysis.overturning_half_sine(half, 0.2, 2.0) / (GRAVITY * 0.2)
+    exact = formulas.overturning_half_sine(half, 0.2, 2.0) / (GRAVITY * 0.2)
     np.testing.assert_allclose(least, exact, rtol=3e-9)
     assert (least.impacts == 0).all()
 
@@ -107,7 +108,7 @@ def test_rough_sweep_is_corrected_beside_its_boundaries():
 def test_no_answer_is_no_fate_and_no_boundary():
     sweep = coarse(0.1, 0.3)
     sweep["outcome"][0] = "stalled"
-    fates = analysis.impacts_before_overturning(sweep)
+    fates = dynamics.impacts_before_overturning(sweep)
     assert np.isnan(fates[0])
     assert fates[1] == 1
     assert not analysis.overturning_boundaries(tall, sweep).sizes["boundary"]
@@ -145,15 +146,15 @@ def test_what_is_no_grid_of_numbers_is_refused():
 
 def test_structure_without_a_frequency_parameter_asks_for_one():
     with pytest.raises(ValueError, match="slender_block has no p of its own: give p"):
-        analysis.dimensionless_pulses(SLENDER)
+        dynamics.dimensionless_pulses(SLENDER)
 
 
 def test_spectrum_of_overturning_asks_for_names_it_has(boundaries):
     with pytest.raises(ValueError, match="no 'period'; they have frequency, amplitude"):
-        analysis.minimum_overturning(boundaries, "period", "amplitude")
+        dynamics.minimum_overturning(boundaries, "period", "amplitude")
     stands = analysis.overturning_boundaries(tall, coarse(0.01, 0.02))
     with pytest.raises(ValueError, match="nothing that stands overturns along amplitude"):
-        analysis.minimum_overturning(stands, "amplitude", "amplitude")
+        dynamics.minimum_overturning(stands, "amplitude", "amplitude")
 
 
 # --- rocking spectra

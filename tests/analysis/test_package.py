@@ -1,4 +1,4 @@
-"""What all formulas share: documented and re-exported."""
+"""What all formulas share: documented, in one group each; former names say where."""
 
 import importlib
 import inspect
@@ -8,28 +8,35 @@ import pytest
 
 import rockeom
 from rockeom import analysis
+from rockeom.analysis import design, dynamics, formulas, identification, risk
 
-FORMULAS = [name for name in analysis.__all__ if inspect.isfunction(getattr(analysis, name))]
+GROUPS = (design, dynamics, formulas, identification, risk)
+FUNCTIONS = {
+    name: getattr(home, name)
+    for home in (analysis, *GROUPS)
+    for name in home.__all__
+    if inspect.isfunction(getattr(home, name))
+}
 
 
-@pytest.mark.parametrize("name", FORMULAS)
+@pytest.mark.parametrize("name", FUNCTIONS)
 def test_formula_says_what_it_takes_and_where_it_is_from(name):
-    text = inspect.getdoc(getattr(analysis, name))
+    text = inspect.getdoc(FUNCTIONS[name])
     assert text
     # each parameter is named, or the reader is sent to the function that names it
-    parameters = inspect.signature(getattr(analysis, name)).parameters
-    if not any(f"`{other}`" in text for other in FORMULAS):
+    parameters = inspect.signature(FUNCTIONS[name]).parameters
+    if not any(f"`{other}`" in text for other in FUNCTIONS):
         assert [p for p in parameters if p not in text] == []
 
 
-def test_everything_public_is_re_exported():
-    for module in pkgutil.walk_packages(analysis.__path__, "rockeom.analysis."):
-        own = ("rockeom.analysis.arguments", "rockeom.analysis.unfinished")  # of the package itself
-        if module.name in own or module.ispkg:
-            continue
+@pytest.mark.parametrize("group", GROUPS, ids=lambda group: group.__name__)
+def test_a_group_has_the_public_names_of_its_modules(group):
+    listed = importlib.import_module(group.__name__).__all__
+    assert len(set(listed)) == len(listed)
+    assert not set(listed) & {name for other in GROUPS if other is not group for name in dir(other)}
+    for module in pkgutil.iter_modules(group.__path__, f"{group.__name__}."):
         source = importlib.import_module(module.name)
-        home, _, name = module.name.rpartition(".")
-        assert getattr(importlib.import_module(home), name) is source  # no formula hides a module
+        assert getattr(group, module.name.rpartition(".")[2]) is source  # no formula hides a module
         public = [
             name
             for name, value in vars(source).items()
@@ -38,8 +45,56 @@ def test_everything_public_is_re_exported():
             and not name.startswith("_")
         ]
         assert public
-        assert [name for name in public if name not in analysis.__all__] == []
+        assert [name for name in public if getattr(group, name) is not vars(source)[name]] == []
+
+
+def test_names_for_type_checkers_are_those_at_run_time():
+    for package in (analysis, *GROUPS):
+        text = inspect.getsource(package)
+        if package is analysis:
+            names = [*analysis.__all__, *(group.__name__.rpartition(".")[2] for group in GROUPS)]
+            assert [name for name in names if f"{name} as {name}" not in text] == []
+        else:
+            modules = [module.name for module in pkgutil.iter_modules(package.__path__)]
+            stars = [f"from {package.__name__}.{name} import *" for name in modules]
+            assert [star for star in stars if star not in text] == []
 
 
 def test_formulas_are_in_the_package_and_not_at_the_top():
     assert not set(analysis.__all__) & set(rockeom.__all__)
+
+
+FORMER = {
+    "quarter_period": "formulas.quarter_period",
+    "StroboscopicMap": "dynamics.StroboscopicMap",
+    "beside_fixed_base": "compare_with_fixed_base",
+    "held_states": "identification.equilibrium_states",
+    "TwoSprings": "formulas.FoundationSprings",
+    "GRANT_FACTORS": "formulas.damping.GRANT_FACTORS",
+}
+
+
+@pytest.mark.parametrize("former", FORMER)
+def test_a_former_name_works_and_says_where_it_is(former):
+    place = FORMER[former]
+    message = f"rockeom.analysis.{former} is now called rockeom.analysis.{place}$"
+    with pytest.warns(DeprecationWarning, match=message) as warned:
+        value = getattr(analysis, former)
+    assert [warning.filename for warning in warned] == [__file__]
+    *homes, name = place.split(".")
+    home = importlib.import_module(".".join(("rockeom.analysis", *homes)))
+    assert value is getattr(home, name)
+
+
+@pytest.mark.parametrize(
+    ("name", "remedy"),
+    [
+        ("respons_spectrum", r"did you mean response_spectrum\?"),
+        ("poincare_section", r"did you mean dynamics.poincare_sections\?"),
+        ("quarter_period_fit", "import it from rockeom.thesis.wall_tests"),
+        ("EnergyBalance", "import it from rockeom.simulation.quantities"),
+    ],
+)
+def test_an_unknown_name_comes_with_a_remedy(name, remedy):
+    with pytest.raises(AttributeError, match=remedy):
+        getattr(analysis, name)

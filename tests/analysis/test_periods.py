@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import formulas
 
 
 def quadrature(theta_0, alpha, p):
@@ -37,7 +37,7 @@ def elliptic(theta_0, alpha, p):
 def test_nonlinear_block_against_quadrature(alpha, ratio):
     theta_0 = ratio * alpha
     exact = quadrature(theta_0, alpha, 3.0)
-    assert analysis.exact_quarter_period(theta_0, alpha, 3.0) == pytest.approx(
+    assert formulas.exact_quarter_period(theta_0, alpha, 3.0) == pytest.approx(
         float(exact), rel=2e-15, abs=0
     )
 
@@ -46,15 +46,15 @@ def test_nonlinear_block_against_quadrature(alpha, ratio):
 def test_nonlinear_block_from_tiny_rotations_to_the_balance(alpha):
     peaks = np.array([1e-8, 1e-6, 0.5 * alpha, *(alpha * (1 - 10.0**-n) for n in (3, 6, 9, 12))])
     exact = [float(elliptic(peak, alpha, 2.0)) for peak in peaks]
-    np.testing.assert_allclose(analysis.exact_quarter_period(peaks, alpha, 2.0), exact, rtol=1e-15)
+    np.testing.assert_allclose(formulas.exact_quarter_period(peaks, alpha, 2.0), exact, rtol=1e-15)
 
 
 @pytest.mark.parametrize("ratio", [1e-12, 1e-8, 1e-3, 0.49, 0.51, 1 - 1e-6, 1 - 1e-12])
 def test_slender_block_keeps_all_digits(ratio):
     with mp.workdps(40):
         exact = float(mp.acosh(1 / (1 - mp.mpf(ratio))) / 2)
-    assert analysis.quarter_period(ratio, 2.0) == pytest.approx(exact, rel=1e-15, abs=0)
-    assert analysis.rocking_period(ratio, 2.0) == 4 * analysis.quarter_period(ratio, 2.0)
+    assert formulas.quarter_period(ratio, 2.0) == pytest.approx(exact, rel=1e-15, abs=0)
+    assert formulas.rocking_period(ratio, 2.0) == 4 * formulas.quarter_period(ratio, 2.0)
 
 
 def test_first_impact_of_simulations():
@@ -66,21 +66,21 @@ def test_first_impact_of_simulations():
         .time
         for kind in (rk.RigidBlock, rk.SlenderBlock)
     ]
-    assert impacts[0] == pytest.approx(analysis.exact_quarter_period(release, alpha, p), rel=1e-9)
-    assert impacts[1] == pytest.approx(analysis.quarter_period(release / alpha, p), rel=1e-9)
+    assert impacts[0] == pytest.approx(formulas.exact_quarter_period(release, alpha, p), rel=1e-9)
+    assert impacts[1] == pytest.approx(formulas.quarter_period(release / alpha, p), rel=1e-9)
 
 
 def test_slender_formula_of_a_slender_block_and_how_far_it_is_off():
     slender = np.array([1e-4, 1e-3])
     np.testing.assert_allclose(
-        analysis.exact_quarter_period(0.4 * slender, slender, 1.0),
-        analysis.quarter_period(0.4, 1.0),
+        formulas.exact_quarter_period(0.4 * slender, slender, 1.0),
+        formulas.quarter_period(0.4, 1.0),
         rtol=1e-6,
     )
     # The block of chapter 3: too short by sqrt(alpha/sin(alpha)) for small rotations, less above.
     alpha = math.atan2(0.095, 0.4549)
     ratios = np.linspace(1e-6, 0.999, 200)
-    short = 1 - analysis.quarter_period(ratios, 1.0) / analysis.exact_quarter_period(
+    short = 1 - formulas.quarter_period(ratios, 1.0) / formulas.exact_quarter_period(
         ratios * alpha, alpha, 1.0
     )
     assert short[0] == pytest.approx(1 - math.sqrt(math.sin(alpha) / alpha), rel=1e-4)
@@ -89,26 +89,26 @@ def test_slender_formula_of_a_slender_block_and_how_far_it_is_off():
 
 
 def test_no_rotation_takes_no_time_and_arrays_broadcast():
-    assert analysis.quarter_period(0.0, 2.0) == 0
-    assert analysis.exact_quarter_period(0.0, 0.2, 2.0) == 0
-    times = analysis.exact_quarter_period([[0.05], [0.1]], [0.15, 0.2, 0.3], 2.0)
+    assert formulas.quarter_period(0.0, 2.0) == 0
+    assert formulas.exact_quarter_period(0.0, 0.2, 2.0) == 0
+    times = formulas.exact_quarter_period([[0.05], [0.1]], [0.15, 0.2, 0.3], 2.0)
     assert times.shape == (2, 3)
-    assert times[1, 2] == analysis.exact_quarter_period(0.1, 0.3, 2.0)
+    assert times[1, 2] == formulas.exact_quarter_period(0.1, 0.3, 2.0)
 
 
 @pytest.mark.parametrize(
     ("call", "message"),
     [
         (
-            lambda: analysis.quarter_period([0.5, 1.0], 2.0),
+            lambda: formulas.quarter_period([0.5, 1.0], 2.0),
             r"amplitude_ratio\[1\] is 1.0: at alpha",
         ),
-        (lambda: analysis.rocking_period(-0.1, 2.0), "amplitude_ratio is -0.1: it must be zero"),
-        (lambda: analysis.quarter_period(0.5, 0.0), "p is 0.0: it must be positive"),
-        (lambda: analysis.exact_quarter_period(0.2, 0.2, 2.0), "theta_0 is 0.2: at alpha"),
-        (lambda: analysis.exact_quarter_period(0.2, 2.0, 2.0), "alpha is 2.0: alpha = atan"),
-        (lambda: analysis.exact_quarter_period(math.nan, 0.3, 2.0), "theta_0 is nan: it must be f"),
-        (lambda: analysis.quarter_period("half", 2.0), "amplitude_ratio is 'half': give numbers"),
+        (lambda: formulas.rocking_period(-0.1, 2.0), "amplitude_ratio is -0.1: it must be zero"),
+        (lambda: formulas.quarter_period(0.5, 0.0), "p is 0.0: it must be positive"),
+        (lambda: formulas.exact_quarter_period(0.2, 0.2, 2.0), "theta_0 is 0.2: at alpha"),
+        (lambda: formulas.exact_quarter_period(0.2, 2.0, 2.0), "alpha is 2.0: alpha = atan"),
+        (lambda: formulas.exact_quarter_period(math.nan, 0.3, 2.0), "theta_0 is nan: it must be f"),
+        (lambda: formulas.quarter_period("half", 2.0), "amplitude_ratio is 'half': give numbers"),
     ],
 )
 def test_impossible_input_is_refused(call, message):

@@ -6,14 +6,14 @@ import math
 import numpy as np
 import pytest
 
-from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.motion import GroundMotion, MotionSet
 
 PULSE = GroundMotion.mavroeidis_papageorgiou(0.8, 1.7, 1.9, 0.7, duration=12.0)
 
 
 def test_parameters_of_a_pulse_are_found_again():
-    found = analysis.fit_pulse(PULSE)
+    found = identification.fit_pulse(PULSE)
     assert found.model == "mavroeidis_papageorgiou"
     assert found.velocity == pytest.approx(0.8, rel=1e-5)
     assert found.period == pytest.approx(1.7, rel=1e-5)
@@ -33,7 +33,7 @@ def test_parameters_of_a_pulse_under_noise_are_found_again():
     pulse = np.append(quiet, PULSE.resampled(0.01).samples)
     pulse = np.pad(pulse, (0, len(noise.samples) - len(pulse)))
     record = GroundMotion.from_array(pulse + noise.samples, 0.01, name="both")
-    found = analysis.fit_pulse(record)
+    found = identification.fit_pulse(record)
     assert found.velocity == pytest.approx(0.8, rel=0.1)
     assert found.period == pytest.approx(1.7, rel=0.05)
     assert found.centre == pytest.approx(2.0 + 0.5 * 1.9 * 1.7, abs=0.1)
@@ -52,7 +52,7 @@ def test_ricker_wavelets_are_found_again_also_without_their_tail(model, lost):
     """With 0.9 s gone the centre is 0.7 s behind the start, before the half length of 1.6 s."""
     whole = GroundMotion.ricker(-3.0, 0.8, antisymmetric=model != "ricker", duration=8.0)
     record = whole.trimmed(lost)
-    found = analysis.fit_pulse(record, model)
+    found = identification.fit_pulse(record, model)
     assert found.period == pytest.approx(0.8, rel=0.02)
     assert found.centre == pytest.approx(1.6 - lost, abs=0.02)
     assert found.velocity == pytest.approx(-whole.peak_velocity, rel=0.03)
@@ -74,7 +74,7 @@ def test_period_of_a_near_fault_record_is_that_of_the_literature(station, period
     """Baker, Bulletin of the Seismological Society of America 97 (2007), by a wavelet of his own:
     Imperial Valley 1979, El Centro Array #6, and Northridge 1994, Rinaldi, both fault normal."""
     (record,) = (m for m in MotionSet.from_library("near field pulse") if station in m.name)
-    found = analysis.fit_pulse(record, periods=(0.5, 8.0))
+    found = identification.fit_pulse(record, periods=(0.5, 8.0))
     assert found.period == pytest.approx(period, rel=0.1)
     assert found.misfit < 0.6
     assert found.velocity == pytest.approx(record.peak_velocity, rel=0.2)
@@ -91,9 +91,9 @@ def test_period_of_a_near_fault_record_is_that_of_the_literature(station, period
 )
 def test_fit_that_cannot_be_is_refused(given, said):
     with pytest.raises(ValueError, match=said):
-        analysis.fit_pulse(PULSE, **given)
+        identification.fit_pulse(PULSE, **given)
 
 
 def test_ground_that_stands_still_has_no_pulse():
     with pytest.raises(ValueError, match="no shaking has no velocity to fit"):
-        analysis.fit_pulse(GroundMotion.none(5.0))
+        identification.fit_pulse(GroundMotion.none(5.0))

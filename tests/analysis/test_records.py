@@ -1,11 +1,10 @@
 """Measured records: what is read, what noise it has, and what the signal chain does to both."""
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 
 from rockeom import MotionError, analysis
+from rockeom.analysis import identification
 
 T = np.arange(0.0, 4.0, 0.001)
 
@@ -99,7 +98,7 @@ def test_noise_is_found_from_the_record_itself(sigma):
     uneven = np.cumsum(np.random.default_rng(5).uniform(0.5, 1.5, len(T))) * 1e-3
     x = np.cos(9 * uneven) + np.random.default_rng(6).normal(0.0, sigma, len(T))
     x[::500] += 0.5
-    assert analysis.noise_level(uneven, x) == pytest.approx(sigma, rel=0.1)
+    assert identification.noise_level(uneven, x) == pytest.approx(sigma, rel=0.1)
 
 
 def test_a_record_without_noise_has_none():
@@ -131,7 +130,7 @@ def test_stated_noise_is_the_scatter_behind_the_chain(name):
 
 
 def test_noise_of_a_weighted_sum():
-    noise = analysis.Noise.white(2.0).through([0.5, 0.5])
+    noise = identification.Noise.white(2.0).through([0.5, 0.5])
     assert noise.level == pytest.approx(np.sqrt(2.0))
     # y0 + y1 of y = (x_i + x_{i+1})/2 is x0/2 + x1 + x2/2
     assert noise.of_sum([1.0, 1.0]) == pytest.approx(2.0 * np.sqrt(1.5))
@@ -154,11 +153,11 @@ def test_low_pass_shifts_no_phase_and_halves_at_its_cutoff():
 
 def test_low_pass_takes_little_of_round_peaks_and_the_more_the_faster_they_are():
     record = wave(1e-5)
-    strong, weak = (analysis.low_pass_on_peaks(record, "x", f) for f in (8.0, 25.0))
+    strong, weak = (identification.low_pass_on_peaks(record, "x", f) for f in (8.0, 25.0))
     lost = [np.abs(c.after / c.before - 1)[1:-1] for c in (strong, weak)]
     assert np.all(lost[1] < 5e-3)
     assert np.all(lost[0] > 2 * lost[1])
-    faster = analysis.low_pass_on_peaks(wave(1e-5, frequency=4.0), "x", 25.0)
+    faster = identification.low_pass_on_peaks(wave(1e-5, frequency=4.0), "x", 25.0)
     assert np.abs(faster.after / faster.before - 1)[1:-1].min() > lost[1].max()
 
 
@@ -176,42 +175,3 @@ def test_velocity_is_the_same_after_resampling():
     for velocity in found.velocity.values():
         error = (velocity + 6 * np.sin(6 * found.time))[inner]
         assert np.std(error) < 2 * found.noise
-
-
-# --- points of interest
-
-
-def rocking(sigma=2e-4, seed=0):
-    """A trace whose half-cycles shorten as they shrink, like that of Figure 3-3."""
-    ends = np.cumsum([0.0, 0.6, 0.5, 0.42, 0.35, 0.29, 0.24, 0.2, 0.16, 0.13])
-    x = np.zeros(len(T))
-    for n, (a, b) in enumerate(pairwise(ends)):
-        inside = (a <= T) & (b > T)
-        x[inside] = (-1) ** n * (b - a) ** 2 * np.sin(np.pi * (T[inside] - a) / (b - a))
-    return ends, analysis.MeasuredRecord(
-        T, {"x": x + np.random.default_rng(seed).normal(0.0, sigma, len(T))}
-    )
-
-
-def test_a_peak_scores_the_windows_that_pass_over_it_and_a_slope_about_one():
-    triangle = np.concatenate([np.arange(20.0), np.arange(20.0, -1.0, -1.0)])
-    scores = analysis.importance_scores(triangle, 9)
-    assert scores[20] == 9
-    assert np.all(scores[9:12] == 2)  # once the largest of a window, once the smallest
-    assert scores.sum() == 2 * (len(triangle) - 9 + 1)
-
-
-def test_window_score_misses_small_rocking_that_scipy_finds():
-    """Both find the large peaks; a window of half a second hides half-cycles of a quarter."""
-    ends, record = rocking()
-    middles = (ends[1:] + ends[:-1]) / 2
-    scored = analysis.points_by_score(record, "x")
-    found = analysis.points_by_prominence(record, "x")
-    assert len(found.peaks) == len(middles)
-    np.testing.assert_allclose(T[found.peaks], middles, atol=0.03)
-    np.testing.assert_allclose(found.crossings, ends[1:-1], atol=5e-3)
-    both = np.isin(scored.peaks, found.peaks)
-    assert both[:3].all()
-    assert len(scored.peaks) < len(found.peaks) + 3
-    narrower = analysis.points_by_score(record, "x", window=0.15, threshold=0.6)
-    assert set(found.peaks[:6]) <= set(narrower.peaks)

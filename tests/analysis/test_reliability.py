@@ -9,7 +9,7 @@ from scipy import stats
 from scipy.optimize import minimize, minimize_scalar
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import risk
 
 P = 2.0
 RADIUS = 0.75 * 9.81 / P**2
@@ -42,7 +42,7 @@ def test_a_plane_of_normal_variables_is_exact():
         def plane(**x):
             return sum((a * x[name] for a, name in zip(slopes, names, strict=True)), constant)
 
-        found = analysis.first_order_reliability(plane, random)
+        found = risk.first_order_reliability(plane, random)
         assert found.settled
         assert found.index == pytest.approx(index, rel=1e-9)
         parts = spread**2 / (spread @ spread)
@@ -55,15 +55,15 @@ def test_a_plane_of_normal_variables_is_exact():
 
 def test_strength_and_load_that_are_lognormal():
     random = {"strength": stats.lognorm(0.2, scale=5.0), "load": stats.lognorm(0.3, scale=2.0)}
-    found = analysis.first_order_reliability(lambda strength, load: strength - load, random)
+    found = risk.first_order_reliability(lambda strength, load: strength - load, random)
     assert found.index == pytest.approx(math.log(2.5) / math.hypot(0.2, 0.3), rel=1e-9)
 
 
 def test_one_uniform_variable_has_its_own_probability():
     random = {"x": stats.uniform(0.0, 1.0)}
-    rare = analysis.first_order_reliability(lambda x: 0.999 - x, random)
+    rare = risk.first_order_reliability(lambda x: 0.999 - x, random)
     assert rare.probability == pytest.approx(1e-3, rel=1e-8)
-    often = analysis.first_order_reliability(lambda x: 0.1 - x, random)
+    often = risk.first_order_reliability(lambda x: 0.1 - x, random)
     assert often.index < 0.0
     assert often.probability == pytest.approx(0.9, rel=1e-8)
 
@@ -71,7 +71,7 @@ def test_one_uniform_variable_has_its_own_probability():
 @pytest.mark.parametrize("bend", [0.3, -0.3, 1.0])
 def test_a_curved_boundary_is_nearest_where_another_minimisation_has_it(bend):
     random = {"a": stats.norm(0.5, 1.0), "b": stats.norm(0.0, 1.0)}
-    found = analysis.first_order_reliability(lambda a, b: 3.0 + bend * a * a - b, random)
+    found = risk.first_order_reliability(lambda a, b: 3.0 + bend * a * a - b, random)
     other = minimize(
         lambda u: u @ u, [0.5, 2.0], method="SLSQP", tol=1e-14,
         constraints={"type": "eq", "fun": lambda u: 3.0 + bend * (0.5 + u[0]) ** 2 - u[1]},
@@ -84,7 +84,7 @@ def test_a_curved_boundary_is_nearest_where_another_minimisation_has_it(bend):
 def test_a_corner_is_named_and_its_distance_found_nearly():
     """Both must be exceeded, so that the nearest failure is where two planes meet."""
     random = {"a": stats.norm(0.0, 1.0), "b": stats.norm(0.5, 1.0)}
-    found = analysis.first_order_reliability(lambda a, b: max(3.0 - a, 3.0 - b), random)
+    found = risk.first_order_reliability(lambda a, b: max(3.0 - a, 3.0 - b), random)
     assert not found.settled
     assert found.angle > 0.1
     assert found.index == pytest.approx(math.hypot(3.0, 2.5), rel=1e-4)
@@ -93,13 +93,13 @@ def test_a_corner_is_named_and_its_distance_found_nearly():
 
 def test_a_thrown_slender_block_overturns_as_its_energy_says():
     """Where speed > P alpha: of logarithms a plane."""
-    found = analysis.reliability_of(thrown, SLENDER_AND_FAST)
+    found = risk.reliability_of(thrown, SLENDER_AND_FAST)
     exact = math.log(P) / math.hypot(0.1, 0.3)
     assert found.settled
     assert found.index == pytest.approx(exact, abs=1e-9)
     assert found.importance["speed"] == pytest.approx(0.9, abs=1e-6)
     assert found.design_point["speed"] == pytest.approx(P * found.design_point["alpha"], rel=1e-9)
-    counted = analysis.monte_carlo(thrown, SLENDER_AND_FAST, 4000, lanes=False, progress=False)
+    counted = risk.monte_carlo(thrown, SLENDER_AND_FAST, 4000, lanes=False, progress=False)
     low, high = counted.interval(0.99)
     assert low < stats.norm.sf(exact) < high
     assert counted.number == 4000
@@ -107,7 +107,7 @@ def test_a_thrown_slender_block_overturns_as_its_energy_says():
 
 def test_a_slender_block_whose_median_overturns():
     random = SLENDER_AND_FAST | {"speed": stats.lognorm(0.3, scale=0.6)}
-    found = analysis.reliability_of(thrown, random)
+    found = risk.reliability_of(thrown, random)
     assert found.index == pytest.approx(math.log(0.4 / 0.6) / math.hypot(0.1, 0.3), abs=1e-9)
 
 
@@ -129,7 +129,7 @@ def test_a_slender_block_pushed_for_a_while():
         a = 9.81 * alpha / (1.0 - math.exp(-P * length))
         return u @ u + (math.log(a / 2.0) / 0.3) ** 2
 
-    found, exact = analysis.reliability_of(pushed, random), minimize(squared, [0.0, 0.0], tol=1e-10)
+    found, exact = risk.reliability_of(pushed, random), minimize(squared, [0.0, 0.0], tol=1e-10)
     assert found.settled
     assert found.index == pytest.approx(math.sqrt(exact.fun), abs=1e-8)
     assert found.deviates[[0, 2]] == pytest.approx(exact.x, abs=1e-4)
@@ -147,7 +147,7 @@ def test_a_rigid_block_is_nearest_to_overturning_after_an_impact():
         "half_width": stats.norm(0.12, 0.006), "r": stats.uniform(0.7, 0.2),
         "amplitude": stats.lognorm(0.15, scale=2.2),
     }  # fmt: skip
-    found = analysis.reliability_of(struck, random)
+    found = risk.reliability_of(struck, random)
     assert found.settled
     at = found.design_point | {"amplitude": found.design_point["amplitude"] * (1.0 + 1e-9)}
     run = rk.simulate(**vars(struck(**at)))
@@ -173,29 +173,29 @@ def test_the_peak_of_a_thrown_block_and_its_largest_rate():
         return math.hypot(u, math.log(speed / 0.2) / 0.3)
 
     exact = minimize_scalar(needed, bracket=(-1.0, 1.0), args=(0.1,), tol=1e-12).fun
-    found = analysis.reliability_of(thrown, SLENDER_AND_FAST, demand="theta", limit=0.1)
+    found = risk.reliability_of(thrown, SLENDER_AND_FAST, demand="theta", limit=0.1)
     assert found.index == pytest.approx(exact, abs=1e-8)
     # the speed is largest at the start
-    fast = analysis.reliability_of(thrown, SLENDER_AND_FAST, demand="theta_dot", limit=0.3)
+    fast = risk.reliability_of(thrown, SLENDER_AND_FAST, demand="theta_dot", limit=0.3)
     assert fast.index == pytest.approx(math.log(0.3 / 0.2) / 0.3, abs=1e-8)
     assert fast.importance["alpha"] == pytest.approx(0.0, abs=1e-12)
 
 
 def test_none_of_n_has_the_interval_of_clopper_and_pearson():
     random = SLENDER_AND_FAST | {"speed": stats.uniform(0.01, 0.01)}
-    counted = analysis.monte_carlo(thrown, random, 20, lanes=False, progress=False)
+    counted = risk.monte_carlo(thrown, random, 20, lanes=False, progress=False)
     assert counted.probability == 0.0
     assert counted.interval(0.9) == pytest.approx((0.0, 1.0 - 0.05 ** (1 / 20)))
-    again = analysis.monte_carlo(thrown, random, 20, lanes=False, progress=False)
+    again = risk.monte_carlo(thrown, random, 20, lanes=False, progress=False)
     assert again.sweep.equals(counted.sweep)
-    peaks = analysis.monte_carlo(
+    peaks = risk.monte_carlo(
         thrown, random, 20, demand="displacement", limit=1e-9, lanes=False, progress=False
     )
     assert peaks.probability == 1.0
 
 
 def test_what_has_no_reliability_is_refused_with_the_reason():
-    first, normal = analysis.first_order_reliability, {"x": stats.norm(1.0, 0.1)}
+    first, normal = risk.first_order_reliability, {"x": stats.norm(1.0, 0.1)}
     with pytest.raises(ValueError, match=r"x = 0.9: give a continuous distribution"):
         first(lambda x: x, {"x": 0.9})
     with pytest.raises(ValueError, match="random is empty"):
@@ -209,11 +209,11 @@ def test_what_has_no_reliability_is_refused_with_the_reason():
     with pytest.raises(ValueError, match="must be finite"):
         first(lambda x: x * math.nan, normal)
     with pytest.raises(ValueError, match="demand and limit belong together"):
-        analysis.reliability_of(thrown, SLENDER_AND_FAST, demand="theta")
+        risk.reliability_of(thrown, SLENDER_AND_FAST, demand="theta")
     with pytest.raises(ValueError, match="it must be positive"):
-        analysis.monte_carlo(thrown, SLENDER_AND_FAST, demand="theta", limit=0.0)
+        risk.monte_carlo(thrown, SLENDER_AND_FAST, demand="theta", limit=0.0)
     with pytest.raises(ValueError, match="'base_shear' is none of them"):
-        analysis.reliability_of(thrown, SLENDER_AND_FAST, demand="base_shear", limit=1.0)
+        risk.reliability_of(thrown, SLENDER_AND_FAST, demand="base_shear", limit=1.0)
     slow = SLENDER_AND_FAST | {"speed": stats.uniform(0.01, 0.01)}
     with pytest.raises(ValueError, match="no failure was found within 6 standard"):
-        analysis.reliability_of(thrown, slow)
+        risk.reliability_of(thrown, slow)

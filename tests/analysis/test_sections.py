@@ -8,7 +8,7 @@ import xarray as xr
 from hypothesis import given, strategies as st
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import dynamics
 from rockeom.sweeps.results import Kept
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
@@ -21,13 +21,13 @@ def hogan(beta, last=40, phase=math.pi / 2):
     motion = rk.GroundMotion.harmonic(
         SQUAT.alpha * beta, period=PERIOD, phase=phase, duration=last * PERIOD
     )
-    return analysis.StroboscopicMap(SQUAT, motion, PERIOD, impact=rk.VelocityRatio(0.5))
+    return dynamics.StroboscopicMap(SQUAT, motion, PERIOD, impact=rk.VelocityRatio(0.5))
 
 
 def test_looks_and_impacts_are_those_of_one_long_motion():
     """In a chaotic motion differences of 1e-12 grow, within a few cycles not far."""
     settling, cycles = 2, 6
-    found = analysis.poincare_sections(
+    found = dynamics.poincare_sections(
         lambda beta: hogan(beta),
         over={"beta": [1.5, 3.3]},
         starts=STARTS,
@@ -62,7 +62,7 @@ def test_motion_of_two_periods_gives_what_a_long_one_does():
     """It is settled cycle by cycle, and the end of its shaking is never reached."""
     starts = {"x": [-0.3, 0.1, 0.4], "x_dot": [-0.5, 0.0, 0.9]}
     long, short = (
-        analysis.poincare_sections(hogan(2.0, last), starts=starts, settling=5, cycles=3)
+        dynamics.poincare_sections(hogan(2.0, last), starts=starts, settling=5, cycles=3)
         for last in (40, 2)
     )
     assert (long.outcome == short.outcome).all()
@@ -76,9 +76,9 @@ def test_period_of_the_ground_may_be_the_parameter():
 
     def shaken(period):
         motion = rk.GroundMotion.harmonic(SQUAT.alpha, period=period, duration=9 * period)
-        return analysis.StroboscopicMap(SQUAT, motion, period)
+        return dynamics.StroboscopicMap(SQUAT, motion, period)
 
-    found = analysis.poincare_sections(
+    found = dynamics.poincare_sections(
         shaken, over={"period": [1.5, 2.0]}, starts=[{"x": 0.1}], settling=4, cycles=2
     )
     for period in (1.5, 2.0):
@@ -103,7 +103,7 @@ def test_interrupted_sections_go_on_from_their_store(tmp_path, monkeypatch):
 
     def found(**more):
         ran.clear()
-        return analysis.poincare_sections(hogan(2.5), **how, **more, threads=1), sum(ran)
+        return dynamics.poincare_sections(hogan(2.5), **how, **more, threads=1), sum(ran)
 
     monkeypatch.setattr(Kept, "run", counted)
     stop_at = math.inf
@@ -126,10 +126,10 @@ def test_squat_block_has_two_orbits_of_16_cycles_that_are_mirror_images():
     """
     stroboscope = hogan(3.25, 3000)
     starts = {"x": np.linspace(-0.4, 0.8, 5), "x_dot": np.linspace(-0.8, 0.4, 5)}
-    found = analysis.poincare_sections(stroboscope, starts=starts, settling=2500, cycles=32)
-    basins = analysis.basins(found, tolerance=1e-6)
+    found = dynamics.poincare_sections(stroboscope, starts=starts, settling=2500, cycles=32)
+    basins = dynamics.basins(found, tolerance=1e-6)
     assert basins.orbit_cycles.values.tolist() == [16, 16]
-    shares = analysis.basin_stability(basins)
+    shares = dynamics.basin_stability(basins)
     assert shares["number"].sel(fate="not periodic") == 0
     assert shares["number"].sum() == 25
     assert shares["number"].sel(fate="overturned") == (found.outcome == "overturned").sum()
@@ -164,7 +164,7 @@ def test_orbits_are_told_apart_by_their_looks_wherever_a_motion_is_on_them(cycle
     """Orbit i of k cycles visits i + 1/k, i + 2/k and so on, in turn."""
     sets = [i + np.arange(1, k + 1) / k for i, k in enumerate(cycles)]
     rows = [np.resize(s, 60)[shift:][:21] for s in sets for shift in shifts]
-    basins = analysis.basins(made_up(rows))
+    basins = dynamics.basins(made_up(rows))
     assert sorted(basins.orbit_cycles.values) == sorted(cycles)
     fate = basins.fate.values.reshape(len(cycles), len(shifts))
     assert (fate == fate[:, :1]).all()
@@ -176,14 +176,14 @@ def test_what_is_no_orbit_has_a_fate_of_its_own():
     for _ in range(20):
         x.append(4 * x[-1] * (1 - x[-1]))  # the logistic map, chaotic
     nothing = np.full(21, np.nan)
-    basins = analysis.basins(
+    basins = dynamics.basins(
         made_up(
             [x, np.ones(21), nothing, nothing],
             ["completed", "came to rest", "overturned", "stalled"],
         )
     )
     assert basins.fate.values.tolist() == [0, 1, -1, -2]
-    shares = analysis.basin_stability(basins)
+    shares = dynamics.basin_stability(basins)
     assert shares.attrs["starts"] == 3
     assert shares["share"].sel(fate="overturned") == pytest.approx(1 / 3)
 
@@ -192,7 +192,7 @@ def test_bounds_of_basin_stability_are_those_of_wilson():
     """Brown, Cai and DasGupta (2001), Statistical Science 16, 101-133, equation 4."""
     n, k = 200, 30
     rows = [np.ones(9)] * k + [np.full(9, 2.0)] * (n - k)
-    shares = analysis.basin_stability(analysis.basins(made_up(rows)))
+    shares = dynamics.basin_stability(dynamics.basins(made_up(rows)))
     z = 1.959963984540054
     for fate, part in (("orbit 1", 1 - k / n), ("orbit 2", k / n)):
         centre = (part + z**2 / (2 * n)) / (1 + z**2 / n)
@@ -216,19 +216,19 @@ def test_what_cannot_be_followed_is_refused(change, error, message):
     how = {"starts": {"x": [0.1]}, "settling": 0, "cycles": 1} | change
     stroboscope = (lambda x: hogan(x)) if "x" in how.get("over", ()) else hogan(2.0)
     with pytest.raises(error, match=message):
-        analysis.poincare_sections(stroboscope, **how)
+        dynamics.poincare_sections(stroboscope, **how)
 
 
 def test_maps_of_several_models_are_refused():
     slender = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
     motion = rk.GroundMotion.harmonic(1.0, period=0.5, duration=1.0)
-    maps = {0: hogan(2.0), 1: analysis.StroboscopicMap(slender, motion, 0.5)}
+    maps = {0: hogan(2.0), 1: dynamics.StroboscopicMap(slender, motion, 0.5)}
     with pytest.raises(ValueError, match="slender_block comes after nondimensional_block"):
-        analysis.poincare_sections(lambda key: maps[key], over={"key": [0, 1]}, starts={"x": [0.1]})
+        dynamics.poincare_sections(lambda key: maps[key], over={"key": [0, 1]}, starts={"x": [0.1]})
 
 
 def test_basins_of_several_maps_are_refused():
     several = made_up(np.ones((2, 5))).expand_dims(beta=[1.0, 2.0])
     with pytest.raises(ValueError, match=r"vary beta as well.*sections.isel\(beta=0\)"):
-        analysis.basins(several)
-    assert analysis.basins(several.isel(beta=0)).fate.values.tolist() == [1, 1]
+        dynamics.basins(several)
+    assert dynamics.basins(several.isel(beta=0)).fate.values.tolist() == [1, 1]

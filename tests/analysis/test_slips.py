@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from rockeom import analysis
+from rockeom.analysis import identification
 
 WALL = analysis.Wall.thesis()
 T = np.arange(0.0, 2.4, 0.005)
@@ -25,9 +26,9 @@ def sliding(sigma_mm=0.05, sigma_kn=0.1):
 def test_slips_are_found_with_their_size_and_place(by):
     moved, force, left, right, origin = sliding()
     if by == "uplifts":
-        found = analysis.slips_from_uplifts(T, moved, left, right, WALL)
+        found = identification.slips_from_uplifts(T, moved, left, right, WALL)
     else:
-        found = analysis.slips_from_tendon_force(T, moved, force, WALL)
+        found = identification.slips_from_tendon_force(T, moved, force, WALL)
     assert len(found.time) > 10
     error = found.shift - origin(found.time)
     assert np.mean(np.abs(error) <= found.half_width) > 0.8
@@ -40,7 +41,7 @@ def test_slips_are_found_with_their_size_and_place(by):
 
 def test_a_wall_that_stays_has_no_slips():
     moved, force, *_, origin = sliding()
-    found = analysis.slips_from_tendon_force(T, moved - origin(T), force, WALL)
+    found = identification.slips_from_tendon_force(T, moved - origin(T), force, WALL)
     assert np.abs(found.shift).max() < 2e-4
 
 
@@ -49,19 +50,21 @@ def test_rotation_centre_between_gauges_with_its_uncertainty():
     rng = np.random.default_rng(0)
     left = turned * centre + rng.normal(0, sigma, 4000)
     right = -turned * (0.6 - centre) + rng.normal(0, sigma, 4000)
-    found, half_width = analysis.rotation_centre_between_gauges(left, right, 0.6, noise=sigma)
+    found, half_width = identification.rotation_centre_between_gauges(left, right, 0.6, noise=sigma)
     assert np.mean(np.abs(found - centre) <= half_width) == pytest.approx(0.954, abs=0.012)
     # 4-1 has absolute values, the same for readings of opposite signs
     printed = 0.6 * np.abs(left) / (np.abs(left) + np.abs(right))
     np.testing.assert_allclose(found, printed, rtol=1e-12)
-    still, _ = analysis.rotation_centre_between_gauges([3e-5, 0.0], [-3e-5, 0.0], 0.6, noise=2e-5)
+    still, _ = identification.rotation_centre_between_gauges(
+        [3e-5, 0.0], [-3e-5, 0.0], 0.6, noise=2e-5
+    )
     assert np.isnan(still).all()
 
 
 def test_what_cannot_be_is_refused():
     with pytest.raises(ValueError, match="never passes upright"):
-        analysis.slips_from_tendon_force(T, 0.02 + 0 * T, 0 * T, WALL)
+        identification.slips_from_tendon_force(T, 0.02 + 0 * T, 0 * T, WALL)
     with pytest.raises(ValueError, match="16 instants"):
-        analysis.slips_from_tendon_force(T[:5], T[:5], T[:5], WALL)
+        identification.slips_from_tendon_force(T[:5], T[:5], T[:5], WALL)
     with pytest.raises(ValueError, match="spacing is 0"):
-        analysis.rotation_centre_between_gauges(0.1, 0.2, 0.0)
+        identification.rotation_centre_between_gauges(0.1, 0.2, 0.0)

@@ -9,6 +9,7 @@ from scipy.linalg import expm
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics
 
 RNG = np.random.default_rng(7)
 RECORD = rk.GroundMotion.from_array(RNG.standard_normal(200), 0.02)
@@ -34,7 +35,7 @@ def stepped(motion, period, xi, parts):
 @pytest.mark.parametrize(("period", "xi"), [(0.04, 0.05), (0.3, 0.0), (1.0, 0.2), (8.0, 0.05)])
 def test_history_and_largest_displacement_are_those_of_the_matrix_exponential(period, xi):
     exact, end = stepped(RECORD, period, xi, 20)
-    history = analysis.oscillator_history(RECORD, period, xi)
+    history = dynamics.oscillator_history(RECORD, period, xi)
     assert np.allclose(
         [history.displacement[-1], history.velocity[-1]], end, rtol=1e-10, atol=1e-14
     )
@@ -145,7 +146,7 @@ def test_limits_of_very_stiff_and_very_soft_oscillators():
     t = np.arange(200) * 0.02
     velocity = np.concatenate([[0], np.cumsum((RECORD.samples[1:] + RECORD.samples[:-1]) * 0.01)])
     drift = np.abs(np.cumsum(velocity) * 0.02).max()
-    soft = analysis.oscillator_history(RECORD, 2000.0, 0.0)
+    soft = dynamics.oscillator_history(RECORD, 2000.0, 0.0)
     assert np.abs(soft.displacement).max() == pytest.approx(drift, rel=2e-2)
     assert len(soft.time) == len(t)
 

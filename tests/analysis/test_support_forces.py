@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import formulas
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 SHAPE = {"alpha": BLOCK.alpha, "radius": BLOCK.radius}
@@ -24,7 +24,7 @@ SIDES = [(1, "right"), (-1, "left")]
 def test_forces_are_the_reactions_that_the_engine_derives(theta, side, theta_dot, ground):
     state = {"theta": side * theta, "theta_dot": theta_dot}
     second = BLOCK.accelerations(state, ground)["theta"]
-    horizontal, vertical = analysis.block_reactions(
+    horizontal, vertical = formulas.block_reactions(
         side * theta, theta_dot, second, mass=BLOCK.mass, ground_acceleration=ground, **SHAPE
     )
     reactions = BLOCK.reactions(state, ground)
@@ -41,14 +41,14 @@ def test_forces_at_an_impact_are_the_reactions_upright(side, foot, rate, inertia
     block = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44, inertia=inertia)
     values = block.parameters()
     ratio = block.mass * block.radius**2 / (values["inertia"] + block.mass * block.radius**2)
-    horizontal, vertical = analysis.block_reactions_at_impact(
+    horizontal, vertical = formulas.block_reactions_at_impact(
         rate, side, mass=block.mass, radius_ratio=ratio, **SHAPE
     )
     state = {"theta_dot": rate}
     reactions = block.reactions(state, phase=foot)
     assert horizontal == pytest.approx(reactions["horizontal_reaction"], rel=1e-11)
     assert vertical == pytest.approx(reactions[f"{foot}_reaction"], rel=1e-11)
-    assert analysis.acceleration_at_impact(side, radius_ratio=ratio, **SHAPE) == pytest.approx(
+    assert formulas.acceleration_at_impact(side, radius_ratio=ratio, **SHAPE) == pytest.approx(
         block.accelerations(state, phase=foot)["theta"], rel=1e-12
     )
 
@@ -56,12 +56,12 @@ def test_forces_at_an_impact_are_the_reactions_upright(side, foot, rate, inertia
 @pytest.mark.parametrize(("side", "foot"), SIDES)
 def test_slender_form_is_the_slender_blocks_acceleration(side, foot):
     slender = rk.SlenderBlock(**SHAPE)
-    assert analysis.acceleration_at_impact(side, slender=True, **SHAPE) == pytest.approx(
+    assert formulas.acceleration_at_impact(side, slender=True, **SHAPE) == pytest.approx(
         slender.accelerations({}, phase=foot)["theta"], rel=1e-12
     )
-    excess = analysis.acceleration_at_impact(
+    excess = formulas.acceleration_at_impact(
         side, slender=True, **SHAPE
-    ) / analysis.acceleration_at_impact(side, **SHAPE)
+    ) / formulas.acceleration_at_impact(side, **SHAPE)
     assert excess == pytest.approx(1.0071, abs=1e-4)
 
 
@@ -69,7 +69,7 @@ def test_slender_form_is_the_slender_blocks_acceleration(side, foot):
 def test_vertical_force_is_the_same_on_both_feet(side):
     """3-12 as printed would give mg (1 + ...) on one side: its sgn(theta) is an erratum."""
     weight = BLOCK.mass * 9.81
-    horizontal, vertical = analysis.block_reactions_at_impact(
+    horizontal, vertical = formulas.block_reactions_at_impact(
         0.0, side, mass=BLOCK.mass, slender=True, **SHAPE
     )
     # the limits as rocking dies out: 3-15 is below the weight, 3-14 is a magnitude
@@ -87,7 +87,7 @@ def test_acceleration_of_the_centroid_along_a_path(side):
     # the line from the pivot to the centroid, turned clockwise by theta
     lean = path - side * BLOCK.alpha
     x, y = BLOCK.radius * np.sin(lean), BLOCK.radius * np.cos(lean)
-    found = analysis.centroid_acceleration(theta, rate, second, ground_acceleration=1.5, **SHAPE)
+    found = formulas.centroid_acceleration(theta, rate, second, ground_acceleration=1.5, **SHAPE)
     expected = [1.5 + np.diff(x, 2)[0] / h**2, np.diff(y, 2)[0] / h**2]
     np.testing.assert_allclose(found, expected, rtol=1e-6)
 
@@ -95,10 +95,10 @@ def test_acceleration_of_the_centroid_along_a_path(side):
 def test_speed_at_the_impact_of_a_release():
     release = math.radians(7.876)
     run = rk.simulate(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": release})
-    speed = analysis.impact_speed([release, -release], **SHAPE)
+    speed = formulas.impact_speed([release, -release], **SHAPE)
     np.testing.assert_allclose(speed, -run.impacts[0].before["theta_dot"], rtol=1e-9)
     # 3-13: "the maximum foreseeable", of a release at the balance
-    greatest = analysis.impact_speed(BLOCK.alpha, **SHAPE)
+    greatest = formulas.impact_speed(BLOCK.alpha, **SHAPE)
     assert greatest == pytest.approx(0.8177, abs=1e-4)
     assert (speed < greatest).all()
 
@@ -109,7 +109,7 @@ def test_histories_are_arrays():
         BLOCK.accelerations({"theta": x, "theta_dot": v})["theta"]
         for x, v in zip(run["theta"], run["theta_dot"], strict=True)
     ]
-    horizontal, vertical = analysis.block_reactions(
+    horizontal, vertical = formulas.block_reactions(
         run["theta"], run["theta_dot"], second, mass=BLOCK.mass, **SHAPE
     )
     assert horizontal.shape == vertical.shape == run.t.shape
@@ -120,17 +120,17 @@ def test_histories_are_arrays():
     ("call", "message"),
     [
         (
-            lambda: analysis.block_reactions([0.1, 0.0], 0.0, 0.0, mass=1.0, **SHAPE),
+            lambda: formulas.block_reactions([0.1, 0.0], 0.0, 0.0, mass=1.0, **SHAPE),
             r"theta\[1\] is 0.0: upright, .* give side=1",
         ),
         (
-            lambda: analysis.centroid_acceleration(0.1, 0.0, 0.0, side=-1, **SHAPE),
+            lambda: formulas.centroid_acceleration(0.1, 0.0, 0.0, side=-1, **SHAPE),
             "side is -1.0: it contradicts",
         ),
-        (lambda: analysis.acceleration_at_impact(0, **SHAPE), "side is 0.0: give 1"),
-        (lambda: analysis.impact_speed(7.876, **SHAPE), "theta_0 is 7.876: beyond alpha"),
+        (lambda: formulas.acceleration_at_impact(0, **SHAPE), "side is 0.0: give 1"),
+        (lambda: formulas.impact_speed(7.876, **SHAPE), "theta_0 is 7.876: beyond alpha"),
         (
-            lambda: analysis.impact_speed(0.1, radius_ratio=1.2, **SHAPE),
+            lambda: formulas.impact_speed(0.1, radius_ratio=1.2, **SHAPE),
             "radius_ratio is 1.2: m R",
         ),
     ],

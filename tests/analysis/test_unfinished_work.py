@@ -15,7 +15,8 @@ from scipy.stats import norm
 
 import rockeom as rk
 from rockeom import analysis, plots
-from rockeom.analysis import branches as branches_module
+from rockeom.analysis import design, dynamics, risk
+from rockeom.analysis.dynamics import branches as branches_module
 from rockeom.cli import main
 from rockeom.sweeps import run as ensemble
 from rockeom.sweeps.results import Kept
@@ -30,7 +31,7 @@ def pulse(amplitude: float) -> rk.Case:
     return rk.Case(BLOCK, rk.GroundMotion.single_sine(amplitude, 1.0, duration=4.0))
 
 
-def shaken(beta: float, cycles: int = 1) -> analysis.StroboscopicMap:
+def shaken(beta: float, cycles: int = 1) -> dynamics.StroboscopicMap:
     return chapter_2_blocks.stroboscope(beta)
 
 
@@ -53,17 +54,17 @@ def interrupted(monkeypatch):
 # --- calls that run sweeps or branches for an answer of their own
 
 
-def doublings() -> analysis.Cascade:
-    return analysis.period_doublings(shaken, (2.0, 3.26), chapter_2_blocks.symmetric_state())
+def doublings() -> dynamics.Cascade:
+    return dynamics.period_doublings(shaken, (2.0, 3.26), chapter_2_blocks.symmetric_state())
 
 
 ANSWERS = {
-    "restitution_envelope": lambda: analysis.restitution_envelope(BLOCK, PULSES, [0.8, 0.85, 0.9]),
-    "fema_356": lambda: analysis.fema_356_against_integration(BLOCK, PULSES),
-    "monte_carlo": lambda: analysis.monte_carlo(pulse, RANDOM, 60, threads=1, chunk=10),
-    "reliability_of": lambda: analysis.reliability_of(pulse, RANDOM),
+    "restitution_envelope": lambda: design.restitution_envelope(BLOCK, PULSES, [0.8, 0.85, 0.9]),
+    "fema_356": lambda: design.fema_356_against_integration(BLOCK, PULSES),
+    "monte_carlo": lambda: risk.monte_carlo(pulse, RANDOM, 60, threads=1, chunk=10),
+    "reliability_of": lambda: risk.reliability_of(pulse, RANDOM),
     "period_doublings": doublings,
-    "bifurcation_value": lambda: analysis.bifurcation_value(
+    "bifurcation_value": lambda: dynamics.bifurcation_value(
         shaken, (2.0, 3.26), chapter_2_blocks.symmetric_state()
     ),
     "changes of fate": lambda: chapter_2_blocks.changes_of_fate.__wrapped__(
@@ -119,10 +120,10 @@ PARTIAL = {
     "rocking_spectrum": lambda: analysis.rocking_spectrum(
         PULSES, np.linspace(1.0, 4.0, 8), alpha=0.25, threads=1, chunk=5
     ),
-    "poincare_sections": lambda: analysis.poincare_sections(
+    "poincare_sections": lambda: dynamics.poincare_sections(
         shaken(2.0), starts={"x": np.linspace(-0.3, 0.3, 5)}, settling=4, cycles=2, threads=1
     ),
-    "orbit_branch": lambda: analysis.orbit_branch(
+    "orbit_branch": lambda: dynamics.orbit_branch(
         shaken, (2.0, 3.0), chapter_2_blocks.symmetric_state()
     ),
 }
@@ -205,7 +206,7 @@ def partly_run() -> xr.Dataset:
 
 def partly_looked() -> xr.Dataset:
     how = {"starts": {"x": np.linspace(-0.3, 0.3, 40)}, "settling": 2, "cycles": 2}
-    found = analysis.poincare_sections(shaken(2.0), **how)
+    found = dynamics.poincare_sections(shaken(2.0), **how)
     found["outcome"][-12:] = "not run"
     return found
 
@@ -213,7 +214,7 @@ def partly_looked() -> xr.Dataset:
 REDUCERS = {
     "fragility_of": lambda: analysis.fragility_of(partly_run(), intensity="amplitude"),
     "overturning_boundaries": lambda: analysis.overturning_boundaries(pulse, partly_run()),
-    "basins": lambda: analysis.basins(partly_looked()),
+    "basins": lambda: dynamics.basins(partly_looked()),
     "fragility_curve": lambda: plots.fragility_curve(partly_run(), intensity="amplitude"),
     "rocking_spectrum": lambda: plots.rocking_spectrum(partly_run(), x="amplitude", alpha=0.24),
     "incremental_dynamic_analysis": lambda: plots.incremental_dynamic_analysis(
@@ -237,7 +238,7 @@ def test_least_amplitude_of_an_interrupted_search_is_refused(interrupted):
     part = analysis.overturning_boundaries(pulse, sweep, accuracy=1e-3, threads=1)
     assert part.attrs["interrupted"] == 1
     with pytest.raises(ValueError, match="was interrupted: give them to overturning_boundaries"):
-        analysis.minimum_overturning(part, x="motion", y="amplitude")
+        dynamics.minimum_overturning(part, x="motion", y="amplitude")
 
 
 # --- motions that were run and gave no answer
@@ -253,12 +254,12 @@ def few_impacts(monkeypatch):
 @pytest.mark.usefixtures("few_impacts")
 def test_envelope_of_motions_without_an_answer_is_refused():
     with pytest.raises(ValueError, match=r"8 of 10 motions give no answer.*'too many impacts' at"):
-        analysis.restitution_envelope(BLOCK, PULSES, [0.8, 0.9])
+        design.restitution_envelope(BLOCK, PULSES, [0.8, 0.9])
 
 
 @pytest.mark.usefixtures("few_impacts")
 def test_comparison_with_motions_without_an_answer_says_so():
-    found = analysis.fema_356_against_integration(BLOCK, PULSES)
+    found = design.fema_356_against_integration(BLOCK, PULSES)
     assert found.answered.tolist() == [False] * 4 + [True]
     assert np.isnan(found.ratio).all()
     assert "1 overturned, 4 without an answer" in str(found)

@@ -6,6 +6,7 @@ from scipy import signal
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import identification
 
 RATE = 200.0
 T = np.arange(0.0, 8.0, 1 / RATE)
@@ -22,24 +23,24 @@ def recorded(**channels):
 def test_window_of_the_thesis():
     """86 samples at 200 Hz: 2.3 Hz at best, 0.43 s, a spectrum every two samples."""
     x = np.sin(2 * np.pi * 9 * T)
-    found = analysis.moving_window(recorded(x=x), "x", beta=0.0)
+    found = identification.moving_window(recorded(x=x), "x", beta=0.0)
     assert found.bandwidth == pytest.approx(200 / 86)
     assert found.span == pytest.approx(0.43)
     assert np.diff(found.time) == pytest.approx(0.01)
     assert len(found.time) == (len(T) - 86) // 2 + 1
     np.testing.assert_allclose(found.amplitude.max(axis=1), 1.0)
-    with_taper = analysis.moving_window(recorded(x=x), "x")
+    with_taper = identification.moving_window(recorded(x=x), "x")
     assert with_taper.bandwidth == pytest.approx(1.48 * 200 / 86, abs=0.05)
     # the taper is there for this: less leaks far from the peak
     far = found.frequency > 40
     assert with_taper.amplitude[:, far].max() < 0.1 * found.amplitude[:, far].max()
-    several = analysis.moving_window(recorded(x=x), "x", segments=3)
+    several = identification.moving_window(recorded(x=x), "x", segments=3)
     assert several.bandwidth == pytest.approx(2 * with_taper.bandwidth, rel=0.02)
 
 
 def test_one_segment_is_the_spectrum_of_scipy():
     x = np.random.default_rng(0).normal(size=86)
-    found = analysis.moving_window(recorded(x=x), "x")
+    found = identification.moving_window(recorded(x=x), "x")
     f, power = signal.welch(x, RATE, ("kaiser", 6.0), 86, nfft=1024)
     at = np.searchsorted(f, found.frequency[0])
     np.testing.assert_allclose(
@@ -52,7 +53,7 @@ def test_frequencies_of_a_chirp():
     f = 4 + 26 * (T / T[-1]) ** 1.5
     x = np.cos(2 * np.pi * np.cumsum(f) / RATE)
     x += np.random.default_rng(1).normal(0, 0.05, len(T))
-    found = analysis.moving_window(recorded(x=x), "x")
+    found = identification.moving_window(recorded(x=x), "x")
     error = found.dominant - np.interp(found.time, T, f)
     assert np.abs(error).max() < found.bandwidth / 2
     assert np.abs(np.mean(error)) < 0.1
@@ -76,7 +77,7 @@ def test_transfer_function_of_an_oscillator_that_softens():
             u += v / (RATE * fine)
         x[i] = u
     record = recorded(displacement=x, table=a)
-    found = analysis.moving_window(
+    found = identification.moving_window(
         record, "displacement", "table", segments=2, window=0.86, frequencies=(3.0, 40.0)
     )
     assert found.transfer
@@ -84,7 +85,7 @@ def test_transfer_function_of_an_oscillator_that_softens():
         median = np.median(found.dominant[inside])
         assert median == pytest.approx(expected, abs=found.bandwidth / 2)
     # the response alone follows the ground as well
-    alone = analysis.moving_window(record, "displacement", window=0.86)
+    alone = identification.moving_window(record, "displacement", window=0.86)
     assert not alone.transfer
     assert (
         np.abs(found.dominant - np.where(found.time < 4, 12, 6)).mean()
@@ -100,7 +101,7 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
     t = np.arange(0.0, 4.0, 1 / RATE)
     x = run.at(t, names=["displacement"])["displacement"]
     x = x + np.random.default_rng(3).normal(0.0, 1e-5, len(t))
-    found = analysis.moving_window(analysis.MeasuredRecord(t, {"x": x}), "x")
+    found = identification.moving_window(analysis.MeasuredRecord(t, {"x": x}), "x")
     half, resolved = found.span / 2, found.bandwidth / 2
 
     hits = np.array([impact.time for impact in run.impacts_above(0.01)])
@@ -138,4 +139,4 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
 )
 def test_what_cannot_be_is_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
-        analysis.moving_window(recorded(x=T), "x", **arguments)
+        identification.moving_window(recorded(x=T), "x", **arguments)

@@ -9,10 +9,12 @@ from scipy.integrate import quad
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.symbolic.structures.controlled_wall import controlled_wall_oscillator
+from rockeom.thesis.wall_tests import energy_ratio_4_31, energy_ratio_4_36, energy_ratio_4_38
 
 WALL = analysis.Wall.thesis()
-MEASURED = analysis.FreeVibration.table_a1()
+MEASURED = identification.FreeVibration.table_a1()
 EXACT = rk.SolverOptions(rtol=1e-12, atol=1e-15)
 H = WALL.height
 RELEASE = -0.03041  # the first peak of Table A-1 [m]
@@ -57,7 +59,7 @@ def peaks(run):
 )
 def test_pushover_of_the_engine_is_the_restoring_force_of_the_closed_form(eccentricity):
     (tendon,) = WALL.tendons
-    moved = analysis.Tendon(
+    moved = formulas.Tendon(
         tendon.stiffness, tendon.initial_force, tendon.yield_force, eccentricity
     )
     wall = analysis.Wall(**{**vars(WALL), "tendons": (moved,)})
@@ -80,8 +82,8 @@ def test_pushover_rises_falls_and_rises_again_as_the_rotation_centre_moves_out()
 
 def test_two_eccentric_tendons_push_as_the_closed_form_says_and_unlike_to_both_sides():
     tendons = (
-        analysis.Tendon(11.7e6, 40e3, 90e3, eccentricity=-0.3),
-        analysis.Tendon(8.0e6, 60e3, 120e3, eccentricity=0.25),
+        formulas.Tendon(11.7e6, 40e3, 90e3, eccentricity=-0.3),
+        formulas.Tendon(8.0e6, 60e3, 120e3, eccentricity=0.25),
     )
     wall = analysis.Wall(**{**vars(WALL), "tendons": tendons})
     values = oscillator().parameters()
@@ -286,7 +288,7 @@ def test_a_wall_released_beyond_yield_has_been_pulled_there():
 @pytest.mark.parametrize("width", [3.551e-3, 1e-5], ids=["of the thesis", "narrow"])
 def test_peaks_of_the_oscillator_are_those_of_the_closed_form(width):
     _, found = peaks(freed(oscillator(0.88, regularisation=width)))
-    closed = analysis.peak_sequence(WALL.restoring_force, RELEASE, 0.88, width, len(found) - 1)
+    closed = formulas.peak_sequence(WALL.restoring_force, RELEASE, 0.88, width, len(found) - 1)
     assert len(found) > 12
     assert found == pytest.approx(closed, abs=1e-9)
 
@@ -304,9 +306,9 @@ def test_a_ratio_held_in_a_passage_is_that_of_the_speed_without_losses():
     expected = [start]
     for _ in found[1:]:
         speed = np.sqrt(2 * float(WALL.potential_energy(expected[-1])) / WALL.mass)
-        r = float(analysis.energy_ratio_4_31(speed))
+        r = float(energy_ratio_4_31(speed))
         expected.append(
-            analysis.peak_sequence(WALL.restoring_force, expected[-1], r, 3.551e-3, 1)[1]
+            formulas.peak_sequence(WALL.restoring_force, expected[-1], r, 3.551e-3, 1)[1]
         )
     assert found == pytest.approx(expected, abs=1e-9)
 
@@ -358,9 +360,9 @@ def test_shaking_drives_the_oscillator_by_its_mass_and_the_block_by_its_arm():
 
 def test_laws_of_the_thesis_are_those_of_the_closed_forms():
     for law, closed in (
-        (LAWS.equation_4_31(), analysis.energy_ratio_4_31),
-        (LAWS.equation_4_36(), analysis.energy_ratio_4_36),
-        (LAWS.equation_4_38(), analysis.energy_ratio_4_38),
+        (LAWS.equation_4_31(), energy_ratio_4_31),
+        (LAWS.equation_4_36(), energy_ratio_4_36),
+        (LAWS.equation_4_38(), energy_ratio_4_38),
     ):
         for speed in (0.0, 0.1, 0.2999, 0.3, 0.3649, 0.365, 0.4, 0.47, 0.6, 0.78, 0.9):
             assert law.at(-speed) == pytest.approx(float(closed(speed)), rel=1e-15)
@@ -372,7 +374,7 @@ def test_each_impact_has_the_ratio_of_its_own_speed():
     ratios = set()
     for impact in run.impacts:
         before, after = impact.before["theta_dot"], impact.after["theta_dot"]
-        r = float(analysis.energy_ratio_4_38(H * before))
+        r = float(energy_ratio_4_38(H * before))
         assert (after / before) ** 2 == pytest.approx(r, rel=1e-13)
         ratios.add(round(r, 6))
     assert len(ratios) >= 3

@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import formulas
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 STILL = rk.GroundMotion.none(20.0)
@@ -61,7 +61,7 @@ def test_rest_after_infinitely_many_impacts_that_differ_by_foot(left, right):
     rise = 2 * math.sin(alpha - 0.075) * math.sin(0.075)
     rises = rise * np.cumprod([1.0, *[left, right] * 100])
     peaks = [lean(rise, alpha) for rise in rises if rise > 1e-20]
-    quarters = analysis.exact_quarter_period(np.array(peaks), alpha, p)
+    quarters = formulas.exact_quarter_period(np.array(peaks), alpha, p)
     run = released(rk.EnergyRatio(left=left, right=right))
     assert run.outcome is rk.Outcome.CAME_TO_REST
     assert run.rest_time == pytest.approx(2 * quarters.sum() - quarters[0], abs=1e-6)

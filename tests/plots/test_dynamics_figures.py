@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import dynamics
 from rockeom.plots import (
     basins_of_attraction,
     bifurcation_diagram,
@@ -74,7 +74,7 @@ def test_section_at_impacts_shows_when_and_how_fast(side):
 
 
 def branch_of(values, rows, stable, bifurcations=()):
-    """As `analysis.orbit_branch` finds it, of orbits of as many cycles as a row is long."""
+    """As `dynamics.orbit_branch` finds it, of orbits of as many cycles as a row is long."""
     orbits = [
         SimpleNamespace(
             states=STATES, mirror=None, looks=np.column_stack([row, row]),
@@ -136,7 +136,7 @@ def test_what_sections_do_not_hold_is_told():
         bifurcation_diagram(found.drop_vars("impact_state"), x="beta", y="theta", at="after")
     with pytest.raises(ValueError, match="no coordinate 'gamma'; it has"):
         bifurcation_diagram(found, x="gamma", y="theta")
-    with pytest.raises(ValueError, match=r"no fates: give analysis.basins\(sections\)"):
+    with pytest.raises(ValueError, match=r"no fates: give dynamics.basins\(sections\)"):
         basins_of_attraction(found, x="theta", y="theta_dot")
 
 
@@ -146,7 +146,7 @@ def basins():
     looks[0], looks[1] = 1.0, np.resize([2.0, 3.0], 5)[:, None]
     looks[2, 0], looks[2, 1] = np.nan, np.array([0.0, 7.0, 1.0, 5.0, 2.0])[:, None]
     outcome = np.array([["completed"] * 2, ["completed"] * 2, ["overturned", "completed"]])
-    return analysis.basins(
+    return dynamics.basins(
         xr.Dataset(
             {
                 "outcome": (STATES, outcome),

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 
-from rockeom.analysis import fit_fragility, fragility_of
+from rockeom.analysis.risk.fragility import fit_fragility, fragility_of
 from rockeom.plots import (
     fragility_curve,
     incremental_dynamic_analysis,

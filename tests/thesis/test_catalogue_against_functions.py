@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from rockeom import analysis
-from rockeom.thesis import EQUATIONS, notation as th
+from rockeom.analysis import design, dynamics, formulas, identification
+from rockeom.thesis import EQUATIONS, notation as th, wall_tests
 
 POINTS = 20
 Values = Mapping[sp.Symbol, np.ndarray]
@@ -107,7 +107,7 @@ def ratios_from_peaks(n: Values, stiffness: np.ndarray | None = None) -> np.ndar
     for i, pair in enumerate(peaks(n)):
         at = {name: value[i] for name, value in block(n).items()}
         spring = 0.0 if stiffness is None else float(stiffness[i])
-        (ratio,) = analysis.energy_ratios_from_peaks(pair, rotational_stiffness=spring, **at)
+        (ratio,) = formulas.energy_ratios_from_peaks(pair, rotational_stiffness=spring, **at)
         found.append(ratio)
     return np.array(found)
 
@@ -121,7 +121,7 @@ def lumped_mass_ratios_from_peaks(n: Values) -> np.ndarray:
         "half_width": th.B,
     }
     columns = {name: n[symbol][:, np.newaxis] for name, symbol in names.items()}
-    return analysis.energy_ratios_from_peaks_of_lumped_mass(peaks(n), **columns)[:, 0]
+    return formulas.energy_ratios_from_peaks_of_lumped_mass(peaks(n), **columns)[:, 0]
 
 
 def turning(n: Values) -> tuple[np.ndarray, ...]:
@@ -130,16 +130,16 @@ def turning(n: Values) -> tuple[np.ndarray, ...]:
 
 def accelerations(n: Values):
     geometry = without("mass gravity", block(n))
-    return analysis.centroid_acceleration(*turning(n), ground_acceleration=n[th.a_gx], **geometry)
+    return formulas.centroid_acceleration(*turning(n), ground_acceleration=n[th.a_gx], **geometry)
 
 
 def forces(n: Values):
-    return analysis.block_reactions(*turning(n), ground_acceleration=n[th.a_gx], **block(n))
+    return formulas.block_reactions(*turning(n), ground_acceleration=n[th.a_gx], **block(n))
 
 
 def forces_at_impact(n: Values, side: int, rate=None):
     rate = n[th.theta_d_impact] if rate is None else rate
-    return analysis.block_reactions_at_impact(rate, side, slender=True, **block(n))
+    return formulas.block_reactions_at_impact(rate, side, slender=True, **block(n))
 
 
 def fitted(n: Values, function, factors, symbols, *arguments, **named) -> np.ndarray:
@@ -155,88 +155,88 @@ def fitted(n: Values, function, factors, symbols, *arguments, **named) -> np.nda
 A_TO_D = (th.fit_a, th.fit_b, th.fit_c, th.fit_d)
 
 FUNCTIONS: dict[str, tuple[Function, ...]] = {
-    "2-1": (lambda n, s: analysis.uplift_acceleration(n[th.B], n[th.H], n[th.g]),),
+    "2-1": (lambda n, s: formulas.uplift_acceleration(n[th.B], n[th.H], n[th.g]),),
     "2-4": (
-        lambda n, s: analysis.energy_ratio_from_velocity_ratio(n[th.theta_d2] / n[th.theta_d1]),
+        lambda n, s: formulas.energy_ratio_from_velocity_ratio(n[th.theta_d2] / n[th.theta_d1]),
     ),
     "2-5": (
-        lambda n, s: analysis.rocking_period(n[th.theta_0] / n[th.alpha], n[th.p]),
-        lambda n, s: 4 * analysis.quarter_period(n[th.theta_0] / n[th.alpha], n[th.p]),
+        lambda n, s: formulas.rocking_period(n[th.theta_0] / n[th.alpha], n[th.p]),
+        lambda n, s: 4 * formulas.quarter_period(n[th.theta_0] / n[th.alpha], n[th.p]),
     ),
-    "2-6": (lambda n, s: analysis.energy_ratio_of_block(n[th.alpha], **inertia(n)),),
-    "2-8a": (lambda n, s: analysis.uplifted_frequency(n[th.omega_n], n[th.B], n[th.H]),),
-    "2-8b": (lambda n, s: analysis.uplifted_damping(n[th.xi], n[th.B], n[th.H]),),
-    "2-15": (lambda n, s: analysis.fema_356_damping(n[th.r]),),
-    "2-16": (lambda n, s: analysis.priestley_damping(n[th.r]),),
-    "2-30": (lambda n, s: analysis.recentring_ratio(n[th.M_AE], n[th.M_N], n[th.M_ED]),),
-    "2-31": (lambda n, s: analysis.equivalent_damping(n[th.xi_el], n[th.xi_hyst]),),
-    "2-32a": (lambda n, s: analysis.bilinear_damping(n[th.mu], n[th.k_p] / n[th.k_i]),),
+    "2-6": (lambda n, s: formulas.energy_ratio_of_block(n[th.alpha], **inertia(n)),),
+    "2-8a": (lambda n, s: formulas.uplifted_frequency(n[th.omega_n], n[th.B], n[th.H]),),
+    "2-8b": (lambda n, s: formulas.uplifted_damping(n[th.xi], n[th.B], n[th.H]),),
+    "2-15": (lambda n, s: formulas.fema_356_damping(n[th.r]),),
+    "2-16": (lambda n, s: formulas.priestley_damping(n[th.r]),),
+    "2-30": (lambda n, s: formulas.recentring_ratio(n[th.M_AE], n[th.M_N], n[th.M_ED]),),
+    "2-31": (lambda n, s: formulas.equivalent_damping(n[th.xi_el], n[th.xi_hyst]),),
+    "2-32a": (lambda n, s: formulas.bilinear_damping(n[th.mu], n[th.k_p] / n[th.k_i]),),
     "2-32b": (
-        lambda n, s: analysis.takeda_damping(n[th.mu], n[th.k_p] / n[th.k_i], n[th.alpha_T]),
+        lambda n, s: formulas.takeda_damping(n[th.mu], n[th.k_p] / n[th.k_i], n[th.alpha_T]),
     ),
     "2-32c": (
-        lambda n, s: analysis.flag_damping(n[th.mu], n[th.k_p] / n[th.k_i], n[th.beta_FS]),
+        lambda n, s: formulas.flag_damping(n[th.mu], n[th.k_p] / n[th.k_i], n[th.beta_FS]),
     ),
     "2-33": (
         lambda n, s: fitted(
-            n, analysis.grant_damping, analysis.GrantFactors, (*A_TO_D, th.fit_e, th.fit_f),
+            n, formulas.grant_damping, formulas.GrantFactors, (*A_TO_D, th.fit_e, th.fit_f),
             n[th.mu], n[th.effective_period],
             constant_damping=n[th.xi_const], tangent_damping=n[th.xi_tang],
         ),
     ),
-    "2-34": (lambda n, s: analysis.simplified_damping(n[th.xi_v], n[th.C_i], n[th.mu]),),
+    "2-34": (lambda n, s: formulas.simplified_damping(n[th.xi_v], n[th.C_i], n[th.mu]),),
     "2-35": (
         lambda n, s: fitted(
-            n, analysis.design_damping, analysis.DesignFactors, A_TO_D,
+            n, formulas.design_damping, formulas.DesignFactors, A_TO_D,
             n[th.mu], n[th.effective_period],
         ),
     ),
-    "3-2": (lambda n, s: analysis.gravitational_energy(n[th.theta], **block(n)),),
+    "3-2": (lambda n, s: formulas.gravitational_energy(n[th.theta], **block(n)),),
     "3-3": (lambda n, s: ratios_from_peaks(n),),
-    "3-4": (lambda n, s: analysis.spring_energy(n[th.theta], n[th.k_rot]),),
+    "3-4": (lambda n, s: formulas.spring_energy(n[th.theta], n[th.k_rot]),),
     "3-6": (lambda n, s: accelerations(n)[0],),
     "3-7": (lambda n, s: accelerations(n)[1],),
     "3-8": (lambda n, s: forces(n)[0],),
     "3-9": (lambda n, s: forces(n)[1],),
     "3-10": (
-        lambda n, s: analysis.acceleration_at_impact(s, slender=True, **without("mass", block(n))),
+        lambda n, s: formulas.acceleration_at_impact(s, slender=True, **without("mass", block(n))),
     ),
     "3-11": (lambda n, s: forces_at_impact(n, s)[0],),
     "3-12": (lambda n, s: forces_at_impact(n, s)[1],),
     "3-13": (
-        lambda n, s: s * analysis.impact_speed(n[th.alpha], **without("mass", block(n))),
+        lambda n, s: s * formulas.impact_speed(n[th.alpha], **without("mass", block(n))),
     ),
     "3-14": (lambda n, s: forces_at_impact(n, s, 0.0)[0],),
     "3-15": (lambda n, s: forces_at_impact(n, s, 0.0)[1],),
     "3-16": (lambda n, s: ratios_from_peaks(n, n[th.k_rot]),),
-    "5-1": (lambda n, s: analysis.stiffness_from_period(n[th.m_e], n[th.T_fixed]),),
+    "5-1": (lambda n, s: identification.stiffness_from_period(n[th.m_e], n[th.T_fixed]),),
     "5-2": (
-        lambda n, s: analysis.rotation_from_displacement(
+        lambda n, s: identification.rotation_from_displacement(
             *(n[x] / 1e3 for x in (th.Delta, th.B_measured, th.H_measured))
         ),
     ),
     "5-3": (
-        lambda n, s: analysis.gravitational_energy(
+        lambda n, s: formulas.gravitational_energy(
             n[th.theta], mass=n[th.m_e], radius=n[th.R_e], alpha=n[th.alpha_e], gravity=n[th.g]
-        ) + analysis.gravitational_energy(
+        ) + formulas.gravitational_energy(
             n[th.theta], mass=n[th.m_b], radius=n[th.R_b], alpha=n[th.alpha_b], gravity=n[th.g]
         ),
     ),
     "5-4": (lambda n, s: lumped_mass_ratios_from_peaks(n),),
-    "5-5": (lambda n, s: 1e3 * analysis.rotation_centre(n[th.Delta] / 1e3),),
+    "5-5": (lambda n, s: 1e3 * identification.rotation_centre(n[th.Delta] / 1e3),),
     "5-6": (
-        lambda n, s: analysis.rotation_about_moving_centre(
+        lambda n, s: identification.rotation_about_moving_centre(
             *(n[x] / 1e3 for x in (th.Delta, th.x_centre, th.H_measured))
         ),
     ),
-    "5-7": (lambda n, s: analysis.damping_from_decrement(n[th.Delta_i], n[th.Delta_next]),),
+    "5-7": (lambda n, s: formulas.damping_from_decrement(n[th.Delta_i], n[th.Delta_next]),),
     "5-14": (
-        lambda n, s: analysis.energy_ratio_of_lumped_mass(
+        lambda n, s: formulas.energy_ratio_of_lumped_mass(
             mass=n[th.m_e], height=n[th.H_e], inertia=n[th.I_eg], base_mass=n[th.m_b],
             base_height=n[th.H_b], base_inertia=n[th.I_bg], half_width=n[th.B],
         ),
     ),
-    "5-36": (lambda n, s: analysis.viscous_coefficient(0.03, n[th.m_e], n[th.k]),),
+    "5-36": (lambda n, s: identification.viscous_coefficient(0.03, n[th.m_e], n[th.k]),),
 }  # fmt: skip
 """The functions of an equation, of the values of its symbols and the sign of theta."""
 
@@ -274,8 +274,8 @@ def cited(text: str) -> set[str]:
 
 def test_every_function_that_cites_an_equation_is_compared_with_it():
     numbers = set()
-    for name in analysis.__all__:
-        thing = getattr(analysis, name)
-        if callable(thing) and not isinstance(thing, type):
-            numbers |= cited(thing.__doc__ or "")
+    for home in (design, dynamics, formulas, identification, wall_tests):
+        for thing in map(vars(home).get, dir(home)):
+            if callable(thing) and not isinstance(thing, type):
+                numbers |= cited(thing.__doc__ or "")
     assert numbers & set(EQUATIONS) - ELSEWHERE <= set(FUNCTIONS)

@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.thesis import EQUATIONS, notation as th
 from rockeom.thesis.checks.chapter_4 import (
     conservative_quarter,
@@ -93,18 +94,18 @@ def test_quarter_period_by_energy_against_another_integration():
 
 def test_printed_migration_meets_uplifts_and_forces_better_than_its_correction():
     """The remark of 4-7: R**2 at the legible peaks of Table A-1, by the gauge and by the edge."""
-    record = analysis.FreeVibration.table_a1()
+    record = identification.FreeVibration.table_a1()
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
     lifted = np.where(at > 0, record.left_uplift[rows], record.right_uplift[rows])
     found = []
-    for centre in (analysis.RotationCentre.thesis_gauge(), analysis.RotationCentre.thesis_edge()):
+    for centre in (formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()):
         wall = replace(analysis.Wall.thesis(), rotation_centre=centre)
         for measured, again in (
             (lifted, wall.uplift(at)),
             (record.tendon_force[rows], wall.tendon_force(at)),
         ):
-            found.append(analysis.coefficient_of_determination(measured, again))
+            found.append(identification.coefficient_of_determination(measured, again))
     assert found == pytest.approx([0.990, 0.924, 0.975, 0.826], abs=6e-4)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.thesis.free_vibration_table import (
     STIFFER,
     WALL,
@@ -16,7 +16,7 @@ from rockeom.thesis.free_vibration_table import (
 )
 from rockeom.thesis.side_by_side import side_by_side
 
-TABLE = analysis.FreeVibration.table_a1()
+TABLE = identification.FreeVibration.table_a1()
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,7 @@ def test_errors_are_those_of_the_rows(rows):
 
 
 def test_peaks_of_a_constant_ratio_are_those_of_the_closed_form_for_any_mass(rows):
-    closed = analysis.peak_sequence(
+    closed = formulas.peak_sequence(
         WALL.restoring_force, TABLE.displacement[0], 0.88, WALL.rotation_centre.epsilon, 12
     )
     for row in rows[:2]:

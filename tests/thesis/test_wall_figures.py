@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.thesis.figures import (
     FIGURES,
     chapter_4_free_vibration as record,
@@ -18,7 +18,7 @@ def verdicts(number):
 
 
 def test_the_line_between_the_rows_passes_through_them():
-    measured, line = analysis.FreeVibration.table_a1(), record.trace()
+    measured, line = identification.FreeVibration.table_a1(), record.trace()
     rows = np.flatnonzero(np.cumsum(~record.legible()) == 0)
     at = np.interp(measured.time[rows], line.time, line.displacement)
     assert at == pytest.approx(measured.displacement[rows], abs=1e-6)

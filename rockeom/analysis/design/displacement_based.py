@@ -1,13 +1,13 @@
 """Displacement-based design: from a target drift to the base shear (thesis 2-31 to 2-35).
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import design, formulas
 
     records = [rk.GroundMotion.from_library(f"El Centro 1940 {n}") for n in (180, 270)]
-    design = analysis.displacement_based_design(
+    design = design.displacement_based_design(
         target_displacement=0.15, yield_displacement=0.03, mass=20e3,
-        spectrum=analysis.MeanSpectrum(records),
-        damping=lambda ductility, period: analysis.design_damping("flag", ductility, period),
+        spectrum=design.MeanSpectrum(records),
+        damping=lambda ductility, period: formulas.design_damping("flag", ductility, period),
     )
     design.base_shear, design.effective_period  # N, s
 
@@ -26,9 +26,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, positive, require
-from rockeom.analysis.controlled_wall import Wall
 from rockeom.analysis.design.hysteresis import FlagRule
-from rockeom.analysis.spectra import Spectrum, response_spectrum
+from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
+from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.motion import GroundMotion
 
 DESIGNED = "designed"

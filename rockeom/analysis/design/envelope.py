@@ -1,11 +1,11 @@
 """The largest response over a range of restitution: a procedure of design (thesis 4.9.1.4).
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import design
 
     block = rk.RigidBlock(half_width=1.0, half_height=5.0)
     records = [rk.GroundMotion.from_library("El Centro 1940 180").scaled_to(peak=3.5)]
-    found = analysis.restitution_envelope(block, records, ratios=[0.80, 0.85, 0.90, 0.95])
+    found = design.restitution_envelope(block, records, ratios=[0.80, 0.85, 0.90, 0.95])
     found.envelope  # the largest |theta| over all r, for each record
 
 The thesis proposes it for want of a known r, and gives it up: the peak is no slowly varying

@@ -1,11 +1,11 @@
 """FEMA 356's procedure for rocking (thesis 2.7), and what integration finds beside it.
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import design
 
     block = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
     record = rk.GroundMotion.from_library("El Centro 1940 180").scaled_to(peak=2.5)
-    estimate = analysis.fema_356_rocking(block, record)
+    estimate = design.fema_356_rocking(block, record)
     estimate.outcome, estimate.rotation / block.alpha
 
 The steps, as the thesis tells them after Makris and Konstantinidis (2003):
@@ -30,10 +30,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rockeom.analysis.arguments import not_negative, positive, require
-from rockeom.analysis.damping import fema_356_damping, priestley_damping
-from rockeom.analysis.periods import rocking_period
-from rockeom.analysis.restitution import energy_ratio_of_block
-from rockeom.analysis.spectra import Spectrum, response_spectrum
+from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
+from rockeom.analysis.formulas.damping import fema_356_damping, priestley_damping
+from rockeom.analysis.formulas.periods import rocking_period
+from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion

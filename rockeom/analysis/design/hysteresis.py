@@ -1,8 +1,8 @@
 """Hysteresis: the rules of Figure 2-21 of the thesis, their loops, and what these lose.
 
-    from rockeom import analysis
+    from rockeom.analysis import design
 
-    flag = analysis.FlagRule(yield_force=20e3, yield_displacement=2e-3, stiffness_ratio=0.05,
+    flag = design.FlagRule(yield_force=20e3, yield_displacement=2e-3, stiffness_ratio=0.05,
                              flag_height=0.35)
     flag.loop(ductility=4.0).damping  # of the closed loop, as a function
     flag.simulated_loop(ductility=4.0).damping  # of a displacement to and fro
@@ -22,8 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis import damping
 from rockeom.analysis.arguments import not_negative, numbers, positive, require
+from rockeom.analysis.formulas import damping
 
 
 class HysteresisLoop(NamedTuple):

@@ -1,13 +1,13 @@
 """An oscillator with any backbone or rule of hysteresis, and any damping (thesis 4.9.1.4).
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import design
 
     wall = analysis.Wall.thesis()
-    softer = analysis.linear_start(wall.restoring_force, displacement=2e-3)
-    viscous = analysis.ViscousDamping(4e3, below=5e-3)
-    passages = analysis.PassageDamping(0.852, width=3.55e-3)
-    oscillator = analysis.EquivalentOscillator(wall.mass, softer, (viscous, passages))
+    softer = design.linear_start(wall.restoring_force, displacement=2e-3)
+    viscous = design.ViscousDamping(4e3, below=5e-3)
+    passages = design.PassageDamping(0.852, width=3.55e-3)
+    oscillator = design.EquivalentOscillator(wall.mass, softer, (viscous, passages))
     record = rk.GroundMotion.from_library("El Centro 1940 180")
     run = oscillator.response(record)
     run.time, run.displacement  # s, m

@@ -275,7 +275,7 @@ RATIOS = [(0.49,), (0.723,), (0.831,), (0.888,), (0.954,), (1.0,)]
 
 
 def _fema(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import fema_356_damping
+    from rockeom.analysis.formulas.damping import fema_356_damping
 
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
     yield from _against(fema_356_damping, stated, RATIOS)
@@ -288,7 +288,7 @@ def _fema(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _priestley(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import priestley_damping
+    from rockeom.analysis.formulas.damping import priestley_damping
 
     yield from _against(priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS)
 
@@ -440,7 +440,7 @@ def _table(printed: dict, used) -> Iterator[Finding]:
 
 
 def _grant(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import GRANT_FACTORS, grant_damping
+    from rockeom.analysis.formulas.damping import GRANT_FACTORS, grant_damping
 
     printed = read(TABLE_2_4)
     yield from _table(printed, GRANT_FACTORS)
@@ -473,7 +473,7 @@ def _figure_2_23(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 def _without_period(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """2-34 with C_i = 2 and C_i = beta_FS: loops that do not harden."""
-    from rockeom.analysis import simplified_damping
+    from rockeom.analysis.formulas.damping import simplified_damping
 
     added = relations[0].rhs - th.xi_v
     for coefficient, number in ((sp.Integer(2), "2-32a"), (th.beta_FS, "2-32c")):
@@ -486,7 +486,7 @@ def _without_period(equation: Equation, relations: Relations) -> Iterator[Findin
 
 
 def _design(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import DESIGN_FACTORS, design_damping
+    from rockeom.analysis.formulas.damping import DESIGN_FACTORS, design_damping
 
     printed = read(TABLE_2_5)
     yield from _table(printed, DESIGN_FACTORS)

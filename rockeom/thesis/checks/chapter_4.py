@@ -77,13 +77,13 @@ def radius() -> float:
 
 def measured():
     """Table A-1, in SI units."""
-    from rockeom.analysis import FreeVibration
+    from rockeom.analysis.identification.free_vibration import FreeVibration
 
     return FreeVibration.table_a1()
 
 
 def r_squared(known, found) -> float:
-    from rockeom.analysis import coefficient_of_determination
+    from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 
     return float(coefficient_of_determination(known, found))
 
@@ -214,7 +214,7 @@ def _base(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _uplifts_again(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import corrected_uplifts
+    from rockeom.thesis.wall_tests import corrected_uplifts
 
     stated = relations[0].rhs
     given = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
@@ -267,7 +267,7 @@ def quarter(relation: sp.Eq) -> sp.Expr:
 
 
 def _quarter_fit(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import quarter_period_fit
+    from rockeom.thesis.wall_tests import quarter_period_fit
 
     stated = of_displacement(quarter(relations[0]))
     peak, time = _quarters()
@@ -312,7 +312,7 @@ def _general(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _edge_uplifts(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import Wall
+    from rockeom.analysis.formulas.controlled_wall import Wall
 
     record = measured()
     rows = record.at_peak & (record.reading == "clean")
@@ -361,7 +361,7 @@ def _elastic_tendon(equation: Equation, relations: Relations) -> Iterator[Findin
 
 
 def _tendon_forces(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import Wall
+    from rockeom.analysis.formulas.controlled_wall import Wall
 
     record = measured()
     rows = record.at_peak & (record.reading == "clean")
@@ -412,7 +412,7 @@ def conservative_quarter(start: float, mass: float) -> float:
 
 
 def _substitute_gravity(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import Wall
+    from rockeom.analysis.formulas.controlled_wall import Wall
 
     (relation,) = relations
     d = lifted().subs(th.penalty, PENALTY)
@@ -684,7 +684,7 @@ def _passage(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 def _peaks_of_constant_r(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """4-27 with the force, integrated, against the closed form of its peaks."""
-    from rockeom.analysis import Wall, peak_sequence
+    from rockeom.analysis.formulas.controlled_wall import Wall, peak_sequence
 
     force = relations[0].rhs
     known = peak_sequence(Wall.thesis().restoring_force, 0.025, 0.852, float(PENALTY) / 1e3, 3)
@@ -757,7 +757,7 @@ def _push(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _gradient(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import Wall
+    from rockeom.analysis.formulas.controlled_wall import Wall
 
     (relation,) = relations
     (work,) = EQUATIONS["4-29"].right
@@ -922,7 +922,7 @@ def peaks_of_block(
 
 
 def _linear_ratio(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import energy_ratio_4_36
+    from rockeom.thesis.wall_tests import energy_ratio_4_36
 
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     for speed in (0.1, 0.34, 0.78):
@@ -988,7 +988,7 @@ def _newton(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _at_rest(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import back_calculated_force
+    from rockeom.thesis.wall_tests import back_calculated_force
 
     (motion,) = EQUATIONS["4-41"].right
     (force,) = sp.solve((motion.lhs - motion.rhs).subs(th.F_D, 0), th.F_k)
@@ -999,7 +999,7 @@ def _at_rest(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _harmonic(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import harmonic_force
+    from rockeom.thesis.wall_tests import harmonic_force
 
     (relation,) = relations
     (motion,) = EQUATIONS["4-27"].right

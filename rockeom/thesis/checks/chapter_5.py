@@ -153,7 +153,7 @@ def _figure_5_6(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis import rotation_centre
+    from rockeom.analysis.identification.measured import rotation_centre
 
     (relation,) = relations
     both = relation.rhs + relation.rhs.subs(th.Delta, -th.Delta)

@@ -9,12 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis import (
-    energy_ratio_of_block,
-    foundation,
-    uplift_displacement,
-    uplifted_frequency,
-)
+from rockeom.analysis.formulas import foundation
+from rockeom.analysis.formulas.restitution import energy_ratio_of_block
+from rockeom.analysis.formulas.uplift import uplift_displacement, uplifted_frequency
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 

@@ -17,15 +17,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis import energy_ratio_of_block, overturning_boundaries
-from rockeom.analysis.branches import (
+from rockeom.analysis.dynamics.branches import (
     FLIPS,
     Cascade,
     OrbitBranch,
     orbit_branch,
     period_doublings,
 )
-from rockeom.analysis.orbits import PeriodicOrbit, StroboscopicMap
+from rockeom.analysis.dynamics.orbits import PeriodicOrbit, StroboscopicMap
+from rockeom.analysis.dynamics.overturning import overturning_boundaries
+from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.sweeps import STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import STANDARD_GRAVITY

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rockeom import analysis
+from rockeom.analysis import design, formulas
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 
@@ -18,9 +18,9 @@ HARDENING, FLAG_HEIGHT, EXPONENT = 0.05, 0.35, 0.5
 two of the flag."""
 
 RULES = {
-    "bilinear": analysis.BilinearRule(1.0, 1.0, HARDENING),
-    "Takeda": analysis.TakedaRule(1.0, 1.0, HARDENING, EXPONENT),
-    "flag": analysis.FlagRule(1.0, 1.0, HARDENING, FLAG_HEIGHT),
+    "bilinear": design.BilinearRule(1.0, 1.0, HARDENING),
+    "Takeda": design.TakedaRule(1.0, 1.0, HARDENING, EXPONENT),
+    "flag": design.FlagRule(1.0, 1.0, HARDENING, FLAG_HEIGHT),
 }
 """The rules of Figure 2-21, in units of yield."""
 
@@ -105,7 +105,7 @@ def figure_2_20() -> Drawn:
             moment = restoring + dissipating
             late = angle >= 2 * np.pi - 1e-9
             ax.plot(theta[late], moment[late], color=color, label=rf"$\lambda$ = {ratio:g}")
-            loop = analysis.HysteresisLoop(theta[late][:-1], moment[late][:-1])
+            loop = design.HysteresisLoop(theta[late][:-1], moment[late][:-1])
             areas[kind].append(loop.area)
             back = late & (rate < 0) & (theta > 0)
             returns[kind].append(float(theta[back][np.argmax(moment[back] < 0)])
@@ -140,11 +140,11 @@ def dissipaters(
     kind: str, ratio: float, theta: np.ndarray, rate: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Moments of the elastic parts and of a dissipater along rotations and their rates."""
-    joint = analysis.FlagRule(1.0, 0.01, HARDENING * 0.01)
+    joint = design.FlagRule(1.0, 0.01, HARDENING * 0.01)
     elastic = joint.backbone(theta) / float(joint.backbone(1.0)) * ratio / (1 + ratio)
     share = 1 / (1 + ratio)
     if kind == "elastic and plastic":
-        rule = analysis.BilinearRule(1.0, 0.1, 0.0)
+        rule = design.BilinearRule(1.0, 0.1, 0.0)
         return elastic, share * rule.along(theta)
     return elastic, share * (np.sign(rate) if kind == "friction" else rate)
 
@@ -238,7 +238,7 @@ def figure_2_23() -> Drawn:
     period = np.linspace(0.1, 4.0, 391)
     figure = style.new_figure(6.4, 3.6)
     ax = figure.add_subplot()
-    terms = {name: 1 + (period + f.c) ** -f.d for name, f in analysis.GRANT_FACTORS.items()}
+    terms = {name: 1 + (period + f.c) ** -f.d for name, f in formulas.damping.GRANT_FACTORS.items()}
     lines = ("-", "--", "-.", ":", "-", "--")
     for (name, term), color, line in zip(terms.items(), style.LINES, lines, strict=True):
         ax.plot(period, term, line, color=color, label=name.replace("_", " "))

@@ -16,14 +16,20 @@ from matplotlib.axes import Axes
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.symbolic import Body, coordinate, parameter, rocking_structure, turned
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
+from rockeom.thesis.points_of_interest import (
+    importance_scores,
+    points_by_prominence,
+    points_by_score,
+)
 from rockeom.thesis.tables import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
 SHAPE: dict[str, Any] = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}
-R_HOUSNER = float(analysis.energy_ratio_of_block(BLOCK.alpha))
+R_HOUSNER = float(formulas.energy_ratio_of_block(BLOCK.alpha))
 PRINTED_HOUSNER = 0.89
 """Of section 3.3; 2-6 gives 0.879 for this block."""
 
@@ -47,11 +53,11 @@ def points() -> tuple[np.ndarray, np.ndarray]:
 
 
 @cache
-def measured_impacts() -> analysis.Impacts:
+def measured_impacts() -> identification.Impacts:
     """The six impacts between the peaks of Figure 3-3; a thousandth of a degree is printed."""
     time, rotation = points()
     rounding = np.radians(0.001) / np.sqrt(12)
-    return analysis.Impacts.of_peaks(time[::2], rotation[::2], BLOCK, deviation=rounding)
+    return identification.Impacts.of_peaks(time[::2], rotation[::2], BLOCK, deviation=rounding)
 
 
 @cache
@@ -145,7 +151,7 @@ def figure_3_3() -> Drawn:
     """
     time, rotation = points()
     run = rocking(BLOCK, float(rotation[0]), 3.2)
-    late = time[1] - analysis.exact_quarter_period(
+    late = time[1] - formulas.exact_quarter_period(
         rotation[0], BLOCK.alpha, BLOCK.frequency_parameter
     )
     figure = style.new_figure(7.2, 3.2)
@@ -195,9 +201,9 @@ def figure_3_4() -> Drawn:
     the noise instead.
     """
     data = record()
-    scores = analysis.importance_scores(data["theta"], 500)
-    scored = analysis.points_by_score(data, "theta")
-    found = analysis.points_by_prominence(data, "theta")
+    scores = importance_scores(data["theta"], 500)
+    scored = points_by_score(data, "theta")
+    found = points_by_prominence(data, "theta")
     figure = style.new_figure(7.2, 4.4)
     trace, score = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.0))
     trace.plot(data.time, np.degrees(data["theta"]), lw=0.8, color=style.INK)
@@ -243,18 +249,18 @@ def figure_3_5() -> Drawn:
     quarters = np.diff(time)
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     p, alpha = BLOCK.frequency_parameter, BLOCK.alpha
-    slender = analysis.quarter_period(peaks / alpha, p)
-    exact = analysis.exact_quarter_period(peaks, alpha, p)
+    slender = formulas.quarter_period(peaks / alpha, p)
+    exact = formulas.exact_quarter_period(peaks, alpha, p)
     x = np.linspace(0.0, 0.8, 200)
     figure = style.new_figure(6.2, 3.6)
     ax = figure.add_subplot()
     ax.set_prop_cycle(color=style.LINES)
-    ax.plot(x, analysis.quarter_period(x, p), label="2-5, slender")
+    ax.plot(x, formulas.quarter_period(x, p), label="2-5, slender")
     ax.fill_between(
-        x, 0.9 * analysis.quarter_period(x, p), 1.1 * analysis.quarter_period(x, p), alpha=0.12,
+        x, 0.9 * formulas.quarter_period(x, p), 1.1 * formulas.quarter_period(x, p), alpha=0.12,
         lw=0, label="within 10 %",
     )  # fmt: skip
-    ax.plot(x, analysis.exact_quarter_period(x * alpha, alpha, p), "--", label="any rotation")
+    ax.plot(x, formulas.exact_quarter_period(x * alpha, alpha, p), "--", label="any rotation")
     for first, mark, label in ((0, "o", "from a peak"), (1, "s", "to a peak")):
         ax.plot(
             peaks[first::2] / alpha, quarters[first::2], mark, color=style.INK, mfc="white",
@@ -299,7 +305,7 @@ def figure_3_6() -> Drawn:
     """
     time, rotation = points()
     late = time[1] - float(
-        analysis.exact_quarter_period(rotation[0], BLOCK.alpha, BLOCK.frequency_parameter)
+        formulas.exact_quarter_period(rotation[0], BLOCK.alpha, BLOCK.frequency_parameter)
     )
     figure = style.new_figure(7.2, 3.2)
     ax = figure.add_subplot()
@@ -465,10 +471,10 @@ def figure_3_8() -> Drawn:
 
 
 @cache
-def energies_in_kind() -> tuple[analysis.MeasuredRecord, analysis.Energies]:
+def energies_in_kind() -> tuple[analysis.MeasuredRecord, identification.Energies]:
     """The record of the block on the spring, and the energies of the block alone."""
     known = record(spring=True).with_derivatives("theta", 0.05)
-    return known, analysis.record_energies(known, BLOCK)
+    return known, identification.record_energies(known, BLOCK)
 
 
 @thesis_figure(Source.IN_KIND)
@@ -492,7 +498,7 @@ def figure_3_9() -> Drawn:
             ("total", energies.total[end], TOTAL),
         ],
     )
-    start = float(analysis.static_energy(BLOCK, np.radians(7.876)))
+    start = float(identification.static_energy(BLOCK, np.radians(7.876)))
     ax.axhline(start, color=style.INK, lw=0.7, ls="--", label="at the release")
     style.legend_above(ax)
     most = float(energies.total[end].max())
@@ -518,8 +524,8 @@ def figure_3_10() -> Drawn:
     takes the largest excess and the rotation at which it occurs instead.
     """
     known, energies = energies_in_kind()
-    fit = analysis.fitted_rotational_spring(known, BLOCK, count=5)
-    stored = analysis.spring_energy(known["theta"], fit.stiffness)
+    fit = identification.fitted_rotational_spring(known, BLOCK, count=5)
+    stored = formulas.spring_energy(known["theta"], fit.stiffness)
     end = known.time < 3
     figure = style.new_figure(7.0, 3.4)
     ax = figure.add_subplot()
@@ -535,7 +541,9 @@ def figure_3_10() -> Drawn:
         ],
     )
     style.legend_above(ax)
-    smooth = analysis.support_forces_of_record(record(spring=True), window=0.05, **SHAPE).smooth
+    smooth = identification.support_forces_of_record(
+        record(spring=True), window=0.05, **SHAPE
+    ).smooth
     first = smooth & (known.time > 0.05) & (known.time < 0.4)
     spread = [float(np.std(e[first])) for e in (energies.total, energies.total + stored)]
     return Drawn(
@@ -587,7 +595,7 @@ def figure_3_13() -> Drawn:
     figure.align_ylabels(axes)
     before = BLOCK.reactions(run.impacts[0].before, phase="right")
     v, h = before["right_reaction"] / 1e3, abs(before["horizontal_reaction"]) / 1e3
-    limit_h, limit_v = analysis.block_reactions_at_impact(0.0, 1, slender=True, **SHAPE)
+    limit_h, limit_v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **SHAPE)
     return Drawn(
         figure,
         (
@@ -616,13 +624,13 @@ def figure_3_14() -> Drawn:
     Up to the largest speed of free rocking, 3-13. Positive speed: the right foot lands. The angle
     is that of the resultant from the vertical.
     """
-    most = float(analysis.impact_speed(BLOCK.alpha, alpha=BLOCK.alpha, radius=BLOCK.radius))
+    most = float(formulas.impact_speed(BLOCK.alpha, alpha=BLOCK.alpha, radius=BLOCK.radius))
     speed = np.linspace(-most, most, 401)
     figure = style.new_figure(7.6, 3.0)
     axes = figure.subplots(1, 3)
     spans = {}
     for side, label, line in ((1, "on the right foot", "-"), (-1, "on the left foot", "--")):
-        h, v = analysis.block_reactions_at_impact(speed, side, slender=True, **SHAPE)
+        h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **SHAPE)
         angle = np.degrees(np.arctan2(h, v))
         for ax, y in zip(axes, (h / 1e3, v / 1e3, angle), strict=True):
             ax.plot(speed, y, line, label=label)
@@ -651,7 +659,7 @@ def figure_3_14() -> Drawn:
 
 
 @cache
-def impact_forces() -> analysis.ImpactForces:
+def impact_forces() -> identification.ImpactForces:
     """Of the impacts of the four runs in kind above 0.15 rad/s, with a tenth of the noise."""
     found = []
     for release, seed in RUNS:
@@ -659,10 +667,10 @@ def impact_forces() -> analysis.ImpactForces:
         t = np.arange(5 * RATE) / RATE
         noise = np.random.default_rng(seed).normal(0.0, NOISE / 10, len(t))
         calm = analysis.MeasuredRecord(t, {"theta": theta.at(t)["theta"] + noise})
-        found.append(analysis.impact_forces_of_record(calm, window=WINDOW, **SHAPE))
+        found.append(identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE))
     columns = [np.concatenate(column) for column in zip(*found, strict=True)]
     fast = np.abs(columns[1]) > 0.15
-    return analysis.ImpactForces(*(column[fast] for column in columns))
+    return identification.ImpactForces(*(column[fast] for column in columns))
 
 
 def grows(speed: np.ndarray, force: np.ndarray) -> float:
@@ -783,9 +791,9 @@ def figure_3_17() -> Drawn:
     changes_first, changes_later = [], []
     for ax, (release, seed) in zip(figure.subplots(2, 2).ravel(), RUNS, strict=True):
         data = record(release, seed, spring=True)
-        plain = analysis.Impacts.of_record(data, BLOCK)
+        plain = identification.Impacts.of_record(data, BLOCK)
         chosen = plain.energy_before >= THRESHOLD
-        corrected = analysis.Impacts.of_record(data, BLOCK, rotational_stiffness=SPRING)
+        corrected = identification.Impacts.of_record(data, BLOCK, rotational_stiffness=SPRING)
         plain, corrected = plain.select(chosen), corrected.select(chosen)
         for found, face, label in (
             (plain, "none", "3-3"), (corrected, "full", "3-16"),
@@ -846,8 +854,10 @@ def figure_3_22() -> Drawn:
     ax = figure.add_subplot()
     ax.plot(speed, fit_3_17(speed), label="3-17, all impacts")
     ax.plot(speed[speed > 0], fit_3_18(speed[speed > 0]), "--", label="3-18, right edge")
-    runs = [analysis.Impacts.of_record(record(release, seed), BLOCK) for release, seed in RUNS]
-    kind = analysis.Impacts.together(runs)
+    runs = [
+        identification.Impacts.of_record(record(release, seed), BLOCK) for release, seed in RUNS
+    ]
+    kind = identification.Impacts.together(runs)
     ax.plot(kind.speed, kind.energy_change, "x", ms=4, color="0.6", label="in kind")
     ax.plot(
         found.speed, found.energy_change, "o", color=style.INK, mfc="white", mew=0.9, ms=4.5,

@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.special import erf
 
-from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_4_wall import (
     GAUGE,
@@ -26,9 +26,10 @@ from rockeom.thesis.figures.chapter_4_wall import (
 )
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
+from rockeom.thesis.wall_tests import quarter_period_fit
 
 HOUSNER = float(
-    analysis.energy_ratio_of_block(
+    formulas.energy_ratio_of_block(
         np.arctan2(WALL.half_width, WALL.centroid_height),
         inertia=WALL.corner_inertia - WALL.mass * WALL.corner_radius**2,
         mass=WALL.mass,
@@ -64,7 +65,7 @@ def trace() -> Trace:
     """The polynomials between the legible rows, up to the first that is guessed."""
     from scipy.interpolate import BPoly
 
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     last = int(np.argmin(legible()))
     velocity = np.where(measured.at_peak, 0.0, measured.velocity)
     rows = np.column_stack([measured.displacement, velocity, measured.acceleration])[:last]
@@ -75,7 +76,7 @@ def trace() -> Trace:
 
 def peaks() -> np.ndarray:
     """Rows of the first thirteen peaks of Table A-1, those of Figure 4-29."""
-    return np.flatnonzero(analysis.FreeVibration.table_a1().at_peak)[:PEAKS]
+    return np.flatnonzero(identification.FreeVibration.table_a1().at_peak)[:PEAKS]
 
 
 # --- 4.5 the record
@@ -90,7 +91,7 @@ def figure_4_11() -> Drawn:
     uplifts as the gauges read them, by 4-3 and 4-4 backwards. The table that shook the wall stands
     still in this test; the record of its motion is not printed.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     line = trace()
     figure = style.new_figure(7.2, 6.0)
     top, uplifts, centre = figure.subplots(3, 1, sharex=True)
@@ -154,7 +155,7 @@ def figure_4_12() -> Figure:
     A crossing is where the acceleration vanishes; the displacement there is up to 3 mm, since the
     wall slid. Crosses are rows of which a number had to be guessed.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     line = trace()
     figure = style.new_figure(7.2, 3.2)
     ax = figure.add_subplot()
@@ -188,12 +189,12 @@ def figure_4_13() -> Drawn:
     anew, by least squares to the 19 quarters whose rows are legible, with the 95 % band of the
     curve.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     starts = np.flatnonzero(measured.at_peak[:-1])
     starts = starts[legible()[starts] & legible()[starts + 1]]
     size, time = np.abs(measured.displacement[starts]), np.diff(measured.time)[starts]
     root = np.sqrt(size)
-    found = analysis.fit(lambda k, c: k * root + c, time, {"k": 0.3, "c": 0.01})
+    found = identification.fit(lambda k, c: k * root + c, time, {"k": 0.3, "c": 0.01})
     d = np.linspace(1e-4, 0.032, 200)
     slopes = np.column_stack([np.sqrt(d), np.ones_like(d)])
     anew = slopes @ np.array(list(found.values.values()))
@@ -204,7 +205,7 @@ def figure_4_13() -> Drawn:
     ax = figure.add_subplot()
     band: dict[str, Any] = {"color": style.LINES[1], "alpha": 0.15, "lw": 0}
     ax.fill_between(d * MM, anew - reach * spread, anew + reach * spread, **band)
-    ax.plot(d * MM, analysis.quarter_period_fit(d), color=style.LINES[0], label="4-5")
+    ax.plot(d * MM, quarter_period_fit(d), color=style.LINES[0], label="4-5")
     ax.plot(d * MM, anew, "--", color=style.LINES[1], label="fitted anew, 95 % band")
     draw_sides(ax, measured.displacement[starts], time)
     ax.set_xlabel(r"peak displacement $|\Delta_0|$ [mm]")
@@ -212,7 +213,7 @@ def figure_4_13() -> Drawn:
     ax.set_xlim(0, 33)
     ax.set_ylim(0, 0.08)
     ax.legend(loc="lower right")
-    r2 = analysis.coefficient_of_determination(time, analysis.quarter_period_fit(size))
+    r2 = identification.coefficient_of_determination(time, quarter_period_fit(size))
     printed = 0.505 * np.sqrt(2 / 5.155)
     low, high = found.interval("k")
     slow, fast = 1 / (4 * time[0]), 1 / (4 * time[np.argmin(size)])
@@ -254,7 +255,7 @@ def draw_uplifts_and_force(close: bool) -> Figure:
 
     close : about upright, the rows by themselves; else all, one after the other connected.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     figure = style.new_figure(7.6, 3.4)
     left, right = figure.subplots(1, 2)
     far = 0.0063 if close else 0.034
@@ -289,11 +290,11 @@ def figure_4_14() -> Drawn:
     One row after the other is connected, as the samples were in the thesis, which rounds the force
     off about upright in the same way.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
     uplift = np.where(measured.displacement > 0, left, right)[chosen]
     size = np.abs(measured.displacement[chosen])
-    line = analysis.fit(lambda k, c: k * size + c, uplift, {"k": 0.4, "c": 1e-4})
+    line = identification.fit(lambda k, c: k * size + c, uplift, {"k": 0.4, "c": 1e-4})
     return Drawn(
         draw_uplifts_and_force(close=False),
         (
@@ -313,12 +314,12 @@ def figure_4_15() -> Drawn:
 
     Without the rows that had to be guessed seven peaks are this small.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     size, force = np.abs(measured.displacement[chosen]), np.asarray(measured.tendon_force)[chosen]
     slopes = []
     for rows in (size < 2e-3, (size > 2e-3) & (size < 8e-3)):
         x, y = size[rows], force[rows]
-        slopes.append(analysis.fit(lambda k, c, x=x: k * x + c, y, {"k": 1e6, "c": 75e3}))
+        slopes.append(identification.fit(lambda k, c, x=x: k * x + c, y, {"k": 1e6, "c": 75e3}))
     small, large = (f"{s.values['k'] / 1e6:.2f}" for s in slopes)
     bounds = ["{:.2f} to {:.2f}".format(*(x / 1e6 for x in s.interval("k"))) for s in slopes]
     return Drawn(
@@ -367,7 +368,7 @@ def figure_4_22b() -> Drawn:
 
 def draw_speeds(ax: Axes) -> None:
     """Speed against displacement: the trace, and the rows of Table A-1."""
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     line = trace()
     ax.plot(line.displacement * MM, np.abs(line.velocity), color=style.LINES[0], lw=0.6)
     draw_marked(ax, measured.displacement * MM, np.abs(measured.velocity), measured.at_peak, chosen)
@@ -383,7 +384,7 @@ def figure_4_25() -> Figure:
     The lines between the rows are smooth by their making; that the record has no steps of speed,
     as the thesis says, they cannot show.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     line = trace()
     figure = style.new_figure(5.4, 4.0)
     ax = figure.add_subplot()
@@ -406,7 +407,7 @@ def figure_4_26() -> Drawn:
     figure = style.new_figure(6.4, 3.8)
     ax = figure.add_subplot()
     draw_speeds(ax)
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     lost = []
     for n, row in enumerate(peaks()[:5]):
         d0 = measured.displacement[row]
@@ -483,7 +484,7 @@ def figure_4_28() -> Drawn:
     The elastic energy is that of the measured force of the tendon, as in Figure 4-29. Lines connect
     the rows.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     energies = measured.energies(WALL)
     n = 13
     figure = style.new_figure(6.6, 3.6)
@@ -526,7 +527,7 @@ def figure_4_29() -> Drawn:
 
     Filled are the energies at the peaks, crosses those of the table in the thesis's figure.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     energies, rows = measured.energies(WALL).total, peaks()
     figure = style.new_figure(7.0, 4.4)
     top, bottom = figure.subplots(2, 1, sharex=True)
@@ -566,7 +567,7 @@ class Losses(NamedTuple):
 
 def losses() -> Losses:
     """Of Table A-1, by energies from the measured force of the tendon."""
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     r, speed, peak = measured.restitution(WALL)
     rows = np.flatnonzero(measured.at_peak)
     clear = legible()
@@ -630,14 +631,16 @@ def figure_4_31() -> Drawn:
     """
     found = losses()
     r, speed, peak = (x[: PEAKS - 1] for x in found[:3])
-    mean = analysis.fit(lambda r: np.full(len(speed), r), r, {"r": 0.85})
-    line = analysis.fit(lambda r, slope: r + slope * speed, r, {"r": 0.85, "slope": 0.0})
+    mean = identification.fit(lambda r: np.full(len(speed), r), r, {"r": 0.85})
+    line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.85, "slope": 0.0})
     low, high = mean.interval("r")
     slope = line.interval("slope")
     sides = []
     for side in (1, -1):
         of_side = r[np.sign(peak) == side]
-        sides.append(analysis.fit(lambda r, to=of_side: np.full(to.shape, r), of_side, {"r": 0.85}))
+        sides.append(
+            identification.fit(lambda r, to=of_side: np.full(to.shape, r), of_side, {"r": 0.85})
+        )
     told = ["{:.3f} ({:.3f} to {:.3f})".format(s.values["r"], *s.interval("r")) for s in sides]
     return Drawn(
         draw_ratios(0.7, 1.0),
@@ -668,7 +671,7 @@ def figure_4_34() -> Drawn:
     The boundary found by eye in Figure 4-27 is not printed; what can be said is whether the
     measured crossings, at which about half of the energy of a passage is lost, lie inside.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     rows = ~measured.at_peak & chosen
     figure = style.new_figure(6.0, 3.6)
     ax = figure.add_subplot()

@@ -15,6 +15,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import design, formulas, identification
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_4_wall import (
     MM,
@@ -27,6 +28,7 @@ from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.shaken import wall_motion
 from rockeom.thesis.tables import TABLE_4_2
+from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31
 
 SPREAD = 2.5e-3
 """The sliding that 4.9.1.1 makes of its scatter [m], to either side."""
@@ -60,7 +62,7 @@ def figure_4_57() -> Drawn:
     to hold for them unchanged, the points of the free vibration in Table A-1, and a band of
     2.5 mm of sliding to either side.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     figure, *axes = overview_and_origin()
     b = WALL.half_width
     for ax, far in zip(axes, (0.032, 0.008), strict=True):
@@ -174,7 +176,7 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
         )["theta"]
         sin, cos = np.sin(state["theta"]), np.cos(state["theta"])
         a = h * (turning * cos - state["theta_dot"] ** 2 * sin)
-        found.append((d[i], analysis.back_calculated_force(mass, a, ground)))
+        found.append((d[i], back_calculated_force(mass, a, ground)))
     displacement, force = np.array(found).T
     return displacement, force
 
@@ -210,7 +212,7 @@ def figure_4_69() -> Drawn:
     left.set_ylabel("restoring force $F_k$ [kN]")
     left.legend(loc="upper left", fontsize=7.5)
     predicted = WALL.restoring_force(d)
-    fit = float(analysis.coefficient_of_determination(force, predicted))
+    fit = float(identification.coefficient_of_determination(force, predicted))
     ratio = float(np.median(np.abs(force / predicted)[np.abs(d) > 1e-3]))
     return Drawn(
         figure,
@@ -231,29 +233,29 @@ SHAKEN = 5.0
 
 
 @cache
-def trials() -> dict[str, analysis.OscillatorResponse]:
+def trials() -> dict[str, design.OscillatorResponse]:
     """The oscillator under run 4, as 4.9.1.4 changes its backbone and its damping."""
     mass, n = WALL.mass, WALL.rotation_centre.epsilon
-    force = analysis.tabulated(WALL.restoring_force, 0.06)
-    passages = analysis.PassageDamping(RATIO, n)
+    force = design.tabulated(WALL.restoring_force, 0.06)
+    passages = design.PassageDamping(RATIO, n)
     natural = 2 * np.pi * np.sqrt(mass * 2e-3 / float(WALL.restoring_force(2e-3)))
-    critical = float(analysis.priestley_damping(RATIO))
-    viscous = analysis.ViscousDamping.of_ratio(critical, mass, natural)
-    straight = analysis.tabulated(analysis.linear_start(WALL.restoring_force, 2e-3), 0.06)
-    edge = replace(WALL, rotation_centre=analysis.RotationCentre.thesis_edge())
-    other = analysis.tabulated(edge.restoring_force, 0.06)
-    choices: dict[str, tuple[Any, tuple[analysis.Damping, ...]]] = {
+    critical = float(formulas.priestley_damping(RATIO))
+    viscous = design.ViscousDamping.of_ratio(critical, mass, natural)
+    straight = design.tabulated(design.linear_start(WALL.restoring_force, 2e-3), 0.06)
+    edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
+    other = design.tabulated(edge.restoring_force, 0.06)
+    choices: dict[str, tuple[Any, tuple[design.Damping, ...]]] = {
         "r = 0.852": (force, (passages,)),
-        "r by 4-31": (force, (analysis.PassageDamping(analysis.energy_ratio_4_31, n),)),
+        "r by 4-31": (force, (design.PassageDamping(energy_ratio_4_31, n),)),
         "centre 442, 66 mm": (other, (passages,)),
         "linear start": (straight, (passages,)),
-        "bilinear": (analysis.bilinear_fit(WALL.restoring_force, 0.03), (passages,)),
+        "bilinear": (design.bilinear_fit(WALL.restoring_force, 0.03), (passages,)),
         "viscous below 5 mm": (force, (passages, replace(viscous, below=5e-3))),
         "viscous": (force, (viscous,)),
-        "tangent stiffness": (force, (analysis.TangentDamping.of_ratio(critical, natural),)),
+        "tangent stiffness": (force, (design.TangentDamping.of_ratio(critical, natural),)),
     }
     return {
-        name: analysis.EquivalentOscillator(mass, *choice).response(
+        name: design.EquivalentOscillator(mass, *choice).response(
             wall_motion("4"), duration=SHAKEN, step=2.5e-3
         )
         for name, choice in choices.items()

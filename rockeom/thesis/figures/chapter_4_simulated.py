@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, draw_sides
 from rockeom.thesis.figures.chapter_4_wall import (
@@ -40,7 +41,7 @@ def oscillator(r: float) -> rk.ControlledWallOscillator:
     return rk.ControlledWallOscillator.from_wall(WALL, r, effective_mass=WALL.mass)
 
 
-def fitted_ratio(first: int, last: int) -> analysis.Fit:
+def fitted_ratio(first: int, last: int) -> identification.Fit:
     """r of the oscillator, fitted to the peaks from `first` on, at which it starts, to `last`."""
     peak = measured_peaks()[1][first : last + 1]
 
@@ -151,7 +152,7 @@ def ratios_by_release() -> tuple[np.ndarray, np.ndarray]:
     def case(start: float, r: float) -> rk.Case:
         return rk.Case(FIXED, STILL, rk.EnergyRatio(r), initial={"theta": start})
 
-    r = analysis.energy_ratios_by_release(case, theta, quantity="theta")
+    r = identification.energy_ratios_by_release(case, theta, quantity="theta")
     speed = [
         abs(rk.simulate(FIXED, STILL, initial={"theta": start}).impacts[0].before["theta_dot"])
         for start in theta[:-1].tolist()
@@ -183,7 +184,7 @@ def figure_4_40() -> Drawn:
     by_speed.set_xlim(0, None)
     by_peak.set_xlim(0, None)
     style.legend_above(by_peak)
-    line = analysis.fit(lambda r, slope: r + slope * speed, r, {"r": 0.88, "slope": 0.0})
+    line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.88, "slope": 0.0})
     low, high = line.interval("slope")
     early = slice(0, 8)
     left, right = (r[early][peak[early] * side > 0] for side in (-1, 1))
@@ -209,7 +210,7 @@ def figure_4_40() -> Drawn:
     )  # fmt: skip
 
 
-def upright(passages: int) -> analysis.Fit:
+def upright(passages: int) -> identification.Fit:
     """Displacement x [m] at which the wall would stand, that r be one for the first passages.
 
     By the energies at the peaks, counted from there.
@@ -220,7 +221,7 @@ def upright(passages: int) -> analysis.Fit:
     def off(r: float, x: float) -> np.ndarray:
         return np.log(energy(peak[1:] - x) / energy(peak[:-1] - x)) - np.log(r)
 
-    return analysis.fit(off, np.zeros(passages), {"r": 0.89, "x": 5e-4})
+    return identification.fit(off, np.zeros(passages), {"r": 0.89, "x": 5e-4})
 
 
 @thesis_figure(Source.COMPUTED)
@@ -279,7 +280,7 @@ def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
     time, peak = measured_peaks()
     start = {"theta": float(WALL.rotation(peak[0]))}
     run = rk.simulate(FIXED, rk.GroundMotion.none(1.6), impact=law, initial=start)
-    found = analysis.swings(run, "theta", len(peak))
+    found = identification.swings(run, "theta", len(peak))
     off = WALL.height * np.sin(found.peak) - peak, found.peak_time - time
     return Miss(*(float(np.sqrt(np.mean(x**2)) * MM) for x in off))
 

@@ -16,6 +16,7 @@ from matplotlib.axes import Axes
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_4_wall import MM
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
@@ -61,7 +62,7 @@ def shaken() -> analysis.MeasuredRecord:
     return sampled(run, 6.0, table=motion.acceleration(t))
 
 
-def draw_spectrogram(ax: Axes, found: analysis.MovingWindow) -> None:
+def draw_spectrogram(ax: Axes, found: identification.MovingWindow) -> None:
     ax.pcolormesh(found.time, found.frequency, found.amplitude.T, cmap="Greys", rasterized=True)
     ax.plot(found.time, found.dominant, color=style.LINES[1], lw=1.0, label="largest")
     ax.set_xlabel("time, middle of the window [s]")
@@ -79,7 +80,7 @@ def figure_4_50() -> Drawn:
     4: those of every twentieth window, each over its largest. 5: the same from above.
     """
     record = shaken()
-    found = analysis.moving_window(record, "displacement", "table", frequencies=(1.0, 25.0))
+    found = identification.moving_window(record, "displacement", "table", frequencies=(1.0, 25.0))
     which = int(np.searchsorted(found.time, 2.5))
     middle = float(found.time[which])
     inside = record.between(middle - found.span / 2, middle + found.span / 2)
@@ -97,7 +98,7 @@ def figure_4_50() -> Drawn:
     spectra = figure.add_subplot(grid[1, 0])
     width: dict[str, Any] = {"window": len(inside.time) * record.step, "frequencies": (1.0, 25.0)}
     for channel, color in (("displacement", style.LINES[0]), ("table", "0.6")):
-        one = analysis.moving_window(inside, channel, **width)
+        one = identification.moving_window(inside, channel, **width)
         spectra.plot(one.frequency, one.amplitude[0], color=color, label=channel)
     spectra.set_ylabel("2. spectra over their largest [-]")
     spectra.set_xlabel("frequency [Hz]")
@@ -152,7 +153,7 @@ def figure_4_51() -> Drawn:
     a centre that hardly leaves the middle.
     """
     record = free_decay()
-    found = analysis.moving_window(record, "displacement", frequencies=(0.5, 25.0))
+    found = identification.moving_window(record, "displacement", frequencies=(0.5, 25.0))
     figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.8))
     trace.plot(record.time, record["displacement"] * MM, lw=0.8)

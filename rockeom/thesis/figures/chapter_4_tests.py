@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics, formulas, identification
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
@@ -45,7 +46,7 @@ def measured_peak(run: str) -> float:
 
 
 @cache
-def spectrum(run: str) -> analysis.ResponseSpectrum:
+def spectrum(run: str) -> dynamics.ResponseSpectrum:
     """Of the motion that was meant, damped by 5 %."""
     return analysis.response_spectrum(shaken.wall_motion(run), np.geomspace(0.03, 3.0, 120))
 
@@ -166,7 +167,7 @@ def displacement(run: Response, time: np.ndarray) -> np.ndarray:
 
 
 @cache
-def windows(run: str) -> tuple[analysis.MeasuredRecord, analysis.MovingWindow]:
+def windows(run: str) -> tuple[analysis.MeasuredRecord, identification.MovingWindow]:
     """A run of 4-27 as a test would have recorded it, and its transfer functions."""
     found = oscillator_run(run)
     t = np.arange(int(found.t[-1] * RATE)) / RATE
@@ -174,7 +175,7 @@ def windows(run: str) -> tuple[analysis.MeasuredRecord, analysis.MovingWindow]:
     record = analysis.MeasuredRecord(
         t, {"displacement": u, "table": shaken.wall_motion(run).acceleration(t)}
     )
-    return record, analysis.moving_window(
+    return record, identification.moving_window(
         record, "displacement", "table", segments=2, beta=2.0, frequencies=(1.0, 15.0)
     )
 
@@ -500,7 +501,7 @@ def figure_4_75() -> Drawn:
     figure = style.new_figure(6.0, 3.6)
     ax = figure.add_subplot()
     d = np.linspace(0.0, 0.03, 600)
-    edge, gauge = analysis.RotationCentre.thesis_edge(), analysis.RotationCentre.thesis_gauge()
+    edge, gauge = formulas.RotationCentre.thesis_edge(), formulas.RotationCentre.thesis_gauge()
     ax.plot(d * MM, edge.distance_from_edge(d) * MM, label="4-7 from the edge")
     ax.plot(d * MM, gauge.distance_from_edge(d) * MM, "--", color=style.LINES[5],
             label="4-7 as printed")  # fmt: skip
@@ -639,7 +640,7 @@ def figure_4_78() -> Drawn:
     small = 2e-3
     threshold = [float(wall.restoring_force(small)) / 1e3 for wall in (WALL, MORE)]
     d, read = (np.concatenate(x) for x in zip(*points, strict=True))
-    fit = float(analysis.coefficient_of_determination(read, MORE.restoring_force(d)))
+    fit = float(identification.coefficient_of_determination(read, MORE.restoring_force(d)))
     return Drawn(
         figure,
         (

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import dynamics, formulas, identification
 from rockeom.analysis.unfinished import finished
 from rockeom.plots import free_body as fb, style
 from rockeom.structures.impact_laws import ImpactLaw
@@ -25,12 +26,13 @@ from rockeom.thesis.figures.chapter_2_blocks import draw_branch
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.shaken import sylmar_360, wall_motion
+from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
 MM = 1e3
 GAUGE = 0.030
 """From the edge of the wall out to the uplift gauge [m]."""
 
-CORNER = analysis.RotationCentre(C1=WALL.half_width, C2=0.0, epsilon=WALL.rotation_centre.epsilon)
+CORNER = formulas.RotationCentre(C1=WALL.half_width, C2=0.0, epsilon=WALL.rotation_centre.epsilon)
 """The path of 4-37, which ends at the edge."""
 RATIOS = 101
 """How many r Figure 4-71 has."""
@@ -38,7 +40,7 @@ RATIOS = 101
 
 def legible() -> np.ndarray:
     """(45,) whether a row of Table A-1 is one of which no number had to be guessed."""
-    return np.asarray(analysis.FreeVibration.table_a1().reading) != "guessed"
+    return np.asarray(identification.FreeVibration.table_a1().reading) != "guessed"
 
 
 def draw_measured(ax: Axes, column: str, unit: float, label: str = "") -> None:
@@ -46,7 +48,7 @@ def draw_measured(ax: Axes, column: str, unit: float, label: str = "") -> None:
 
     column : as `FreeVibration` names it. Peaks are filled, zero crossings open.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     at_peak, x, y = measured.at_peak, measured.displacement, getattr(measured, column)
     marks: dict[str, Any] = {"color": style.INK, "ls": "", "marker": "o", "zorder": 5, "mew": 0.8}
     for rows, face, ms, name in (
@@ -84,9 +86,9 @@ def figure_4_17() -> Figure:
     its own uplifts of the edges place the centre 30 mm nearer. Referred to the edge, 4-7 has 442
     and 66 mm in place of the printed 412 and 96 mm. All are drawn here as seen from the gauge.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     d = symmetric(0.032)
-    printed, edge = analysis.RotationCentre.thesis_gauge(), analysis.RotationCentre.thesis_edge()
+    printed, edge = formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()
     figure = style.new_figure(6.6, 3.6)
     ax = figure.add_subplot()
     ax.set_prop_cycle(color=style.LINES)
@@ -113,7 +115,7 @@ def figure_4_18() -> Figure:
     The curve of 4-9 is continued to the pressed edge, which it takes down by
     (B - b) sin(theta).
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     figure, *axes = overview_and_origin()
     b = WALL.half_width
     chosen = legible()
@@ -208,17 +210,17 @@ def figure_4_20() -> Drawn:
     to the distance of the anchors instead of taking it off. The curve lies above the peaks. Dotted
     is 4-16 with its initial force and its stiffness fitted to the legible peaks.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     chosen = legible()
     peaks = chosen & measured.at_peak
     x, force = measured.displacement, np.asarray(measured.tendon_force)
-    edge = replace(WALL, rotation_centre=analysis.RotationCentre.thesis_edge())
+    edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
     stiffness = WALL.tendons[0].stiffness
 
     def fitted(d: np.ndarray, start: float, factor: float) -> np.ndarray:
         return start + factor * stiffness * WALL.tendon_extension(d)
 
-    found = analysis.fit(
+    found = identification.fit(
         lambda start, factor: fitted(x[peaks], start, factor), force[peaks],
         {"start": 75e3, "factor": 1.0},
     )  # fmt: skip
@@ -237,7 +239,7 @@ def figure_4_20() -> Drawn:
     axes[1].set_ylim(74, 88)
 
     def r_squared(wall: analysis.Wall, rows: np.ndarray) -> float:
-        return analysis.coefficient_of_determination(force[rows], wall.tendon_force(x[rows]))
+        return identification.coefficient_of_determination(force[rows], wall.tendon_force(x[rows]))
 
     large = peaks & (np.abs(x) > 6e-3)
     above = [(wall.tendon_force(x[large]) - force[large]) / 1e3 for wall in (WALL, edge)]
@@ -281,7 +283,7 @@ def figure_4_24() -> Drawn:
     Not in the thesis: the time of a conservative motion to upright, 4-24. It ends at D = 0, the
     measured one at the instant without acceleration, a millimetre or two before.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     starts = np.flatnonzero(measured.at_peak[:-1])
     starts = starts[legible()[starts] & legible()[starts + 1]]
     peak, time = measured.displacement[starts], np.diff(measured.time)[starts]
@@ -295,7 +297,7 @@ def figure_4_24() -> Drawn:
         d * MM, WALL.quarter_period_substitute_gravity(d), label=r"4-17, $I_o$ = 12 101 kg m$^2$"
     )
     ax.plot(d * MM, heavier.quarter_period_substitute_gravity(d), ":", label=printed)
-    ax.plot(d * MM, analysis.quarter_period_fit(d), "--", label="4-5, fitted")
+    ax.plot(d * MM, quarter_period_fit(d), "--", label="4-5, fitted")
     ax.plot(d * MM, WALL.quarter_period_exact(d), "-.", label="4-24, no losses, to upright")
     for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
         rows = np.sign(peak) == side
@@ -312,7 +314,7 @@ def figure_4_24() -> Drawn:
 
     def r_squared(wall: analysis.Wall, rows: np.ndarray) -> float:
         predicted = wall.quarter_period_substitute_gravity(np.abs(measured.displacement[rows]))
-        return analysis.coefficient_of_determination(np.diff(measured.time)[rows], predicted)
+        return identification.coefficient_of_determination(np.diff(measured.time)[rows], predicted)
 
     found = [r_squared(wall, every) for wall in (heavier, WALL)]
     clear = [r_squared(wall, starts) for wall in (heavier, WALL)]
@@ -336,7 +338,7 @@ def figure_4_32() -> Figure:
     Of the measured trajectories only both ends are printed, in Table A-1. Their distance from
     the curves at the zero crossing is what the wall has lost by then: about half of r.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     figure = style.new_figure(6.4, 4.0)
     ax = figure.add_subplot()
     for color, row in zip(style.LINES, (0, 4, 8, 12, 16, 20), strict=True):
@@ -367,7 +369,7 @@ def figure_4_33() -> Figure:
     each with the zero crossing after it. At the crossing of the first three the wall is 3 to 5 ms
     ahead of the curve, which the 6 % more of F_k in 4.8.1 make up for in part.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     figure = style.new_figure(6.4, 3.6)
     ax = figure.add_subplot()
     for color, start in zip(style.LINES, (0, 8, 16, 24, 32), strict=False):
@@ -397,7 +399,7 @@ def figure_4_35() -> Figure:
     The force of 4-30 is the exact derivative of the energies, where the thesis has differences.
     Measured is -M_e a at the peaks of Table A-1, as 4-42 has it, with the whole mass for M_e.
     """
-    measured = analysis.FreeVibration.table_a1()
+    measured = identification.FreeVibration.table_a1()
     rows = measured.at_peak & legible()
     figure, left, right = overview_and_origin()
     stronger = analysis.Wall.thesis(111e3)
@@ -408,7 +410,7 @@ def figure_4_35() -> Figure:
         ax.plot(d * MM, 1.06 * WALL.restoring_force(d) / 1e3, "--", label="6 % more")
         ax.plot(d * MM, stronger.restoring_force(d) / 1e3, ":", label="4-30, 111 kN")
         near = rows & (np.abs(measured.displacement) < far)
-        force = analysis.back_calculated_force(WALL.mass, measured.acceleration)
+        force = back_calculated_force(WALL.mass, measured.acceleration)
         ax.plot(
             measured.displacement[near] * MM, force[near] / 1e3, "o", color=style.INK, ms=3.6,
             mfc="white", mew=0.9, label="measured, 75.6 kN",
@@ -451,7 +453,7 @@ class History(NamedTuple):
 
 def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
     """The free vibration from the first peak of Table A-1, whose last peak is at 1.91 s."""
-    start = float(analysis.FreeVibration.table_a1().displacement[0])
+    start = float(identification.FreeVibration.table_a1().displacement[0])
     oscillates = isinstance(structure, rk.ControlledWallOscillator)
     initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
     run = rk.simulate(structure, rk.GroundMotion.none(2.0), impact=law, initial=initial)
@@ -470,7 +472,7 @@ def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
 
 def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
     """Displacement, velocity and acceleration of each, and the points of Table A-1."""
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     figure = style.new_figure(7.6, 5.6)
     axes = figure.subplots(3, 1, sharex=True)
     for label, found, line in curves:
@@ -606,7 +608,7 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
 
     Below is by how much the others differ from it, so that none hides another.
     """
-    measured, chosen = analysis.FreeVibration.table_a1(), legible()
+    measured, chosen = identification.FreeVibration.table_a1(), legible()
     figure = style.new_figure(7.6, 4.6)
     ax, below = figure.subplots(2, 1, sharex=True, height_ratios=(2.0, 1.0))
     reference = curves[0][1]
@@ -802,15 +804,15 @@ def settled_speeds(
     return np.array(speeds), {name: run.final[name] for name in ("u", "u_dot")}
 
 
-def stroboscope(frequency: float, amplitude: float) -> analysis.StroboscopicMap:
+def stroboscope(frequency: float, amplitude: float) -> dynamics.StroboscopicMap:
     """The oscillator under Z sin(2 pi f t), by its displacement and velocity once a period."""
     wall = rk.ControlledWallOscillator.from_wall(WALL, 0.852, effective_mass=WALL.mass / STIFFER)
     period = 1 / frequency
     motion = rk.GroundMotion.harmonic(amplitude, period=period, duration=2 * period)
-    return analysis.StroboscopicMap(wall, motion, period, states=("u", "u_dot"))
+    return dynamics.StroboscopicMap(wall, motion, period, states=("u", "u_dot"))
 
 
-def upright_velocities(branch: analysis.OrbitBranch) -> np.ndarray:
+def upright_velocities(branch: dynamics.OrbitBranch) -> np.ndarray:
     """(k, m) velocities when upright of each motion of a branch [m/s], a passage a column.
 
     Each row is turned so that it continues the one before; where their number changes new columns
@@ -838,13 +840,13 @@ DOUBLING = (0.000228, 0.0341)
 """Displacement [m] and velocity [m/s] of the motion at 4.553 Hz and 6.02 m/s2 that will double."""
 
 
-def branches_of(frequency: float, start: ArrayLike) -> list[analysis.OrbitBranch]:
+def branches_of(frequency: float, start: ArrayLike) -> list[dynamics.OrbitBranch]:
     """Motions of one period from 6.02 m/s2 down and up, and those that double there, if any do."""
 
-    def at(amplitude: float) -> analysis.StroboscopicMap:
+    def at(amplitude: float) -> dynamics.StroboscopicMap:
         return stroboscope(frequency, amplitude)
 
-    down, up = (finished(analysis.orbit_branch(at, (6.02, end), start)) for end in (5.6, 6.5))
+    down, up = (finished(dynamics.orbit_branch(at, (6.02, end), start)) for end in (5.6, 6.5))
     flips = [one for one in up.bifurcations if one.kind == "period doubling"]
     return [down, up, *(finished(up.switched(one)) for one in flips[:1])]
 

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import design
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
@@ -199,14 +200,14 @@ def figure_5_44() -> Drawn:
 
 
 @cache
-def beside(scale: float = 1.0, run: str = "3") -> analysis.Isolation:
+def beside(scale: float = 1.0, run: str = "3") -> design.Isolation:
     """A run's record times a factor, rocking and on a fixed base."""
-    return analysis.beside_fixed_base(
+    return analysis.compare_with_fixed_base(
         MODEL_C, shaken.column_motion(run).scaled(scale), impact=rk.EnergyRatio(0.74)
     )
 
 
-def bought(found: analysis.Isolation) -> Statement:
+def bought(found: design.Isolation) -> Statement:
     """What rocking gives and takes under a record."""
     ratios = found.ratios
     name = found.rocking_run.motion.name.split(", 180")[0].split(", 254")[0]

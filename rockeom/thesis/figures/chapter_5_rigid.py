@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom import analysis
+from rockeom.analysis import identification
 from rockeom.plots import free_body as fb, style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
@@ -38,7 +38,7 @@ RUN_3, RUN_4 = (TABLES["5-1"].rows[i][2] for i in (2, 3))  # largest displacemen
 def released(structure: rk.Structure, r: float, duration: float = 4.0) -> Response:
     """Run 1 by a structure on rigid ground: let go at rest from the first peak of Figure 5-6."""
     start = float(TABLES["Figure 5-6"].rows[0][1] or 0.0) / MM
-    theta = float(analysis.rotation_from_displacement(start, *GAUGE))
+    theta = float(identification.rotation_from_displacement(start, *GAUGE))
     return rk.simulate(
         structure,
         rk.GroundMotion.none(duration),

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.tables import COLUMN as COLUMN_VALUES, FIGURE_5_6, FIGURE_5_10, GAUGE
@@ -52,12 +53,12 @@ def mark_points(ax: Axes, run: int, label: str = "printed") -> None:
 
 
 @cache
-def impacts() -> analysis.Impacts:
+def impacts() -> identification.Impacts:
     """Those of run 1: r by 5-4 from the printed peaks, good to the last printed digit."""
     time, displacement = points(1)
-    rotation = analysis.rotation_from_displacement(displacement[::2], **MEASURED_AT)
+    rotation = identification.rotation_from_displacement(displacement[::2], **MEASURED_AT)
     rounding = 0.01e-3 / np.sqrt(12) / MEASURED_AT["height"]
-    return analysis.Impacts.of_peaks(time[::2], rotation, RIGID, deviation=rounding)
+    return identification.Impacts.of_peaks(time[::2], rotation, RIGID, deviation=rounding)
 
 
 # --- run 1: steel feet
@@ -114,7 +115,7 @@ def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
     p = np.sqrt(-RIGID.accelerations({"theta": alpha / 2})["theta"] / np.sin(alpha / 2))
     figure = style.new_figure(6.2, 3.6)
     ax = figure.add_subplot()
-    ax.plot(own / ALPHA, analysis.exact_quarter_period(own, alpha, p), label=label)
+    ax.plot(own / ALPHA, formulas.exact_quarter_period(own, alpha, p), label=label)
     for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
         ax.plot(
             size[first::2] / ALPHA, quarters[first::2], mark, color=style.INK, mfc="white",
@@ -137,7 +138,7 @@ def figure_5_7() -> Drawn:
     delay of the release.
     """
     _, displacement = points(1)
-    rotation = analysis.rotation_from_displacement(displacement, **MEASURED_AT)
+    rotation = identification.rotation_from_displacement(displacement, **MEASURED_AT)
     figure = draw_quarters(1, rotation, "rigid column")
     phi = np.abs(rotation[::2]) / ALPHA
     printed = np.array([row[2] for row in FIGURE_5_6.rows], dtype=float)[::2]
@@ -241,7 +242,7 @@ def figure_5_12() -> Drawn:
     the printed points of Figure 5-10, without the difference by direction that the text saw.
     """
     t, trace = smooth_trace(2)
-    centre = analysis.rotation_centre(trace)
+    centre = identification.rotation_centre(trace)
     figure = style.new_figure(7.2, 3.2)
     ax = figure.add_subplot()
     ax.plot(t, centre * MM, label="5-5 of the curve through the points")
@@ -278,7 +279,7 @@ def figure_5_13() -> Drawn:
     d = np.linspace(-0.03, 0.03, 301)
     figure = style.new_figure(5.6, 3.4)
     ax = figure.add_subplot()
-    ax.plot(d * MM, analysis.rotation_centre(d) * MM, label="5-5")
+    ax.plot(d * MM, identification.rotation_centre(d) * MM, label="5-5")
     for edge in (0, 600):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
     ax.set_xlabel(r"displacement $\Delta$ [mm]")
@@ -287,9 +288,11 @@ def figure_5_13() -> Drawn:
     ax.set_ylim(-20, 620)
     ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9))
     moves = [
-        float(analysis.rotation_from_displacement(0.02858, half_width=0.285, height=1.056)),
+        float(identification.rotation_from_displacement(0.02858, half_width=0.285, height=1.056)),
         float(
-            analysis.rotation_about_moving_centre(0.02858, analysis.rotation_centre(0.02858), 1.056)
+            identification.rotation_about_moving_centre(
+                0.02858, identification.rotation_centre(0.02858), 1.056
+            )
         ),
     ]
     change = 100 * (moves[1] / moves[0] - 1)
@@ -315,8 +318,8 @@ def figure_5_14() -> Drawn:
     delay of the release.
     """
     time, displacement = points(2)
-    rotation = analysis.rotation_about_moving_centre(
-        displacement, analysis.rotation_centre(displacement), MEASURED_AT["height"]
+    rotation = identification.rotation_about_moving_centre(
+        displacement, identification.rotation_centre(displacement), MEASURED_AT["height"]
     )
     figure = draw_quarters(2, rotation, "rigid column on its feet")
     quarters, sizes = np.diff(time)[2::2], np.abs(rotation[2::2][: len(np.diff(time)[2::2])])
@@ -363,7 +366,7 @@ def figure_5_15() -> Drawn:
     rocking alone and of what follows it; dashed are the modes of the model, in full contact and on
     one foot.
     """
-    start = float(analysis.rotation_from_displacement(0.02858, **MEASURED_AT))
+    start = float(identification.rotation_from_displacement(0.02858, **MEASURED_AT))
     run = rk.simulate(
         FLEXIBLE, rk.GroundMotion.none(2.5), initial={"theta": start}, impact=rk.Impulsive()
     )
@@ -380,7 +383,9 @@ def figure_5_15() -> Drawn:
         (record.between(0.0, rest), rest, style.LINES[0], "while it rocks"),
         (record.between(rest, 2.5), 2.5 - rest, style.LINES[1], "in full contact"),
     ):
-        found = analysis.moving_window(part, "x_ddot", window=0.95 * span, frequencies=(0.0, 80.0))
+        found = identification.moving_window(
+            part, "x_ddot", window=0.95 * span, frequencies=(0.0, 80.0)
+        )
         spectrum.plot(found.frequency, found.amplitude[0], color=color, label=label)
     contact, foot = frequencies("both")[0], frequencies("right")[-1]
     for mode in (contact, foot):
@@ -418,7 +423,7 @@ def figure_5_16() -> Drawn:
     """
     _, displacement = points(2)
     peaks = displacement[::2]
-    ratio = analysis.damping_from_decrement(peaks[:-2], peaks[2:])
+    ratio = formulas.damping_from_decrement(peaks[:-2], peaks[2:])
     size = np.abs(peaks[:-2])
     figure = style.new_figure(5.6, 3.4)
     ax = figure.add_subplot()

@@ -1,12 +1,12 @@
 """How fast neighbouring motions part: Lyapunov exponents of motions through impacts.
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import dynamics
 
     block = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
     shaking = rk.GroundMotion.harmonic(1.5, period=0.6, duration=1.2)
-    stroboscope = analysis.StroboscopicMap(block, shaking, period=0.6)
-    spectrum = analysis.lyapunov_spectrum(stroboscope, {"theta": 0.05}, cycles=500)
+    stroboscope = dynamics.StroboscopicMap(block, shaking, period=0.6)
+    spectrum = dynamics.lyapunov_spectrum(stroboscope, {"theta": 0.05}, cycles=500)
     spectrum.exponents, spectrum.standard_errors
 
 A small difference between two motions under the same shaking is carried from one period to the next
@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import require
-from rockeom.analysis.orbits import StroboscopicMap
+from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
 from rockeom.numbers.checks import whole_number
 from rockeom.numbers.dual import Dual

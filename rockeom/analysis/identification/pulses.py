@@ -1,10 +1,10 @@
 """The pulse in a near-fault record: that of a model which comes closest to the ground's velocity.
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import identification
 
     record = rk.GroundMotion.from_library("near field pulse El Centro Array #6 230")
-    fit = analysis.fit_pulse(record)
+    fit = identification.fit_pulse(record)
     fit.period, fit.velocity, fit.misfit  # s, m/s, -
     rk.simulate(block, fit.motion)
 

@@ -2,7 +2,7 @@
 
     from rockeom import analysis
 
-    beside = analysis.beside_fixed_base(column, motion, impact=rk.EnergyRatio(0.74))
+    beside = analysis.compare_with_fixed_base(column, motion, impact=rk.EnergyRatio(0.74))
     beside.rocking.base_shear / beside.fixed.base_shear
 
 Source: thesis section 5.3.3.1, Figure 5-45.
@@ -67,7 +67,7 @@ class Isolation:
         }
 
 
-def beside_fixed_base(
+def compare_with_fixed_base(
     structure: Structure,
     motion: GroundMotion,
     *,
@@ -84,7 +84,7 @@ def beside_fixed_base(
 
     Over the scale of a record:
 
-    >>> found = [beside_fixed_base(column, record.scaled(a)) for a in (1, 2, 4)]
+    >>> found = [compare_with_fixed_base(column, record.scaled(a)) for a in (1, 2, 4)]
     >>> [one.ratios["base_shear"] for one in found]
     """
     from rockeom.simulation.simulate import simulate

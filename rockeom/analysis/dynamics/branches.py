@@ -2,9 +2,9 @@
 
     def at(beta):
         motion = rk.GroundMotion.harmonic(beta, period=0.6, duration=1.2)
-        return analysis.StroboscopicMap(block, motion, period=0.6, mirrored=True)
+        return analysis.dynamics.StroboscopicMap(block, motion, period=0.6, mirrored=True)
 
-    branch = analysis.orbit_branch(at, between=(1.0, 2.0), guess=settled)
+    branch = analysis.dynamics.orbit_branch(at, between=(1.0, 2.0), guess=settled)
     branch.values, branch.stable
     for found in branch.bifurcations:
         print(found.kind, found.value)
@@ -39,7 +39,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
-from rockeom.analysis.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
+from rockeom.analysis.dynamics.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
 from rockeom.analysis.unfinished import finished
 from rockeom.numbers.dual import Dual
 

@@ -8,9 +8,9 @@
 
     random = {"half_width": stats.norm(0.1, 0.003), "r": stats.uniform(0.8, 0.1),
               "pga": stats.lognorm(0.4, scale=2.0)}
-    found = analysis.reliability_of(case, random)  # of overturning
+    found = analysis.risk.reliability_of(case, random)  # of overturning
     found.index, found.probability, found.design_point, found.importance
-    analysis.monte_carlo(case, random, 10_000).interval()
+    analysis.risk.monte_carlo(case, random, 10_000).interval()
 
 The first order asks for the values nearest to the medians, in standard deviations, with which the
 structure fails, and takes the boundary there for a plane. Derivatives are those of `rk.tangents`.

@@ -1,8 +1,8 @@
 """Housner's criteria of overturning: a constant push, half a sine, an earthquake (thesis 2.2).
 
-    from rockeom import analysis
+    from rockeom.analysis import formulas
 
-    analysis.overturning_half_sine(duration=0.5, alpha=0.2, p=2.14)  # m/s2
+    formulas.overturning_half_sine(duration=0.5, alpha=0.2, p=2.14)  # m/s2
 
 All are of the slender block, theta'' = p**2 (theta -+ alpha) + p**2 a_g/g. As long as it stays on
 one foot, q = theta - alpha + theta'/p obeys q' = p (q + a_g/g): the block overturns without an

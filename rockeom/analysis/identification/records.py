@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, numbers, positive, require
-from rockeom.analysis.free_vibration import FreeVibration, resolved_floor
-from rockeom.analysis.noise import Noise, noise_level
+from rockeom.analysis.identification.free_vibration import FreeVibration, resolved_floor
+from rockeom.analysis.identification.noise import Noise, noise_level
 from rockeom.motion.readers import FilePath, read_channels
 from rockeom.motion.units import STANDARD_GRAVITY
 

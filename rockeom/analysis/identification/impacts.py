@@ -1,9 +1,9 @@
 """What each impact of a free rocking test leaves, from the peaks before and after it.
 
-    from rockeom import analysis
+    from rockeom.analysis import identification
 
     block = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
-    found = analysis.Impacts.of_record(record, block, threshold=6.0)    # J
+    found = identification.Impacts.of_record(record, block, threshold=6.0)    # J
     found.energy_ratio, found.half_width, found.foot, found.speed
     found.at_foot("left").mean()
 
@@ -21,11 +21,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import not_negative, numbers, require
-from rockeom.analysis.energies import Energies, energies_of_states, held_states
-from rockeom.analysis.free_vibration import coefficient_of_determination
-from rockeom.analysis.noise import COVERED, Noise
-from rockeom.analysis.records import MeasuredRecord
-from rockeom.analysis.restitution import spring_energy
+from rockeom.analysis.formulas.restitution import spring_energy
+from rockeom.analysis.identification.energies import (
+    Energies,
+    energies_of_states,
+    equilibrium_states,
+)
+from rockeom.analysis.identification.free_vibration import coefficient_of_determination
+from rockeom.analysis.identification.noise import COVERED, Noise
+from rockeom.analysis.identification.records import MeasuredRecord
 from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
@@ -263,7 +267,9 @@ class Impacts:
             return energies_of_states(structure, y).total + spring
 
         h = 1e-4 * np.abs(x)
-        below, y, above = (held_states(structure, x + step, quantity) for step in (-h, 0.0, h))
+        below, y, above = (
+            equilibrium_states(structure, x + step, quantity) for step in (-h, 0.0, h)
+        )
         u, slope = energy(y), (energy(above) - energy(below)) / (2 * h)
         unit = "radians" if quantity is None else "SI units"
         rule = f"a free structure turns back before its balance; give {unit}"

@@ -1,9 +1,9 @@
 """Boundaries of overturning by derivatives of the motion: points to many digits, and their course.
 
-    point = analysis.overturning_point(pulse, {"frequency": 4, "amplitude": 1.5},
+    point = analysis.dynamics.overturning_point(pulse, {"frequency": 4, "amplitude": 1.5},
                                        {"frequency": 4, "amplitude": 2.0})
     point.at  # {"frequency": 4.0, "amplitude": 1.788563...}
-    line = analysis.followed_boundary(
+    line = analysis.dynamics.followed_boundary(
         pulse, point, within={"frequency": (0.5, 8.0), "amplitude": (0.5, 8.0)}
     )
 

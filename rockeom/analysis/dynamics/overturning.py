@@ -3,8 +3,9 @@
     import numpy as np
     import rockeom as rk
     from rockeom import analysis
+    from rockeom.analysis import dynamics
 
-    pulse = analysis.dimensionless_pulses(rk.RigidBlock(half_width=1.0, half_height=8.0))
+    pulse = dynamics.dimensionless_pulses(rk.RigidBlock(half_width=1.0, half_height=8.0))
     grid = {"frequency": np.linspace(0.5, 8, 76), "amplitude": np.linspace(0.5, 8, 76)}
     sweep = rk.simulate_many(pulse, grid, arrays=True)
     borders = analysis.overturning_boundaries(pulse, sweep, arrays=True)
@@ -338,7 +339,7 @@ def _halvings(brackets: _Brackets, accuracy: float) -> int:
 def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
     """The least `y` at which a structure overturns, at each `x`: the spectrum of overturning.
 
-        analysis.minimum_overturning(borders, x="frequency", y="amplitude")
+        dynamics.minimum_overturning(borders, x="frequency", y="amplitude")
 
     boundaries : of `overturning_boundaries`, found along y. x, y : names of its coordinates.
 

@@ -1,11 +1,11 @@
 """A free vibration, measured or computed: peaks, quarter periods, losses, rotation centre.
 
-from rockeom import analysis
+from rockeom.analysis import identification
 
-measured = analysis.FreeVibration.table_a1()
+measured = identification.FreeVibration.table_a1()
 measured.restitution(rk.ControlledWall.thesis())  # of each passage, by the energies of a structure
 
-record = analysis.FreeVibration.from_samples(t, displacement, acceleration=a)
+record = identification.FreeVibration.from_samples(t, displacement, acceleration=a)
 record.quarter_periods()
 """
 
@@ -21,10 +21,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive, require
-from rockeom.analysis.controlled_wall import Wall
-from rockeom.analysis.damping import damping_from_decrement
-from rockeom.analysis.energies import Energies, energies_of_states, held_states
-from rockeom.analysis.noise import noise_level
+from rockeom.analysis.formulas.controlled_wall import Wall
+from rockeom.analysis.formulas.damping import damping_from_decrement
+from rockeom.analysis.identification.energies import (
+    Energies,
+    energies_of_states,
+    equilibrium_states,
+)
+from rockeom.analysis.identification.noise import noise_level
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
@@ -283,9 +287,9 @@ def _energies_of(
     structure: Structure, quantity: str, value: np.ndarray, rate: np.ndarray
 ) -> Energies:
     """Of a structure that passes through values of a quantity as a load would hold it there."""
-    y = held_states(structure, value, quantity)
+    y = equilibrium_states(structure, value, quantity)
     step = 1e-6 * np.abs(value).max()
-    above, below = (held_states(structure, value + h, quantity) for h in (step, -step))
+    above, below = (equilibrium_states(structure, value + h, quantity) for h in (step, -step))
     half = structure.module.N_STATES // 2
     moving = y.copy()
     moving[:, half:] = rate[:, None] * (above - below)[:, :half] / (2 * step)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive, require, side_of, slenderness
-from rockeom.analysis.restitution import gravitational_energy
+from rockeom.analysis.formulas.restitution import gravitational_energy
 from rockeom.motion.units import STANDARD_GRAVITY
 
 RECTANGLE = 0.75

@@ -2,15 +2,15 @@
 
     import numpy as np
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import dynamics
 
     block = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
     shaking = rk.GroundMotion.harmonic(1.5, period=0.6, duration=300.0)
-    stroboscope = analysis.StroboscopicMap(block, shaking, period=0.6, impact=rk.VelocityRatio(0.9))
+    stroboscope = dynamics.StroboscopicMap(block, shaking, period=0.6, impact=rk.VelocityRatio(0.9))
     starts = {"theta": np.linspace(-0.1, 0.1, 40), "theta_dot": np.linspace(-0.3, 0.3, 40)}
-    found = analysis.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
-    basins = analysis.basins(found)
-    analysis.basin_stability(basins)
+    found = dynamics.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
+    basins = dynamics.basins(found)
+    dynamics.basin_stability(basins)
 
 A motion is looked at once a period of the ground, and at its impacts: each look is a point of a
 section of its states (Poincare's). What it settles on depends on where it starts; the starts that
@@ -31,7 +31,7 @@ import numpy as np
 import xarray as xr
 
 from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
-from rockeom.analysis.orbits import StroboscopicMap
+from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS
 from rockeom.analysis.unfinished import check_finished
 from rockeom.numbers.checks import told, whole_number
@@ -60,9 +60,9 @@ def poincare_sections(
 
         def shaken(beta):
             ground = rk.GroundMotion.harmonic(beta * unit, period=3.0, duration=600.0)
-            return analysis.StroboscopicMap(block, ground, 3.0, impact=rk.VelocityRatio(0.5))
+            return dynamics.StroboscopicMap(block, ground, 3.0, impact=rk.VelocityRatio(0.5))
 
-        analysis.poincare_sections(
+        dynamics.poincare_sections(
             shaken,
             over={"beta": np.linspace(3.0, 3.26, 200)},
             starts=[{"x": 0.1}, {"x": -0.1}],
@@ -134,13 +134,13 @@ NOT_PERIODIC, FALLEN, UNKNOWN = 0, -1, -2
 def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
     """Which starts end on the same periodic orbit, from sections of one map.
 
-        found = analysis.poincare_sections(
+        found = dynamics.poincare_sections(
             stroboscope,
             starts={"theta": np.linspace(-0.2, 0.2, 200), "theta_dot": np.linspace(-1, 1, 200)},
             settling=200,
             cycles=16,
         )
-        analysis.basins(found)
+        dynamics.basins(found)
 
     sections : of `poincare_sections`, over starts alone. tolerance : of a look at a motion, in
         parts of the largest size that each state has in any of them. A motion is periodic if all
@@ -187,8 +187,8 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
 
         rng = np.random.default_rng(1)
         starts = [{"theta": a, "theta_dot": b} for a, b in rng.uniform(-0.1, 0.1, (2000, 2))]
-        found = analysis.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
-        analysis.basin_stability(analysis.basins(found))
+        found = dynamics.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
+        dynamics.basin_stability(dynamics.basins(found))
 
     basins : of `basins`. Those without an answer are not counted. level : probability of the
         bounds, which are Wilson's, of starts that were drawn at random; those of a grid are no
@@ -348,7 +348,7 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     maps = np.empty(len(found), dtype=object)
     for i, one in enumerate(found):
         if not isinstance(one, StroboscopicMap):
-            raise TypeError(f"stroboscope is {told(one)}: give an analysis.StroboscopicMap")
+            raise TypeError(f"stroboscope is {told(one)}: give an dynamics.StroboscopicMap")
         if one.structure.module is not found[0].structure.module:
             raise ValueError(
                 f"poincare_sections: {one.structure.model} comes after "

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
-from rockeom.analysis.records import MeasuredRecord
+from rockeom.analysis.identification.records import MeasuredRecord
 
 
 class PointsOfInterest(NamedTuple):

@@ -2,6 +2,7 @@
 
     import rockeom as rk
     from rockeom import analysis
+    from rockeom.analysis import identification
 
     def released(r):
         start = {"theta": 0.0265}
@@ -24,9 +25,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive, require
-from rockeom.analysis.controlled_wall import RotationCentre
-from rockeom.analysis.free_vibration import coefficient_of_determination
-from rockeom.analysis.measured import rotation_centre
+from rockeom.analysis.formulas.controlled_wall import RotationCentre
+from rockeom.analysis.identification.free_vibration import coefficient_of_determination
+from rockeom.analysis.identification.measured import rotation_centre
 
 if TYPE_CHECKING:
     from rockeom.simulation.case import Case
@@ -145,7 +146,7 @@ def fit(
 ) -> Fit:
     """Least squares: the parameters with which a function comes closest to a measurement.
 
-        analysis.fit(lambda k, c: k * x + c, measured=y, start={"k": 1.0, "c": 0.0})
+        identification.fit(lambda k, c: k * x + c, measured=y, start={"k": 1.0, "c": 0.0})
 
     model : a function of the parameters, by name, that returns one value for each that was
         measured; smooth, at least about the best parameters. measured (n,).

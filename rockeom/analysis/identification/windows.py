@@ -1,9 +1,9 @@
 """Spectra of a window that moves along a record; thesis section 4.9.1, Figure 4-50.
 
-from rockeom import analysis
+from rockeom.analysis import identification
 
-found = analysis.moving_window(record, "displacement")                  # a free decay
-found = analysis.moving_window(record, "displacement", excitation="table")
+found = identification.moving_window(record, "displacement")                  # a free decay
+found = identification.moving_window(record, "displacement", excitation="table")
 found.time, found.frequency, found.amplitude, found.dominant
 """
 
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rockeom.analysis.arguments import not_negative, positive, require
-from rockeom.analysis.records import MeasuredRecord
+from rockeom.analysis.identification.records import MeasuredRecord
 
 
 @dataclass(frozen=True, eq=False)

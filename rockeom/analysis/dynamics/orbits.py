@@ -1,11 +1,11 @@
 """Periodic motions under shaking that repeats itself: where they are, and whether they last.
 
     import rockeom as rk
-    from rockeom import analysis
+    from rockeom.analysis import dynamics
 
     block = rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2)
     shaking = rk.GroundMotion.harmonic(1.5, period=0.6, duration=1.2)
-    stroboscope = analysis.StroboscopicMap(block, shaking, period=0.6)
+    stroboscope = dynamics.StroboscopicMap(block, shaking, period=0.6)
     settled = stroboscope.points({"theta": 0.05}, cycles=100)[-1]
     orbit = stroboscope.orbit(settled)
     orbit.multipliers, orbit.stable

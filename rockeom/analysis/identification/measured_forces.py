@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.analysis.arguments import not_negative, positive
-from rockeom.analysis.noise import COVERED
-from rockeom.analysis.records import MeasuredRecord
-from rockeom.analysis.support_forces import block_reactions, block_reactions_at_impact
+from rockeom.analysis.formulas.support_forces import block_reactions, block_reactions_at_impact
+from rockeom.analysis.identification.noise import COVERED
+from rockeom.analysis.identification.records import MeasuredRecord
 from rockeom.motion.units import STANDARD_GRAVITY
 
 

@@ -1,9 +1,9 @@
 """Energies of any structure, by its own: those of the functions that a simulation integrates.
 
-    from rockeom import analysis
+    from rockeom.analysis.identification import static_energy
 
-    analysis.static_energy(column, [0.01, 0.02])  # J, held at these rotations, above that upright
-    analysis.static_energy(column, [0.012, 0.023], quantity="displacement")  # held at these metres
+    static_energy(column, [0.01, 0.02])  # J, at these rotations, above that upright
+    static_energy(column, [0.012, 0.023], quantity="displacement")  # at these metres
 
 A structure in a free test is taken to pass through the states in which a force at its load point
 would hold it: a rigid one has no others, and a column that bends has little energy besides.
@@ -51,7 +51,7 @@ def static_energy(
     Raises ValueError where there is no equilibrium or no such quantity.
     """
     (given,) = numbers("static_energy", rotation=rotation)
-    y = held_states(structure, given.ravel(), quantity)
+    y = equilibrium_states(structure, given.ravel(), quantity)
     return energies_of_states(structure, y).total.reshape(given.shape)
 
 
@@ -72,14 +72,16 @@ def energies_of_states(
     return Energies(gravity, elastic, kinetic)
 
 
-def held_states(structure: Structure, given: ArrayLike, quantity: str | None = None) -> np.ndarray:
+def equilibrium_states(
+    structure: Structure, given: ArrayLike, quantity: str | None = None
+) -> np.ndarray:
     """(n, N) states in which a force at the load point holds a structure.
 
     given (n,) : rotations of the structure, or values of the quantity named, as in
     `static_energy`. A value smaller than that at which the structure lifts is one of full contact:
     what bends then does so in proportion.
     """
-    (wanted,) = numbers("held_states", given=given)
+    (wanted,) = numbers("equilibrium_states", given=given)
     m = structure.module
     if quantity in (None, m.STATES[m.ROTATION]):
         return np.array([_equilibrium(structure, x) for x in wanted]).reshape(-1, m.N_STATES)

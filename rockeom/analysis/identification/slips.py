@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive, require
-from rockeom.analysis.controlled_wall import Wall
-from rockeom.analysis.noise import COVERED, noise_level
+from rockeom.analysis.formulas.controlled_wall import Wall
+from rockeom.analysis.identification.noise import COVERED, noise_level
 
 
 class Slips(NamedTuple):
