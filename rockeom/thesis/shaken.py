@@ -20,7 +20,7 @@ from rockeom import analysis
 from rockeom.simulation.response import Response
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis.free_vibration_table import STIFFER
-from rockeom.thesis.tables import COLUMN, TABLE_4_1
+from rockeom.thesis.printed import COLUMN, TABLE_4_1
 
 G = 9.81
 COLUMN_RECORDS = {

@@ -14,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.thesis.free_vibration_table import free_vibration_peaks, measured_peaks
-from rockeom.thesis.tables import TABLES, Cell, PrintedTable, computed
+from rockeom.thesis.printed import Cell
+from rockeom.thesis.tables import TABLES, PrintedTable, computed
 
 
 class TextTable(NamedTuple):

@@ -15,7 +15,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,9 +23,12 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement
+from rockeom.thesis import shaken
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement, chapter_2_blocks as blocks
+from rockeom.thesis.figures.chapter_4_wall import settled_speeds
 from rockeom.thesis.free_vibration_table import WALL
-from rockeom.thesis.tables import (
+from rockeom.thesis.printed import (
     BLOCK,
     COLUMN,
     FIGURE_5_6,
@@ -35,11 +38,8 @@ from rockeom.thesis.tables import (
     TABLE_4_1,
     TABLE_4_2,
     TABLE_4_4,
-    computed,
 )
-
-if TYPE_CHECKING:
-    from rockeom.thesis.equation import Equation
+from rockeom.thesis.tables import computed
 
 __all__ = ["of_figures", "others", "slips"]
 
@@ -104,10 +104,7 @@ def slip(where: str, printed: str) -> Any:
 
 
 def _meaning(number: str) -> str:
-    from rockeom.thesis.catalogue import EQUATIONS  # takes SymPy
-
-    one: Equation = EQUATIONS[number]
-    return f"{number} is the {one.meaning}"
+    return f"{number} is the {EQUATIONS[number].meaning}"
 
 
 def _numbers(table: Any, column: int, runs: tuple[str, ...]) -> np.ndarray:
@@ -157,8 +154,6 @@ def _() -> Finding:
 
 @sentence("4.9.1", "test 1 displaced the wall more than test 2, of twice its acceleration")
 def _() -> Finding:
-    from rockeom.thesis import shaken
-
     law = rk.EnergyRatioAtSpeed.equation_4_31()
     one, two = (
         1e3 * abs(shaken.peaks_of(shaken.oscillator_run(run, law)).displacement) for run in "12"
@@ -233,8 +228,6 @@ def _() -> Finding:
 
 @slip("2.5.1", "bands from beta = 3.34 on, in a figure that ends at 3.26")
 def _() -> Finding:
-    from rockeom.thesis.figures import chapter_2_blocks as blocks
-
     counts = {
         b: blocks.distinct(np.abs(blocks.upright_speeds(blocks.driven(b)))) for b in (3.22, 3.25)
     }
@@ -244,8 +237,6 @@ def _() -> Finding:
 
 @slip("Figure 2-12", "r = 0.5, the ratio of energies in the thesis's notation")
 def _() -> Finding:
-    from rockeom.thesis.figures import chapter_2_blocks as blocks
-
     counts = [
         blocks.distinct(np.abs(blocks.upright_speeds(blocks.driven(b)))) for b in (3.0, 3.18, 3.22)
     ]
@@ -273,8 +264,6 @@ def _() -> Finding:
 
 @slip("2.5.1, Figure 2-14", "blocks of four slendernesses, their size not given")
 def _() -> Finding:
-    from rockeom.thesis.figures import chapter_2_blocks as blocks
-
     fell = [
         blocks.pulsed(x, 0.3, 2.0, None).outcome == "overturned" for x in (3.8, 3.82, 4.26, 4.28)
     ]
@@ -419,8 +408,6 @@ def _() -> Finding:
 
 @slip("1.4, 5.3.3", "an impact of the flexible column leaves the rate of bending as it was")
 def _() -> Finding:
-    from rockeom.thesis import shaken
-
     run = rk.simulate(
         shaken.model_c(), rk.GroundMotion.none(1.0), impact=rk.Impulsive(), initial={"theta": 0.03}
     )
@@ -481,8 +468,6 @@ def _() -> Finding:
 
 @slip("Figure 4-73", "the period doubles at Z = 6.03 m/s2 under Z sin(16 pi t)")
 def _() -> Finding:
-    from rockeom.thesis.figures.chapter_4_wall import settled_speeds
-
     counts = [
         len(np.unique(np.round(settled_speeds(8.0, z, {"u": 0.0})[0], 4))) for z in (5.9, 6.1)
     ]

@@ -9,7 +9,7 @@ from scipy import stats
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
-from rockeom.thesis.tables import COLUMN, FIGURE_5_6, GAUGE
+from rockeom.thesis.printed import COLUMN, FIGURE_5_6, GAUGE
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 STILL = rk.GroundMotion.none(3.0)

@@ -136,7 +136,7 @@ def test_what_sections_do_not_hold_is_told():
         bifurcation_diagram(found.drop_vars("impact_state"), x="beta", y="theta", at="after")
     with pytest.raises(ValueError, match="no coordinate 'gamma'; it has"):
         bifurcation_diagram(found, x="gamma", y="theta")
-    with pytest.raises(ValueError, match=r"no fates: give dynamics.basins\(sections\)"):
+    with pytest.raises(ValueError, match=r"no fates: give analysis.dynamics.basins\(sections\)"):
         basins_of_attraction(found, x="theta", y="theta_dot")
 
 

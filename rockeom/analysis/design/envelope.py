@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,10 +25,10 @@ from rockeom.analysis.arguments import positive, require
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
-
-if TYPE_CHECKING:
-    from rockeom.simulation.case import Case
-    from rockeom.structures.classes import Structure
+from rockeom.simulation.case import Case
+from rockeom.structures.classes import Structure
+from rockeom.structures.impact_laws import EnergyRatio
+from rockeom.sweeps.run import simulate_many
 
 
 @dataclass(frozen=True)
@@ -78,11 +77,6 @@ def restitution_envelope(
     Raises ValueError for a ratio outside (0, 1], an unknown state and a motion without an answer,
     such as one that stalled.
     """
-    from rockeom.simulation.case import Case
-    from rockeom.structures.classes import Structure
-    from rockeom.structures.impact_laws import EnergyRatio
-    from rockeom.sweeps.run import simulate_many
-
     where = "restitution_envelope"
     (r,) = positive(where, ratios=np.atleast_1d(ratios))
     require(r <= 1, where, "ratios", r, "more than 1 would add energy")

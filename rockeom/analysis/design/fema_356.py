@@ -25,7 +25,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -37,10 +36,10 @@ from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
-
-if TYPE_CHECKING:
-    from rockeom.structures.classes import RigidBlock
-    from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.simulation.case import Case
+from rockeom.structures.classes import RigidBlock
+from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.sweeps.run import simulate_many
 
 NO_ROCKING = "no rocking"
 CONVERGED = "converged"
@@ -293,9 +292,6 @@ def fema_356_against_integration(
         the block has to fall or to come to rest after the shaking [s].
     choices : of `fema_356_rocking`, but for the damping, which is 2-15 and 2-16 in turn.
     """
-    from rockeom.simulation.case import Case
-    from rockeom.sweeps.run import simulate_many
-
     shaken = [motion.padded_by(quiet) for motion in motions]
 
     def case(motion: int) -> Case:

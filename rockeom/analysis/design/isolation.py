@@ -12,17 +12,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import told
+from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.quantities import EnergyBalance
-
-if TYPE_CHECKING:
-    from rockeom.motion import GroundMotion
-    from rockeom.simulation.options import SolverOptions
-    from rockeom.simulation.response import Response
-    from rockeom.structures.classes import Structure
-    from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulate
+from rockeom.structures.classes import Structure
+from rockeom.structures.impact_laws import ImpactLaw
 
 
 class Demands(NamedTuple):
@@ -87,9 +86,6 @@ def compare_with_fixed_base(
     >>> found = [compare_with_fixed_base(column, record.scaled(a)) for a in (1, 2, 4)]
     >>> [one.ratios["base_shear"] for one in found]
     """
-    from rockeom.simulation.simulate import simulate
-    from rockeom.structures.classes import Structure
-
     if not isinstance(structure, Structure):
         raise TypeError(f"structure is {told(structure)}: give one such as FlexibleStructure(...)")
     held = structure.fixed_base()

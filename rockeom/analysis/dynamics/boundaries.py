@@ -19,18 +19,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 
 from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.sweeps import FALLS, RESTS, STANDS
-
-if TYPE_CHECKING:
-    from rockeom.simulation.case import Case
-    from rockeom.simulation.options import SolverOptions
-    from rockeom.sweeps.tangents import Tangents
+from rockeom.numbers.dual import duals
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.sweeps.tangents import Tangents, tangents
 
 _LONGER = 5
 """So many times a motion is made twice as long, to see how it ends."""
@@ -171,9 +169,6 @@ class _Run:
         values: np.ndarray,
         options: SolverOptions | None,
     ) -> _Run:
-        from rockeom.numbers.dual import duals
-        from rockeom.sweeps.tangents import tangents
-
         made = case(**duals(**dict(zip(names, values.tolist(), strict=True))))
         return cls(made, options, tangents(made, options))
 
@@ -206,8 +201,6 @@ class _Run:
 
     def longer(self) -> Iterator[Tangents]:
         """The motion as it is, and ever longer while it moves; it is kept as it was made last."""
-        from rockeom.sweeps.tangents import tangents
-
         for _ in range(_LONGER):
             yield self.found
             if self.found.response.outcome == RESTS:

@@ -32,21 +32,22 @@ import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import numbers, positive
 from rockeom.codes import SWITCH
+from rockeom.motion import GroundMotion
 from rockeom.numbers.dual import Dual, directions, value_of
-
-if TYPE_CHECKING:
-    from rockeom.motion import GroundMotion
-    from rockeom.simulation.options import SolverOptions
-    from rockeom.simulation.response import Response
-    from rockeom.structures.classes import Structure
-    from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulate
+from rockeom.structures.classes import Structure
+from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.sweeps.tangents import tangents
 
 _SINGULAR = 1e-8
 """Of a direction, in parts of the states: no step of Newton's method is made along it."""
@@ -286,8 +287,6 @@ class StroboscopicMap:
         if not self.states:
             object.__setattr__(self, "states", known)
         if self.options is None:
-            from rockeom.simulation.options import SolverOptions
-
             object.__setattr__(self, "options", SolverOptions(rtol=1e-12, atol=1e-14))
 
     def _check_period(self) -> None:
@@ -451,8 +450,6 @@ class StroboscopicMap:
         return dict(zip(self.states, x, strict=True))
 
     def _simulated(self, x: np.ndarray, duration: float) -> Response:
-        from rockeom.simulation.simulate import simulate
-
         run = simulate(
             self.structure,
             self.motion,
@@ -471,9 +468,6 @@ class StroboscopicMap:
 
     def _tangents(self, x: np.ndarray, m: int) -> Any:
         """The cycle from a state, with derivatives in m directions, those of the state first."""
-        from rockeom.simulation.case import Case
-        from rockeom.sweeps.tangents import tangents
-
         initial = self._named([Dual(v, e) for v, e in zip(x, np.eye(len(x), m), strict=True)])
         case = Case(self.structure, self.motion, self.impact, initial, self.cycle)
         found = tangents(case, self.options)

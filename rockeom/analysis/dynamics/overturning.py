@@ -23,7 +23,7 @@ import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -33,12 +33,12 @@ from rockeom.analysis.arguments import positive, slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
 from rockeom.analysis.unfinished import check_finished, finished
 from rockeom.motion import GroundMotion
-
-if TYPE_CHECKING:
-    from rockeom.simulation.case import Case
-    from rockeom.simulation.options import SolverOptions
-    from rockeom.structures.classes import Structure
-    from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.structures.classes import RigidBlock, Structure
+from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.sweeps.run import simulate_many
+from rockeom.sweeps.workers import Progress
 
 MOST = 3
 """So many impacts before overturning and more are one fate, if nothing else is asked for."""
@@ -88,8 +88,6 @@ def dimensionless_pulses(
         acceleration = structure.uplift_acceleration
     rate = _unit(where, structure, "p", p)
     least = _unit(where, structure, "acceleration", acceleration)
-
-    from rockeom.simulation.case import Case
 
     def case(frequency: float, amplitude: float) -> Case:
         """A pulse of `frequency` [p] and `amplitude` [acceleration]."""
@@ -167,8 +165,6 @@ class _Fates:
 
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
-        from rockeom.sweeps.run import simulate_many
-
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
         found = finished(simulate_many(self.case, table, progress=False, **self.how))
         return impacts_before_overturning(found, self.most).values
@@ -306,8 +302,6 @@ def _halved(
     brackets: _Brackets, accuracy: float, fates: _Fates, progress: bool | None
 ) -> xr.Dataset:
     """All intervals as narrow as asked for, or as far as an interrupt let them come."""
-    from rockeom.sweeps.workers import Progress
-
     ended: list[_Brackets] = []
     interrupted = 0
     shown = sys.stderr.isatty() if progress is None else progress
@@ -402,9 +396,6 @@ def rocking_spectrum(
     """
     where = "rocking_spectrum"
     lengths, angles = positive(where, periods=np.ravel(periods))[0], slenderness(where, alpha)
-    from rockeom.simulation.case import Case
-    from rockeom.structures.classes import RigidBlock
-    from rockeom.sweeps.run import simulate_many
 
     def case(motion: GroundMotion, period: float, alpha: float) -> Case:
         block = RigidBlock.from_frequency(p=2.0 * math.pi / period, alpha=alpha)

@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,12 +28,14 @@ from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.formulas.controlled_wall import RotationCentre
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.measured import rotation_centre
-
-if TYPE_CHECKING:
-    from rockeom.simulation.case import Case
-    from rockeom.simulation.options import SolverOptions
-    from rockeom.simulation.response import Response
-    from rockeom.sweeps.tangents import Tangents
+from rockeom.numbers.dual import duals, tangent_of, with_tangent
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulate
+from rockeom.structures.evaluation import filled
+from rockeom.sweeps.sensitivity import quantity_of
+from rockeom.sweeps.tangents import Tangents, tangents
 
 CONFIDENCE = 0.95
 STEP = 1e-4
@@ -370,8 +372,6 @@ def _swings_moved(
     That of the time of a peak is -x_tp/x_tt, of the exact x_t and x_p a little before and behind
     it. Raises ValueError where there are none.
     """
-    from rockeom.sweeps.tangents import tangents
-
     carried = tangents(case, options)
     if carried.grazing:
         raise ValueError(f"the swings have no derivatives: {carried.grazing}")
@@ -401,10 +401,6 @@ def _swings_moved(
 
 def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
     """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
-    from rockeom.numbers.dual import tangent_of, with_tangent
-    from rockeom.structures.evaluation import filled
-    from rockeom.sweeps.sensitivity import quantity_of
-
     run, m = carried.response, len(carried.end_time)
     module, p = run.structure.module, run.structure.vector
     still = np.zeros((len(p), 1))  # by time
@@ -493,8 +489,6 @@ def fit_free_vibration(
         return of_each([found.peak, found.peak_time + shift, found.crossing_time + shift])
 
     def derivatives(**parameters: float) -> np.ndarray:
-        from rockeom.numbers.dual import duals
-
         seeds = duals(**parameters)
         along = np.zeros(len(seeds))
         if release_time is not None:
@@ -523,8 +517,6 @@ def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -
 
 
 def _run(case: Case, options: SolverOptions | None) -> Response:
-    from rockeom.simulation.simulate import simulate
-
     return simulate(
         case.structure, case.motion, impact=case.impact, initial=case.initial,
         duration=case.duration, vertical=case.vertical, phase=case.phase, options=options,

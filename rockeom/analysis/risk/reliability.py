@@ -23,7 +23,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from scipy.special import ndtr
@@ -32,12 +32,14 @@ from rockeom.analysis.arguments import require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import finished
 from rockeom.numbers.dual import Dual
-
-if TYPE_CHECKING:
-    from rockeom.simulation.case import Case
-    from rockeom.simulation.options import SolverOptions
-    from rockeom.simulation.response import Response
-    from rockeom.sweeps.dataset import Sweep
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulate
+from rockeom.sweeps.dataset import Sweep
+from rockeom.sweeps.run import simulate_many
+from rockeom.sweeps.sensitivity import answer
+from rockeom.sweeps.tangents import tangents
 
 _LEAST = 1e-300
 """Instead of 0, where the medians lie on the boundary."""
@@ -237,8 +239,6 @@ def monte_carlo(
     of the samples are no sample. Raises ValueError for bad arguments, and where no case gave an
     answer.
     """
-    from rockeom.sweeps.run import simulate_many
-
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
@@ -491,9 +491,6 @@ class _Margin:
     options: SolverOptions | None
 
     def __call__(self, **parameters: Dual) -> Any:
-        from rockeom.sweeps.sensitivity import answer
-        from rockeom.sweeps.tangents import tangents
-
         found = tangents(self.case(**parameters), self.options)
         if found.response.outcome == FALLS:
             return -math.inf
@@ -554,8 +551,6 @@ class _Fates:
 
     def _fail(self, u: np.ndarray) -> np.ndarray:
         """(n,) whether structures with the deviates u (n, k) fail."""
-        from rockeom.sweeps.run import simulate_many
-
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
         sweep = finished(simulate_many(
@@ -619,8 +614,6 @@ class _Overturning:
 
     def normal(self, ray: np.ndarray) -> np.ndarray:
         """Gradient of the rotation that falls, when the motions on both sides have parted."""
-        from rockeom.sweeps.tangents import tangents
-
         low, high = self.ends
         stands, falls = (high, low) if self.fates.failed else (low, high)
         time, duration, name = self._parting(stands * ray, falls * ray)
@@ -633,8 +626,6 @@ class _Overturning:
         return _unit(slope) * np.sign(slope @ ray)
 
     def _run(self, u: np.ndarray, duration: float | None = None) -> Response:
-        from rockeom.simulation.simulate import simulate
-
         self.own_runs += 1
         case = self.fates.case(**self.space.values(u))
         if duration is not None:

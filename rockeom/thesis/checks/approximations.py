@@ -16,7 +16,7 @@ from sympy import cos, sign
 
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import pushover
-from rockeom.thesis import notation as th, tables
+from rockeom.thesis import notation as th, printed
 from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
 from rockeom.thesis.checks.engine import (
     THETA,
@@ -68,8 +68,8 @@ def first_impact() -> State:
 
     In the equations of motion, upright and at rest; non-dimensional under beta = 1.
     """
-    half_width, height = tables.BLOCK["half_width"], tables.BLOCK["half_height"]
-    mass, radius = tables.BLOCK["mass"], math.hypot(half_width, height)
+    half_width, height = printed.BLOCK["half_width"], printed.BLOCK["half_height"]
+    mass, radius = printed.BLOCK["mass"], math.hypot(half_width, height)
     numbers = {
         BLOCK["mass"]: mass,
         BLOCK["inertia"]: mass * radius**2 / 3,
@@ -90,7 +90,7 @@ def first_impact() -> State:
 
 def half_way_to_lift_off() -> State:
     """The column of chapter 5 on the springs of 5.3.2, at half the rotation of lift-off."""
-    column, spring = tables.COLUMN, 550e3
+    column, spring = printed.COLUMN, 550e3
     weight = 9.81 * (column["mass"] + column["base_mass"])
     half_way = weight / (2 * spring * column["half_width"]) / 2
     numbers = {PIER[name]: value for name, value in column.items()}

@@ -10,6 +10,15 @@ import sympy as sp
 from scipy.integrate import quad
 from sympy import Rational, cosh, pi, sqrt
 
+from rockeom.analysis.formulas.damping import (
+    DESIGN_FACTORS,
+    GRANT_FACTORS,
+    design_damping,
+    fema_356_damping,
+    grant_damping,
+    priestley_damping,
+    simplified_damping,
+)
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
@@ -34,6 +43,7 @@ from rockeom.thesis.comparison import (
     symbols_of,
 )
 from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.printed import TABLES
 
 # --- the rigid block
 
@@ -275,8 +285,6 @@ RATIOS = [(0.49,), (0.723,), (0.831,), (0.888,), (0.954,), (1.0,)]
 
 
 def _fema(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.damping import fema_356_damping
-
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
     yield from _against(fema_356_damping, stated, RATIOS)
     yield close("without loss", stated(1.0), 0, 1e-15)
@@ -288,14 +296,10 @@ def _fema(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _priestley(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.damping import priestley_damping
-
     yield from _against(priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS)
 
 
 def _table_2_3(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.thesis.tables import TABLES
-
     table = TABLES["2-3"]
     for r, percent in zip(table.column("r by 2-6"), table.column("damping by 2-16"), strict=True):
         assert isinstance(percent, float)
@@ -440,8 +444,6 @@ def _table(printed: dict, used) -> Iterator[Finding]:
 
 
 def _grant(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.damping import GRANT_FACTORS, grant_damping
-
     printed = read(TABLE_2_4)
     yield from _table(printed, GRANT_FACTORS)
     arguments = (th.mu, th.effective_period, th.xi_const, th.xi_tang)
@@ -473,8 +475,6 @@ def _figure_2_23(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 def _without_period(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """2-34 with C_i = 2 and C_i = beta_FS: loops that do not harden."""
-    from rockeom.analysis.formulas.damping import simplified_damping
-
     added = relations[0].rhs - th.xi_v
     for coefficient, number in ((sp.Integer(2), "2-32a"), (th.beta_FS, "2-32c")):
         loop = DAMPING[number]().subs(RATIO, 0)
@@ -486,8 +486,6 @@ def _without_period(equation: Equation, relations: Relations) -> Iterator[Findin
 
 
 def _design(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.damping import DESIGN_FACTORS, design_damping
-
     printed = read(TABLE_2_5)
     yield from _table(printed, DESIGN_FACTORS)
     for rule, row in printed.items():

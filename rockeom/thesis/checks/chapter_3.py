@@ -24,7 +24,7 @@ from rockeom.thesis.checks.engine import (
 )
 from rockeom.thesis.comparison import ALPHA, at_side, differences, in_engine_notation, normal_form
 from rockeom.thesis.equation import POSITIVE, Equation, Relations
-from rockeom.thesis.tables import BLOCK, FIGURE_3_3, TABLE_3_1
+from rockeom.thesis.printed import BLOCK, FIGURE_3_3, TABLE_3_1
 
 GRAVITY = 9.81
 

@@ -16,11 +16,26 @@ import sympy as sp
 from scipy.integrate import cumulative_simpson, quad, solve_ivp
 from sympy import Rational, cos, sin
 
+from rockeom.analysis.formulas.controlled_wall import Wall, peak_sequence
+from rockeom.analysis.identification.free_vibration import (
+    FreeVibration,
+    coefficient_of_determination,
+)
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import BOTH, Equation, Relations
+from rockeom.thesis.printed import TABLES
+from rockeom.thesis.wall_tests import (
+    back_calculated_force,
+    corrected_uplifts,
+    energy_ratio_4_31,
+    energy_ratio_4_36,
+    energy_ratio_4_38,
+    harmonic_force,
+    quarter_period_fit,
+)
 
 # --- the wall of the tests
 
@@ -77,14 +92,10 @@ def radius() -> float:
 
 def measured():
     """Table A-1, in SI units."""
-    from rockeom.analysis.identification.free_vibration import FreeVibration
-
     return FreeVibration.table_a1()
 
 
 def r_squared(known, found) -> float:
-    from rockeom.analysis.identification.free_vibration import coefficient_of_determination
-
     return float(coefficient_of_determination(known, found))
 
 
@@ -214,8 +225,6 @@ def _base(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _uplifts_again(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.thesis.wall_tests import corrected_uplifts
-
     stated = relations[0].rhs
     given = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
     for left, other in ((-0.6, 11.7), (11.0, -0.8), (0.3, 0.5)):
@@ -267,8 +276,6 @@ def quarter(relation: sp.Eq) -> sp.Expr:
 
 
 def _quarter_fit(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.thesis.wall_tests import quarter_period_fit
-
     stated = of_displacement(quarter(relations[0]))
     peak, time = _quarters()
     yield close("R**2 of Table A-1", r_squared(time, stated(peak)), 0.976, 0.006)
@@ -312,8 +319,6 @@ def _general(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _edge_uplifts(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.controlled_wall import Wall
-
     record = measured()
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
@@ -361,8 +366,6 @@ def _elastic_tendon(equation: Equation, relations: Relations) -> Iterator[Findin
 
 
 def _tendon_forces(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.controlled_wall import Wall
-
     record = measured()
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
@@ -412,8 +415,6 @@ def conservative_quarter(start: float, mass: float) -> float:
 
 
 def _substitute_gravity(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.controlled_wall import Wall
-
     (relation,) = relations
     d = lifted().subs(th.penalty, PENALTY)
     numbers = {
@@ -526,8 +527,6 @@ FIGURE_4_29 = "Figure 4-29"
 
 def _energies_at_peaks(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """The list of Figure 4-29, of the displacements and forces of Table A-1."""
-    from rockeom.thesis.tables import TABLES
-
     record = measured()
     rows = np.flatnonzero(record.at_peak)
     gravity = of_displacement(right("4-18") / 1000)
@@ -684,8 +683,6 @@ def _passage(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 def _peaks_of_constant_r(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """4-27 with the force, integrated, against the closed form of its peaks."""
-    from rockeom.analysis.formulas.controlled_wall import Wall, peak_sequence
-
     force = relations[0].rhs
     known = peak_sequence(Wall.thesis().restoring_force, 0.025, 0.852, float(PENALTY) / 1e3, 3)
     found = peaks_of_oscillator(force, lambda speed: 0.852, 25.0, 3)
@@ -757,8 +754,6 @@ def _push(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _gradient(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.formulas.controlled_wall import Wall
-
     (relation,) = relations
     (work,) = EQUATIONS["4-29"].right
     (force,) = sp.solve(work.lhs - work.rhs, th.F_k)
@@ -793,16 +788,13 @@ def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Ite
             yield Finding(what, wanted, found == [wanted])
 
 
-def _bands(name: str, jumps: dict[float, float]) -> Callable:
+def _bands(function: Callable, jumps: dict[float, float]) -> Callable:
     """A fit of r by bands of the speed, and what the text says of it."""
 
     def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
-        from rockeom import analysis
-
         (relation,) = relations
         yield from _one_band_for_each_speed(relation.rhs, jumps)
         stated = sp.lambdify(th.Delta_d, relation.rhs, "math")
-        function = getattr(analysis, name)
         for speed in (0.05, 0.2, 0.299, 0.32, 0.36, 0.4, 0.46, 0.48, 0.6, 0.77, 0.79, 0.87):
             for way in BOTH:
                 found = stated(way * speed)
@@ -922,8 +914,6 @@ def peaks_of_block(
 
 
 def _linear_ratio(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.thesis.wall_tests import energy_ratio_4_36
-
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     for speed in (0.1, 0.34, 0.78):
         for way in BOTH:
@@ -988,8 +978,6 @@ def _newton(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _at_rest(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.thesis.wall_tests import back_calculated_force
-
     (motion,) = EQUATIONS["4-41"].right
     (force,) = sp.solve((motion.lhs - motion.rhs).subs(th.F_D, 0), th.F_k)
     yield vanishes("4-41 without damping minus thesis", force - relations[0].rhs, sp.expand)
@@ -999,8 +987,6 @@ def _at_rest(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _harmonic(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.thesis.wall_tests import harmonic_force
-
     (relation,) = relations
     (motion,) = EQUATIONS["4-27"].right
     ground = th.Z * sin(2 * sp.pi * 8 * th.t)
@@ -1103,7 +1089,7 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
         Check(
             Means.TRANSCRIBED,
             "bands of the speed and their jumps",
-            _bands("energy_ratio_4_31", {0.3: -0.04 - 0.3 / 45, 0.47: 0.042, 0.78: 0.098}),
+            _bands(energy_ratio_4_31, {0.3: -0.04 - 0.3 / 45, 0.47: 0.042, 0.78: 0.098}),
         ),
         reproduced("peaks of Table A-1, as in Figure 4-37", _simulated_decay),
     ),
@@ -1127,7 +1113,7 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "4-38": Check(
         Means.TRANSCRIBED,
         "bands of the speed and their jumps",
-        _bands("energy_ratio_4_38", {0.365: 0.0, 0.47: 0.04, 0.78: 0.09}),
+        _bands(energy_ratio_4_38, {0.365: 0.0, 0.47: 0.04, 0.78: 0.09}),
     ),
     "4-39": derived(
         "work of the inertia at the centroid",

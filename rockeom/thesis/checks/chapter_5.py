@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from rockeom.analysis.identification.measured import rotation_centre
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
@@ -20,7 +21,7 @@ from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, v
 from rockeom.thesis.checks.engine import CONTACT, THETA, B, residual, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
-from rockeom.thesis.tables import COLUMN, FIGURE_5_6
+from rockeom.thesis.printed import COLUMN, FIGURE_5_6
 
 MODEL_A = "lumped_mass_structure"
 T_FIXED, FOOT_WIDTH = 0.092, {th.B_measured: 285.0, th.H_measured: 1056.0, th.R_measured: 1093.8}
@@ -153,8 +154,6 @@ def _figure_5_6(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    from rockeom.analysis.identification.measured import rotation_centre
-
     (relation,) = relations
     both = relation.rhs + relation.rhs.subs(th.Delta, -th.Delta)
     yield vanishes("x at both displacements minus the width of 600 mm", both - 600, sp.simplify)

@@ -32,7 +32,7 @@ from rockeom.analysis.unfinished import finished
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
-from rockeom.thesis.tables import TABLE_2_1
+from rockeom.thesis.printed import TABLE_2_1
 
 # --- 2.2 restitution
 

@@ -25,7 +25,7 @@ from rockeom.thesis.points_of_interest import (
     points_by_prominence,
     points_by_score,
 )
-from rockeom.thesis.tables import BLOCK as BLOCK_VALUES, FIGURE_3_3
+from rockeom.thesis.printed import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
 SHAPE: dict[str, Any] = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}

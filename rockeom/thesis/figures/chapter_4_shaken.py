@@ -26,8 +26,8 @@ from rockeom.thesis.figures.chapter_4_wall import (
 )
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import WALL
+from rockeom.thesis.printed import TABLE_4_2
 from rockeom.thesis.shaken import wall_motion
-from rockeom.thesis.tables import TABLE_4_2
 from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31
 
 SPREAD = 2.5e-3

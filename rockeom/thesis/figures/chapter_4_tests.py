@@ -25,7 +25,7 @@ from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
 from rockeom.thesis.figures.chapter_4_wall import CYCLES, MM, overview_and_origin, symmetric
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
-from rockeom.thesis.tables import TABLE_4_1, TABLE_4_2, TABLE_4_3
+from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_3
 
 NAMES = {"1": "El Centro 180, half", "2": "El Centro 180", "4": "Sylmar 360 in 0.6 of its time"}
 ROCKING_PERIODS = (0.10, 0.24)

@@ -22,7 +22,7 @@ from rockeom.plots import free_body as fb, style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
-from rockeom.thesis.tables import COLUMN, GAUGE, TABLES
+from rockeom.thesis.printed import COLUMN, GAUGE, TABLES
 
 MM = 1e3
 WEIGHT = (COLUMN["mass"] + COLUMN["base_mass"]) * 9.81

@@ -17,7 +17,7 @@ from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
-from rockeom.thesis.tables import COLUMN as COLUMN_VALUES, FIGURE_5_6, FIGURE_5_10, GAUGE
+from rockeom.thesis.printed import COLUMN as COLUMN_VALUES, FIGURE_5_6, FIGURE_5_10, GAUGE
 
 MM = 1e3
 RIGID = rk.LumpedMassStructure(**COLUMN_VALUES)
