@@ -16,9 +16,9 @@ from scipy.stats import norm
 import rockeom as rk
 from rockeom import analysis, plots
 from rockeom.analysis import design, dynamics, risk
+from rockeom.analysis.design import envelope, fema_356
 from rockeom.analysis.dynamics import branches as branches_module
 from rockeom.cli import main
-from rockeom.sweeps import run as ensemble
 from rockeom.sweeps.results import Kept
 from rockeom.thesis.figures import chapter_2_blocks, chapter_4_wall
 from tests.interrupts import interrupted_at
@@ -247,8 +247,9 @@ def test_least_amplitude_of_an_interrupted_search_is_refused(interrupted):
 @pytest.fixture
 def few_impacts(monkeypatch):
     """Sweeps whose motions end without an answer at the second impact."""
-    short = functools.partial(ensemble.simulate_many, options=rk.SolverOptions(max_impacts=2))
-    monkeypatch.setattr(ensemble, "simulate_many", short)
+    short = functools.partial(rk.simulate_many, options=rk.SolverOptions(max_impacts=2))
+    for procedure in (envelope, fema_356):
+        monkeypatch.setattr(procedure, "simulate_many", short)
 
 
 @pytest.mark.usefixtures("few_impacts")
