@@ -1,4 +1,4 @@
-"""Arguments of the formulas: made arrays of numbers, or refused with their value and a remedy."""
+"""Arguments that several formulas share: slenderness, side, starts of sections."""
 
 from __future__ import annotations
 
@@ -7,12 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import (
-    not_negative as not_negative,
-    numbers as numbers,
-    positive as positive,
-    require as require,
-)
+from rockeom.numbers.arguments import numbers, require
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -1,7 +1,8 @@
 """A group of `rockeom.analysis`: a package with the public names of its modules.
 
 The names are those of the functions and classes that the modules define, so that no list repeats
-them. A module is imported when a name is looked for, not with the package.
+them, or the list `__all__` of a module. A module is imported when a name is looked for, not with
+the package.
 """
 
 from __future__ import annotations
@@ -38,6 +39,8 @@ def attributes(package: str) -> tuple[Callable[[str], Any], Callable[[], list[st
 
 
 def _defined(module: ModuleType) -> list[str]:
+    if hasattr(module, "__all__"):
+        return list(module.__all__)
     return [
         name
         for name, value in vars(module).items()

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.identification.records import MeasuredRecord
+from rockeom.numbers.arguments import numbers, positive
 
 
 class PointsOfInterest(NamedTuple):

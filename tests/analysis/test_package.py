@@ -37,7 +37,7 @@ def test_a_group_has_the_public_names_of_its_modules(group):
     for module in pkgutil.iter_modules(group.__path__, f"{group.__name__}."):
         source = importlib.import_module(module.name)
         assert getattr(group, module.name.rpartition(".")[2]) is source  # no formula hides a module
-        public = [
+        public = getattr(source, "__all__", None) or [
             name
             for name, value in vars(source).items()
             if (inspect.isfunction(value) or inspect.isclass(value))

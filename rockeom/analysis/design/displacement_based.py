@@ -25,11 +25,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.analysis.design.hysteresis import FlagRule
 from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.motion import GroundMotion
+from rockeom.numbers.arguments import not_negative, positive, require
 
 DESIGNED = "designed"
 BEYOND = "target beyond the spectrum"

@@ -21,10 +21,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import positive, require
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
+from rockeom.numbers.arguments import positive, require
 from rockeom.simulation.case import Case
 from rockeom.structures.classes import Structure
 from rockeom.structures.impact_laws import EnergyRatio

@@ -28,7 +28,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rockeom.analysis.arguments import not_negative, positive, require
 from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
 from rockeom.analysis.formulas.damping import fema_356_damping, priestley_damping
 from rockeom.analysis.formulas.periods import rocking_period
@@ -36,6 +35,7 @@ from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
+from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.simulation.case import Case
 from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw

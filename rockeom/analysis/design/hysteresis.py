@@ -22,8 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.analysis.formulas import damping
+from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 class HysteresisLoop(NamedTuple):

@@ -29,9 +29,9 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.analysis.design.hysteresis import FlagRule, HysteresisRule
 from rockeom.motion import GroundMotion
+from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 Force = Callable[[np.ndarray], np.ndarray]
 """Displacements [m] to restoring forces [N], both (n,)."""

@@ -23,8 +23,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import xarray as xr
 
-from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.sweeps import FALLS, RESTS, STANDS
+from rockeom.numbers.arguments import numbers, positive
 from rockeom.numbers.dual import duals
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions

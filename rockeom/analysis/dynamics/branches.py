@@ -38,9 +38,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers, positive
 from rockeom.analysis.dynamics.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
 from rockeom.analysis.unfinished import finished
+from rockeom.numbers.arguments import numbers, positive
 from rockeom.numbers.dual import Dual
 
 FEIGENBAUM = 4.669201609102990

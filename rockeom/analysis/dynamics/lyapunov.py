@@ -28,9 +28,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import require
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
+from rockeom.numbers.arguments import require
 from rockeom.numbers.checks import whole_number
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case

@@ -37,9 +37,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers, positive
 from rockeom.codes import SWITCH
 from rockeom.motion import GroundMotion
+from rockeom.numbers.arguments import numbers, positive
 from rockeom.numbers.dual import Dual, directions, value_of
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions

@@ -29,10 +29,11 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import positive, slenderness
+from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
 from rockeom.analysis.unfinished import check_finished, finished
 from rockeom.motion import GroundMotion
+from rockeom.numbers.arguments import positive
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.structures.classes import RigidBlock, Structure

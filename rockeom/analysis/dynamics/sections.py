@@ -30,10 +30,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from rockeom.analysis.arguments import dims_of_starts, numbers, positive, require
+from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS
 from rockeom.analysis.unfinished import check_finished
+from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.checks import told, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.quantities import units_of

@@ -30,8 +30,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.arguments import not_negative, numbers, positive, require
 from rockeom.structures.classes import ControlledWallOscillator
 from rockeom.structures.evaluation import at_states
 

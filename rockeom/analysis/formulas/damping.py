@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 # --- rocking
 

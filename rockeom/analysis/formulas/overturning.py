@@ -15,8 +15,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import positive, require, slenderness
+from rockeom.analysis.arguments import slenderness
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.arguments import positive, require
 
 
 def overturning_constant(

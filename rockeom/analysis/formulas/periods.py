@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, positive, require, slenderness
+from rockeom.analysis.arguments import slenderness
+from rockeom.numbers.arguments import not_negative, positive, require
 
 
 def quarter_period(amplitude_ratio: ArrayLike, p: ArrayLike):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, positive
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.arguments import not_negative, positive
 
 
 def uplift_acceleration(

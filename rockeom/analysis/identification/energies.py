@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers
+from rockeom.numbers.arguments import numbers
 from rockeom.numbers.checks import near
 from rockeom.structures.evaluation import at_states
 

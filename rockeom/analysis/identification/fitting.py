@@ -24,10 +24,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.formulas.controlled_wall import RotationCentre
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.measured import rotation_centre
+from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.dual import duals, tangent_of, with_tangent
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions

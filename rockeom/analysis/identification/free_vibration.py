@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.analysis.formulas.damping import damping_from_decrement
 from rockeom.analysis.identification.energies import (
@@ -29,6 +28,7 @@ from rockeom.analysis.identification.energies import (
     equilibrium_states,
 )
 from rockeom.analysis.identification.noise import noise_level
+from rockeom.numbers.arguments import numbers, positive, require
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline

@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, require
 from rockeom.analysis.formulas.restitution import spring_energy
 from rockeom.analysis.identification.energies import (
     Energies,
@@ -30,6 +29,7 @@ from rockeom.analysis.identification.energies import (
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.noise import COVERED, Noise
 from rockeom.analysis.identification.records import MeasuredRecord
+from rockeom.numbers.arguments import not_negative, numbers, require
 from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:

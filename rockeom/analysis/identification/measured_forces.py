@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.analysis.arguments import not_negative, positive
 from rockeom.analysis.formulas.support_forces import block_reactions, block_reactions_at_impact
 from rockeom.analysis.identification.noise import COVERED
 from rockeom.analysis.identification.records import MeasuredRecord
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.arguments import not_negative, positive
 
 
 class SupportForces(NamedTuple):

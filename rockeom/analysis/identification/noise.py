@@ -8,7 +8,7 @@ from math import comb
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, require
+from rockeom.numbers.arguments import not_negative, numbers, require
 
 COVERED = 2.0
 """Half-widths of intervals in standard deviations: 95 % of a normal distribution, the coverage

@@ -21,9 +21,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import positive, require
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import ANTISYMMETRIC_RICKER_PEAK, END, START, cut
+from rockeom.numbers.arguments import positive, require
 
 PULSE_MODELS = ("mavroeidis_papageorgiou", "ricker", "antisymmetric_ricker")
 """The models that `fit_pulse` knows."""

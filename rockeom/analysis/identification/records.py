@@ -21,11 +21,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import not_negative, numbers, positive, require
 from rockeom.analysis.identification.free_vibration import FreeVibration, resolved_floor
 from rockeom.analysis.identification.noise import Noise, noise_level
 from rockeom.motion.readers import FilePath, read_channels
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 # --- a record
 

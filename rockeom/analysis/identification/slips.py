@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.analysis.identification.noise import COVERED, noise_level
+from rockeom.numbers.arguments import numbers, positive, require
 
 
 class Slips(NamedTuple):

@@ -9,9 +9,9 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scipy.special import log_ndtr, ndtr, ndtri
 
-from rockeom.analysis.arguments import numbers, positive, require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import check_finished
+from rockeom.numbers.arguments import numbers, positive, require
 
 
 @dataclass(frozen=True, eq=False)

@@ -28,9 +28,9 @@ from typing import Any, Protocol
 import numpy as np
 from scipy.special import ndtr
 
-from rockeom.analysis.arguments import require
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import finished
+from rockeom.numbers.arguments import require
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
