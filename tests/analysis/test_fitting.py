@@ -263,7 +263,7 @@ def test_table_a_1():
 def test_what_cannot_be_fitted():
     x = np.arange(5.0)
     line = {"k": 1.0, "c": 0.0}
-    with pytest.raises(ValueError, match="do not tell k, c apart"):
+    with pytest.raises(ValueError, match="do not distinguish k, c"):
         identification.fit(lambda k, c: (k + c) * x, x, line)
     with pytest.raises(ValueError, match="c moves none"):
         identification.fit(lambda k, c: k * x, x, line)
@@ -282,4 +282,4 @@ def test_what_cannot_be_fitted():
     # a bound that holds a parameter is told
     found = identification.fit(lambda k: k * x, 2 * x + 0.1, {"k": 0.5}, bounds={"k": (0.0, 1.0)})
     assert found.at_bounds == ("k",)
-    assert "held by a bound" in found.summary()
+    assert "at a bound" in found.summary()

@@ -1,4 +1,4 @@
-"""Parameters from tests: what a measurement says of a structure, and how surely.
+"""Parameters from tests, with their confidence.
 
     import rockeom as rk
     from rockeom import analysis
@@ -11,15 +11,15 @@
     found = analysis.fit_free_vibration(released, {"r": 0.8}, peaks=measured, quantity="theta")
     found.values["r"], found.interval("r")  # and found.covariance, found.summary()
 
-`fit` is for any function of some parameters; the others make one of a simulation or of a formula.
+`fit` takes any function of some parameters; the other functions fit a simulation or a formula.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,21 +27,17 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.formulas.controlled_wall import RotationCentre
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.measured import rotation_centre
+from rockeom.analysis.identification.swings_of_response import swing_tangents, swings
 from rockeom.numbers.arguments import numbers, positive, require
-from rockeom.numbers.dual import duals, tangent_of, with_tangent
+from rockeom.numbers.dual import duals
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
-from rockeom.structures.evaluation import filled
-from rockeom.sweeps.sensitivity import quantity_of
-from rockeom.sweeps.tangents import Tangents, tangents
 
 CONFIDENCE = 0.95
 STEP = 1e-4
-"""Of a parameter, in parts of its first guess, for derivatives: simulations are known to 1e-9."""
-BESIDE = 1e-3
-"""Part of a quarter period to both sides of a peak at which its rate is looked at."""
+"""Relative step of the central differences: simulations are exact to 1e-9."""
 NO_RATIO = 1e-3
 """The least energy ratio that is tried; some models know no impact without rebound."""
 
@@ -51,11 +47,11 @@ class Fit:
     """Parameters that fit a measurement best, with their confidence.
 
     values : by name. covariance (k, k), in the order of values. measured, predicted (n,).
-    uncertainty (n,) : standard deviation of each measured value; where none was given, the one that
-        the residuals leave (known is False then). informative (n,) : which values any parameter
-        moves; others, such as the start of a simulation, tell nothing and count nowhere.
-    at_bounds : names of parameters that a bound held; their interval says nothing.
-    exact : whether the derivatives of the model were given, and not found by central differences.
+    uncertainty (n,) : standard deviation of each measured value; estimated from the residuals where
+        none was given (known is False then). informative (n,) : which values depend on a parameter;
+        others, such as the start of a simulation, count nowhere.
+    at_bounds : names of parameters at a bound; their interval says nothing.
+    exact : whether the derivatives of the model are exact; central differences otherwise.
     """
 
     values: dict[str, float]
@@ -70,7 +66,7 @@ class Fit:
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Measured values that tell something, less parameters."""
+        """Informative values less parameters."""
         return int(self.informative.sum()) - len(self.values)
 
     @property
@@ -84,7 +80,7 @@ class Fit:
         return dict(zip(self.values, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
 
     def interval(self, name: str, confidence: float = CONFIDENCE) -> tuple[float, float]:
-        """Where a parameter lies with that confidence, if the model is right.
+        """Interval of a parameter with that confidence, if the model is right.
 
         By Student's distribution where the uncertainty was estimated, by the normal one where it
         was given. Raises KeyError for an unknown name, ValueError for a confidence beyond 0 to 1.
@@ -107,7 +103,7 @@ class Fit:
 
     @property
     def reduced_chi_square(self) -> float:
-        """Mean square of the residuals over their uncertainties; 1 where it was estimated of them.
+        """Mean square of the residuals over their uncertainties; 1 where these were estimated.
 
         Far above 1 the model is not that of the measurement, or the uncertainty is too small: the
         intervals are then too narrow by about its root.
@@ -117,12 +113,12 @@ class Fit:
 
     @property
     def rms(self) -> float:
-        """Root mean square of the residuals that tell something, in the unit measured."""
+        """Root mean square of the residuals of informative values, in the unit measured."""
         return float(np.sqrt(np.mean(self.residuals[self.informative] ** 2)))
 
     @property
     def r_squared(self) -> float:
-        """Coefficient of determination of the values that tell something."""
+        """Coefficient of determination of the informative values."""
         chosen = self.informative
         return coefficient_of_determination(self.measured[chosen], self.predicted[chosen])
 
@@ -131,8 +127,8 @@ class Fit:
         lines = []
         for name, value in self.values.items():
             low, high = self.interval(name, confidence)
-            held = " (held by a bound)" if name in self.at_bounds else ""
-            lines.append(f"{name} = {value:.5g}, {low:.5g} to {high:.5g}{held}")
+            bound = " (at a bound)" if name in self.at_bounds else ""
+            lines.append(f"{name} = {value:.5g}, {low:.5g} to {high:.5g}{bound}")
         head = f"{100 * confidence:g} % intervals, {int(self.informative.sum())} values:"
         return "\n".join([head, *lines])
 
@@ -146,7 +142,7 @@ def fit(
     bounds: Mapping[str, tuple[float, float]] | None = None,
     derivatives: Callable[..., ArrayLike] | None = None,
 ) -> Fit:
-    """Least squares: the parameters with which a function comes closest to a measurement.
+    """Least squares: the parameters with which a function is closest to a measurement.
 
         identification.fit(lambda k, c: k * x + c, measured=y, start={"k": 1.0, "c": 0.0})
 
@@ -154,7 +150,7 @@ def fit(
         measured; smooth, at least about the best parameters. measured (n,).
     start : a first guess of each parameter, of the size that it may have.
     uncertainty : standard deviation of the measured values, one or (n,); if not given, one for all
-        is estimated from what the fit leaves. bounds : (lowest, highest) of parameters, by name.
+        is estimated from the residuals. bounds : (lowest, highest) of parameters, by name.
     derivatives : a function of the same parameters that returns the derivatives (n, k) of what the
         model returns, k in the order of start; central differences if not given.
 
@@ -162,267 +158,158 @@ def fit(
     uncertainties.
 
     Raises ValueError for bad arguments, for as many parameters as values where the uncertainty must
-    be estimated, and for parameters that the values do not tell apart.
+    be estimated, and for parameters that the values do not distinguish.
     """
-    from scipy.optimize import least_squares  # takes long to import
-
-    where = "fit"
-    (y,) = numbers(where, measured=measured)
-    if y.ndim != 1 or not y.size:
-        raise ValueError(f"{where}: measured has the shape {y.shape}: give a list of values")
-    if not start:
-        raise ValueError(f"{where}: start is empty: give a first guess of each parameter, by name")
-    first = np.array([float(numbers(where, **{name: start[name]})[0]) for name in start])
-    low, high = _bounds(where, start, bounds)
-    known = uncertainty is not None
-    (sigma,) = positive(where, uncertainty=1.0 if uncertainty is None else uncertainty)
-    if sigma.shape not in ((), y.shape):
-        raise ValueError(
-            f"{where}: uncertainty has the shape {sigma.shape}, measured {y.shape}: give one "
-            "number, or one for each value"
-        )
-    sigma = np.broadcast_to(sigma, y.shape)
-    scale = np.where(first != 0, np.abs(first), 1.0)
-
-    def predicted(z: np.ndarray) -> np.ndarray:
-        (found,) = numbers(where, **{"what the model returned": model(**_named(start, z * scale))})
-        if found.shape != y.shape:
-            raise ValueError(
-                f"{where}: the model returned the shape {found.shape}, measured is {y.shape}: "
-                "return one value for each that was measured"
-            )
-        return found
-
-    def slopes_at(z: np.ndarray) -> np.ndarray:
-        assert derivatives is not None
-        given = derivatives(**_named(start, z * scale))
-        (found,) = numbers(where, **{"what derivatives returned": given})
-        if found.shape != (len(y), len(first)):
-            raise ValueError(
-                f"{where}: derivatives returned the shape {found.shape}: return "
-                f"{(len(y), len(first))}, a row for each value and a column for each parameter"
-            )
-        return found * scale / sigma[:, None]
-
-    best = least_squares(
-        lambda z: (predicted(z) - y) / sigma, first / scale,
-        jac="3-point" if derivatives is None else slopes_at, diff_step=STEP,
-        bounds=(low / scale, high / scale), x_scale="jac", xtol=1e-10, ftol=1e-12, gtol=1e-12,
-    )  # fmt: skip
-    slopes = best.jac / scale
+    problem = _LeastSquares.of(model, derivatives, measured, start, uncertainty)
+    best = problem.solved(*_bounds(start, bounds))
+    slopes = best.jac / problem.scale
     informative = np.any(slopes != 0, axis=1)
-    freedom = int(informative.sum()) - len(first)
+    freedom = int(informative.sum()) - len(start)
+    known = uncertainty is not None
     if freedom < 1 and not known:
         raise ValueError(
-            f"{where}: {informative.sum()} values that any parameter moves do not give "
-            f"{len(first)} parameters and their scatter: measure more, or give the uncertainty"
+            f"fit: {informative.sum()} values that any parameter moves do not give "
+            f"{len(start)} parameters and their scatter: measure more, or give the uncertainty"
         )
-    inverse = _inverse(where, slopes, tuple(start))
-    if not known:
-        sigma = np.broadcast_to(np.sqrt(2 * best.cost / freedom), y.shape)
-        inverse = inverse * sigma[0] ** 2
-    held = best.active_mask != 0
+    # without an uncertainty that of the problem is 1, and its scale follows from what is left
+    sigma = 1.0 if known else np.sqrt(2 * best.cost / freedom)
+    at_bound = best.active_mask != 0
     return Fit(
-        values=_named(start, best.x * scale),
-        covariance=inverse,
-        measured=y,
-        predicted=predicted(best.x),
-        uncertainty=sigma,
+        values=problem.parameters(best.x),
+        covariance=_inverse(slopes, tuple(start)) * sigma**2,
+        measured=problem.measured,
+        predicted=problem.predicted(best.x),
+        uncertainty=problem.uncertainty * sigma,
         known=known,
         informative=informative,
-        at_bounds=tuple(name for name, at in zip(start, held, strict=True) if at),
+        at_bounds=tuple(name for name, at in zip(start, at_bound, strict=True) if at),
         exact=derivatives is not None,
     )
 
 
-def _named(names: Mapping[str, float], x: np.ndarray) -> dict[str, float]:
-    return dict(zip(names, x.tolist(), strict=True))
+@dataclass(frozen=True)
+class _LeastSquares:
+    """A least-squares problem, checked; its unknowns z (k,) are the parameters over `scale`.
+
+    names (k,), start (k,) : of the parameters. measured, uncertainty (n,).
+    """
+
+    model: Callable[..., ArrayLike]
+    derivatives: Callable[..., ArrayLike] | None
+    names: tuple[str, ...]
+    start: np.ndarray
+    measured: np.ndarray
+    uncertainty: np.ndarray
+
+    @classmethod
+    def of(
+        cls,
+        model: Callable[..., ArrayLike],
+        derivatives: Callable[..., ArrayLike] | None,
+        measured: ArrayLike,
+        start: Mapping[str, float],
+        uncertainty: ArrayLike | None,
+    ) -> _LeastSquares:
+        """Raises ValueError for bad arguments of `fit`."""
+        (y,) = numbers("fit", measured=measured)
+        if y.ndim != 1 or not y.size:
+            raise ValueError(f"fit: measured has the shape {y.shape}: give a list of values")
+        if not start:
+            raise ValueError("fit: start is empty: give a first guess of each parameter, by name")
+        first = np.array([float(numbers("fit", **{name: start[name]})[0]) for name in start])
+        (sigma,) = positive("fit", uncertainty=1.0 if uncertainty is None else uncertainty)
+        if sigma.shape not in ((), y.shape):
+            raise ValueError(
+                f"fit: uncertainty has the shape {sigma.shape}, measured {y.shape}: give one "
+                "number, or one for each value"
+            )
+        return cls(model, derivatives, tuple(start), first, y, np.broadcast_to(sigma, y.shape))
+
+    @property
+    def scale(self) -> np.ndarray:
+        return np.where(self.start != 0, np.abs(self.start), 1.0)
+
+    def parameters(self, z: np.ndarray) -> dict[str, float]:
+        return dict(zip(self.names, (z * self.scale).tolist(), strict=True))
+
+    def predicted(self, z: np.ndarray) -> np.ndarray:
+        """(n,) values of the model."""
+        value = self.model(**self.parameters(z))
+        (y,) = numbers("fit", **{"the value of the model": value})
+        if y.shape != self.measured.shape:
+            raise ValueError(
+                f"fit: the model returned the shape {y.shape}, measured is {self.measured.shape}: "
+                "return one value for each that was measured"
+            )
+        return y
+
+    def residuals(self, z: np.ndarray) -> np.ndarray:
+        return (self.predicted(z) - self.measured) / self.uncertainty
+
+    def jacobian(self, z: np.ndarray) -> np.ndarray:
+        """(n, k) derivatives of the residuals by z."""
+        assert self.derivatives is not None
+        value = self.derivatives(**self.parameters(z))
+        (slopes,) = numbers("fit", **{"the value of derivatives": value})
+        shape = (len(self.measured), len(self.start))
+        if slopes.shape != shape:
+            raise ValueError(
+                f"fit: derivatives returned the shape {slopes.shape}: return {shape}, a row for "
+                "each value and a column for each parameter"
+            )
+        return slopes * self.scale / self.uncertainty[:, None]
+
+    def solved(self, low: np.ndarray, high: np.ndarray) -> Any:
+        """The result of SciPy's `least_squares`, with the parameters between low and high (k,)."""
+        from scipy.optimize import least_squares  # takes long to import
+
+        return least_squares(
+            self.residuals, self.start / self.scale,
+            jac="3-point" if self.derivatives is None else self.jacobian, diff_step=STEP,
+            bounds=(low / self.scale, high / self.scale),
+            x_scale="jac", xtol=1e-10, ftol=1e-12, gtol=1e-12,
+        )  # fmt: skip
 
 
 def _bounds(
-    where: str, start: Mapping[str, float], bounds: Mapping[str, tuple[float, float]] | None
+    start: Mapping[str, float], bounds: Mapping[str, tuple[float, float]] | None
 ) -> tuple[np.ndarray, np.ndarray]:
-    given = {} if bounds is None else bounds
-    unknown = [name for name in given if name not in start]
+    bounds = {} if bounds is None else bounds
+    unknown = [name for name in bounds if name not in start]
     if unknown:
         raise ValueError(
-            f"{where}: bounds has {unknown[0]!r}, start has {', '.join(start)}: give bounds of "
+            f"fit: bounds has {unknown[0]!r}, start has {', '.join(start)}: give bounds of "
             "parameters that are fitted"
         )
-    pairs = np.array([given.get(name, (-np.inf, np.inf)) for name in start], dtype=float)
+    pairs = np.array([bounds.get(name, (-np.inf, np.inf)) for name in start], dtype=float)
     for name, guess, (low, high) in zip(start, start.values(), pairs, strict=True):
         if not low < guess < high:
             raise ValueError(
-                f"{where}: the first guess of {name} is {guess}, its bounds {low} and {high}: "
+                f"fit: the first guess of {name} is {guess}, its bounds {low} and {high}: "
                 "begin between them"
             )
     return pairs[:, 0], pairs[:, 1]
 
 
-def _inverse(where: str, slopes: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
+def _inverse(slopes: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
     """(J^T J)^-1; raises ValueError where some change of the parameters moves nothing."""
     size = np.linalg.norm(slopes, axis=0)
     if not size.all():
         lost = names[int(np.argmin(size))]
         raise ValueError(
-            f"{where}: {lost} moves none of the values: leave it out, or measure what it moves"
+            f"fit: {lost} moves none of the values: leave it out, or measure what it moves"
         )
     _, strength, ways = np.linalg.svd(slopes / size, full_matrices=False)
     if strength[-1] < 1e-9 * strength[0]:
-        told = ", ".join(n for n, part in zip(names, ways[-1], strict=True) if abs(part) > 0.1)
+        alike = ", ".join(n for n, part in zip(names, ways[-1], strict=True) if abs(part) > 0.1)
         raise ValueError(
-            f"{where}: the values do not tell {told} apart: fit fewer of them, or measure more"
+            f"fit: the values do not distinguish {alike}: fit fewer of them, or measure more"
         )
     half = (ways.T / strength) / size[:, None]
     return half @ half.T
 
 
 # -- free vibrations
-
-
-class Swings(NamedTuple):
-    """A free vibration: peaks [unit of the quantity] with their times, and crossing times [s].
-
-    peak, peak_time (n,), one on each side in turn, the first one at the release; crossing_time (n,)
-    of the passage through zero behind each peak. Where the motion has fewer, peaks are zero and
-    times those of its end.
-    """
-
-    peak: np.ndarray
-    peak_time: np.ndarray
-    crossing_time: np.ndarray
-
-
-def swings(run: Response, quantity: str = "displacement", number: int = 10) -> Swings:
-    """The first peaks and crossings of a quantity in a response, from its dense output.
-
-    quantity : any of `run.names` that passes through zero, as "theta". number : how many.
-    Raises ValueError for a number below 1, KeyError for an unknown quantity.
-    """
-    require(number >= 1, "swings", "number", number, "ask for one peak at least")
-    start, length = run.steps.span.T
-    end = float(start[-1] + length[-1])
-
-    def at(times: np.ndarray) -> np.ndarray:
-        times = np.clip(times, 0.0, end)
-        if quantity in run.states:  # without the samples of a whole response
-            found = run.steps.at(times.ravel(), "right")[0][:, run.states.index(quantity)]
-            return found.reshape(times.shape)
-        return run.at(np.minimum(times, run.t[-1]), names=(quantity,))[quantity]
-
-    grid = np.unique(np.append(start[:, None] + length[:, None] * np.arange(8) / 8, end))
-    grid = grid[grid <= end]
-    x = at(grid)
-    away = np.flatnonzero(x)
-    change = np.flatnonzero(np.diff(np.sign(x[away])))[:number]
-    last, first = away[change], away[change + 1]  # beside each crossing
-    crossing_time = _crossings(at, grid[last], grid[first])
-
-    edges = [0, *first.tolist()]
-    if len(change) < number:
-        edges.append(len(grid))
-    crest = [a + int(np.argmax(np.abs(x[a:b]))) for a, b in pairwise(edges)]
-    crest = [row for row in crest if row < len(grid) - 1 and x[row]]  # else it has not turned back
-    low, high = (grid[np.clip(np.add(crest, d), 0, len(grid) - 1)] for d in (-1, 1))
-    peak_time = _crests(at, low, high, np.sign(x[crest]))
-
-    def filled(values: np.ndarray, rest: float) -> np.ndarray:
-        return np.append(values, np.full(number, rest))[:number]
-
-    return Swings(filled(at(peak_time), 0.0), filled(peak_time, end), filled(crossing_time, end))
-
-
-_Curve = Callable[[np.ndarray], np.ndarray]
-
-
-def _crossings(at: _Curve, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """(n,) times between low and high, of other signs, where a quantity passes through zero."""
-    row = np.arange(len(low))
-    for _ in range(5):
-        t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 33)
-        x = at(t)
-        k = np.argmax(np.sign(x) != np.sign(x[:, :1]), axis=1)
-        low, high = t[row, k - 1], t[row, k]
-    return low + (high - low) * x[row, k - 1] / (x[row, k - 1] - x[row, k])
-
-
-def _crests(at: _Curve, low: np.ndarray, high: np.ndarray, side: np.ndarray) -> np.ndarray:
-    """(n,) times between low and high at which side * quantity is largest."""
-    row = np.arange(len(low))
-    for _ in range(3):
-        t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 17)
-        x = side[:, None] * at(t)
-        k = np.argmax(x, axis=1)
-        low, high = t[row, np.maximum(k - 1, 0)], t[row, np.minimum(k + 1, 16)]
-    inside = (k > 0) & (k < 16)
-    k = np.clip(k, 1, 15)
-    before, top, after = x[row, k - 1], x[row, k], x[row, k + 1]
-    bend = 2 * top - before - after
-    move = np.divide(after - before, 2 * bend, out=np.zeros(len(row)), where=bend > 0)
-    return np.where(
-        inside, t[row, k] + move * (t[row, 1] - t[row, 0]), t[row, np.argmax(x, axis=1)]
-    )
-
-
-def _swings_moved(
-    case: Case, quantity: str, number: int, options: SolverOptions | None
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Derivatives (number, m) of each of `Swings`, along the directions of the duals of a case.
-
-    That of the time of a peak is -x_tp/x_tt, of the exact x_t and x_p a little before and behind
-    it. Raises ValueError where there are none.
-    """
-    carried = tangents(case, options)
-    if carried.grazing:
-        raise ValueError(f"the swings have no derivatives: {carried.grazing}")
-    run = carried.response
-    found = swings(run, quantity, number)
-    there, crossed = found.peak != 0.0, found.crossing_time < run.t[-1]
-    beside = BESIDE * np.abs(found.crossing_time - found.peak_time)
-    times = np.stack(
-        [
-            found.peak_time,
-            np.maximum(found.peak_time - beside, 0.0),
-            np.minimum(found.peak_time + beside, run.t[-1]),
-            found.crossing_time,
-        ]
-    )
-    along = _along(carried, quantity, times.ravel()).reshape(*times.shape, -1)
-    by, rate = along[..., :-1], along[..., -1]
-    turns = there & (found.peak_time > 0.0)  # others are those of the start
-    peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
-    crossing_time = _quotient(by[3], rate[3], crossed)
-    for row, time in enumerate(found.crossing_time):  # at an impact the rate jumps
-        (at,) = np.nonzero(np.abs(run.passages[0] - time) <= beside[row])
-        if len(at):
-            crossing_time[row] = carried.event_times[at[0]]
-    return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
-
-
-def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
-    """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
-    run, m = carried.response, len(carried.end_time)
-    module, p = run.structure.module, run.structure.vector
-    still = np.zeros((len(p), 1))  # by time
-    moving = with_tangent(p, np.append(carried.parameters, still, axis=1))
-    y, contact = run.steps.at(times, "right")
-    ground = [
-        np.zeros(len(times)) if motion is None else motion.acceleration(times)
-        for motion in (run.motion, run.vertical)
-    ]
-    rates = filled(run.structure, "rates", module.N_STATES, contact, y, *ground)
-    by = np.append(carried.at(times), rates.T[..., None], axis=2)
-    found = [
-        quantity_of(module, quantity, int(of), with_tangent(*row), moving)
-        for of, *row in zip(contact, y, by, strict=True)
-    ]
-    return tangent_of(np.array(found, dtype=object), m + 1)
-
-
-def _quotient(by: np.ndarray, rate: np.ndarray, which: np.ndarray) -> np.ndarray:
-    """-by/rate (n, m) where `which` (n,) is true, and zero elsewhere."""
-    here = np.broadcast_to(which[:, None], by.shape)
-    return -np.divide(by, rate[:, None], out=np.zeros(by.shape), where=here)
 
 
 def fit_free_vibration(
@@ -455,57 +342,98 @@ def fit_free_vibration(
     with `rk.Dual`, and a quantity that `rk.sensitivity` knows; False takes central differences, two
     simulations for each parameter. If not given, exact ones where the first guess has them.
 
-    A peak from which the simulation is let go, moved by no parameter, counts nowhere. Peaks of a
-    noisy record lie too far out, the largest of several samples; filter it first, or fit crossings.
+    The peak at which the simulation is released depends on no parameter and counts nowhere. Noise
+    enlarges the peaks of a record, the largest of several samples: filter it first, or fit
+    crossings.
     Raises ValueError as `fit` does, and where nothing was measured.
     """
-    where = "fit_free_vibration"
-    offered = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
-    given = {
-        name: np.atleast_1d(numbers(where, **{name: value})[0])
-        for name, value in offered.items()
-        if value is not None
-    }
-    if not given:
-        raise ValueError(f"{where}: nothing was measured: give peaks, peak_times, crossing_times")
-    errors = [uncertainty if name == "peaks" else time_uncertainty for name in given]
-    kinds = {name == "peaks" for name in given}
-    if len(kinds) == 2 and None in errors:
-        raise ValueError(
-            f"{where}: peaks and times are in units of their own: give the uncertainty of both"
-        )
+    values = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
+    measured = _MeasuredSwings.of(values, uncertainty, time_uncertainty)
     first = dict(start)
     if release_time is not None:
         first["release_time"] = release_time
-    number = max(map(len, given.values()))
-
-    def of_each(columns: Sequence[np.ndarray]) -> np.ndarray:
-        named = dict(zip(offered, columns, strict=True))
-        return np.concatenate([named[name][: len(values)] for name, values in given.items()])
-
-    def model(**parameters: float) -> np.ndarray:
-        shift = parameters.pop("release_time", 0.0) if release_time is not None else 0.0
-        found = swings(_run(case(**parameters), options), quantity, number)
-        return of_each([found.peak, found.peak_time + shift, found.crossing_time + shift])
-
-    def derivatives(**parameters: float) -> np.ndarray:
-        seeds = duals(**parameters)
-        along = np.zeros(len(seeds))
-        if release_time is not None:
-            along = seeds.pop("release_time").tangent
-        peak, peak_time, crossing = _swings_moved(case(**seeds), quantity, number, options)
-        return of_each([peak, peak_time + along, crossing + along])
-
-    sigma = None
-    if None not in errors:
-        lengths = [len(values) for values in given.values()]
-        sigma = np.repeat(np.array(errors, dtype=float), lengths)
+    model = _ModelOfSwings(case, measured, quantity, release_time is not None, options)
     if exact is None:
-        exact = _works(derivatives, first)
+        exact = _works(model.derivatives, first)
     return fit(
-        model, np.concatenate(list(given.values())), first, uncertainty=sigma, bounds=bounds,
-        derivatives=derivatives if exact else None,
+        model.predicted, np.concatenate(list(measured.values.values())), first,
+        uncertainty=measured.uncertainty, bounds=bounds,
+        derivatives=model.derivatives if exact else None,
     )  # fmt: skip
+
+
+class _MeasuredSwings(NamedTuple):
+    """Measured peaks, peak times and crossing times, those that there are, by these names.
+
+    values : (n,) of each kind. uncertainty : of all in turn, None where it is to be estimated.
+    """
+
+    values: dict[str, np.ndarray]
+    uncertainty: np.ndarray | None
+
+    @classmethod
+    def of(
+        cls,
+        offered: Mapping[str, ArrayLike | None],
+        uncertainty: float | None,
+        time_uncertainty: float | None,
+    ) -> _MeasuredSwings:
+        where = "fit_free_vibration"
+        values = {
+            name: np.atleast_1d(numbers(where, **{name: value})[0])
+            for name, value in offered.items()
+            if value is not None
+        }
+        if not values:
+            raise ValueError(
+                f"{where}: nothing was measured: give peaks, peak_times, crossing_times"
+            )
+        errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]
+        if len({name == "peaks" for name in values}) == 2 and None in errors:
+            raise ValueError(
+                f"{where}: peaks and times are in units of their own: give the uncertainty of both"
+            )
+        if None in errors:
+            return cls(values, None)
+        lengths = [len(value) for value in values.values()]
+        return cls(values, np.repeat(np.array(errors, dtype=float), lengths))
+
+    @property
+    def number(self) -> int:
+        """The most values of a kind."""
+        return max(map(len, self.values.values()))
+
+    def select(self, *columns: np.ndarray) -> np.ndarray:
+        """The rows of simulated peaks, peak times and crossing times that were measured."""
+        rows = dict(zip(("peaks", "peak_times", "crossing_times"), columns, strict=True))
+        return np.concatenate([rows[name][: len(value)] for name, value in self.values.items()])
+
+
+class _ModelOfSwings(NamedTuple):
+    """The simulated free vibration of a case, and its derivatives, in the order of the measured.
+
+    shifted : whether the parameters have the time of the release, by the name "release_time".
+    """
+
+    case: Callable[..., Case]
+    measured: _MeasuredSwings
+    quantity: str
+    shifted: bool
+    options: SolverOptions | None
+
+    def predicted(self, **parameters: float) -> np.ndarray:
+        shift = parameters.pop("release_time") if self.shifted else 0.0
+        run = _simulated(self.case(**parameters), self.options)
+        peak, peak_time, crossing_time = swings(run, self.quantity, self.measured.number)
+        return self.measured.select(peak, peak_time + shift, crossing_time + shift)
+
+    def derivatives(self, **parameters: float) -> np.ndarray:
+        seeds = duals(**parameters)
+        shift = seeds.pop("release_time").tangent if self.shifted else np.zeros(len(seeds))
+        peak, peak_time, crossing_time = swing_tangents(
+            self.case(**seeds), self.quantity, self.measured.number, self.options
+        )
+        return self.measured.select(peak, peak_time + shift, crossing_time + shift)
 
 
 def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -> bool:
@@ -516,11 +444,8 @@ def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -
         return False
 
 
-def _run(case: Case, options: SolverOptions | None) -> Response:
-    return simulate(
-        case.structure, case.motion, impact=case.impact, initial=case.initial,
-        duration=case.duration, vertical=case.vertical, phase=case.phase, options=options,
-    )  # fmt: skip
+def _simulated(case: Case, options: SolverOptions | None) -> Response:
+    return simulate(**vars(case), options=options)
 
 
 def energy_ratios_by_release(
@@ -530,9 +455,9 @@ def energy_ratios_by_release(
     quantity: str = "displacement",
     options: SolverOptions | None = None,
 ) -> np.ndarray:
-    """(n - 1,) r of each impact: released at each measured peak, that which leads to the next.
+    """(n - 1,) energy ratio r of each impact, by simulations from each measured peak to the next.
 
-    As the thesis's section 4.8.2 found those of Figure 4-40. The structure may be any.
+    The method of thesis section 4.8.2 for Figure 4-40, for any structure.
 
     case : a function of a peak and of r that returns the `Case` released there at rest, long enough
     to reach the next peak. peaks (n,) : measured, signed, one on each side in turn, in the unit of
@@ -549,7 +474,7 @@ def energy_ratios_by_release(
         raise ValueError(f"{where}: peaks must be two or more, on one side and the other in turn")
 
     def beyond(r: float, peak: float, following: float) -> float:
-        run = _run(case(peak, r), options)
+        run = _simulated(case(peak, r), options)
         reached = float(swings(run, quantity, 2).peak[1])
         if not reached and run.outcome != "came to rest":
             raise ValueError(

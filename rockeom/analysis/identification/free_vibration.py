@@ -12,6 +12,7 @@ record.quarter_periods()
 from __future__ import annotations
 
 import csv
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from importlib.resources import files
 from itertools import pairwise
@@ -28,7 +29,7 @@ from rockeom.analysis.identification.energies import (
     equilibrium_states,
 )
 from rockeom.analysis.identification.noise import noise_level
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
@@ -158,9 +159,7 @@ class FreeVibration:
         """
         from scipy.interpolate import CubicSpline  # takes long to import
 
-        where = "FreeVibration.from_samples"
         offered = {
-            "time": time,
             "displacement": displacement,
             "velocity": velocity,
             "acceleration": acceleration,
@@ -168,21 +167,14 @@ class FreeVibration:
             "left_uplift": left_uplift,
             "right_uplift": right_uplift,
         }
-        given = {name: value for name, value in offered.items() if value is not None}
-        channels = dict(zip(given, numbers(where, **given), strict=True))
-        t, x = channels.pop("time"), channels["displacement"]
-        for name, values in channels.items():
-            if values.shape != t.shape or t.ndim != 1 or len(t) < 4:
-                raise ValueError(
-                    f"{where}: {name} has the shape {values.shape}, time has {t.shape}: give one "
-                    "value for each of at least 4 instants"
-                )
-        rule = "times must increase: of an instant that is there twice, drop one"
-        require(np.diff(t) > 0, where, "time", t[1:], rule)
+        where = "FreeVibration.from_samples"
+        t, channels = _sampled(
+            where, time, {name: value for name, value in offered.items() if value is not None}
+        )
+        x = channels["displacement"]
         if smallest is None:
             smallest = resolved_floor(t, x)
-        (floor,) = numbers(where, smallest=smallest)
-        require(floor >= 0, where, "smallest", floor, "it must be zero or positive")
+        (floor,) = not_negative(where, smallest=smallest)
         if crossing not in ("displacement", "acceleration"):
             raise ValueError(f"{where}: crossing is {crossing!r}: displacement or acceleration")
 
@@ -190,21 +182,11 @@ class FreeVibration:
         path = splines["displacement"]
         splines.setdefault("velocity", path.derivative())
         splines.setdefault("acceleration", path.derivative(2))
-
         peaks = _peaks(t, x, path, float(floor))
         if not peaks:
-            raise ValueError(f"{where}: displacement has no peak above smallest = {smallest} m")
-        instants = [peaks[0]]
-        signal = splines[crossing]
-        zeros = signal.roots(discontinuity=False, extrapolate=False)
-        for before, after in pairwise(peaks):
-            between = zeros[(zeros > before) & (zeros < after)]
-            if not len(between):
-                raise ValueError(
-                    f"{where}: {crossing} has no zero between the peaks at {before} and {after} s"
-                )
-            instants += [float(between[len(between) // 2]), after]  # of several, noise, the middle
-        at = np.array(instants)
+            raise ValueError(f"{where}: displacement has no peak above smallest = {floor} m")
+        zeros = splines[crossing].roots(discontinuity=False, extrapolate=False)
+        at = _with_crossings(where, peaks, zeros, crossing)
         return cls(
             at_peak=np.arange(len(at)) % 2 == 0,
             time=at,
@@ -322,6 +304,39 @@ def resolved_floor(time: ArrayLike, displacement: ArrayLike, noise: float | None
 
 _CLEAR = 5.0  # standard deviations
 _RESOLVED = 6  # samples
+
+
+def _sampled(
+    where: str, time: ArrayLike, channels: Mapping[str, ArrayLike]
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Times (n,) and channels (n,) as arrays; ValueError for other shapes, or times in disorder."""
+    t, *arrays = numbers(where, time=time, **channels)
+    named = dict(zip(channels, arrays, strict=True))
+    for name, values in named.items():
+        if values.shape != t.shape or t.ndim != 1 or len(t) < 4:
+            raise ValueError(
+                f"{where}: {name} has the shape {values.shape}, time has {t.shape}: give one "
+                "value for each of at least 4 instants"
+            )
+    rule = "times must increase: drop one of two equal instants"
+    require(np.diff(t) > 0, where, "time", t[1:], rule)
+    return t, named
+
+
+def _with_crossings(where: str, peaks: list[float], zeros: np.ndarray, signal: str) -> np.ndarray:
+    """Times of the peaks and of the crossings between them; zeros : all those of the signal.
+
+    Noise makes several zeros near a crossing; the middle one counts.
+    """
+    instants = [peaks[0]]
+    for before, after in pairwise(peaks):
+        between = zeros[(zeros > before) & (zeros < after)]
+        if not len(between):
+            raise ValueError(
+                f"{where}: {signal} has no zero between the peaks at {before} and {after} s"
+            )
+        instants += [float(between[len(between) // 2]), after]
+    return np.array(instants)
 
 
 def _half_cycles(x: np.ndarray, floor: float) -> tuple[np.ndarray, np.ndarray]:

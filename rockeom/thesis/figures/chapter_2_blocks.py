@@ -332,12 +332,7 @@ def figure_2_12() -> Drawn:
     """
     figure = style.new_figure(6.6, 4.4)
     ax = figure.add_subplot()
-    counts = []
-    for beta in AMPLITUDES:
-        speeds = upright_speeds(driven(float(beta)))
-        mirror = 1.0 if abs(speeds.max()) >= abs(speeds.min()) else -1.0
-        ax.plot(np.full_like(speeds, beta), mirror * speeds, ".", ms=1.6, mew=0, color=style.INK)
-        counts.append(distinct(speeds))
+    counts = [draw_settled(ax, float(beta)) for beta in AMPLITUDES]
     for branch in branches(doublings=3):
         speeds = branch.at_impacts("x_dot")
         turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
@@ -351,44 +346,53 @@ def figure_2_12() -> Drawn:
     ax.plot([], [], **STABLE, label="stable orbit")
     ax.plot([], [], **UNSTABLE, label="unstable orbit")
     ax.legend(loc="center left", fontsize=7.5)
-    number = np.array(counts)
-    doubled = {n: AMPLITUDES[number == n] for n in (2, 4, 8)}
-    found = "; ".join(
+    return Drawn(figure, statements_on_doubling(np.array(counts)))
+
+
+def draw_settled(ax: Axes, beta: float) -> int:
+    """Dots at the speeds of the settled motion, the faster passage to the right; their number."""
+    speeds = upright_speeds(driven(beta))
+    mirror = 1.0 if abs(speeds.max()) >= abs(speeds.min()) else -1.0
+    ax.plot(np.full_like(speeds, beta), mirror * speeds, ".", ms=1.6, mew=0, color=style.INK)
+    return distinct(speeds)
+
+
+def statements_on_doubling(counts: np.ndarray) -> tuple[Statement, ...]:
+    """Of section 2.5.1 and Figure 2-12; counts : of the dots at each of `AMPLITUDES`."""
+    doubled = {n: AMPLITUDES[counts == n] for n in (2, 4, 8)}
+    dots = "; ".join(
         f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in doubled.items() if len(b)
     )
-    smeared = AMPLITUDES[number > 16]
+    smeared = AMPLITUDES[counts > 16]
     breaks, *values = cascade().values
     limits = cascade().accumulations
     by_energy = branches_by_energy()
     flips = [one for one in by_energy[1].bifurcations if one.value > AMPLITUDES[0]]
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "2.5.1", "two dots are a (1,1) orbit, 4 and 8 those of 2 and 4 cycles",
-                found, all(len(b) > 0 for b in doubled.values()),
-            ),
-            Statement(
-                "2.5.1", "the period doubles with increasing frequency until a distinct point",
-                f"the symmetry breaks at {breaks:.8f}; the period doubles at "
-                + ", ".join(f"{value:.8f}" for value in values)
-                + f"; the doublings pile up at {limits[-1]:.6f}, by the two before the last "
-                f"{limits[-2]:.6f}",
-                bool((np.diff(values) > 0).all() and cascade().ratios[-1] > 4.0),
-            ),
-            Statement(
-                "Figure 2-12", "r = 0.5",
-                "as a ratio of energies, as in 2-4, the (1,1) orbit does not double from 3 to "
-                f"3.26: its symmetry breaks at {by_energy[0].bifurcations[0].value:.8f}, and the "
-                "orbit behind lasts"
-                if not flips and by_energy[1].stable[1:].all() else f"also of energies {flips}",
-                bool(flips),
-            ),
-            Statement(
-                "2.5.1", "smeared bands for beta > 3.34, where the figure has ended",
-                f"from {smeared.min():.3f} on: 3.234 may be meant" if len(smeared) else "none",
-                len(smeared) == 0,
-            ),
+    return (
+        Statement(
+            "2.5.1", "two dots are a (1,1) orbit, 4 and 8 those of 2 and 4 cycles",
+            dots, all(len(b) > 0 for b in doubled.values()),
+        ),
+        Statement(
+            "2.5.1", "the period doubles with increasing frequency until a distinct point",
+            f"the symmetry breaks at {breaks:.8f}; the period doubles at "
+            + ", ".join(f"{value:.8f}" for value in values)
+            + f"; the doublings pile up at {limits[-1]:.6f}, by the two before the last "
+            f"{limits[-2]:.6f}",
+            bool((np.diff(values) > 0).all() and cascade().ratios[-1] > 4.0),
+        ),
+        Statement(
+            "Figure 2-12", "r = 0.5",
+            "as a ratio of energies, as in 2-4, the (1,1) orbit does not double from 3 to "
+            f"3.26: its symmetry breaks at {by_energy[0].bifurcations[0].value:.8f}, and the "
+            "orbit behind lasts"
+            if not flips and by_energy[1].stable[1:].all() else f"also of energies {flips}",
+            bool(flips),
+        ),
+        Statement(
+            "2.5.1", "smeared bands for beta > 3.34, where the figure has ended",
+            f"from {smeared.min():.3f} on: 3.234 may be meant" if len(smeared) else "none",
+            len(smeared) == 0,
         ),
     )  # fmt: skip
 

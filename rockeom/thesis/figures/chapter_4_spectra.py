@@ -9,7 +9,6 @@ one here, for 2.3 Hz at best, which beta makes 3.4 Hz.
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -70,6 +69,47 @@ def draw_spectrogram(ax: Axes, found: identification.MovingWindow) -> None:
     ax.grid(visible=False)
 
 
+def draw_records(ax: Axes, record: analysis.MeasuredRecord, window: tuple[float, float]) -> None:
+    ax.plot(record.time, record["displacement"] * MM, lw=0.8, label="displacement [mm]")
+    ax.plot(record.time, record["table"], lw=0.6, color="0.6", label=r"table [m/s$^2$]")
+    ax.axvspan(*window, color=style.LINES[4], alpha=0.35, lw=0)
+    ax.set_xlabel("time [s]")
+    ax.set_ylabel("1. records [mm], [m/s$^2$]")
+    ax.set_xlim(0, 6)
+    style.legend_above(ax)
+
+
+def draw_spectra(ax: Axes, inside: analysis.MeasuredRecord) -> None:
+    """Spectra of both channels of a record as long as one window."""
+    for channel, color in (("displacement", style.LINES[0]), ("table", "0.6")):
+        one = identification.moving_window(
+            inside, channel, window=len(inside.time) * inside.step, frequencies=(1.0, 25.0)
+        )
+        ax.plot(one.frequency, one.amplitude[0], color=color, label=channel)
+    ax.set_ylabel("2. spectra over their largest [-]")
+    ax.set_xlabel("frequency [Hz]")
+    style.legend_above(ax)
+
+
+def draw_transfer(ax: Axes, found: identification.MovingWindow, which: int) -> None:
+    ax.plot(found.frequency, found.amplitude[which] * found.largest[which] * MM)
+    ax.axvline(found.dominant[which], color=style.LINES[1], ls="--", lw=0.9)
+    ax.set_ylabel("3. transfer [mm/(m/s$^2$)]")
+    ax.set_xlabel("frequency [Hz]")
+
+
+def draw_stack(ax: Axes, found: identification.MovingWindow) -> None:
+    """Every twentieth window, each before the ones that follow it."""
+    for level, amplitude in zip(found.time[::20], found.amplitude[::20], strict=True):
+        line, order = level + 0.9 * amplitude, 10 - level
+        ax.fill_between(found.frequency, level, line, color="white", lw=0, zorder=order)
+        ax.plot(found.frequency, line, lw=0.6, color=style.INK, zorder=order)
+    ax.plot(found.dominant[::20], found.time[::20] + 0.9, color=style.LINES[1], lw=1, zorder=20)
+    ax.set_xlabel("frequency [Hz]")
+    ax.set_ylabel("4. time, middle of the window [s]")
+    ax.grid(visible=False)
+
+
 @thesis_figure(Source.IN_KIND)
 def figure_4_50() -> Drawn:
     """How the moving window finds the frequencies of a structure, step by step; in kind.
@@ -86,45 +126,10 @@ def figure_4_50() -> Drawn:
     inside = record.between(middle - found.span / 2, middle + found.span / 2)
     figure = style.new_figure(7.6, 7.2)
     grid = figure.add_gridspec(3, 2)
-    trace = figure.add_subplot(grid[0, :])
-    trace.plot(record.time, record["displacement"] * MM, lw=0.8, label="displacement [mm]")
-    trace.plot(record.time, record["table"], lw=0.6, color="0.6", label=r"table [m/s$^2$]")
-    trace.axvspan(inside.time[0], inside.time[-1], color=style.LINES[4], alpha=0.35, lw=0)
-    trace.set_xlabel("time [s]")
-    trace.set_ylabel("1. records [mm], [m/s$^2$]")
-    trace.set_xlim(0, 6)
-    style.legend_above(trace)
-
-    spectra = figure.add_subplot(grid[1, 0])
-    width: dict[str, Any] = {"window": len(inside.time) * record.step, "frequencies": (1.0, 25.0)}
-    for channel, color in (("displacement", style.LINES[0]), ("table", "0.6")):
-        one = identification.moving_window(inside, channel, **width)
-        spectra.plot(one.frequency, one.amplitude[0], color=color, label=channel)
-    spectra.set_ylabel("2. spectra over their largest [-]")
-    spectra.set_xlabel("frequency [Hz]")
-    style.legend_above(spectra)
-
-    transfer = figure.add_subplot(grid[1, 1])
-    transfer.plot(found.frequency, found.amplitude[which] * found.largest[which] * MM)
-    transfer.axvline(found.dominant[which], color=style.LINES[1], ls="--", lw=0.9)
-    transfer.set_ylabel("3. transfer [mm/(m/s$^2$)]")
-    transfer.set_xlabel("frequency [Hz]")
-
-    stack = figure.add_subplot(grid[2, 0])
-    for n in range(0, len(found.time), 20):
-        level = found.time[n]
-        stack.fill_between(
-            found.frequency, level, level + 0.9 * found.amplitude[n], color="white", lw=0,
-            zorder=10 - level,
-        )  # fmt: skip
-        stack.plot(
-            found.frequency, level + 0.9 * found.amplitude[n], lw=0.6, color=style.INK,
-            zorder=10 - level,
-        )  # fmt: skip
-    stack.plot(found.dominant[::20], found.time[::20] + 0.9, color=style.LINES[1], lw=1, zorder=20)
-    stack.set_xlabel("frequency [Hz]")
-    stack.set_ylabel("4. time, middle of the window [s]")
-    stack.grid(visible=False)
+    draw_records(figure.add_subplot(grid[0, :]), record, (inside.time[0], inside.time[-1]))
+    draw_spectra(figure.add_subplot(grid[1, 0]), inside)
+    draw_transfer(figure.add_subplot(grid[1, 1]), found, which)
+    draw_stack(figure.add_subplot(grid[2, 0]), found)
     draw_spectrogram(above := figure.add_subplot(grid[2, 1]), found)
     above.set_ylabel("5. frequency [Hz]")
     low, high = np.percentile(found.dominant, [10, 90])

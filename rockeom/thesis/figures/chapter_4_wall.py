@@ -202,56 +202,52 @@ def figure_4_19() -> Figure:
     return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_20() -> Drawn:
-    """Force of the tendon against the displacement: 4-16 and Table A-1.
+class TendonOfTable(NamedTuple):
+    """The rows of Table A-1 that tell the force of the tendon.
 
-    With the stiffness of appendix B, an unstressed length of 3093.5 mm; 4-16 adds the extension
-    to the distance of the anchors instead of taking it off. The curve lies above the peaks. Dotted
-    is 4-16 with its initial force and its stiffness fitted to the legible peaks.
+    displacement [m], force [N] (n,); legible, peaks (n,) : which rows are legible, which of these
+    are peaks. fit : of the initial force and the stiffness of 4-16 to these peaks.
     """
-    measured = identification.FreeVibration.table_a1()
-    chosen = legible()
-    peaks = chosen & measured.at_peak
-    x, force = measured.displacement, np.asarray(measured.tendon_force)
-    edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
-    stiffness = WALL.tendons[0].stiffness
 
-    def fitted(d: np.ndarray, start: float, factor: float) -> np.ndarray:
-        return start + factor * stiffness * WALL.tendon_extension(d)
+    displacement: np.ndarray
+    force: np.ndarray
+    legible: np.ndarray
+    peaks: np.ndarray
+    fit: identification.Fit
 
-    found = identification.fit(
-        lambda start, factor: fitted(x[peaks], start, factor), force[peaks],
-        {"start": 75e3, "factor": 1.0},
-    )  # fmt: skip
-    figure, *axes = overview_and_origin()
-    for ax, far in zip(axes, (0.032, 0.005), strict=True):
-        d = symmetric(far)
-        ax.set_prop_cycle(color=style.LINES)
-        ax.plot(d * MM, WALL.tendon_force(d) / 1e3, label="4-16 with 4-7 as printed")
-        ax.plot(d * MM, edge.tendon_force(d) / 1e3, "--", label="4-16 with 4-7 from the edge")
-        ax.plot(d * MM, fitted(d, **found.values) / 1e3, ":", label="stiffness fitted to peaks")
-        draw_measured(ax, "tendon_force", 1e3)
-    axes[0].set_ylabel("tendon force $P$ [kN]")
-    axes[0].set_ylim(70, 175)
-    axes[0].legend(loc="upper center", fontsize=7.5)
-    axes[1].set_xlim(-5, 5)
-    axes[1].set_ylim(74, 88)
+    @classmethod
+    def fitted(cls) -> TendonOfTable:
+        measured = identification.FreeVibration.table_a1()
+        chosen = legible()
+        peaks = chosen & measured.at_peak
+        x, force = measured.displacement, np.asarray(measured.tendon_force)
+        fit = identification.fit(
+            lambda start, factor: tendon_line(x[peaks], start, factor), force[peaks],
+            {"start": 75e3, "factor": 1.0},
+        )  # fmt: skip
+        return cls(x, force, chosen, peaks, fit)
 
-    def r_squared(wall: analysis.Wall, rows: np.ndarray) -> float:
-        return identification.coefficient_of_determination(force[rows], wall.tendon_force(x[rows]))
+    def r_squared(self, wall: analysis.Wall, rows: np.ndarray) -> float:
+        computed = wall.tendon_force(self.displacement[rows])
+        return identification.coefficient_of_determination(self.force[rows], computed)
 
-    large = peaks & (np.abs(x) > 6e-3)
-    above = [(wall.tendon_force(x[large]) - force[large]) / 1e3 for wall in (WALL, edge)]
-    low, high = found.interval("factor")
-    r2 = r_squared(WALL, chosen)
-    return Drawn(
-        figure,
-        (
+    def statements(self, edge: analysis.Wall) -> tuple[Statement, ...]:
+        """Of 4-16 with 4-7 as printed, and from the edge of the wall."""
+        r2 = {
+            wall: (self.r_squared(wall, self.legible), self.r_squared(wall, self.peaks))
+            for wall in (WALL, edge)
+        }
+        large = self.peaks & (np.abs(self.displacement) > 6e-3)
+        above = [
+            (wall.tendon_force(self.displacement[large]) - self.force[large]) / 1e3 for wall in r2
+        ]
+        low, high = self.fit.interval("factor")
+        factor, start = self.fit.values["factor"], self.fit.values["start"]
+        return (
             Statement(
                 "4.6", "R2 = 0.927 of 4-16",
-                f"R2 = {r2:.3f} at all legible rows of Table A-1, {r_squared(WALL, peaks):.3f} at "
-                f"its peaks; {r_squared(edge, chosen):.3f} and {r_squared(edge, peaks):.3f} with "
+                f"R2 = {r2[WALL][0]:.3f} at all legible rows of Table A-1, {r2[WALL][1]:.3f} at "
+                f"its peaks; {r2[edge][0]:.3f} and {r2[edge][1]:.3f} with "
                 "4-7 from the edge. The text's is of the whole record, which is not printed",
                 None,
             ),
@@ -264,13 +260,44 @@ def figure_4_20() -> Drawn:
             ),
             Statement(
                 "4.6", "4-16 with the EA/L of the tendon",
-                f"{stiffness / 1e6:.2f} kN/mm; the peaks ask for {found.values['factor']:.3f} of "
-                f"it ({low:.3f} to {high:.3f}), from {found.values['start'] / 1e3:.1f} kN on; "
-                f"R2 = {found.r_squared:.3f}",
+                f"{WALL.tendons[0].stiffness / 1e6:.2f} kN/mm; the peaks ask for {factor:.3f} of "
+                f"it ({low:.3f} to {high:.3f}), from {start / 1e3:.1f} kN on; "
+                f"R2 = {self.fit.r_squared:.3f}",
                 bool(low < 1 < high),
             ),
-        ),
-    )  # fmt: skip
+        )  # fmt: skip
+
+
+def tendon_line(d: np.ndarray, start: float, factor: float) -> np.ndarray:
+    """4-16 with an initial force [N] and a factor of its stiffness."""
+    return start + factor * WALL.tendons[0].stiffness * WALL.tendon_extension(d)
+
+
+@thesis_figure(Source.COMPUTED)
+def figure_4_20() -> Drawn:
+    """Force of the tendon against the displacement: 4-16 and Table A-1.
+
+    With the stiffness of appendix B, an unstressed length of 3093.5 mm; 4-16 adds the extension
+    to the distance of the anchors instead of taking it off. The curve lies above the peaks. Dotted
+    is 4-16 with its initial force and its stiffness fitted to the legible peaks.
+    """
+    measured = TendonOfTable.fitted()
+    edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
+    figure, *axes = overview_and_origin()
+    for ax, far in zip(axes, (0.032, 0.005), strict=True):
+        d = symmetric(far)
+        line = tendon_line(d, **measured.fit.values)
+        ax.set_prop_cycle(color=style.LINES)
+        ax.plot(d * MM, WALL.tendon_force(d) / 1e3, label="4-16 with 4-7 as printed")
+        ax.plot(d * MM, edge.tendon_force(d) / 1e3, "--", label="4-16 with 4-7 from the edge")
+        ax.plot(d * MM, line / 1e3, ":", label="stiffness fitted to peaks")
+        draw_measured(ax, "tendon_force", 1e3)
+    axes[0].set_ylabel("tendon force $P$ [kN]")
+    axes[0].set_ylim(70, 175)
+    axes[0].legend(loc="upper center", fontsize=7.5)
+    axes[1].set_xlim(-5, 5)
+    axes[1].set_ylim(74, 88)
+    return Drawn(figure, measured.statements(edge))
 
 
 # --- quarter periods and conservative motion
