@@ -1,4 +1,4 @@
-"""What a dataset of `simulate_many` says of its cases, however it keeps it."""
+"""Outcomes and peaks of the cases of a dataset of `simulate_many`, in either form of it."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ import xarray as xr
 
 RESTS = "came to rest"
 STANDS = ("completed", RESTS)
-"""Outcomes of cases that were followed to their end and did not fall."""
+"""Outcomes of motions that last to their end without overturning."""
 FALLS = "overturned"
 NOT_RUN = "not run"
-"""The label of a case that an interrupt left out: no outcome."""
+"""Label, and no outcome, of a case that an interrupt left out."""
 
 
 def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     """How each case of a sweep ended, in words such as "overturned", of the shape of the sweep.
 
     sweep : its variable `outcome` holds labels, or numbers whose `flag_values` and `flag_meanings`
-        say what they mean (CF conventions, 3.5). "not run" is none.
+        name them (CF conventions, 3.5). "not run" is no outcome.
 
-    Raises ValueError where there is no such variable, and for numbers that mean nothing.
+    Raises ValueError where there is no such variable, and for numbers without a meaning.
     """
     if "outcome" not in sweep:
         raise ValueError("outcome_labels: the dataset has no `outcome`: give one of simulate_many")
@@ -34,7 +34,7 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     if len(values) != len(words) or strange:
         raise ValueError(
             f"outcome_labels: outcome is {min(strange, default='numbers')}, and its flag_values "
-            f"{values.tolist()} with flag_meanings {meanings!r} do not say what that means"
+            f"{values.tolist()} with flag_meanings {meanings!r} do not name it"
         )
     order = np.argsort(values)
     labels = np.array(words)[order][np.searchsorted(values[order], found.values)]
@@ -58,6 +58,6 @@ def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
     if name in sweep.data_vars:
         return sweep[name]
     raise ValueError(
-        f"the sweep has no {name!r}: choose of {', '.join(there)}, or give simulate_many "
+        f"the sweep has no {name!r}: choose among {', '.join(there)}, or give simulate_many "
         f"quantities=[{name!r}]"
     )

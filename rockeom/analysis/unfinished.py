@@ -1,4 +1,4 @@
-"""Long work that an interrupt ended early: the guard of all answers that follow from it."""
+"""Results of long work that an interrupt ended early: no other result may follow from them."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ Result = TypeVar("Result", bound="Interruptible | xr.Dataset")
 
 
 class Interruptible(Protocol):
-    """A result of long work, no dataset, that a keyboard interrupt may have ended early."""
+    """A result, other than a dataset, of work that a keyboard interrupt may have ended early."""
 
     @property
     def interrupted(self) -> bool: ...
 
 
 def finished(result: Result) -> Result:
-    """A result of long work from which another answer follows, if the work was done to its end.
+    """The result itself, if the work was done to its end; raises KeyboardInterrupt otherwise.
 
-    A call by the user returns what is done at an interrupt. A call inside the package has no reader
-    for that, so each goes through this function, which raises the interrupt again.
+    A call by the user returns an incomplete result at an interrupt. A call in the package passes it
+    through this function, which raises the interrupt again.
     """
     if isinstance(result, xr.Dataset):
         interrupted = result.attrs.get("interrupted")

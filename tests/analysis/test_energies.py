@@ -160,7 +160,7 @@ def test_peak_beyond_the_balance_is_refused():
 def test_what_a_structure_does_not_have_or_reach_is_refused():
     with pytest.raises(ValueError, match=r"no quantity 'displacment' \(did you mean displ"):
         identification.static_energy(column(), 0.01, quantity="displacment")
-    with pytest.raises(ValueError, match=r"has fallen before its displacement is 30.0"):
+    with pytest.raises(ValueError, match=r"overturns before its displacement is 30.0"):
         identification.static_energy(column(), 30.0, quantity="displacement")
 
 

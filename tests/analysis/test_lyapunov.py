@@ -123,7 +123,7 @@ def test_two_calls_give_what_one_does():
     both = dynamics.lyapunov_spectrum(stroboscope, half, cycles=25)
     np.testing.assert_array_equal(both.growth, whole.growth)
     np.testing.assert_array_equal(both.state, whole.state)
-    with pytest.raises(ValueError, match="go on with it by the map that it was found with"):
+    with pytest.raises(ValueError, match="continue it with the map of the call"):
         dynamics.lyapunov_spectrum(
             dynamics.StroboscopicMap(SQUAT, stroboscope.motion, PERIOD, states=("x",)), half
         )

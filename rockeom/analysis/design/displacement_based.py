@@ -4,12 +4,12 @@
     from rockeom.analysis import design, formulas
 
     records = [rk.GroundMotion.from_library(f"El Centro 1940 {n}") for n in (180, 270)]
-    design = design.displacement_based_design(
+    found = design.displacement_based_design(
         target_displacement=0.15, yield_displacement=0.03, mass=20e3,
         spectrum=design.MeanSpectrum(records),
         damping=lambda ductility, period: formulas.design_damping("flag", ductility, period),
     )
-    design.base_shear, design.effective_period  # N, s
+    found.base_shear, found.effective_period  # N, s
 
 The substitute structure is elastic: its stiffness is the secant one at the target displacement,
 and its damping ratio that of 2-31 to 2-35 at the ductility there. The period at which the spectrum
@@ -73,7 +73,7 @@ class MeanSpectrum:
 
 @dataclass(frozen=True)
 class DisplacementDesign:
-    """What the design comes to.
+    """Result of the design.
 
     outcome : "designed"; "target beyond the spectrum", no period up to the longest needs so much;
         or "target below the spectrum", the shortest period needs more.
@@ -119,9 +119,9 @@ def displacement_based_design(
         `modified_spectrum` of one for 5 %.
     damping : ratio of ductility and effective period [s], such as 2-31 with 2-32c,
         `lambda mu, t: 0.05 + flag_damping(mu, 0.05, 0.35)`, 2-33 (`grant_damping`), 2-34 or 2-35.
-    periods : shortest and longest that are looked at [s].
+    periods : shortest and longest of the search [s].
 
-    The shortest of the periods at which the spectrum has the target displacement is taken.
+    Several periods may have the target displacement; the shortest is the effective one.
     Raises ValueError for a target below the yield displacement, where the structure is elastic.
     """
     from scipy.optimize import brentq  # takes long to import
@@ -192,14 +192,14 @@ def check_design(
     *,
     matched: bool = True,
 ) -> DesignCheck:
-    """A design beside the integration of the structure that was designed.
+    """Comparison of a design with the integration of the structure designed.
 
-    design : of `displacement_based_design`. peaks : what makes the largest displacements (m,) [m]
-    of m motions, such as `lambda some: oscillator.response(some).peak` of an
+    design : of `displacement_based_design`. peaks : function from m motions to the largest
+    displacements (m,) [m], such as `lambda some: oscillator.response(some).peak` of an
     `EquivalentOscillator`, or a sweep of a structure.
     motions : matched, each is first scaled so that its own damped spectrum has the target at the
-    effective period: what is compared is then the substitute structure with the non-linear one.
-    Otherwise they are taken as they are, and their scatter counts as well.
+    effective period: this compares the substitute structure with the non-linear one.
+    Otherwise they are used unscaled, and their scatter counts as well.
 
     Raises ValueError for a design that has no effective period.
     """
@@ -221,7 +221,7 @@ def wall_for_base_shear(wall: Wall, displacement: float, base_shear: float) -> W
     wall : whose tendons are all prestressed by the same factor more or less. displacement [m];
     base_shear, the horizontal force at the wall's height there [N].
 
-    Raises ValueError where no prestress between none and yield gives it, with what can be had.
+    Raises ValueError, with the possible range, where no prestress between none and yield gives it.
     """
     from scipy.optimize import brentq  # takes long to import
 

@@ -8,9 +8,8 @@
     found = design.restitution_envelope(block, records, ratios=[0.80, 0.85, 0.90, 0.95])
     found.envelope  # the largest |theta| over all r, for each record
 
-The thesis proposes it for want of a known r, and gives it up: the peak is no slowly varying
-function of r (Figure 4-71). `conservative` says how many of the analyses reach a response that is
-known.
+The thesis proposes it where r is unknown, and rejects it: the peak is no slowly varying function of
+r (Figure 4-71). `conservative` is the part of the analyses that reach a known response.
 """
 
 from __future__ import annotations
@@ -69,9 +68,9 @@ def restitution_envelope(
 ) -> RestitutionEnvelope:
     """Peaks of a structure for each ratio r of kinetic energies and each ground motion.
 
-    structure : one whose law of impact is to be EnergyRatio(r), or a function that makes the
-        `Case` of r and a motion, where r enters in another way, as in `ControlledWallOscillator`.
-    motions : whose quiet time at the end is long enough to fall in. ratios (n,) in (0, 1].
+    structure : one with the impact law EnergyRatio(r), or a function that makes the `Case` of r and
+        a motion, where r enters in another way, as in `ControlledWallOscillator`.
+    motions : with enough quiet time at the end to overturn in. ratios (n,) in (0, 1].
     state : whose peaks are kept, the first one of the structure if not given.
 
     Raises ValueError for a ratio outside (0, 1], an unknown state and a motion without an answer,

@@ -1,4 +1,4 @@
-"""FEMA 356's procedure for rocking (thesis 2.7), and what integration finds beside it.
+"""FEMA 356's procedure for rocking (thesis 2.7), and its comparison with integration.
 
     import rockeom as rk
     from rockeom.analysis import design
@@ -8,7 +8,7 @@
     estimate = design.fema_356_rocking(block, record)
     estimate.outcome, estimate.rotation / block.alpha
 
-The steps, as the thesis tells them after Makris and Konstantinidis (2003):
+The steps, by the thesis after Makris and Konstantinidis (2003):
 
 1. The element rocks about the middle of a stress block at its edge, whose length is m g/q_c.
 2. It rocks if S_a > g tan(alpha), S_a being that of the period at which it does not rock.
@@ -16,7 +16,7 @@ The steps, as the thesis tells them after Makris and Konstantinidis (2003):
 4. A rotation gives a period by 2-5, the period a displacement of the spectrum, the displacement the
    next rotation, until it stays.
 
-How a displacement delta becomes a rotation the text leaves out: it refers to 2-16, which is a
+The text does not state how a displacement delta becomes a rotation: it refers to 2-16, which is a
 damping. Here delta is the displacement of the centroid and theta = delta/R, as for rotations that
 are small beside alpha's complement; another arm may be given.
 """
@@ -51,7 +51,7 @@ _DAMPINGS = {"2-15": fema_356_damping, "2-16": priestley_damping}
 
 @dataclass(frozen=True)
 class FemaEstimate:
-    """What the procedure comes to.
+    """Result of the procedure.
 
     outcome : "no rocking" (S_a is not above g tan(alpha)), "converged", "overturned" (a rotation
         reached alpha, where 2-5 has no period) or "not converged" (the rotation goes to and fro).
@@ -87,7 +87,7 @@ def fema_356_rocking(
 ) -> FemaEstimate:
     """Peak rotation of a rocking block by FEMA 356; the steps are those of this module.
 
-    block, motion : whose spectrum takes the place of the design spectrum; or a design spectrum, a
+    block, motion : its spectrum replaces the design spectrum; or a design spectrum, a
         function of period [s] and damping ratio that gives the displacement [m], such as
         `modified_spectrum` of one for 5 %. It needs a fixed_base_period.
     damping : "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
@@ -96,9 +96,9 @@ def fema_356_rocking(
     fixed_base_period : at which S_a is read, with 5 % of damping, in step 2 [s]; at 0, a rigid
         block, S_a is the peak of the ground's acceleration.
     arm of the rotation, theta = delta/arm [m]; R about the pivot if not given.
-    first_guess, tolerance : of the rotation, over alpha. iterations : at most so many.
+    first_guess, tolerance : of the rotation, over alpha. iterations : their greatest number.
 
-    Raises ValueError for what cannot be, such as a stress block as wide as the block.
+    Raises ValueError for impossible arguments, such as a stress block as wide as the block.
     """
     where = "fema_356_rocking"
     if damping not in _DAMPINGS:
@@ -173,7 +173,7 @@ def _spectral_acceleration(
     if isinstance(motion, GroundMotion):
         return motion.peak
     raise ValueError(
-        f"{where}: fixed_base_period is 0, at which a spectrum of displacements tells no "
+        f"{where}: fixed_base_period is 0, at which a spectrum of displacements has no "
         "acceleration: give the period at which the block does not rock [s], such as 0.05"
     )
 
@@ -221,7 +221,7 @@ class FemaComparison:
         return np.divide(found, self.rotation, out=np.full(len(found), np.nan), where=rocked)
 
     def __str__(self) -> str:
-        """The table, its rotations over alpha, and what there is of each outcome.
+        """The table, with rotations over alpha, and the number of each outcome.
 
         The ratio is that of 2-15 to integration; where only the estimate overturns, more than
         alpha over the rotation found.
@@ -245,7 +245,7 @@ class FemaComparison:
         return "\n".join([*lines, "", self.summary()])
 
     def summary(self) -> str:
-        """How often each outcome, and how far off the ratios are."""
+        """Number of each outcome, and range of the ratios."""
         number = len(self.motions)
         plural = "" if number == 1 else "s"
         text = [f"{number} motion{plural}; integrated: {self.overturned.sum()} overturned"]

@@ -1,4 +1,4 @@
-"""Hysteresis: the rules of Figure 2-21 of the thesis, their loops, and what these lose.
+"""Hysteresis: the rules of thesis Figure 2-21, their loops and damping.
 
     from rockeom.analysis import design
 
@@ -9,8 +9,8 @@
     flag.damping(ductility=4.0)  # by thesis 2-32c
 
 A rule goes from one displacement to the next; as long as it does not turn back in between, the
-step may be of any length and the force is exact. What it remembers is an array (k, n) for n
-springs at once, so that a time integration may try a step and throw it away.
+step may be of any length and the force is exact. The memory of a rule is an array (k, n) of n
+springs, so that a time integration may try a step and reject it.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class HysteresisLoop(NamedTuple):
 
 
 class HysteresisStep(NamedTuple):
-    """The force [N] after a step, (n,), and what the rule then remembers, (k, n)."""
+    """The force [N] after a step, (n,), and the memory of the rule then, (k, n)."""
 
     force: np.ndarray
     memory: np.ndarray
@@ -53,7 +53,7 @@ class HysteresisStep(NamedTuple):
 
 @dataclass(frozen=True)
 class HysteresisRule:
-    """What the three rules share: elastic up to yield, and a stiffness after it.
+    """Common part of the rules: elastic up to yield, and a stiffness after it.
 
     yield_force F_y [N]; yield_displacement u_y [m]; stiffness_ratio k_p/k_i in [0, 1), of the
     stiffness after yield and the initial one, F_y/u_y.
@@ -80,7 +80,7 @@ class HysteresisRule:
         return self._envelope(u)
 
     def start(self, number: int = 1) -> np.ndarray:
-        """What `number` springs remember that were never moved, (k, number)."""
+        """Memory of `number` springs before any displacement, (k, number)."""
         raise NotImplementedError
 
     def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
@@ -104,7 +104,7 @@ class HysteresisRule:
         return HysteresisLoop(u * self.yield_displacement, f * self.yield_force)
 
     def simulated_loop(self, ductility: float, points: int = 200) -> HysteresisLoop:
-        """What the rule goes through in the second of two cycles to and fro.
+        """The path of the second of two cycles to and fro.
 
         ductility : largest displacement over that at yield. points of the cycle, besides the
         corners of `loop`, which are among them: between its points the loop is then straight.
@@ -137,7 +137,7 @@ class HysteresisRule:
 
 
 class _BetweenBounds(HysteresisRule):
-    """A rule that is elastic between two bounds and follows them: it remembers F - k_i u."""
+    """A rule that is elastic between two bounds and follows them; its memory is F - k_i u."""
 
     def start(self, number: int = 1) -> np.ndarray:
         return np.zeros((1, number))

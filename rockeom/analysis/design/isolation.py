@@ -1,4 +1,4 @@
-"""What rocking does for a structure: its demands beside those of the same structure held down.
+"""Demands on a structure that rocks, and on the same structure on a fixed base.
 
     from rockeom import analysis
 
@@ -25,10 +25,10 @@ from rockeom.structures.impact_laws import ImpactLaw
 
 
 class Demands(NamedTuple):
-    """The largest of each in a response, whatever its sign.
+    """Largest absolute values in a response.
 
     base_shear [N] : horizontal force of the ground. base_moment [N m] : of the ground's forces
-    about the middle of the base, as `Response.base_moment`; nan where that is unknown.
+    about the middle of the base, as `Response.base_moment`; nan where it is unknown.
     displacement [m] : of the load point, deformation and rocking together. deformations [m] : of
     the coordinates besides the rotation, by name. uplift [m] : of either foot.
     """
@@ -54,7 +54,7 @@ class Isolation:
 
     @property
     def fixed(self) -> Demands:
-        """The demands on the structure whose feet are held down."""
+        """The demands on the structure on a fixed base."""
         return demands(self.fixed_run)
 
     @property
@@ -76,8 +76,8 @@ def compare_with_fixed_base(
 ) -> Isolation:
     """The same structure, rocking and on a fixed base, under the same motion.
 
-    structure, motion, duration [s], options : as in `simulate`. impact : law of the structure that
-    rocks, as there.
+    structure, motion, duration [s], options : as in `simulate`. impact : impact law of the
+    structure that rocks, as in `simulate`.
 
     Raises ValueError for a structure that has no fixed base, see `Structure.fixed_base`.
 
@@ -88,10 +88,10 @@ def compare_with_fixed_base(
     """
     if not isinstance(structure, Structure):
         raise TypeError(f"structure is {told(structure)}: give one such as FlexibleStructure(...)")
-    held = structure.fixed_base()
+    fixed = structure.fixed_base()
     return Isolation(
         simulate(structure, motion, impact=impact, duration=duration, options=options),
-        simulate(held, motion, duration=duration, options=options),
+        simulate(fixed, motion, duration=duration, options=options),
     )
 
 
@@ -102,7 +102,7 @@ def demands(run: Response) -> Demands:
     """
     if "left_uplift" not in run.names:
         raise ValueError(
-            f"{run.structure.model} has no feet: its response tells no base shear and no uplift"
+            f"{run.structure.model} has no feet: its response has no base shear and no uplift"
         )
     rotation = run.program.ROTATION
     coordinates = run.states[: run.program.N_STATES // 2]
@@ -121,9 +121,9 @@ def demands(run: Response) -> Demands:
 
 
 def energy_balance(run: Response) -> EnergyBalance:
-    """The energy of a response `run` by quadrature of its motion, beside that of its states.
+    """The energies of a response `run`: work and losses by quadrature, and those of its states.
 
     Work and losses are integrals over the steps, the energies those of the states at the ends:
-    the error tells how well the motion was integrated. The same as `run.energy_balance()`.
+    their difference measures the accuracy of the integration. The same as `run.energy_balance()`.
     """
     return run.energy_balance()

@@ -3,7 +3,7 @@
     import rockeom as rk
     from rockeom.analysis import design
 
-    wall = analysis.Wall.thesis()
+    wall = rk.analysis.Wall.thesis()
     softer = design.linear_start(wall.restoring_force, displacement=2e-3)
     viscous = design.ViscousDamping(4e3, below=5e-3)
     passages = design.PassageDamping(0.852, width=3.55e-3)
@@ -15,7 +15,7 @@
 The equation is M x'' + F_k(x) + F_D(x, x') = -M a_g, thesis 4-41. A backbone is a function of the
 user's, not of symbols, so this oscillator is no declared structure: it is integrated here by the
 classical method of order 4 with equal steps. Where the force has corners the error falls with the
-square of the step, so halve it to see what is left. `ControlledWallOscillator` is the compiled
+square of the step: halve it to estimate the error. `ControlledWallOscillator` is the compiled
 structure for the backbone of a wall.
 """
 
@@ -37,7 +37,7 @@ Force = Callable[[np.ndarray], np.ndarray]
 """Displacements [m] to restoring forces [N], both (n,)."""
 
 _SMALL = 1e-7
-"""Of a displacement, for tangents [m]."""
+"""Step of the differences that give the tangent stiffness [m]."""
 
 
 # --- backbones

@@ -1,17 +1,17 @@
-"""Boundaries of overturning by derivatives of the motion: points to many digits, and their course.
+"""Boundaries of overturning by derivatives of the motion: accurate points, and continuation.
 
-    point = analysis.dynamics.overturning_point(pulse, {"frequency": 4, "amplitude": 1.5},
+    point = dynamics.overturning_point(pulse, {"frequency": 4, "amplitude": 1.5},
                                        {"frequency": 4, "amplitude": 2.0})
     point.at  # {"frequency": 4.0, "amplitude": 1.788563...}
-    line = analysis.dynamics.followed_boundary(
+    line = dynamics.followed_boundary(
         pulse, point, within={"frequency": (0.5, 8.0), "amplitude": (0.5, 8.0)}
     )
 
-On the boundary the motion comes to its balance and stays there. Beside it, at a small distance h,
-it leaves the balance after a time that grows as -ln|h|/lambda, lambda being the rate at which it
-falls from there, and then either overturns or comes back. So the derivative of the time T of that
-event grows as 1/h, from both sides, and 1/(dT/dh) goes through zero as a straight line, of slope
--lambda: a secant of it is right to second order.
+On the boundary the motion comes to the unstable equilibrium and stays there. At a small distance h
+from the boundary it leaves the equilibrium after a time that grows as -ln|h|/lambda, lambda being
+the rate at which it departs, and then either overturns or comes back. So the derivative of the time
+T of that event grows as 1/h, from both sides, and 1/(dT/dh) goes through zero as a straight line,
+of slope -lambda: a secant of it is right to second order.
 """
 
 from __future__ import annotations
@@ -31,17 +31,17 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.tangents import Tangents, tangents
 
 _LONGER = 5
-"""So many times a motion is made twice as long, to see how it ends."""
+"""Most doublings of the duration of a motion until its fate shows."""
 
 
 @dataclass(frozen=True)
 class OverturningPoint:
-    """A case at which the fate changes: its motion ends at the balance, for ever.
+    """A case at which the fate changes: its motion converges to the unstable equilibrium.
 
     at : the values, by name. normal (k,) : the direction in which the fate changes from `below` to
     `above` fastest, of length 1, in the order of the names; changes at right angles to it stay on
     the boundary. below, above : impacts before overturning on both sides, inf where it stands.
-    runs : motions that it took, with their derivatives.
+    runs : number of motions simulated, with their derivatives.
     """
 
     at: dict[str, float]
@@ -65,9 +65,9 @@ def overturning_point(
     start, end : numbers by the same names, of cases with different fates; the point is looked for
         on the straight line between them.
     accuracy : of the place on that line, in parts of the size of the numbers.
-    options : of the integrator. Its tolerance bounds how well the boundary is known at all.
+    options : of the integrator. Its tolerance limits the accuracy of the boundary.
 
-    Secants of 1/(dT/dh), see above, are as good as Newton's method, and are kept between points of
+    Secants of 1/(dT/dh), see above, are as good as Newton's method, and are bracketed by points of
     both sides (Brent's method); where there is no such derivative the line is halved.
 
     Raises ValueError for names that differ, for two cases of one fate, and where a third fate, or
@@ -131,12 +131,14 @@ class _Line:
 
     def said(self, place: float) -> str:
         values = zip(self.names, self.values(place).tolist(), strict=True)
-        told = ", ".join(f"{name} = {value:.12g}" for name, value in values)
+        numbers = ", ".join(f"{name} = {value:.12g}" for name, value in values)
         fate = self.run(place).fate
-        return f"{told} " + ("stands" if math.isinf(fate) else f"overturns after {fate:g} impacts")
+        return f"{numbers} " + (
+            "stands" if math.isinf(fate) else f"overturns after {fate:g} impacts"
+        )
 
     def steepness(self, place: float) -> float:
-        """1/(dT/dplace), negative on the side of the start; only its sign where T is not known."""
+        """1/(dT/dplace), negative on the side of the start; only its sign where T is unknown."""
         below, above = self.fates
         fate = self.run(place).fate
         if fate not in (below, above):
@@ -148,7 +150,7 @@ class _Line:
         return (-1.0 if fate == below else 1.0) * (1.0 / slope if slope > 0 else 1.0)
 
     def gradient(self, place: float) -> np.ndarray:
-        """(k,) of the time at which the balance is left for good; zeros where it is not known."""
+        """(k,) of the time at which the motion leaves the equilibrium; zeros where unknown."""
         fallen = [run.passages for run in (self.run(0.0), self.run(1.0)) if run.falls]
         return self.run(place).gradient(min(fallen))
 
@@ -188,11 +190,11 @@ class _Run:
         return math.inf if run.outcome in STANDS else math.nan
 
     def gradient(self, passages: int) -> np.ndarray:
-        """Of the time of what follows so many passages: the next, or lying on the ground."""
+        """Gradient of the time of the event after so many passages, overturning included."""
         for found in self.longer():
             if len(found.event_times) > passages:
                 slope = found.event_times[passages]
-            elif found.response.t[-1] < found.response.duration:  # it lies on the ground
+            elif found.response.t[-1] < found.response.duration:  # it has overturned
                 slope = found.end_time
             else:
                 continue
@@ -200,7 +202,7 @@ class _Run:
         return np.zeros(len(self.found.end_time))
 
     def longer(self) -> Iterator[Tangents]:
-        """The motion as it is, and ever longer while it moves; it is kept as it was made last."""
+        """The motion, and ever longer ones while it moves; the last one is cached."""
         for _ in range(_LONGER):
             yield self.found
             if self.found.response.outcome == RESTS:
@@ -222,12 +224,12 @@ def followed_boundary(
     most: int = 1000,
     options: SolverOptions | None = None,
 ) -> xr.Dataset:
-    """The boundary through a point, followed both ways, whichever way it turns.
+    """The boundary through a point, followed both ways through all its turns.
 
-    case, accuracy, options : as of `overturning_point`. point : what that returned, of two names.
+    case, accuracy, options : as of `overturning_point`. point : its result, of two names.
     within : the least and the largest value of each name, where the boundary is left.
-    step : the longest, in parts of what is within; less where the boundary bends. most : points,
-        each way.
+    step : the longest, in parts of the ranges; less where the boundary bends. most : points, each
+        way.
 
     From a point the line goes on at a right angle to its normal, and from there along it to the
     next point. A step that finds other fates is halved; the line ends where a hundredth of it does

@@ -1,10 +1,10 @@
-"""Families of periodic motions as a parameter changes, stable or not, and where they change.
+"""Branches of periodic motions, stable or not, as a parameter changes, and their bifurcations.
 
     def at(beta):
         motion = rk.GroundMotion.harmonic(beta, period=0.6, duration=1.2)
-        return analysis.dynamics.StroboscopicMap(block, motion, period=0.6, mirrored=True)
+        return dynamics.StroboscopicMap(block, motion, period=0.6, mirrored=True)
 
-    branch = analysis.dynamics.orbit_branch(at, between=(1.0, 2.0), guess=settled)
+    branch = dynamics.orbit_branch(at, between=(1.0, 2.0), guess=settled)
     branch.values, branch.stable
     for found in branch.bifurcations:
         print(found.kind, found.value)
@@ -17,7 +17,7 @@ number does, and so the derivative by it is exact, too.
 States x of all cycles and the parameter are unknown together, z = (x, value); the motion closes on
 a curve of them, which is followed along its own length (pseudo-arclength continuation, Keller
 1977), so that a fold is no end. Between two points of the curve a function that changes its sign
-tells what happens, and is set to zero:
+locates each bifurcation:
 
     fold               the direction of the curve has no part along the parameter; multiplier +1
     branch point       the Jacobian with the direction as a last row is singular: another branch
@@ -63,7 +63,7 @@ _INSIDE = 1e-9
 """By how much of their range values may pass a bound, for rounding."""
 
 _AT_THE_LOOK = 1e-6
-"""Time of an event from a look, in parts of the cycle, that counts as none."""
+"""Time between an event and the start of a cycle, in parts of the cycle, that counts as zero."""
 
 _MOST = 1000
 """Motions of a branch."""
@@ -72,7 +72,7 @@ _BEND = 0.95
 """Least cosine of the angle between directions at both ends of a step."""
 
 _BESIDE = 5e-3
-"""Distance along a branch from a branch point at which it is looked at."""
+"""Distance along a branch from a branch point at which the branch is evaluated."""
 
 _CORNER = 0.2
 """The same of the first step to another branch, which may leave at an angle."""
@@ -128,7 +128,7 @@ class OrbitBranch:
 
     @property
     def stable(self) -> np.ndarray:
-        """(k,) whether each motion lasts; of one at a bifurcation rounding decides."""
+        """(k,) whether each motion is stable; at a bifurcation rounding decides."""
         return np.array([orbit.stable for orbit in self.orbits])
 
     @property
@@ -139,8 +139,8 @@ class OrbitBranch:
     def at(self, value: float) -> PeriodicOrbit:
         """The motion at a value of the parameter, by Newton's method from the nearest found.
 
-        Of a branch that folds that is one of several. Raises ValueError for a value that the branch
-        does not reach.
+        A branch that folds has several. Raises ValueError for a value that the branch does not
+        reach.
         """
         if not self.values.min() <= value <= self.values.max():
             raise ValueError(
@@ -254,7 +254,7 @@ class _Follower:
         self.z = np.append(states.ravel(), value) / self.scale
 
     def value(self, z: np.ndarray) -> float:
-        """Of the parameter; at a bound but for rounding, that bound."""
+        """The value of the parameter; a bound, where they differ by rounding alone."""
         found = float(z[-1] * self.scale[-1])
         near = min(self.bounds, key=lambda bound: abs(bound - found))
         return near if abs(near - found) < 1e-14 * abs(near) else found
@@ -333,7 +333,7 @@ class _Follower:
         return there, ""
 
     def _beyond(self, z: np.ndarray, bound: float) -> bool:
-        """Whether a point is outside, but for rounding."""
+        """Whether a point is outside by more than rounding."""
         inwards = sum(self.bounds) - 2 * bound
         return (z[-1] * self.scale[-1] - bound) * np.sign(inwards) < -_INSIDE * self.scale[-1]
 
@@ -346,7 +346,7 @@ class _Follower:
         return found._replace(z=z, way=self.way(found.jacobian, here.way))
 
     def passed(self, here: _Point, there: _Point) -> list[tuple[Bifurcation, _Point]]:
-        """What happened between two points, in its order."""
+        """The bifurcations between two points, in their order."""
         before, after = self.tests(here), self.tests(there)
         changed = [kind for kind, value in before.items() if value * after[kind] < 0]
         if "branch point" in changed and "fold" in changed:  # it turns where it meets another
@@ -378,8 +378,8 @@ class _Follower:
         """
         beside = _BESIDE * np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
         around = [self.corrected(start.z + (near + s) * start.way, start.way) for s in beside]
-        told = [np.append(point.z, self.tests(point)["branch point"]) for point in around]
-        powers = np.polynomial.polynomial.polyfit(beside, told, 5)
+        rows = [np.append(point.z, self.tests(point)["branch point"]) for point in around]
+        powers = np.polynomial.polynomial.polyfit(beside, rows, 5)
         roots = np.polynomial.polynomial.polyroots(powers[:, -1])
         at = roots[np.abs(roots).argmin()].real
         z = np.polynomial.polynomial.polyval(at, powers[:, :-1])
@@ -387,7 +387,7 @@ class _Follower:
         return _Point(z, start.way, self.jacobian(shot), self.plain.closed(shot))
 
     def end(self, here: _Point, lost: ArithmeticError) -> tuple[list[Bifurcation], str]:
-        """What the end of a branch is, behind which there is no step however short."""
+        """The bifurcation at the end of a branch, behind which no step succeeds however short."""
         value = self.value(here.z)
         if not isinstance(lost, GrazingError):
             return [], f"it was lost at {value:.12g}: {lost}"
@@ -478,7 +478,8 @@ class Cascade:
     def accumulations(self) -> np.ndarray:
         """(k - 1,) where they pile up, from each and the one before by Feigenbaum's limit.
 
-        Of a geometric series it is exact. How far the last is from the one before tells the error.
+        It is exact for a geometric series. The distance of the last from the one before estimates
+        the error.
         """
         return self.values[1:] + np.diff(self.values) / (FEIGENBAUM - 1)
 

@@ -1,4 +1,4 @@
-"""How fast neighbouring motions part: Lyapunov exponents of motions through impacts.
+"""Rates at which neighbouring motions diverge: Lyapunov exponents of motions with impacts.
 
     import rockeom as rk
     from rockeom.analysis import dynamics
@@ -9,13 +9,13 @@
     spectrum = dynamics.lyapunov_spectrum(stroboscope, {"theta": 0.05}, cycles=500)
     spectrum.exponents, spectrum.standard_errors
 
-A small difference between two motions under the same shaking is carried from one period to the next
-by the matrix of derivatives A_k of the states, through impacts, too. n differences are carried
+The matrix A_k of the derivatives of the states, through impacts too, propagates a small difference
+of two motions under the same shaking from one period to the next. n differences are propagated
 together and made orthogonal once a period, A_k Q_k = Q_(k+1) R_k: the logarithms of the diagonal of
 R_k are how much each direction grew, and their mean over time is the exponent (Benettin, Galgani,
 Giorgilli and Strelcyn 1980, Meccanica 15, 9-20 and 21-30; at impacts Mueller 1995, Chaos, Solitons
-& Fractals 5(9), 1671-1681). One above zero means that nearby motions part, and that none can be
-foretold for long: chaos, if the motion stays within bounds.
+& Fractals 5(9), 1671-1681). A positive exponent means that neighbouring motions diverge and none
+can be predicted for long: chaos, if the motion stays bounded.
 """
 
 from __future__ import annotations
@@ -38,15 +38,15 @@ from rockeom.sweeps.tangents import tangents
 from rockeom.sweeps.workers import Progress
 
 BATCHES = 20
-"""Of the cycles, whose means tell the error of the exponents."""
+"""Number of batches of cycles; the scatter of their means is the error of the exponents."""
 
 _NOISE = 1e-13
-"""Growth in a cycle, in parts of that of the fastest direction, that is no more than rounding."""
+"""Growth in a cycle, in parts of that of the fastest direction, that is rounding alone."""
 
 
 @dataclass(frozen=True, eq=False)
 class LyapunovSpectrum:
-    """The Lyapunov exponents of a motion under shaking that repeats itself, and their doubt.
+    """The Lyapunov exponents of a motion under periodic shaking, and their errors.
 
     states (n names) : those that are followed. period : of the ground [s].
     growth (c, n) : logarithm of how much each direction grew in each cycle; -inf where a cycle
@@ -64,7 +64,7 @@ class LyapunovSpectrum:
 
     @property
     def cycles(self) -> int:
-        """Over how many periods of the ground the means are taken."""
+        """Number of periods of the ground over which the growth is averaged."""
         return len(self.growth)
 
     @property
@@ -76,9 +76,9 @@ class LyapunovSpectrum:
     def standard_errors(self) -> np.ndarray:
         """(n,) of the `exponents` [1/s], by the means of 20 batches of cycles; nan of -inf.
 
-        One cycle hangs on the one before, and long batches hardly do (Law 2015, Simulation Modeling
-        and Analysis, 9.5.3). The error says how much the mean of so many cycles of a motion that
-        has settled varies; not whether it has.
+        A cycle is correlated with the one before, long batches hardly are (Law 2015, Simulation
+        Modeling and Analysis, 9.5.3). The error says how much the mean of so many cycles of a
+        motion that has settled varies; not whether it has.
         """
         order = np.argsort(-self.growth.mean(axis=0), kind="stable")
         batches = np.array_split(self.growth[:, order], min(BATCHES, self.cycles))
@@ -99,7 +99,7 @@ class LyapunovSpectrum:
 
     @property
     def dimension(self) -> float:
-        """Of the attractor in a section, as Kaplan and Yorke conjectured.
+        """Dimension of the attractor in a section, by the conjecture of Kaplan and Yorke.
 
         j + (sum of the first j exponents)/|the next one|, j being as large as that sum is not
         negative. Source: Farmer, Ott and Yorke (1983), Physica D 7, 153-180.
@@ -128,19 +128,19 @@ def lyapunov_spectrum(
     stroboscope : the structure and its shaking, of which the states that it follows are varied; a
         mirrored map, too, is followed over whole periods.
     initial : states at the start, by name or in the order of `stroboscope.states`; or a spectrum
-        that was found before, which is gone on with: two calls for 500 cycles give the same as one
+        of a previous call, which is continued: two calls for 500 cycles give the same as one
         for 1000, to the last bit.
-    cycles : over how many periods the mean is taken; twenty or more. settling : periods before
+    cycles : number of periods of the mean; twenty or more. settling : periods before
         them, in which the motion settles and the directions turn to where they grow; none where a
-        spectrum is gone on with.
+        spectrum is continued.
     progress : a line on stderr; if not given, where stderr is a terminal.
 
     The motion goes on from period to period in its contact state. A keyboard interrupt ends the
-    work early, once twenty cycles are done: what is found so far is returned, and can be gone on
-    with.
+    work early, once twenty cycles are done, and returns the spectrum so far, which can be
+    continued.
 
     The sum of the exponents is the mean rate at which volumes of states grow: of a block without
-    damping only impacts take from them, e**2 each. In the plane of the states of a block there are
+    damping only impacts reduce them, e**2 each. In the plane of the states of a block there are
     two; the direction of time, whose exponent is zero, is not among them.
 
     Raises ArithmeticError where a motion ends before its cycle does, as one that overturns, and
@@ -180,13 +180,13 @@ def _start(
     if initial.states != stroboscope.states or initial.period != stroboscope.period:
         raise ValueError(
             f"lyapunov_spectrum: initial is a spectrum of {', '.join(initial.states)} and a period "
-            f"of {initial.period} s: go on with it by the map that it was found with"
+            f"of {initial.period} s: continue it with the map of the call that returned it"
         )
     return _Motion(initial.state, initial.phase, initial.directions)
 
 
 class _Motion(NamedTuple):
-    """Where a motion is, and the directions that are carried with it."""
+    """The state of a motion, and the directions that are propagated with it."""
 
     state: np.ndarray
     phase: str
@@ -194,7 +194,7 @@ class _Motion(NamedTuple):
 
 
 def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.ndarray]:
-    """The motion a period later, and how much each direction grew."""
+    """The motion a period later, and the growth of each direction."""
     start: dict[str, Any] = {
         name: Dual(float(value), along)
         for name, value, along in zip(one.states, motion.state, _free(one, motion), strict=True)
@@ -220,7 +220,7 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
 
 
 def _free(one: StroboscopicMap, motion: _Motion) -> np.ndarray:
-    """(n, n) the directions without what the ground holds: upright in full contact no rotation."""
+    """(n, n) the directions that contacts leave free: no rotation in full contact."""
     found = motion.directions.copy()
     if one.structure.rocks_on_rigid_ground and motion.phase == "both":
         m = one.structure.module

@@ -1,4 +1,4 @@
-"""Periodic motions under shaking that repeats itself: where they are, and whether they last.
+"""Periodic motions under periodic shaking, and their stability.
 
     import rockeom as rk
     from rockeom.analysis import dynamics
@@ -13,12 +13,12 @@
 A motion is looked at once a period T of the ground, as by a stroboscope: P takes the state at one
 look to that at the next (Poincare's map). A motion of k periods is a fixed point of P k times
 over. Near it a small difference is multiplied by the matrix A of the derivatives of P k times
-over, whose eigenvalues are Floquet's multipliers: the motion lasts if all are inside the unit
-circle. The derivatives are carried through the impacts by `rockeom.tangents`. As a parameter
+over, whose eigenvalues are Floquet's multipliers: the motion is stable if all are inside the unit
+circle. `rockeom.tangents` propagates the derivatives through the impacts. As a parameter
 changes, a multiplier that leaves the circle through -1 doubles the period; one through +1 ends the
 motion, or breaks its symmetry. `orbit_branch` follows motions to there.
 
-Of a structure without a preferred side under a_g(t + T/2) = -a_g(t), a motion that is its own
+In a structure without a preferred side under a_g(t + T/2) = -a_g(t), a motion that is its own
 mirror image half a period later cannot double its period unless a second condition happens to be
 met: A is the square of the same matrix for half a period, and a real square has an eigenvalue -1
 only as one of two. The symmetry breaks first (Swift and Wiesenfeld 1984). A map that is `mirrored`
@@ -50,24 +50,24 @@ from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.sweeps.tangents import tangents
 
 _SINGULAR = 1e-8
-"""Of a direction, in parts of the states: no step of Newton's method is made along it."""
+"""Singular value, in parts of the states, below which Newton's method makes no step."""
 
 _SAME = 1e-6
 """States that differ by less, in parts of their size, repeat themselves."""
 
 
 class GrazingError(ArithmeticError):
-    """A motion whose events come and go with the least change, so that it has no derivative."""
+    """A motion with a grazing event, which appears or vanishes, so that it has no derivative."""
 
 
 @dataclass(frozen=True)
 class Shooting:
-    """What becomes of several states in a cycle each: multiple shooting.
+    """Several states, each integrated over a cycle: multiple shooting.
 
-    x (k, n) : states, of which each should become the next, and the last the first. after (k, n) :
-    what they became. by_state (k, n, n), by_value (k, n, m) : its derivatives by the state and by
-    the m directions of the map's own duals. runs : the k motions. size (n,) : the largest absolute
-    value of each state in them.
+    x (k, n) : states, each of which should become the next, and the last the first. after (k, n) :
+    the states a cycle later. by_state (k, n, n), by_value (k, n, m) : its derivatives by the state
+    and by the m directions of the map's own duals. runs : the k motions. size (n,) : the largest
+    absolute value of each state in them.
     """
 
     x: np.ndarray
@@ -121,7 +121,8 @@ class Shooting:
 
     @staticmethod
     def solve(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-        """x of matrix x = right, without what a nearly singular matrix leaves open.
+        """x of matrix x = right, without the directions that a nearly singular matrix leaves
+        undetermined.
 
         matrix (n, n), right (n,), scaled to be of the order of 1: x (n,) is the shortest of all
         where singular values are below 1e-8.
@@ -230,10 +231,10 @@ class PeriodicOrbit:
         return self.cycles
 
     def legs(self, cycles: int | None = None) -> Iterator[tuple[Response, np.ndarray]]:
-        """Runs one after the other, and what to multiply the states of each with, (N,).
+        """Runs one after the other, each with the factors (N,) of its states.
 
-        cycles : how many there are, those of the orbit if not given. What an odd number of mirrored
-        half periods takes to its mirror image needs as many again to repeat itself.
+        cycles : their number, those of the orbit if not given. A motion that an odd number of
+        mirrored half periods turns into its mirror image needs as many again to repeat itself.
         """
         cycles = self.cycles if cycles is None else cycles
         mirror = np.ones(len(self.runs[0].states)) if self.mirror is None else self.mirror
@@ -248,21 +249,21 @@ class StroboscopicMap:
 
     motion repeats itself with the `period` [s], from time zero on, and is given for two of them at
     least; impact as for `simulate`. states : those that are followed, all of the structure if none
-    are named. What is not followed starts in each cycle as `simulate` starts it, mostly at zero. A
+    are named. Other states start in each cycle as `simulate` starts them, mostly at zero. A
     permanent extension that no cycle changes has the multiplier 1, and an orbit for each value:
     leave it out for the orbits without one. options : tolerances of 1e-12, 1e-14 if not given.
 
-    mirrored : a cycle is half a period, and what it leaves is seen in a mirror, where all states
-    change their sign but those named by `upward`, such as heights. A symmetric motion then repeats
-    itself after one cycle, one that is not after two. For structures and laws of impact without a
-    preferred side, and a motion that is its own negative half a period later.
+    mirrored : a cycle is half a period, and its end is mirrored: all states change their sign but
+    those named by `upward`, such as heights. A symmetric motion then repeats itself after one
+    cycle, one that is not after two. For structures and laws of impact without a preferred side,
+    and a motion that is its own negative half a period later.
 
     Structure, motion, impact and period may hold duals, whose directions come behind those of the
     states in `shooting`.
 
     Each cycle is a simulation of its own. One that does not reach its end, because the structure
-    falls, is an ArithmeticError. The contact state at its start follows from the state: begin the
-    motion, by its phase, where no impact falls together with the look.
+    overturns, is an ArithmeticError. The mode at its start follows from the state: shift the
+    motion, by its phase angle, so that no impact coincides with the start of a cycle.
     """
 
     structure: Structure
@@ -318,7 +319,7 @@ class StroboscopicMap:
 
     @property
     def mirror(self) -> np.ndarray:
-        """(N,) what each state of the structure is multiplied by at a look: -1 or 1."""
+        """(N,) factor of each state of the structure at the end of a cycle: -1 or 1."""
         turned = [-1.0 if self.mirrored and name not in self.upward else 1.0
                   for name in self.structure.states]  # fmt: skip
         return np.array(turned)
@@ -341,7 +342,7 @@ class StroboscopicMap:
         return self.shooting(self.points(state, cycles)[:-1]).derivative
 
     def shooting(self, states: ArrayLike, more: int = 0) -> Shooting:
-        """What becomes of each of several states (k, n) in a cycle, with the derivatives.
+        """Several states (k, n), each integrated over a cycle, with the derivatives.
 
         more : directions of the duals that the map holds, which number n + more.
         """
@@ -368,8 +369,8 @@ class StroboscopicMap:
         """The periodic motion near a guess, stable or not, by Newton's method.
 
         guess : as `initial` of `points`, or (cycles, n) at the start of each cycle. cycles : after
-        which it closes; a motion of fewer cycles repeats itself after these too, and may be what is
-        found. tolerance : of the residual. Each cycle is shot by itself (multiple shooting), so
+        which it closes; a motion of fewer cycles repeats itself after these too, and may be the
+        result. tolerance : of the residual. Each cycle is shot by itself (multiple shooting), so
         that errors do not grow from one to the next.
 
         Raises ArithmeticError where no orbit is found, and ValueError where a map is mirrored and
@@ -409,7 +410,7 @@ class StroboscopicMap:
             largest = np.abs(x[:, self.states.index(name)]).max()
             if largest >= falls[name]:
                 raise ArithmeticError(
-                    f"StroboscopicMap: no cycle from {name} = {largest:.6g}: it lies on the ground"
+                    f"StroboscopicMap: no cycle from {name} = {largest:.6g}: it has overturned"
                 )
 
     def _check_mirror(self, shot: Shooting) -> None:

@@ -1,4 +1,4 @@
-"""Which motions overturn a structure, and where its fate changes: to digits, not to pixels.
+"""Overturning by a family of motions, and the boundaries at which the fate changes, to many digits.
 
     import numpy as np
     import rockeom as rk
@@ -42,11 +42,11 @@ from rockeom.sweeps.run import simulate_many
 from rockeom.sweeps.workers import Progress
 
 MOST = 3
-"""So many impacts before overturning and more are one fate, if nothing else is asked for."""
+"""Number of impacts before overturning from which on fates are not distinguished by default."""
 
 
 def impacts_before_overturning(sweep: xr.Dataset, most: int | None = None) -> xr.DataArray:
-    """How many impacts each case of a sweep had before it overturned: its fate, 0, 1, 2, ...
+    """Number of impacts of each case of a sweep before it overturned: its fate, 0, 1, 2, ...
 
     sweep : of `simulate_many`. most : so many and more count as this number; all numbers if not
         given.
@@ -98,7 +98,7 @@ def dimensionless_pulses(
 
 
 def _unit(function: str, structure: Structure, name: str, value: float | None) -> float:
-    """A number that is given, or else was found of a structure."""
+    """The value given, or else that of a structure."""
     if value is None or not math.isfinite(value):
         raise ValueError(f"{function}: {structure.model} has no {name} of its own: give {name}")
     return float(positive(function, **{name: value})[0])
@@ -124,10 +124,10 @@ def overturning_boundaries(
         sweep = rk.simulate_many(case, {"amplitude": np.linspace(1.0, 6.0, 501)})
         analysis.overturning_boundaries(case, sweep, accuracy=1e-9)
 
-    case : the function of the sweep. sweep : a grid of `simulate_many`; or what this function has
-        returned, to go on with: after an interrupt, or with a finer accuracy.
-    along : names of the sweep along which neighbours are compared, all that hold numbers if none
-        are named.
+    case : the function of the sweep. sweep : a grid of `simulate_many`; or a previous result of
+        this function, to continue after an interrupt or with a finer accuracy.
+    along : names of the sweep along which neighbours are compared; all that hold numbers if not
+        given.
     accuracy : of each value, in parts of it.
     most : so many impacts and more are one fate. arrays, threads : as of `simulate_many`.
     options : of the integrator, the defaults if not given: the sweep may be rougher. Cases beside
@@ -135,8 +135,8 @@ def overturning_boundaries(
     progress : a line on stderr; if not given, where stderr is a terminal.
 
     Between neighbours of different fates the interval is halved until it is as short as asked for,
-    all of them at once; a third fate in it makes two of one. What is narrower than the sweep's
-    spacing, and lies between neighbours of the same fate, is not seen.
+    all of them at once; a third fate makes two intervals of one. A window that is narrower than the
+    sweep's spacing, and lies between neighbours of the same fate, remains undetected.
 
     Returns a dataset over "boundary": a coordinate of each name of the sweep, `along`, and low and
     high, between which the fate changes along that name from `below` to `above`. The coordinate is
@@ -158,7 +158,7 @@ def overturning_boundaries(
 
 @dataclass(frozen=True)
 class _Fates:
-    """Finds what becomes of some cases; an interrupt is raised, with none of them kept."""
+    """Finds the fates of some cases; an interrupt is raised, without a result."""
 
     case: Callable[..., Case]
     most: int
@@ -193,7 +193,7 @@ class _Brackets:
 
     @classmethod
     def of(cls, found: xr.Dataset) -> _Brackets:
-        """Of what was found before."""
+        """The intervals of a previous result."""
         at = {str(name): found[name].values for name in found.coords}
         return cls(at, found["along"].values, *(found[name].values for name in _NUMBERS))
 
@@ -229,7 +229,7 @@ class _Brackets:
         return _Brackets.joined([lower[fates != self.below], upper[fates != self.above]])
 
     def narrower(self, accuracy: float) -> np.ndarray:
-        """(n,) whether each is as narrow as asked for, or as numbers can be."""
+        """(n,) whether each is as narrow as `accuracy`, or as rounding permits."""
         size = np.maximum(np.abs(self.low), np.abs(self.high))
         between = (self.low < self.middle) & (self.middle < self.high)
         return (self.high - self.low <= accuracy * size) | ~between
@@ -302,7 +302,7 @@ def _of_pairs(
 def _halved(
     brackets: _Brackets, accuracy: float, fates: _Fates, progress: bool | None
 ) -> xr.Dataset:
-    """All intervals as narrow as asked for, or as far as an interrupt let them come."""
+    """All intervals as narrow as `accuracy`, or as they were at an interrupt."""
     ended: list[_Brackets] = []
     interrupted = 0
     shown = sys.stderr.isatty() if progress is None else progress
@@ -326,7 +326,7 @@ def _halved(
 
 
 def _halvings(brackets: _Brackets, accuracy: float) -> int:
-    """How many motions it takes, if no interval becomes two."""
+    """Number of motions to simulate, if no interval becomes two."""
     size = accuracy * np.maximum(np.abs(brackets.low), np.abs(brackets.high))
     return int(np.ceil(np.log2((brackets.high - brackets.low) / size)).clip(0).sum())
 
@@ -340,7 +340,7 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
 
     Returns y over x, with the number of impacts before overturning as a coordinate. x without a
     boundary between standing and overturning are missing: nothing of the sweep overturned there, or
-    all of it did. A window of overturning that the sweep did not see is not seen here.
+    all of it did. Windows of overturning that the sweep missed are missing here.
 
     Source: Zhang and Makris (2001). Raises ValueError for a name that is not there, where nothing
     was found along y, and for boundaries whose search was interrupted.
@@ -393,7 +393,7 @@ def rocking_spectrum(
 
     Returns the dataset of `simulate_many` over motion, period and alpha. Source: Makris and
     Konstantinidis (2003), Earthquake Engineering and Structural Dynamics 32(2), 265-289.
-    Raises ValueError for a period or an angle that is none.
+    Raises ValueError for an impossible period or angle.
     """
     where = "rocking_spectrum"
     lengths, angles = positive(where, periods=np.ravel(periods))[0], slenderness(where, alpha)

@@ -1,4 +1,4 @@
-"""Where motions under shaking that repeats itself settle: sections, coexisting orbits, basins.
+"""Steady motions under periodic shaking: Poincare sections, coexisting orbits, basins.
 
     import numpy as np
     import rockeom as rk
@@ -13,9 +13,9 @@
     dynamics.basin_stability(basins)
 
 A motion is looked at once a period of the ground, and at its impacts: each look is a point of a
-section of its states (Poincare's). What it settles on depends on where it starts; the starts that
-end on the same orbit are its basin. Many motions are followed from many starts, and for many values
-of parameters, by `simulate_many`.
+section of its states (Poincare's). The orbit on which it settles depends on its start; the starts
+that end on the same orbit are its basin. Many motions are followed from many starts, and for many
+values of parameters, by `simulate_many`.
 """
 
 from __future__ import annotations
@@ -78,23 +78,23 @@ def poincare_sections(
     over : names and their values, a grid. starts : states at the time zero, what is not named being
         zero: names and their values are a grid, over which the dataset is, too; a table (a list of
         dicts, a DataFrame) has a start in each row, and the dataset is over "start".
-    settling : cycles that are not kept. cycles : that are kept.
-    impacts : how many impacts a cycle are kept, in the mean.
+    settling : cycles before the recorded ones. cycles : number of recorded cycles.
+    impacts : most recorded impacts, in the mean of a cycle.
     threads, progress : as of `simulate_many`.
-    store : a folder that keeps what is done, of the package zarr, as of `simulate_many`: the same
-        call goes on where the last one was stopped, and gives the same to the last bit.
+    store : a folder of finished cases, of the package zarr, as of `simulate_many`: the same call
+        continues where the last one was stopped, with the same result to the last bit.
 
     Returns a dataset over the names and the starts: strobe over "look" and "state", all states at
     the start of each cycle that is kept and at the end of the last; impact_count over "cycle";
     outcome, a label, of the last cycle that was followed. With `impacts`, also impact_time since
     the start of its cycle [s], and impact_state over "side", which is before or after, both over
-    "impact", in the order of time; for these the cycles are followed a second time. What is not
-    there is nan: a motion that has fallen has no states. An interrupt ends the work early,
+    "impact", in the order of time; for these the cycles are followed a second time. Missing values
+    are nan: a motion that has overturned has no states. An interrupt ends the work early,
     `attrs["interrupted"]` is 1.
 
     As many cycles as the motion of the ground lasts are settled in one go, one after the other
     otherwise; a motion that lasts for all of them saves time. The motions have the `options` of the
-    first map, and go on from cycle to cycle in their contact state.
+    first map, and continue from cycle to cycle in their mode.
 
     Raises ValueError for names that are no states, and what `simulate_many` raises.
     """
@@ -147,8 +147,8 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
         parts of the largest size that each state has in any of them. A motion is periodic if all
         its looks repeat themselves within it after as many cycles as half of those kept or fewer;
         two are on one orbit if the last look at one is as near to one at the other. Orbits that are
-        nearer to each other than that, as late in a cascade, are not told apart, and a motion that
-        settles so slowly that it seems to repeat itself is taken for periodic.
+        nearer to each other than that, as late in a cascade, count as one, and a motion that
+        settles so slowly that it seems to repeat itself counts as periodic.
 
     Returns the dataset with `fate` of each start: from 1 on the number of its orbit, the one with
     the most starts first; 0 not periodic within the cycles kept, whether chaotic, of a long period
@@ -184,7 +184,7 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
 
 
 def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
-    """Which part of the starts ends on each orbit, and how well so many starts tell it.
+    """Part of the starts that ends on each orbit, with confidence bounds.
 
         rng = np.random.default_rng(1)
         starts = [{"theta": a, "theta_dot": b} for a, b in rng.uniform(-0.1, 0.1, (2000, 2))]
@@ -193,7 +193,7 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
 
     basins : of `basins`. Those without an answer are not counted. level : probability of the
         bounds, which are Wilson's, of starts that were drawn at random; those of a grid are no
-        sample, and it tells areas better than its bounds say.
+        sample: the areas are then more accurate than the bounds.
 
     Returns share, low, high and number of starts over `fate`, the meanings of `basins`. Source:
     Menck, Heitzig, Marwan and Kurths (2013), Nature Physics 9, 89-92. Raises ValueError for a level
@@ -205,7 +205,7 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
     fate = basins["fate"]
     known = fate.values[fate.values > UNKNOWN]
     if not len(known):
-        raise ValueError("basin_stability: no start has an answer: let the sections be run")
+        raise ValueError("basin_stability: no start has an answer: run the sections again")
     values = fate.attrs["flag_values"][1:]
     words = [word.replace("_", " ") for word in fate.attrs["flag_meanings"].split()[1:]]
     number = np.array([(known == value).sum() for value in values])
@@ -337,7 +337,7 @@ class _Plan:
 
 
 def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
-    """Of each value; raises TypeError for what is no map, ValueError for another structure."""
+    """The map of each value; TypeError for anything else, ValueError for another structure."""
     if over is None:
         found = [stroboscope]
     elif not callable(stroboscope):
@@ -349,7 +349,9 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     maps = np.empty(len(found), dtype=object)
     for i, one in enumerate(found):
         if not isinstance(one, StroboscopicMap):
-            raise TypeError(f"stroboscope is {told(one)}: give an dynamics.StroboscopicMap")
+            raise TypeError(
+                f"stroboscope is {told(one)}: give an analysis.dynamics.StroboscopicMap"
+            )
         if one.structure.module is not found[0].structure.module:
             raise ValueError(
                 f"poincare_sections: {one.structure.model} comes after "
@@ -377,7 +379,7 @@ def _states(starts: Cases, structure: Structure) -> np.ndarray:
 
 
 class _How(NamedTuple):
-    """Who does the work, and where it is kept."""
+    """Options of the work: threads, progress, store."""
 
     threads: int | None
     store: Path | None
@@ -386,7 +388,7 @@ class _How(NamedTuple):
 
 @dataclass
 class _Motions:
-    """Where n motions are: their states y (n, N), contact states and outcomes."""
+    """n motions: their states y (n, N), modes and outcomes."""
 
     how: _How
     maps: np.ndarray
@@ -405,7 +407,7 @@ class _Motions:
         return np.array([one.period for one in self.maps])
 
     def go(self, cycles: int, name: str, impacts: int = 0) -> dict[str, np.ndarray]:
-        """Some cycles on with all that stand; those that fall have no states from then on.
+        """Continue all motions that have not overturned; the others have no states from then on.
 
         name : of what is stored. Returns the number of impacts of each, and times and states of so
         many; nan of those that do not stand behind them.

@@ -12,12 +12,11 @@ centreline, towards the pressed edge, so that the base has lifted over the lengt
 d cos(theta) = B + b (4-7). A position along the base is measured from the centreline and is
 positive to the right.
 
-The force of a pushover, the forces of the tendons and the energies are those that are derived of
-such a wall, `rockeom.ControlledWallOscillator`, by the functions that a simulation integrates. What
-is written down here are the thesis's forms of what is not derived there: the path of the rotation
-centre that is fitted to tests (4-7), the uplifts of a base (the oscillator has no feet), the
-inertia that changes on the way (B-9; the oscillator has a constant mass), a tendon by itself, and
-the formulas of design.
+The force of a pushover, the forces of the tendons and the energies are those of the derived wall
+`rockeom.ControlledWallOscillator`, by the same functions as in a simulation. This file has the
+thesis's forms of quantities that are not derived there: the path of the rotation centre that is
+fitted to tests (4-7), the uplifts of a base (the oscillator has no feet), the variable inertia
+(B-9; the oscillator has a constant mass), a single tendon, and the formulas of design.
 """
 
 from __future__ import annotations
@@ -87,7 +86,7 @@ class RotationCentre:
 
 
 class TendonPath(NamedTuple):
-    """What a tendon does along a path of extensions: its force [N] and permanent extension [m]."""
+    """Force [N] and permanent extension [m] of a tendon along a path of extensions."""
 
     force: np.ndarray
     permanent_extension: np.ndarray
@@ -166,7 +165,7 @@ class Tendon:
 
     @property
     def initial_energy(self) -> float:
-        """P0**2/(2 k), what the initial state has stored [J]: the 244.05 J of B-12."""
+        """P0**2/(2 k), stored in the initial state [J]: the 244.05 J of B-12."""
         return self.initial_force**2 / (2 * self.stiffness)
 
     @property
@@ -201,7 +200,7 @@ class Tendon:
         force P [N], any shape. Raises ValueError below zero and above the yield force.
         """
         (force,) = not_negative("Tendon.energy_at_force", force=force)
-        rule = "above yield_force the force does not tell the energy: use `energy`"
+        rule = "above yield_force the force does not determine the energy: use `energy`"
         require(force <= self.yield_force, "Tendon.energy_at_force", "force", force, rule)
         return (force - self.initial_force) * (force + self.initial_force) / (2 * self.stiffness)
 
@@ -397,7 +396,7 @@ class Wall:
         """U, the weight times the centroid's rise [J]; thesis 4-18, B-4; see p_delta."""
         q = self._sine("Wall.gravity_energy", displacement)
         energy = self._without_tendons(displacement).energy
-        # the term that 4-18 leaves out is not in what is derived of it
+        # the term that 4-18 leaves out is missing in the derived energy too
         if self.p_delta:
             energy = energy - self._descending_weight * q**2 / (1 + np.sqrt(1 - q**2))
         return energy
@@ -420,7 +419,7 @@ class Wall:
         """I_o v**2/(2 H**2) [J]; thesis 4-19, B-8.
 
         velocity v = dD/dt [m/s]; shapes broadcast. I_o is that about the rotation centre at D.
-        cos(theta)**2 is taken as 1.
+        With cos(theta)**2 = 1.
         """
         (velocity,) = numbers("Wall.kinetic_energy", velocity=velocity)
         return self._mass_at(displacement) * velocity**2 / 2
@@ -593,10 +592,10 @@ def _with_one_tendon(wall: Wall) -> tuple[ControlledWallOscillator, ...]:
 
 
 class _Held:
-    """A wall with one tendon, held at displacements: what its generated functions say of it.
+    """A wall with one tendon, at rest at displacements, by its generated functions.
 
-    displacement [m], any shape, which all has. cut : whether the tendon is. Each displacement is
-    reached from upright by a growing one: a tendon that yields has its yield force.
+    displacement [m], of any shape, that of all results. cut : whether the tendon is. Each
+    displacement is reached from upright by a growing one: a tendon that yields has its yield force.
     """
 
     def __init__(
@@ -616,7 +615,7 @@ class _Held:
         if cut:
             self._contact = contact("_slack")
             return
-        # the force of a tendon that neither yields nor is slack says whether it does
+        # the elastic force of the tendon shows whether it yields or is slack
         elastic = wall.initial_force + wall.tendon_stiffness * self.extension.ravel()
         self._beyond = np.maximum(elastic - wall.yield_force, 0.0)
         self._contact = np.where(elastic < 0, contact("_slack"), self._contact)
@@ -628,12 +627,12 @@ class _Held:
 
     @property
     def force(self) -> np.ndarray:
-        """Of the pushover [N]."""
+        """Force of the pushover [N]."""
         return self._named("statics", 0.0)[self._wall.states[self._wall.module.ROTATION]]
 
     @property
     def energy(self) -> np.ndarray:
-        """Of the weight and stored in the tendon [J]."""
+        """Energy of the weight and of the tendon [J]."""
         return sum(self._named("energies").values(), start=np.zeros(self._shape))
 
     @property
@@ -644,12 +643,12 @@ class _Held:
 
     @property
     def extension(self) -> np.ndarray:
-        """Of the tendon since the initial state [m]."""
+        """Extension of the tendon since the initial state [m]."""
         return self._named("kinematics")["tendon_extension"]
 
     @property
     def tendon_force(self) -> np.ndarray:
-        """[N]."""
+        """Force of the tendon [N]."""
         return self._named("reactions", 0.0, 0.0)["tendon_force"]
 
 

@@ -205,7 +205,7 @@ def grant_damping(
     rule : a name of GRANT_FACTORS, or factors of your own. ductility mu; effective_period T_e, of
         the secant stiffness [s].
     constant_damping, tangent_damping : elastic damping ratio, whichever of the two the structure
-        is taken to have: with a constant coefficient, or proportional to the tangent stiffness.
+        has: with a constant coefficient, or proportional to the tangent stiffness.
         The other is 0.
     Any shapes, broadcast: a (1 - mu**-b)(1 + (T_e + c)**-d) + mu**e xi_const + mu**f xi_tang.
 

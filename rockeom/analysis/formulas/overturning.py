@@ -85,7 +85,7 @@ def overturning_spectral_velocity(
     alpha [rad]; p = sqrt(m g R/I_o) [rad/s]; gravity [m/s2]; any shapes, broadcast. Returns
     S_v = alpha g/p [m/s]: the energy that pushes like those of an earthquake bring on the average,
     (m R S_v)**2/(2 I_o), is that of the balance, m g R alpha**2/2. For the rectangle with the
-    half-diagonal R it is alpha sqrt(4 g R/3). The spectrum is taken to be flat, as that of white
+    half-diagonal R it is alpha sqrt(4 g R/3). The spectrum is assumed flat, as that of white
     noise, and impacts to lose nothing. Source: Housner (1963).
     """
     where = "overturning_spectral_velocity"

@@ -1,7 +1,7 @@
-"""How long a free block takes to fall back: the slender block, and the block of any rotation.
+"""Quarter periods of a free block: the slender block, and the block of any rotation.
 
 Both start from rest. p = sqrt(m g R/I_o) is the frequency parameter [rad/s],
-`RigidBlock.frequency_parameter`; alpha is the rotation at which the block balances [rad].
+`RigidBlock.frequency_parameter`; alpha is the rotation of unstable equilibrium [rad].
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""What an impact leaves: ratios r of kinetic energies, predicted and measured.
+"""Restitution: ratios r of kinetic energies after and before an impact, predicted and measured.
 
 The literature calls r as well as e = sqrt(r), the ratio of rates of rotation, "coefficient of
 restitution". Here a name says which it is; all of thesis 2-6, 3-3, 3-16, 5-4, 5-14 are r.
 
-These are the thesis's own formulas, of blocks and of two lumped masses and of arrays of them; the
-derived impacts and energies are tested against them, so that they must not come from there, and the
-energies keep all their digits however small the rotation. Of any structure `Impacts` and
-`FreeVibration.restitution` find r of a measured record by the energies that are derived, and
-`velocity_ratio` of the structure is the square root of the r that is predicted.
+These are the thesis's formulas for blocks and for two lumped masses. Tests compare the derived
+impacts and energies with them, so that they are independent of the derivation, and the energies are
+accurate at any small rotation. For any other structure `Impacts` and `FreeVibration.restitution`
+find r of a measured record by the derived energies, and `velocity_ratio` of the structure is the
+square root of the predicted r.
 """
 
 from __future__ import annotations
@@ -159,11 +159,11 @@ def energy_ratios_from_peaks(
 ):
     """r of each impact between successive peaks of a rocking block; thesis 3-3 and 3-16.
 
-    Of any other structure, and with intervals: `Impacts.of_peaks`.
+    `Impacts.of_peaks` serves any other structure, with intervals.
 
     peaks : (..., n) peak rotations, one on each side in turn [rad]; the signs do not count.
     alpha : as in `energy_ratio_of_block` [rad]; for several blocks (..., 1), as the others.
-    rotational_stiffness : of a spring that gives back all it takes [N m/rad], thesis 3-16; with it
+    rotational_stiffness : of an elastic spring [N m/rad], thesis 3-16; with it
         mass [kg] and radius [m]. Without it thesis 3-3, for which neither counts.
     Returns (..., n - 1).
 

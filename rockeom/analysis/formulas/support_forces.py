@@ -3,7 +3,7 @@
 theta > 0 is clockwise, about the right foot; horizontal to the right and vertical up are positive.
 R is the distance from a foot to the centroid, alpha the angle of that line from the vertical.
 `RigidBlock.reactions` gives the same forces from the state alone; these serve where the motion was
-measured. Between impacts they are finite; of the impact itself they say nothing.
+measured. They are finite between impacts, and do not contain the impact itself.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""When a structure lifts off, and how it vibrates once it has."""
+"""Uplift of a structure, and its vibration after it."""
 
 from __future__ import annotations
 

@@ -1,12 +1,12 @@
-"""Energies of any structure, by its own: those of the functions that a simulation integrates.
+"""Energies of any structure, by the same functions as in a simulation.
 
     from rockeom.analysis.identification import static_energy
 
     static_energy(column, [0.01, 0.02])  # J, at these rotations, above that upright
     static_energy(column, [0.012, 0.023], quantity="displacement")  # at these metres
 
-A structure in a free test is taken to pass through the states in which a force at its load point
-would hold it: a rigid one has no others, and a column that bends has little energy besides.
+In a free test a structure is assumed to pass through its states of equilibrium under a force at the
+load point: a rigid one has no others, and a column that bends has little energy besides.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Energies(NamedTuple):
-    """Of gravity, of springs and tendons, and of the motion [J]."""
+    """Energies of gravity, of springs and tendons, and of the motion [J]."""
 
     gravity: np.ndarray
     elastic: np.ndarray
@@ -40,14 +40,14 @@ class Energies(NamedTuple):
 def static_energy(
     structure: Structure, rotation: ArrayLike, quantity: str | None = None
 ) -> np.ndarray:
-    """Energy of a structure held at rest at a rotation, above that upright [J].
+    """Energy of a structure at rest at a rotation, above that upright [J].
 
     rotation : the structure's own coordinate, any shape. Gravitational and elastic energy as they
-    are derived; its other coordinates are in equilibrium under the load of a pushover. What a
-    tendon loses by yielding is not stored, and the weight by which a `SubstituteGravityWall` has
-    its tendon is no energy of it.
-    quantity : a name of what has the values given, "displacement" or another of a response that
-    grows with the rotation; the rotation if not given.
+    are derived; its other coordinates are in equilibrium under the load of a pushover. It has no
+    energy that a tendon lost by yielding, and none of the weight that replaces the tendon of a
+    `SubstituteGravityWall`.
+    quantity : name of the quantity given, "displacement" or another of a response that grows with
+    the rotation; the rotation if not given.
     Raises ValueError where there is no equilibrium or no such quantity.
     """
     (given,) = numbers("static_energy", rotation=rotation)
@@ -60,8 +60,8 @@ def energies_of_states(
 ) -> Energies:
     """Energies of a structure in states, above those upright and at rest, (n,) each [J].
 
-    y (n, N) : the states; contact (n,) : numbers of their contact states, which follow from them
-    if not given.
+    y (n, N) : the states; contact (n,) : numbers of their modes, which follow from the states if
+    not given.
     """
     if contact is None:
         contact = np.array([structure.contact(state) for state in y], dtype=int)
@@ -75,11 +75,11 @@ def energies_of_states(
 def equilibrium_states(
     structure: Structure, given: ArrayLike, quantity: str | None = None
 ) -> np.ndarray:
-    """(n, N) states in which a force at the load point holds a structure.
+    """(n, N) states of equilibrium under a force at the load point.
 
     given (n,) : rotations of the structure, or values of the quantity named, as in
-    `static_energy`. A value smaller than that at which the structure lifts is one of full contact:
-    what bends then does so in proportion.
+    `static_energy`. Below the value at which the structure uplifts, in full contact, all
+    displacements are in proportion to it.
     """
     (wanted,) = numbers("equilibrium_states", given=given)
     m = structure.module
@@ -94,12 +94,12 @@ def _equilibrium(structure: Structure, rotation: float) -> np.ndarray:
 
 
 _LIFTS, _LIFTED = 1e-12, 1e-6
-"""Parts of the rotation at which a structure has fallen: of one that has just lifted, and of one
-that lifts so little that all grows in proportion."""
+"""Rotations just after uplift, and of so small an uplift that all grows in proportion, in parts of
+the overturning rotation."""
 
 
 class _Path:
-    """The states in which a load holds a structure, found by one of its quantities."""
+    """States of equilibrium of a structure, by the value of one of its quantities."""
 
     def __init__(self, structure: Structure, quantity: str) -> None:
         self._structure, self._quantity = structure, quantity
@@ -107,17 +107,17 @@ class _Path:
         self._names = (*m.STATES[: m.N_STATES // 2], *m.KINEMATICS)
         if quantity not in self._names:
             raise ValueError(
-                f"no quantity {quantity!r}{near(quantity, self._names)} says where "
-                f"{structure.model} is; those that do are {', '.join(self._names)}"
+                f"no quantity {quantity!r}{near(quantity, self._names)} determines the position of "
+                f"{structure.model}; choose among {', '.join(self._names)}"
             )
-        fallen = structure.overturning_rotation
-        self._fallen = fallen if np.isfinite(fallen) else 1.0
+        rotation = structure.overturning_rotation
+        self._overturning = rotation if np.isfinite(rotation) else 1.0
 
     def at(self, value: float) -> np.ndarray:
         from scipy.optimize import brentq  # takes long to import
 
         side, size = (1.0 if value > 0 else -1.0), abs(value)
-        low = _LIFTS * self._fallen
+        low = _LIFTS * self._overturning
         lifting = self._state(side * low)
         least = side * self._of(lifting)
         if size <= least:
@@ -126,17 +126,17 @@ class _Path:
         def beyond(rotation: float) -> float:
             return side * self._of(self._state(side * rotation)) - size
 
-        little = _LIFTED * self._fallen
+        little = _LIFTED * self._overturning
         slope = (beyond(little) + size - least) / little
-        high = 1.1 * (size - least) / slope + little if slope > 0 else self._fallen
-        while not beyond(min(high, self._fallen)) > 0:
-            if high >= self._fallen:
+        high = 1.1 * (size - least) / slope + little if slope > 0 else self._overturning
+        while not beyond(min(high, self._overturning)) > 0:
+            if high >= self._overturning:
                 raise ValueError(
-                    f"{self._structure.model} has fallen before its {self._quantity} is {value}: "
+                    f"{self._structure.model} overturns before its {self._quantity} is {value}: "
                     "give a smaller one, in SI units"
                 )
             high *= 2
-        root = brentq(beyond, low, min(high, self._fallen), xtol=1e-16, rtol=1e-13)
+        root = brentq(beyond, low, min(high, self._overturning), xtol=1e-16, rtol=1e-13)
         return self._state(side * root)
 
     def _state(self, rotation: float) -> np.ndarray:

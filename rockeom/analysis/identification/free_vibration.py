@@ -45,14 +45,14 @@ class QuarterPeriods(NamedTuple):
 
 
 class CycleDamping(NamedTuple):
-    """Of each cycle: the peak that it begins with [m], signed, and its damping ratio."""
+    """First peak of each cycle [m], signed, and its damping ratio."""
 
     peak: np.ndarray
     ratio: np.ndarray
 
 
 class Restitution(NamedTuple):
-    """Of each passage: the ratio of energies after and before it, the speed [m/s], the peak [m]."""
+    """Ratio of energies after and before each passage through upright, speed [m/s], peak [m]."""
 
     energy_ratio: np.ndarray
     speed: np.ndarray
@@ -101,7 +101,7 @@ class FreeVibration:
         """Thesis Table A-1: test run 5 of the wall of chapter 4, 23 peaks and 22 crossings.
 
         Crossings are the instants without acceleration. centre_from_edge is the distance from the
-        uplift gauge, 30 mm outside the edge. `reading` tells the rows apart: "clean" as scanned;
+        uplift gauge, 30 mm outside the edge. `reading` of a row: "clean" as scanned;
         "repaired", of a single possible reading, in which the scan has a slash for a 7; "guessed",
         where a cell is put back from the rows around it. rockeom/analysis/data/table_a1.csv has
         what was scanned.
@@ -148,7 +148,7 @@ class FreeVibration:
         upright is below it. A half-cycle with a smaller peak is not one. If not given it follows
         from the record, `resolved_floor`.
         crossing : "displacement", where that is zero, or "acceleration", as in the thesis, whose
-        wall slid: its displacement does not tell when it is upright. With losses spread over the
+        wall slid, so that a zero displacement is not upright. With losses spread over the
         displacement the acceleration vanishes up to some mm before upright.
 
         A record that begins at rest has its first peak there, within one sample; a last half-cycle
@@ -199,22 +199,22 @@ class FreeVibration:
         return QuarterPeriods(self.displacement[starts], np.diff(self.time)[starts])
 
     def damping_ratios(self) -> CycleDamping:
-        """Of each cycle, from a peak to the next one of its side; thesis 5-7, Figure 5-16.
+        """Damping of each cycle, from a peak to the next one of its side; thesis 5-7, Figure 5-16.
 
-        Those of small damping, `damping_from_decrement`; negative where the motion grew.
+        By the formula of small damping, `damping_from_decrement`; negative where the motion grew.
         """
         peaks = self.displacement[self.at_peak]
         return CycleDamping(peaks[:-2], damping_from_decrement(peaks[:-2], peaks[2:]))
 
     def energies(self, structure: Wall | Structure, quantity: str = "displacement") -> Energies:
-        """Of a structure at each peak and crossing, above those upright; thesis 4-18 to 4-20.
+        """Energies of a structure at each peak and crossing, above upright; thesis 4-18 to 4-20.
 
-        structure : any, by its own energies: in the states in which a load holds it at the
-        displacements of the record, moving through them with its velocities; see `static_energy`.
+        structure : any, by its own energies, in its states of equilibrium at the displacements of
+        the record, which it passes with the velocities of the record; see `static_energy`.
         quantity : of the structure, that the record calls displacement: its rotation, "theta", or
-        one of a response that grows with it.
-        Of a `Wall`, Figure 4-29, it is that of its height H; where the record has the force of
-        the wall's only tendon, the elastic energy is that of the measured force.
+        one of a response that grows with it; of a `Wall`, Figure 4-29, the displacement at its
+        height H. Where the record has the force of the wall's only tendon, the elastic energy is
+        that of the measured force.
         Raises ValueError for a measured force beyond yield and for several tendons.
         """
         if not isinstance(structure, Wall):
@@ -226,8 +226,8 @@ class FreeVibration:
             elastic = wall.tendons[0].energy_at_force(self.tendon_force)
         else:
             raise ValueError(
-                f"FreeVibration.energies: one tendon_force does not tell the energies of "
-                f"{len(wall.tendons)} tendons: leave it out of the record"
+                f"FreeVibration.energies: one tendon_force does not determine the energies "
+                f"of {len(wall.tendons)} tendons: leave it out of the record"
             )
         return Energies(
             wall.gravity_energy(self.displacement),
@@ -240,9 +240,9 @@ class FreeVibration:
     ) -> Restitution:
         """Apparent coefficients of restitution, between successive peaks; thesis Figure 4-30.
 
-        structure, quantity : whose energies they are, and what the record has measured of it, as in
-        `energies`. energy_ratio r is that of the total energies at the peaks after and before each
-        crossing, speed that at the crossing. `Impacts` says besides how sure they are.
+        structure, quantity : as in `energies`. energy_ratio r is that of the total energies at the
+        peaks after and before each crossing, speed that at the crossing. `Impacts` says besides how
+        sure they are.
         """
         peaks = np.flatnonzero(self.at_peak)
         total = self.energies(structure, quantity).total[peaks]
@@ -268,14 +268,14 @@ class FreeVibration:
 def _energies_of(
     structure: Structure, quantity: str, value: np.ndarray, rate: np.ndarray
 ) -> Energies:
-    """Of a structure that passes through values of a quantity as a load would hold it there."""
+    """Energies of a structure that passes its states of equilibrium, by values of a quantity."""
     y = equilibrium_states(structure, value, quantity)
     step = 1e-6 * np.abs(value).max()
     above, below = (equilibrium_states(structure, value + h, quantity) for h in (step, -step))
     half = structure.module.N_STATES // 2
     moving = y.copy()
     moving[:, half:] = rate[:, None] * (above - below)[:, :half] / (2 * step)
-    # by the states held, which say what a tendon does; upright, by where the structure goes
+    # the states of equilibrium determine the mode of a tendon; upright, the direction of motion
     turned = y[:, structure.module.ROTATION] != 0
     states = np.where(turned[:, None], y, moving)
     contact = np.array([structure.contact(state) for state in states], dtype=int)

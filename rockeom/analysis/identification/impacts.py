@@ -1,4 +1,4 @@
-"""What each impact of a free rocking test leaves, from the peaks before and after it.
+"""Restitution at each impact of a free rocking test, from the peaks before and after it.
 
     from rockeom.analysis import identification
 
@@ -41,7 +41,7 @@ def _rotation_of(structure: Structure) -> str:
 
 
 def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
-    """Rate of rotation upright, before the impact, of a structure let go at a peak."""
+    """Rate of rotation upright, before the impact, of a structure released at a peak."""
     m = structure.module
     moving = structure.state({m.STATES[m.ROTATION_RATE]: 1.0})[None]
     contact = np.array([structure.contact(y)])
@@ -49,7 +49,7 @@ def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
     return float(-np.sign(y[m.ROTATION]) * np.sqrt(energy / kinetic))
 
 
-# --- peaks, and how well they are known
+# --- peaks, and their standard deviations
 
 
 class Peaks(NamedTuple):
@@ -68,7 +68,7 @@ def fitted_peaks(
     record and channel : a free vibration that counts from upright; smallest : as in
     `MeasuredRecord.free_vibration`. reach : the part of a half-cycle, about its middle, over which
     it is fitted. The deviation follows from the noise of the
-    record; where the polynomial leaves more than that, from what it leaves.
+    record, or from the residuals of the polynomial where they are larger.
     """
     free = record.free_vibration(channel, smallest)
     t, x, noise = record.time, record[channel], record.noise[channel]
@@ -85,7 +85,7 @@ def fitted_peaks(
 
 
 class PeakChange(NamedTuple):
-    """What a filter does to peaks, (n,) each: time [s], height before and after it, deviation.
+    """Effect of a filter on peaks, (n,) each: time [s], height before and after it, deviation.
 
     deviation : standard deviation of the height before.
     """
@@ -107,8 +107,8 @@ def low_pass_on_peaks(
 
     cutoff [Hz] and order as there, smallest as in `MeasuredRecord.free_vibration`. Before, they are
     those of `fitted_peaks`; after, the largest sample about each. A peak of rocking is round, an
-    impact a bend of the trace: the filter takes little from a peak as long as its half-cycle is
-    long against 1/cutoff, and rounds the bends. A record that begins at a peak loses there, too.
+    impact a bend of the trace: the filter hardly lowers a peak whose half-cycle is long against
+    1/cutoff, and rounds the bends. It lowers a peak at the start of a record, too.
     """
     peaks = fitted_peaks(record, channel, smallest)
     filtered = record.low_pass(cutoff, order)[channel]
@@ -151,7 +151,7 @@ def _fitted_peak(
 
 
 class Mean(NamedTuple):
-    """Of several impacts: the mean of r, its half-width at 95 %, the scatter of r, their number."""
+    """Mean of r of several impacts, its half-width at 95 %, the scatter of r, and their number."""
 
     energy_ratio: float
     half_width: float
@@ -181,9 +181,9 @@ class Impacts:
 
     time [s], between the two peaks; foot : "left" or "right", which lands; speed : rate of rotation
     just before [rad/s], positive where the right foot lands, of the energy before; peak_before,
-    peak_after : rotations, or values of the quantity that was measured; energy_before,
+    peak_after : rotations, or values of the measured quantity; energy_before,
     energy_after [J], above upright; half_width : of the interval about `energy_ratio` in which it
-    lies with 95 %, as far as noise is concerned; 0 where none was stated.
+    lies with 95 %, by the noise alone; 0 where none was stated.
     """
 
     time: np.ndarray
@@ -241,11 +241,11 @@ class Impacts:
 
         time (n,) [s]; peaks (n,), rotations of the structure on both sides in turn, signed;
         deviation : standard deviation of the peaks, (n,) or one for all.
-        quantity : what the peaks are of, where that is not the rotation: "displacement" of the load
-        point or another that grows with it, as in `static_energy`.
+        quantity : of the peaks, if not the rotation: "displacement" of the load point or another
+        that grows with the rotation, as in `static_energy`.
         threshold : impacts with less energy before them are left out [J]; r is a ratio, and its
-        error grows as the energy falls. Thesis section 3.2.4 takes 6 J for its block.
-        rotational_stiffness : of a spring that gives back all it takes [N m/rad]; 3-16.
+        error grows as the energy falls. Thesis section 3.2.4 uses 6 J for its block.
+        rotational_stiffness : of an elastic spring [N m/rad]; 3-16.
 
         Raises ValueError for fewer than two peaks, peaks that do not change side, and a peak at or
         beyond the balance of the structure.
@@ -305,19 +305,19 @@ class Impacts:
         return len(self.time)
 
     def select(self, chosen: ArrayLike) -> Impacts:
-        """Some of them, by a mask (n,) or by their numbers."""
+        """Impacts selected by a mask (n,) or by their numbers."""
         rows = np.asarray(chosen)
         return Impacts(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
 
     def at_foot(self, foot: str) -> Impacts:
-        """Those in which the "left" or the "right" foot lands; a ValueError for another."""
+        """Impacts in which the "left" or the "right" foot lands; ValueError for another foot."""
         if foot not in ("left", "right"):
             raise ValueError(f"Impacts.at_foot: foot is {foot!r}: left or right")
         return self.select(self.foot == foot)
 
     @staticmethod
     def together(several: list[Impacts]) -> Impacts:
-        """Those of several tests, one after the other."""
+        """Impacts of several tests, one after the other."""
         names = [f.name for f in fields(Impacts)]
         return Impacts(**{n: np.concatenate([getattr(s, n) for s in several]) for n in names})
 
@@ -359,13 +359,13 @@ class Impacts:
     def energy_loss_fit(self, degree: int = 3) -> EnergyLossFit:
         """Least squares of the change of energy on speed, speed**2 ... speed**degree; 3-17, 3-18.
 
-        There is no constant: without speed nothing is lost. Raises ValueError for fewer impacts
+        There is no constant: no energy is lost without speed. Raises ValueError for fewer impacts
         than degree + 1.
         """
         if len(self) < degree + 1:
             raise ValueError(
                 f"Impacts.energy_loss_fit: {len(self)} impacts do not determine a polynomial of "
-                f"degree {degree}: lower it, or take impacts of more tests together"
+                f"degree {degree}: lower it, or join impacts of more tests"
             )
         powers = np.vander(self.speed, degree + 1, increasing=True)[:, 1:]
         loss = self.energy_change
@@ -422,12 +422,11 @@ def fitted_rotational_spring(
 ) -> RotationalSpring:
     """The rotational spring with which the total energy is most constant between impacts; 3-4.
 
-    record and structure as in `record_energies`; channel as in `Impacts.of_record`. Of each
-    half-cycle the stiffness is that of the straight line through the energy against theta**2/2;
-    samples near the impacts, and those of the release, are left out. count : how many half-cycles
-    count, from the first; all if not given.
-    The mean weighs them by the spread of theta**2, and its deviation is that of their scatter.
-    Raises ValueError for fewer than two half-cycles.
+    record and structure as in `record_energies`; channel as in `Impacts.of_record`. The stiffness
+    of a half-cycle is that of the straight line through the energy against theta**2/2, without the
+    samples near the impacts and at the release. count : number of half-cycles, from the first; all
+    if not given. The mean weights them by the spread of theta**2, and its deviation is that of
+    their scatter. Raises ValueError for fewer than two half-cycles.
     """
     channel = channel or _rotation_of(structure)
     free = record.free_vibration(channel)

@@ -1,4 +1,4 @@
-"""From what a test measures to what a model needs: rotation, stiffness, damping coefficient."""
+"""Rotation, stiffness and damping coefficient of a model from measured quantities."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def rotation_about_moving_centre(
     column of McManus (1980). Any shapes, broadcast.
 
     This is 5-2 with half_width = base_width/2 - min(x, y), x and y = base_width - x the distances
-    to both edges: the centre of the moment is taken as if it had been the pivot all along.
+    to both edges: the present centre counts as the pivot of the whole rotation.
     Raises ValueError for a centre outside the base.
     """
     where = "rotation_about_moving_centre"

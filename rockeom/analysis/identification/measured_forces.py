@@ -1,7 +1,7 @@
 """Forces of the ground on a block, from a record of its rotation; thesis section 3.2.3.
 
-Between impacts they are those of 3-8 and 3-9. What they show of an impact depends on how the record
-was sampled and differentiated more than on the impact: see `impact_forces_of_record`.
+Between impacts they are those of 3-8 and 3-9. About an impact they depend on the sampling and
+differentiation of the record more than on the impact: see `impact_forces_of_record`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class SupportForces(NamedTuple):
     """Forces of the ground on a block, (n,) each: times [s], forces [N], half-widths at 95 % [N].
 
     smooth : whether no impact lies within the window of the derivatives, so that they are those of
-    one foot. Elsewhere they are what the jump of the rate leaves of itself in the window.
+    one foot. Elsewhere they are the trace of the jump of the rate in the window.
     """
 
     time: np.ndarray
@@ -49,9 +49,9 @@ def support_forces_of_record(
     record : as measured, the channel a rotation [rad]; window [s] and degree of the derivatives, as
     in `MeasuredRecord.with_derivatives`. mass [kg], alpha [rad], radius [m] of the block; gravity
     [m/s2]. ground_acceleration : channel that has it [m/s2]; still ground if not given.
-    The half-widths are those of the record's noise, carried through the derivatives. What the
-    polynomial cannot follow of the motion comes on top: a window of a third of the shortest
-    half-cycle of interest or less keeps it small.
+    The half-widths are those of the record's noise, propagated through the derivatives. The misfit
+    of the polynomial adds to them: a window of a third of the shortest half-cycle of interest or
+    less keeps it small.
     """
     where = "support_forces_of_record"
     positive(where, mass=mass, window=window)
@@ -62,7 +62,7 @@ def support_forces_of_record(
     ground = np.zeros_like(theta) if ground_acceleration is None else record[ground_acceleration]
 
     def forces(x: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
-        # a rotation that noise takes past upright still belongs to its foot
+        # a rotation that passes upright by noise still belongs to its foot
         return np.array(
             block_reactions(
                 side * np.maximum(side * x, 0.0), v, a, mass=mass, alpha=alpha, radius=radius,
@@ -88,13 +88,13 @@ def support_forces_of_record(
 
 
 class ImpactForces(NamedTuple):
-    """What a record shows of the force of each impact, (n,) each; see `impact_forces_of_record`.
+    """Bounds of the force of each impact by a record, (n,) each; see `impact_forces_of_record`.
 
     time [s]; speed : rate of rotation before it [rad/s], positive where the right foot lands;
     horizontal, vertical : the largest about the impact, by size [N]; of both, magnitude [N], and
     angle from the vertical [rad]. baseline_horizontal, baseline_vertical : of the block just before
-    (3-11, 3-12) [N]. expected_horizontal, expected_vertical : what a jump of the rate without
-    duration would leave in the window, over the baseline [N].
+    (3-11, 3-12) [N]. expected_horizontal, expected_vertical : the trace that a jump of the rate
+    without duration has in the window, over the baseline [N].
     """
 
     time: np.ndarray
@@ -127,10 +127,10 @@ def impact_forces_of_record(
 
     They are no impact forces but lower bounds of them. An impact changes the rate by dv within less
     than a sample, and the derivative spreads that over its window: an acceleration of dv times
-    `kink_gain`, whatever the force was. Half the window, and it doubles. Of the vertical impulse,
-    m R sin(alpha) (1 + e) v, a record of the rotation alone shows the part 1 - e: the other, by
-    which the centroid is thrown from falling into rising, is in no derivative of the rotation.
-    The expected values are those of such a jump; what a record has beyond them may be the impact's.
+    `kink_gain`, for any force. Half the window doubles it. A record of the rotation alone shows the
+    part 1 - e of the vertical impulse m R sin(alpha) (1 + e) v: the other part, which reverses the
+    fall of the centroid, is in no derivative of the rotation.
+    The expected values are those of such a jump; the excess of a record may be the impact's own.
     """
     found = support_forces_of_record(
         record, mass=mass, alpha=alpha, radius=radius, window=window, channel=channel,
@@ -164,7 +164,7 @@ def kink_gain(step: float, window: float, degree: int = 4) -> float:
     """Largest second derivative that a jump of the rate by 1 leaves at the bend [1/s].
 
     step between samples [s]; window [s] and degree as in `MeasuredRecord.with_derivatives`.
-    It is that of a bend that lies at a sample or between two, whichever shows more.
+    The larger one of a bend at a sample and of a bend between two.
     """
     where = "kink_gain"
     positive(where, step=step, window=window)

@@ -20,7 +20,7 @@ class Noise:
     """Stationary noise of a channel, by its covariance.
 
     covariance : (m,) of two samples that lie 0, 1, 2 ... samples apart [unit of the channel
-    squared]; beyond the last there is none. Of white noise it has one number, the variance.
+    squared]; beyond the last there is none. White noise has one number, the variance.
     """
 
     covariance: np.ndarray
@@ -54,17 +54,17 @@ class Noise:
         return float(np.sqrt(max(twice @ (products * self.covariance[:lags]), 0.0)))
 
     def every(self, step: int) -> Noise:
-        """That of every `step`-th sample."""
+        """Noise of every `step`-th sample."""
         return Noise(self.covariance[::step])
 
 
 def noise_level(time: ArrayLike, values: ArrayLike, order: int = 6) -> float:
     """Standard deviation of the white noise of a channel, estimated from itself.
 
-    time (n,) [s], increasing; values (n,). order : of the divided differences that are taken for
-    the noise; they leave nothing of a polynomial of lower degree, so of a motion that is smooth
-    over order + 1 samples next to nothing. Of their sizes the median counts, which impacts and
-    strays do not move; its own error is about 1.3/sqrt(n) of the value.
+    time (n,) [s], increasing; values (n,). order : of the divided differences that estimate
+    the noise; they are zero for a polynomial of lower degree, and nearly so for a motion that is
+    smooth over order + 1 samples. The median of their sizes is insensitive to impacts and outliers;
+    its own error is about 1.3/sqrt(n) of the value.
 
     Noise that is not white, of a record that was filtered before, is underestimated: give its level
     yourself. Raises ValueError for fewer than order + 2 samples and for times that do not increase.

@@ -1,4 +1,4 @@
-"""The pulse in a near-fault record: that of a model which comes closest to the ground's velocity.
+"""The pulse in a near-fault record: the pulse of a model closest to the ground's velocity.
 
     import rockeom as rk
     from rockeom.analysis import identification
@@ -8,9 +8,9 @@
     fit.period, fit.velocity, fit.misfit  # s, m/s, -
     rk.simulate(block, fit.motion)
 
-For given period, envelope and centre the velocity of a pulse is linear in what is left: in the
-cosine and the sine of its phase angle. So a search over periods, envelopes and all centres at once
-(a convolution) finds the best of them all, and least squares go on from there.
+For given period, envelope and centre the velocity of a pulse is linear in the cosine and the sine
+of its phase angle. A search over periods, envelopes and all centres at once (a convolution) finds
+the best of them, from which least squares continue.
 """
 
 from __future__ import annotations
@@ -26,25 +26,25 @@ from rockeom.motion.segments import ANTISYMMETRIC_RICKER_PEAK, END, START, cut
 from rockeom.numbers.arguments import positive, require
 
 PULSE_MODELS = ("mavroeidis_papageorgiou", "ricker", "antisymmetric_ricker")
-"""The models that `fit_pulse` knows."""
+"""The models of `fit_pulse`."""
 
 _GAMMAS = (1.1, 1.3, 1.6, 2.0, 2.5, 3.2, 4.0)
 _GAMMA_BOUNDS = 1.01, 6.0
 _SAMPLES = 40  # in the shortest period, at least; a pulse needs no more
 _PERIODS = 40
 _STARTS = 3
-"""So many of the best places of the search are gone on from."""
+"""Number of best places of the search from which least squares continue."""
 
 
 @dataclass(frozen=True)
 class PulseFit:
-    """The pulse of a model that comes closest to the velocity of a motion.
+    """The pulse of a model closest to the velocity of a motion.
 
     model : its name. velocity : its amplitude [m/s], of a Ricker wavelet the largest velocity, and
     negative where that is. period [s]. centre : time of its centre [s].
     gamma, phase [rad] : those of Mavroeidis and Papageorgiou's, else nan.
-    misfit : root of the mean square of the velocity that is left, over that of the motion [-].
-    motion : the pulse at its place, as long as what it was fitted to.
+    misfit : root of the mean square of the residual velocity, over that of the motion [-].
+    motion : the pulse at its place, as long as that motion.
     """
 
     model: str
@@ -67,14 +67,14 @@ def fit_pulse(
 
     motion : with its velocity, of any kind; a record that drifts should be `baseline_corrected`.
     model : "mavroeidis_papageorgiou", "ricker" or "antisymmetric_ricker".
-    periods : shortest and longest period looked at [s]; if not given, 0.3 s (or twenty samples of a
-        record, if that is more) and half of the duration.
+    periods : shortest and longest period of the search [s]; if not given, 0.3 s (or twenty samples
+        of a record, if that is more) and half of the duration.
 
     The amplitude, the period and the centre are fitted, and the phase angle and gamma (1.01 to 6)
     where a model has them. Times before the motion and after it count as zero velocity.
 
     Source of the model: Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of
-    America 93 (2003) 1099-1131. Raises ValueError for another model, periods that are not so, and a
+    America 93 (2003) 1099-1131. Raises ValueError for another model, impossible periods, and a
     motion without velocity.
     """
     where = "fit_pulse"

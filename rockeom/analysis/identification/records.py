@@ -1,4 +1,4 @@
-"""A measured record: channels in SI units, their noise, and the signal chain that carries both.
+"""A measured record: channels in SI units, their noise, and the signal chain of both.
 
     from rockeom import analysis
 
@@ -7,8 +7,8 @@
     smooth = record.low_pass(25.0).with_derivatives("theta", window=0.05)
     smooth["theta_ddot"], smooth.noise["theta_ddot"].level
 
-What a filter does to white noise is known exactly: each step of the chain carries the noise on, so
-that what comes out has a stated one.
+The effect of a filter on white noise is known exactly: each step of the chain propagates the noise,
+so that its result has a stated one.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 class Velocities(NamedTuple):
-    """A velocity found again after resampling: factor -> (n,) at `time` (n,); their spread.
+    """A velocity after resampling: factor -> (n,) at `time` (n,); their spread.
 
     noise : standard deviation that the noise of the record gives to the velocity at its own rate.
     spread : largest standard deviation of a difference to that at its own rate.
@@ -48,8 +48,8 @@ class MeasuredRecord:
     """Channels of a test, sampled at even steps, in SI units, and the noise of each.
 
     time : (n,) [s]. channels : name -> (n,). noise : name -> standard deviation, or a `Noise`, as
-    which it is kept; of a channel that is not named it is estimated by `noise_level`.
-    name : what the record is called. `record["theta"]` is a channel.
+    which it is stored; `noise_level` estimates that of other channels.
+    name : of the record. `record["theta"]` is a channel.
 
     Raises ValueError for times that are not even, channels of another length, gaps (NaN), and for
     noise of an unknown channel.
@@ -152,9 +152,9 @@ class MeasuredRecord:
     def low_pass(self, cutoff: float, order: int = 4) -> MeasuredRecord:
         """All channels through a Butterworth filter, forward and backward: no phase is shifted.
 
-        cutoff [Hz], where half of the amplitude is left; order of one pass. What the filter leaves
-        of a vibration is `low_pass_gain`; what it leaves of peaks, `low_pass_on_peaks`. The thesis
-        takes 25 Hz for records of 200 samples a second (section 4.5).
+        cutoff [Hz], at which the gain is a half; order of one pass. `low_pass_gain` is the gain for
+        a vibration, `low_pass_on_peaks` the effect on peaks. The thesis uses 25 Hz for records of
+        200 samples a second (section 4.5).
         Raises ValueError for a cutoff at or above half of the rate of sampling.
         """
         from scipy.signal import sosfiltfilt
@@ -172,7 +172,7 @@ class MeasuredRecord:
         )
 
     def low_pass_gain(self, frequency: ArrayLike, cutoff: float, order: int = 4) -> np.ndarray:
-        """What `low_pass` leaves of the amplitude at a frequency [Hz], any shape: 1 is all."""
+        """Gain of `low_pass` at a frequency [Hz], any shape; 1 without attenuation."""
         from scipy.signal import sosfreqz
 
         (f,) = not_negative("MeasuredRecord.low_pass_gain", frequency=frequency)
@@ -247,10 +247,10 @@ class MeasuredRecord:
     ) -> Velocities:
         """The rate of a channel by `with_derivatives`, at other rates of sampling too.
 
-        As thesis section 3.2.2 did it, to rule out that its velocities were a fault of the
-        arithmetic. window [s] and degree as in `with_derivatives`; factors as in `resampled`. All
-        are given at the instants that they share. Where their spread is of the size of the noise,
-        what the velocity shows is in the record.
+        The method of thesis section 3.2.2, which excludes errors of the differentiation. window [s]
+        and degree as in `with_derivatives`; factors as in `resampled`. All are given at their
+        common instants. Where their spread is of the size of the noise, the features of the
+        velocity are those of the record.
         """
         made = {1.0: self} | {f: self.resampled(f) for f in factors}
         rates = {f: one.with_derivatives(channel, window, degree) for f, one in made.items()}
@@ -263,7 +263,7 @@ class MeasuredRecord:
         noise = rates[1.0].noise[name].level
         return Velocities(self.time[::shared][:shortest], found, noise, spread)
 
-    # -- what is in it ----------------------------------------------------------------------
+    # -- its free vibration ----------------------------------------------------------------------
 
     def free_vibration(
         self, channel: str, smallest: float | None = None, **other: str
@@ -271,8 +271,8 @@ class MeasuredRecord:
         """Peaks and crossings of a channel that counts from upright.
 
         smallest : as in `FreeVibration.from_samples`; five standard deviations of the noise of the
-        channel if not given, and what the sampling resolves. other : what `from_samples` takes
-        besides, by the name of the channel, such as tendon_force="tendon".
+        channel and the resolution of the sampling if not given. other : further arguments of
+        `from_samples`, by the name of the channel, such as tendon_force="tendon".
         """
         floor = smallest
         if floor is None:

@@ -1,4 +1,4 @@
-"""Where a wall stands on its foundation: slips, from its uplifts and from the force of its tendon.
+"""Slips of a wall on its foundation, from its uplifts and from the force of its tendon.
 
 A wall that has slid by s is upright at a displacement s. Its uplifts and the force of its tendon
 against the displacement are then the curves of before, shifted by s; thesis Figures 4-57 to 4-59.
@@ -18,9 +18,9 @@ from rockeom.numbers.arguments import numbers, positive, require
 
 
 class Slips(NamedTuple):
-    """Of each half-cycle (n,): its middle [s], the shift of the origin [m], its half-width [m].
+    """Middle [s], shift of the origin [m] and its half-width [m] of each half-cycle, (n,).
 
-    Each half-cycle reaches from one passage through upright to the next. steps (n - 1,) : changes
+    A half-cycle reaches from one passage through upright to the next. steps (n - 1,) : changes
     of the shift from one to the next, the slips; clear (n - 1,) : whether one is larger than the
     half-widths of both.
     """
@@ -125,8 +125,8 @@ def rotation_centre_between_gauges(
     left, right : readings of two uplift gauges, positive upward [m]; shapes broadcast. spacing of
     the gauges [m]. noise : standard deviation of each reading [m].
     Returns (centre, half_width at 95 %). The base is straight: spacing u_L/(u_L - u_R). Where the
-    readings differ by less than five standard deviations the base has not turned enough to tell a
-    centre, and both are NaN.
+    readings differ by less than five standard deviations the rotation is too small for a centre,
+    and both are NaN.
     """
     where = "rotation_centre_between_gauges"
     left, right = numbers(where, left=left, right=right)

@@ -64,11 +64,11 @@ def moving_window(
     channel : the response; excitation : the channel of the ground's acceleration. Each is a Welch
     estimate (scipy.signal) with a Kaiser window: with an excitation |P_xy|/P_xx, the cross spectrum
     over that of the excitation; without, sqrt(P_yy) of the response itself. A free decay has no
-    excitation once the table stands: give none there, a quotient by its noise says nothing.
+    excitation once the table stands: give none there, a quotient by its noise is meaningless.
     window [s], step in samples: 0.43 s and 2 in the thesis, so 86 samples at 200 Hz, and 2.3 Hz at
     best. beta of the Kaiser window, and the number of segments, which lie half over one another,
     are not stated there. One segment resolves best and averages nothing; each further one widens
-    the bandwidth. The mean of each segment is taken out.
+    the bandwidth. The mean of each segment is subtracted.
     frequencies : the lowest and the highest that are kept [Hz]. They stand eight times as dense as
     the window resolves (zeros are added), which places a peak and separates none.
 

@@ -21,7 +21,7 @@ class Fragility:
     median : intensity at which half exceed the limit [unit of the intensity]; dispersion :
         standard deviation of its logarithm [-].
     covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information.
-    intensity (n,), exceeded (n,), number (n,) : what was observed.
+    intensity (n,), exceeded (n,), number (n,) : the observations.
     left_out : cases without an answer, which are not counted.
     """
 
@@ -73,14 +73,14 @@ class Fragility:
 def fit_fragility(
     intensity: ArrayLike, exceeded: ArrayLike, number: ArrayLike = 1, left_out: int = 0
 ) -> Fragility:
-    """The lognormal fragility curve that makes what was observed most likely.
+    """The lognormal fragility curve of the greatest likelihood.
 
         fit_fragility([0.2, 0.4, 0.6, 0.8], exceeded=[1, 4, 9, 10], number=10)
 
     intensity : of the ground motion, above zero [any unit].
     exceeded : how many of `number` motions of that intensity exceeded the limit; of single motions
         True or False. The three broadcast.
-    left_out : cases that gave no answer, to be told with the result.
+    left_out : cases that gave no answer, for the result.
 
     The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
     maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
@@ -123,7 +123,7 @@ def fragility_of(
     demand, limit : of the state or quantity whose largest size is to stay below the limit [its
         unit]; who overturns exceeds it. If neither is given, overturning is meant.
 
-    Cases that gave no answer are not counted, but told: `left_out`. Otherwise as `fit_fragility`.
+    Cases that gave no answer do not count; `left_out` is their number. Else as `fit_fragility`.
     Raises ValueError also for names that the sweep does not have, and for cases that were not run.
     """
     if (limit is None) != (demand is None):
@@ -141,14 +141,14 @@ def fragility_of(
     if demand is not None and limit is not None:
         exceeds = fell | (peaks_of(sweep, demand) >= limit)
     im, known, hit = xr.broadcast(sweep[intensity], answered, exceeds)
-    told = known.values.ravel()
+    rows = known.values.ravel()
     return fit_fragility(
-        im.values.ravel()[told], hit.values.ravel()[told], left_out=int((~told).sum())
+        im.values.ravel()[rows], hit.values.ravel()[rows], left_out=int((~rows).sum())
     )
 
 
 def _refuse_separable(im: np.ndarray, hits: np.ndarray, of: np.ndarray) -> None:
-    """Where an intensity parts what exceeded from what did not, any steeper curve is likelier."""
+    """ValueError where an intensity separates all exceedances: any steeper curve is likelier."""
     function = "fit_fragility"
     with_hits, without = im[hits > 0], im[hits < of]
     if not len(with_hits) or not len(without):

@@ -12,8 +12,9 @@
     found.index, found.probability, found.design_point, found.importance
     analysis.risk.monte_carlo(case, random, 10_000).interval()
 
-The first order asks for the values nearest to the medians, in standard deviations, with which the
-structure fails, and takes the boundary there for a plane. Derivatives are those of `rk.tangents`.
+The first-order method searches the values nearest to the medians, in standard deviations, with
+which the structure fails, and replaces the boundary there by a plane. Derivatives are those of
+`rk.tangents`.
 """
 
 from __future__ import annotations
@@ -42,28 +43,28 @@ from rockeom.sweeps.sensitivity import answer
 from rockeom.sweeps.tangents import tangents
 
 _LEAST = 1e-300
-"""Instead of 0, where the medians lie on the boundary."""
+"""Least distance of the boundary, where the medians lie on it."""
 REACH = 6.0
-"""Standard deviations from the medians up to which a boundary is looked for: 1e-9 lies beyond."""
+"""Range of a search around the medians [standard deviations]: a probability of 1e-9 lies beyond."""
 RAYS = 32
-"""Places on a ray at which it is asked whether the structure falls: a narrower window is missed."""
+"""Places on a ray at which a structure is simulated: a narrower window of failure is missed."""
 ACCURACY = 1e-12
-"""To which the distance to a boundary is found [standard deviations]."""
+"""Accuracy of the distance to a boundary [standard deviations]."""
 SETTLED = 1e-4
-"""Angle between the design point and the normal of the boundary at which it is taken for 0 [rad].
+"""Angle between the design point and the normal of the boundary that counts as zero [rad].
 
-Its square is what the index may still lose of itself.
+Its square is the largest relative error of the index.
 """
 APART = 0.01
-"""Part of the overturning rotation by which two motions differ that part at a boundary."""
+"""Difference of two motions that diverge at a boundary, in parts of the overturning rotation."""
 NEWTON = 1e-5
 """Step of Newton's rule from where the next one would be its square [standard deviations]."""
 MOST_RAYS = 30
-"""On which a boundary is met: with a corner at its nearest point there is no end to them."""
+"""Most rays of a search: a corner at the nearest point of the boundary needs ever more."""
 ROUNDS = 60
-"""Of any search here; what needs more does not settle."""
+"""Most steps of any search in this module."""
 MOST_DOUBLINGS = 6
-"""Of the duration of a motion that lingers near the unstable equilibrium."""
+"""Most doublings of the duration of a motion that lingers near the unstable equilibrium."""
 
 
 @dataclass(frozen=True)
@@ -157,8 +158,8 @@ def first_order_reliability(
 
     The rule of Hasofer and Lind (1974), for distributions as by Rackwitz and Fiessler (1978), kept
     on the boundary: rays from the medians meet it by Newton's rule on the exact gradient, and turn
-    towards its normal, by BFGS, as long as it comes nearer. What that finds is one nearest point;
-    there may be others.
+    towards its normal, by BFGS, as long as it comes nearer. The result is one nearest point; there
+    may be others.
 
     Raises ValueError for distributions that are none, for a limit state that does not change at the
     medians, jumps or has no boundary within reach, and for derivatives that are not finite.
@@ -196,11 +197,11 @@ def reliability_of(
 
     A largest size has a derivative, where one crest remains the highest; of overturning there is
     no margin that would have one, since the peak goes to the unstable equilibrium with a vertical
-    slope and is nothing beyond. Its boundary is found on rays from the medians instead: the first
-    change of fate of 32 places, narrowed down to 1e-12. With the values there the structure lingers
-    about the unstable equilibrium, and the gradient of its rotation, by then large along nothing
-    but the normal of the boundary, is that normal. Islands of overturning narrower than a place are
-    missed, as are other nearest points; hold it beside `monte_carlo`.
+    slope and does not exist beyond. Its boundary is found on rays from the medians instead: the
+    first change of fate of 32 places, narrowed down to 1e-12. With the values there the structure
+    lingers about the unstable equilibrium, and the gradient of its rotation, by then large along
+    nothing but the normal of the boundary, is that normal. Islands of overturning narrower than a
+    place are missed, as are other nearest points; compare it with `monte_carlo`.
 
     Returns `FirstOrder`. Raises ValueError as `first_order_reliability` does, and for a motion
     without an answer.
@@ -232,12 +233,12 @@ def monte_carlo(
 
     case, random, demand, limit : as of `reliability_of`; demand may be any quantity.
     number : of samples. seed : of what is drawn; the same seed draws the same.
-    how : what else `simulate_many` takes: options, threads, progress, and store, a folder in which
-        what is done is kept, so that the same call goes on where it was stopped.
+    how : other arguments of `simulate_many`: options, threads, progress, and store, a folder of
+        finished cases with which the same call continues after a stop.
 
-    Cases that gave no answer are not counted, but told: `left_out`. An interrupt is raised, as some
-    of the samples are no sample. Raises ValueError for bad arguments, and where no case gave an
-    answer.
+    Cases that gave no answer do not count; `left_out` is their number. An interrupt is raised, as
+    some of the samples are no sample. Raises ValueError for bad arguments, and where no case gave
+    an answer.
     """
     space = _Space.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
@@ -288,19 +289,19 @@ class _Space:
         ]
 
     def table(self, u: np.ndarray) -> np.ndarray:
-        """Of u (n, k), rows for `simulate_many`."""
+        """Rows for `simulate_many`, of deviates u (n, k)."""
         found = np.empty(len(u), dtype=[(name, float) for name in self.names])
         for name, column in zip(self.names, self.columns(u), strict=True):
             found[name] = column
         return found
 
     def values(self, u: np.ndarray) -> dict[str, float]:
-        """Of u (k,), by name."""
+        """Values by name, of deviates u (k,)."""
         found = (float(x) for x in self.columns(u))
         return dict(zip(self.names, found, strict=True))
 
     def duals(self, u: np.ndarray) -> dict[str, Dual]:
-        """Of u (k,), by name, with their derivatives by u."""
+        """Values by name with their derivatives by u, of deviates u (k,)."""
         values = self.values(u)
         log_density = -0.5 * u**2 - 0.5 * math.log(2 * math.pi)
         slopes = [
@@ -329,7 +330,7 @@ class _Surface(Protocol):
 
     @property
     def runs(self) -> int:
-        """How many motions, or evaluations of a limit state, there were."""
+        """Number of motions, or evaluations of a limit state."""
 
     def distance(self, ray: np.ndarray) -> float:
         """Along a unit vector (k,), to where failure begins or, from within, ends; inf if not."""
@@ -380,7 +381,7 @@ def _nearest(surface: _Surface, ray: np.ndarray) -> FirstOrder:
 
 
 class _EnoughError(Exception):
-    """Rays enough have been looked at."""
+    """The search has used all its rays."""
 
 
 def _none_found(reach: float, where: str) -> ValueError:
@@ -395,7 +396,7 @@ def _none_found(reach: float, where: str) -> ValueError:
 
 
 class _Smooth:
-    """Where a limit state of `rk.Dual` is zero."""
+    """The surface on which a limit state of `rk.Dual` is zero."""
 
     def __init__(self, space: _Space, limit_state: Callable[..., Any], reach: float) -> None:
         self.space, self.limit_state, self.reach = space, limit_state, reach
@@ -411,7 +412,7 @@ class _Smooth:
         return bool(np.any(self.first[1]))
 
     def towards_failure(self) -> np.ndarray:
-        """Of Newton's steps down the gradient the first with whose ray a boundary is met."""
+        """The first of Newton's steps down the gradient whose ray meets a boundary."""
         u, (value, slope) = np.zeros(len(self.space.names)), self.first
         for _ in range(ROUNDS):
             if not np.any(slope):
@@ -500,12 +501,12 @@ class _Margin:
         return 1.0 - peak / self.limit
 
 
-# -- overturning, of which a motion tells only whether it comes
+# -- overturning: a motion has no margin, only a fate
 
 
 @dataclass(frozen=True)
 class _Condition:
-    """What fails: a structure that overturns, or whose demand reaches a limit as well."""
+    """Condition of failure: a structure overturns, or its demand reaches a limit as well."""
 
     demand: str | None = None
     limit: float | None = None
@@ -519,7 +520,7 @@ class _Condition:
         return cls(demand, limit)
 
     def quantities(self, one: Case) -> tuple[str, ...]:
-        """What `simulate_many` must keep of the cases, of which one is given."""
+        """Quantities that `simulate_many` must record of the cases; one : any of them."""
         known = self.demand is None or self.demand in one.structure.states
         return () if known else (str(self.demand),)
 
