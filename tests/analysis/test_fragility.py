@@ -200,5 +200,5 @@ def test_names_that_a_sweep_does_not_have_are_refused_with_those_it_has():
         outcome_labels(sweep().drop_vars("outcome"))
     odd = sweep(flagged)
     odd["outcome"].attrs["flag_meanings"] = "completed"
-    with pytest.raises(ValueError, match="do not say what that means"):
+    with pytest.raises(ValueError, match="do not name it"):
         outcome_labels(odd)
