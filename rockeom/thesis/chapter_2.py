@@ -310,7 +310,7 @@ CHAPTER_2: tuple[Equation, ...] = (
             xi_eq,
             0.05 + fit_a * (1 - 1 / mu**fit_b) * (1 + 1 / (effective_period + fit_c) ** fit_d),
         ),
-        remark="It recalibrates 2-33, where the text says 2-31. Of the flag's factors only a b "
-        "counts, and b is given to one digit: its damping beyond 5 % is good to 8 %.",
+        remark="It recalibrates 2-33, where the text says 2-31. Only a b of the flag's "
+        "factors counts, and b is given to one digit: its damping beyond 5 % is good to 8 %.",
     ),
 )

@@ -2,7 +2,7 @@
 
 Typed by hand from the thesis, in its own symbols. Numbers are in mm, kN and J, speeds in m/s; the
 equations without numbers hold in any consistent units. The 3.551 mm of the exponents is typed as
-epsilon, its symbol in 4-8; its value stands in 4-7.
+epsilon, its symbol in 4-8; its value is in 4-7.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ LEVEL = sqrt(H**2 - Delta**2)
 speed = Abs(Delta_d)
 
 REACH = 920 - 412 * BELL
-"""d cos(theta) by the numbers that stand in 4-7."""
+"""d cos(theta) by the numbers of 4-7."""
 
 EXTENSION = H * Abs(Delta) / (H**2 - Delta**2) * REACH - B * Abs(Delta) / LEVEL
 """4-15."""
@@ -141,9 +141,9 @@ MEASURED_BASE = (
         "distance from the left gauge to the centre of rotation, of a straight base",
         says(x, 1076 * Abs(u_L) / (Abs(u_L) + Abs(u_R))),
         says(x, 1076 * u_L / (u_L - u_R)),
-        "The absolute values are right for readings of opposite signs only. Of two positive "
-        "readings, a wall that bounces, they put the centre between the gauges; section 4.9.1 "
-        "finds it outside, at negative distances.",
+        "The absolute values are right for readings of opposite signs only. With two "
+        "positive readings, of a wall that bounces, they put the centre between the gauges; "
+        "section 4.9.1 finds it outside, at negative distances.",
     ),
     Equation(
         "4-2",

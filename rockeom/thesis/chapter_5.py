@@ -172,7 +172,7 @@ TESTS = (
             ),
         ),
         remark="Written out; the thesis has alpha', B' and R' as functions of x and y, and H for "
-        "H' once. The centre is taken as if it had been the pivot all along.",
+        "H' once. The present centre counts as the pivot of the whole rotation.",
     ),
     Equation(
         "5-7",

@@ -4,8 +4,8 @@ The thesis places a body by R and alpha, the engine by half-width and height:
 
     R sin(alpha) = B,    R cos(alpha) = H,    R**2 = B**2 + H**2
 
-Of what is left, polynomials in sines and cosines, zero is decided by division by
-sin**2 + cos**2 - 1. None of the engine's simplification is used for it.
+The rest are polynomials in sines and cosines; division by sin**2 + cos**2 - 1 decides whether one
+is zero. None of the engine's simplification is used for it.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
     th.P_crit2: CART["lift_off_force"],
     th.u_overturn: CART["top"],
 }
-"""What the engine calls a symbol of the thesis, or makes of it."""
+"""The engine's name or expression of each symbol of the thesis."""
 
 OWN = {th.beta, th.omega, th.t, th.R_e, th.R_b, th.R_c}
 """Symbols of the thesis that the engine has no counterpart of; the radii go in `normal_form`."""

@@ -17,7 +17,7 @@ BOTH, POSITIVE, NEGATIVE = (1, -1), (1,), (-1,)
 
 
 class Kind(Enum):
-    """What an equation is."""
+    """Kind of an equation."""
 
     MOTION = "equation of motion"
     CLOSED_FORM = "closed form"

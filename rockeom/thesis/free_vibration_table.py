@@ -46,8 +46,8 @@ class ModelPeaks(NamedTuple):
 def measured_peaks() -> tuple[np.ndarray, np.ndarray]:
     """Times [s] and displacements [m] of the first 13 peaks of Table A-1, both (13,).
 
-    All 13 rows are legible as scanned. Of the ten later peaks six are in rows that are repaired
-    or guessed (`FreeVibration.reading`); none of the ten counts.
+    All 13 rows are legible as scanned. Six of the ten later peaks are in rows that are repaired or
+    guessed (`FreeVibration.reading`); none of the ten counts.
     """
     table = identification.FreeVibration.table_a1()
     chosen = np.flatnonzero(table.at_peak)[:PEAKS]

@@ -15,7 +15,7 @@ from sympy import Function, MatrixSymbol, Symbol, sign
 
 @dataclass(frozen=True)
 class Entry:
-    """What a symbol means.
+    """Meaning of a symbol.
 
     unit : SI, "1" for a pure number.
     chapters : the chapters ("2", "D") in which it means this; empty for all others.
@@ -60,7 +60,7 @@ def _enter(symbol: Symbol, unit: str, meaning: str, chapters: tuple[str, ...]) -
 
 
 def entry(symbol: sp.Basic, chapter: str) -> Entry:
-    """What a symbol means in a chapter. Raises KeyError where it has no entry."""
+    """Entry of a symbol in a chapter. Raises KeyError where there is none."""
     general = None
     for one in NOTATION:
         if one.symbol == symbol:

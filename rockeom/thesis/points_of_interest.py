@@ -1,4 +1,4 @@
-"""Peaks of a noisy trace by the thesis's window score, and by SciPy's peak finder; section 3.2."""
+"""Peaks of a noisy trace by the window score of section 3.2, and by SciPy's peak finder."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rockeom.numbers.arguments import numbers, positive
 
 
 class PointsOfInterest(NamedTuple):
-    """Samples that a finder takes for peaks, and the times of the crossings between them [s]."""
+    """Samples of the peaks, and the times of the crossings between them [s]."""
 
     peaks: np.ndarray
     crossings: np.ndarray
@@ -63,7 +63,7 @@ def points_by_prominence(
 
     record and channel : the trace; prominence : how far it falls on both sides of a peak before it
     rises above it, in the unit of the channel; ten standard deviations of its noise if not given.
-    No window hides short half-cycles; a flat, noisy start, held by hand, is no peak to it.
+    No window hides short half-cycles; a flat, noisy start is no peak.
     """
     from scipy.signal import find_peaks
 
@@ -79,7 +79,7 @@ def points_by_prominence(
 def _crossings(record: MeasuredRecord, channel: str, peaks: np.ndarray) -> np.ndarray:
     """Times at which a channel is zero, straight between samples, between peaks of both sides.
 
-    Of several, which noise makes, the middle one.
+    Noise makes several; the middle one counts.
     """
     t, x = record.time, record[channel]
     found = []

@@ -174,7 +174,7 @@ TABLE_2_3 = PrintedTable(
         "Erratum: what is printed as r is the velocity ratio sqrt(r). 2-6 gives 0.891 and 0.835, "
         "the latter the constant r of 4.9.2.1, and with these 2-16 gives 3.9 and 6.1 %.",
         "Computed of the masses and the inertia of appendix B for UoA6. The masses of UoA4 are "
-        "not given: they are taken to be the same, which leads to the printed number.",
+        "not given: equal ones lead to the printed number.",
     ),
 )
 
@@ -513,7 +513,7 @@ FIGURE_5_6 = PrintedTable(
         (1.443, 8.88, 0.032), (1.522, 0.0, 0.0), (1.590, -7.77, -0.028), (1.669, 0.0, 0.0),
     ),
     remarks=(
-        "Damaged in the text that was read: the cells of the first and the ninth row stand in "
+        "Damaged in the text that was read: the cells of the first and the ninth row are in "
         "another order. They were put back by theta/alpha_e, which 5-2 gives of the displacement "
         "with alpha_e = atan(285/1050).",
         "Measured. Computed is the rigid column of Figure 5-23, with r = 0.81.",

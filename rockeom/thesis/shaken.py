@@ -1,10 +1,9 @@
-"""Test runs on the shaking table, simulated with the records that the table was meant to follow.
+"""Test runs on the shaking table, simulated with the intended records.
 
-The motions of the tables themselves are not available. Of the records that were intended, El Centro
-180 (extra `records`) and Sylmar 360 (extra `fema`, by its components 032 and 122) are at hand,
-Tabas 344 and Llolleo 10 are not. Pacoima Dam N76W is taken to be the component 254, the nearest of
-those recorded. Which way a record pointed on the table is not stated: turned round it
-changes the sign of every peak.
+The motions of the tables themselves are not available. El Centro 180 (extra `records`) and Sylmar
+360 (extra `fema`, by its components 032 and 122) of the intended records are at hand, Tabas 344 and
+Llolleo 10 are not. The component 254, the nearest of those recorded, represents Pacoima Dam N76W.
+The direction of a record on the table is not stated: its reversal changes the sign of every peak.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ COLUMN_RECORDS = {
     "3": ("El Centro 1940 180", 0.8 * G),  # section 5.3.1.1
     "4": ("Pacoima 254", 2.4 * G),  # section 5.3.2.1
 }
-"""Of the runs of Table 5-1: the record's words, and its peak with the time scaled to 1/5 [m/s2]."""
+"""Name of the record of each run of Table 5-1, and its peak with the time scaled to 1/5 [m/s2]."""
 COLUMN_TIME_SCALE = 0.2
 
 
@@ -113,7 +112,7 @@ def model_c(stiffness: float = 571.8e3, damping: float = 502.4) -> rk.FlexibleSt
 
 
 def peaks_of(run: Response) -> Peaks:
-    """Of a wall: the point at height H, where the thesis measures, sampled every millisecond."""
+    """Peaks of the point at height H of a wall, as in the thesis, sampled every millisecond."""
     t = np.arange(0.0, run.t[-1], 1e-3)
     position, rate = run.states[run.program.ROTATION], run.states[run.program.ROTATION_RATE]
     state = run.at(t)

@@ -1,12 +1,12 @@
-"""Sentences of the thesis with a number, each beside the number found; and its slips.
+"""Sentences of the thesis with a number, each beside the computed number; and its slips.
 
     from rockeom.thesis import statements
 
     statements.of_figures("4-13")        # those that a figure decides
     statements.others()                  # those that belong to no figure
-    statements.slips()                   # what is wrong as printed outside the equations
+    statements.slips()                   # errors as printed outside the equations
 
-Nothing is typed that can be computed: each is decided when it is asked for. The errata of the
+Nothing is typed that can be computed: each is decided on demand. The errata of the
 equations themselves are in `rockeom.thesis.EQUATIONS`.
 """
 
@@ -44,7 +44,7 @@ from rockeom.thesis.tables import computed
 __all__ = ["of_figures", "others", "slips"]
 
 Finding = tuple[str, bool | None]
-"""What is found, and whether the sentence holds."""
+"""The result, and whether the sentence holds."""
 
 
 class _Sentence(NamedTuple):
@@ -53,7 +53,7 @@ class _Sentence(NamedTuple):
     find: Callable[[], Finding]
 
     def decided(self) -> Statement:
-        """Open where a record is missing that it takes."""
+        """The statement; open where a record that it needs is missing."""
         try:
             found = self.find()
         except rk.MotionError as error:
@@ -79,27 +79,27 @@ def others() -> tuple[Statement, ...]:
 
 
 def slips() -> tuple[Statement, ...]:
-    """What is wrong as printed in the text, the tables and the captions, and what is right."""
+    """Errors as printed in the text, the tables and the captions, with their corrections."""
     return tuple(one.decided() for one in _SLIPS)
 
 
 def _said(
     among: list[_Sentence], where: str, printed: str
 ) -> Callable[[Callable[[], Finding]], Callable[[], Finding]]:
-    def kept(find: Callable[[], Finding]) -> Callable[[], Finding]:
+    def record(find: Callable[[], Finding]) -> Callable[[], Finding]:
         among.append(_Sentence(where, printed, find))
         return find
 
-    return kept
+    return record
 
 
 def sentence(where: str, printed: str) -> Any:
-    """Keep what the function below finds among the sentences."""
+    """Record the result of the decorated function among the sentences."""
     return _said(_OTHERS, where, printed)
 
 
 def slip(where: str, printed: str) -> Any:
-    """Keep what the function below finds among the slips."""
+    """Record the result of the decorated function among the slips."""
     return _said(_SLIPS, where, printed)
 
 
@@ -378,7 +378,7 @@ def _peaks_of_figure_5_6() -> np.ndarray:
 
 
 def _error_of_column(law: Any) -> float:
-    """Of the sizes of the peaks in Figure 5-6, root mean square [mm]."""
+    """Root mean square of the errors of the peaks in Figure 5-6 [mm]."""
     measured = np.abs(_peaks_of_figure_5_6())
     start = float(identification.rotation_from_displacement(measured[0] / 1e3, *GAUGE))
     run = rk.simulate(

@@ -14,7 +14,7 @@ from rockeom.thesis.equation import Equation, Relations
 
 
 class Verdict(Enum):
-    """What is known of an equation once its checks have run."""
+    """Verdict on an equation by its checks."""
 
     RIGHT = "right as printed"
     APPROXIMATE = "right to the stated order"
@@ -47,7 +47,7 @@ class Decision:
 
     @property
     def why(self) -> str:
-        """What failed, in words; "" if nothing did."""
+        """The failure in words; "" without one."""
         if self.verdict is Verdict.UNCHECKED:
             return "no check decides it"
         if self.verdict is not Verdict.FAILED:
@@ -126,6 +126,8 @@ def _findings(
         try:
             found += check.find(one, relations)
         except Exception as error:  # one equation that cannot be compared must not hide the others
-            told = f"{type(error).__name__}: {error}"
-            found.append(Finding(f"{check.route}: not comparable", told, False, comparable=False))
+            message = f"{type(error).__name__}: {error}"
+            found.append(
+                Finding(f"{check.route}: not comparable", message, False, comparable=False)
+            )
     return tuple(found)

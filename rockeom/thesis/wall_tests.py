@@ -92,7 +92,7 @@ def energy_ratio_4_31(velocity: ArrayLike):
     """r of the equivalent oscillator, fitted cycle by cycle [-]; thesis 4-31.
 
     velocity [m/s], either sign, any shape. It jumps at 0.3, 0.47 and 0.78 m/s, where the thesis
-    leaves it open; there the value of the faster band is taken.
+    leaves it open; the value there is that of the faster band.
     """
     (speed,) = numbers("energy_ratio_4_31", velocity=np.abs(velocity))
     return _by_speed(speed, EnergyRatioAtSpeed.equation_4_31())
@@ -114,8 +114,8 @@ def energy_ratio_4_36(velocity: ArrayLike):
 def energy_ratio_4_38(velocity: ArrayLike):
     """r of the substitute-gravity wall whose centre of rotation moves [-]; thesis 4-38.
 
-    velocity before the passage [m/s], either sign, any shape. It jumps at 0.47 and 0.78 m/s; there
-    the value of the faster band is taken.
+    velocity before the passage [m/s], either sign, any shape. It jumps at 0.47 and 0.78 m/s; the
+    value there is that of the faster band.
     """
     (speed,) = numbers("energy_ratio_4_38", velocity=np.abs(velocity))
     return _by_speed(speed, EnergyRatioAtSpeed.equation_4_38())

@@ -133,7 +133,7 @@ def _period_error(equation: Equation, relations: Relations) -> Iterator[Finding]
 
 
 def _growth(relation: sp.Eq) -> sp.Expr:
-    """Of the left side of 2-10, 2-11 or 2-12 with the one quantity of the block that it scales."""
+    """Derivative of the right side of 2-10, 2-11 or 2-12 by the quantity that it scales."""
     (quantity,) = relation.rhs.free_symbols & {th.theta, th.Omega, th.tau}
     return sp.diff(relation.rhs, quantity)
 

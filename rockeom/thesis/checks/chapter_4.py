@@ -48,7 +48,7 @@ GRAVITY = Rational("9.81")
 MODULUS, AREA, ANCHORS = Rational(205), Rational("176.7"), 3100  # kN/mm2, mm2, mm
 FORCE, LATER_FORCE, YIELD = Rational("75.6"), Rational("111.0"), Rational("159.03")  # kN
 LENGTH = ANCHORS / (1 + FORCE / (MODULUS * AREA))
-"""Of the tendon without a force: it is 3100 mm long under the 75.6 kN [mm]."""
+"""Unstressed length of the tendon, which is 3100 mm long under 75.6 kN [mm]."""
 STIFFNESS = MODULUS * AREA / LENGTH  # kN/mm
 FALL = 30.41
 """Displacement of the release [mm]."""

@@ -1,4 +1,4 @@
-"""What decides an equation: findings on its printed form, and on the form that is right."""
+"""Checks of an equation: findings on its printed form, and on the corrected one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the engine derives for each equation of the thesis, by its number.
+"""The derived counterpart of each equation of the thesis, by its number.
 
 DERIVED[number] names the structure and a function (model, side) -> value, in the engine's
 symbols: the value of the thesis's left side where that is a single symbol, the engine's left
@@ -99,7 +99,7 @@ def residual(model: RockingModel, side: int, row: int = 0) -> sp.Expr:
 
 
 def acceleration(model: RockingModel, side: int) -> sp.Expr:
-    """Of a structure with one coordinate."""
+    """Forcing over mass of a structure with one coordinate."""
     equations = model.equations(CONTACT[side])
     return (equations.forcing[0] / equations.mass_matrix[0, 0]).subs(GROUND_Y, 0)
 

@@ -6,8 +6,8 @@
     FIGURES["2-16"].text                      # its conventions, and what the thesis leaves open
     FIGURES["2-16"].drawn().statements        # what the thesis says of it, and what comes out
 
-What a caption or the text leaves open is said with each figure, and so is what was taken for it.
-A module here holds the figures of one subject; `FIGURES` finds them by themselves.
+Each figure states the assumptions for all that its caption and the text leave open. A module here
+holds the figures of one subject; `FIGURES` finds them by themselves.
 """
 
 import pkgutil

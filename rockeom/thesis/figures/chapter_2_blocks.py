@@ -297,7 +297,7 @@ def figure_2_11() -> Drawn:
     for ax in figure.axes[1:]:
         ax.set_ylabel("")
     found = "; ".join(
-        f"beta = {beta:g}: {told(orbit)}, multipliers up to {abs(orbit.multipliers[0]):.3f}"
+        f"beta = {beta:g}: {described(orbit)}, multipliers up to {abs(orbit.multipliers[0]):.3f}"
         for beta, orbit in lasting
     )
     return Drawn(
@@ -312,7 +312,7 @@ def figure_2_11() -> Drawn:
     )  # fmt: skip
 
 
-def told(orbit: PeriodicOrbit) -> str:
+def described(orbit: PeriodicOrbit) -> str:
     return f"{'' if orbit.symmetric else 'a'}symmetric {orbit.order}"
 
 
@@ -358,7 +358,7 @@ def draw_settled(ax: Axes, beta: float) -> int:
 
 
 def statements_on_doubling(counts: np.ndarray) -> tuple[Statement, ...]:
-    """Of section 2.5.1 and Figure 2-12; counts : of the dots at each of `AMPLITUDES`."""
+    """Statements of section 2.5.1 and Figure 2-12; counts : of dots at each of `AMPLITUDES`."""
     doubled = {n: AMPLITUDES[counts == n] for n in (2, 4, 8)}
     dots = "; ".join(
         f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in doubled.items() if len(b)
@@ -432,7 +432,7 @@ def pulsed(slenderness: float, peak: float, period: float, ratio: float | None) 
 
 
 def fate(impacts: float) -> str:
-    """What a number of impacts before overturning says, inf standing for none."""
+    """A fate in words; impacts : before overturning, inf for none."""
     if math.isinf(impacts):
         return "stands"
     return {0.0: "overturns", 1.0: "overturns after an impact"}.get(
@@ -455,7 +455,7 @@ def changes_of_fate(
 
 
 def draw_fates(ax: Axes, found: xr.Dataset, name: str, first: float, last: float) -> None:
-    """A bar along `name`, in which the changes of fate are told to six digits."""
+    """A bar along `name` with the changes of fate to six digits."""
     at = found[name].values
     fates = [*found["below"].values, found["above"].values[-1]]
     edges = [first, *at, last]

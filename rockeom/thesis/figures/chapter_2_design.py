@@ -14,7 +14,7 @@ from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 
 LOADING, UNLOADING = style.LINES[0], style.LINES[1]
 HARDENING, FLAG_HEIGHT, EXPONENT = 0.05, 0.35, 0.5
-"""k_p/k_i, beta_FS and alpha_T that are taken where the thesis states none; Table 2-4 has the first
+"""Assumed k_p/k_i, beta_FS and alpha_T, where the thesis states none; Table 2-4 has the first
 two of the flag."""
 
 RULES = {

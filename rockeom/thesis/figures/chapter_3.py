@@ -1,7 +1,7 @@
 """The figures of chapter 3, the free rocking block; see `rockeom.thesis.figures`.
 
-Of the 430 tests the text prints the thirteen points of Figure 3-3; the traces are lost. In kind
-here means simulated records of the same block, sampled as the tests were, a thousand times a
+The text prints only the thirteen points of Figure 3-3 of the 430 tests; the traces are lost. In
+kind here means simulated records of the same block, sampled as the tests were, a thousand times a
 second, with noise of 0.01 degrees, and with an r for each foot: the means of those that Figure 3-3
 gives.
 """
@@ -31,13 +31,13 @@ BLOCK = rk.RigidBlock(**BLOCK_VALUES)
 SHAPE: dict[str, Any] = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}
 R_HOUSNER = float(formulas.energy_ratio_of_block(BLOCK.alpha))
 PRINTED_HOUSNER = 0.89
-"""Of section 3.3; 2-6 gives 0.879 for this block."""
+"""Energy ratio of section 3.3; 2-6 gives 0.879 for this block."""
 
 RATE, NOISE = 1000, float(np.radians(0.01))
 """Samples a second, and the standard deviation of the noise of a simulated record [rad]."""
 
 SPRING = 300.0
-"""Of the hypothetical rotational spring in simulated records [N m/rad]; not printed."""
+"""Stiffness of the hypothetical rotational spring in simulated records [N m/rad]; not printed."""
 THRESHOLD = 6.0
 """Energy below which the thesis leaves impacts out [J]."""
 
@@ -565,7 +565,7 @@ def figure_3_10() -> Drawn:
 RUNS = ((7.876, 1), (6.5, 2), (5.0, 3), (3.5, 4))
 """Releases [deg] and seeds of four runs in kind; the thesis's four are not stated."""
 WINDOW = 0.03
-"""Of the derivatives that find impact forces [s]; the thesis does not state its own."""
+"""Window of the derivatives that give impact forces [s]; the thesis does not state its own."""
 
 
 # --- support forces
@@ -660,7 +660,7 @@ def figure_3_14() -> Drawn:
 
 @cache
 def impact_forces() -> identification.ImpactForces:
-    """Of the impacts of the four runs in kind above 0.15 rad/s, with a tenth of the noise."""
+    """Impacts of the four runs in kind above 0.15 rad/s, with a tenth of the noise."""
     found = []
     for release, seed in RUNS:
         theta = rocking(BLOCK, float(np.radians(release)), 5.0)
@@ -781,7 +781,7 @@ def figure_3_16() -> Drawn:
 
 @thesis_figure(Source.IN_KIND)
 def figure_3_17() -> Drawn:
-    """What the correction for the spring does to the energy and to r, in four runs in kind.
+    """Effect of the correction for the spring on the energy and on r, in four runs in kind.
 
     Released from 7.9, 6.5, 5 and 3.5 degrees, with the spring of Figures 3-9 and 3-10 and a r for
     each foot. Energies are those at the peaks; with the correction 3-16, without it 3-3. Impacts

@@ -1,8 +1,8 @@
 """What Table A-1 says of the free vibration of the wall of chapter 4, sections 4.5 and 4.7.
 
-Of the continuous record nothing but that table is printed: its peaks and the instants without
+Only that table of the continuous record is printed: its peaks and the instants without
 acceleration between them. A line between two of them is the polynomial of degree five that has the
-printed displacement, velocity and acceleration at both ends, the velocity of a peak taken as zero;
+printed displacement, velocity and acceleration at both ends, with zero velocity at a peak;
 it stands for no measurement. Rows of which a number had to be guessed are left out.
 """
 
@@ -241,7 +241,7 @@ def figure_4_13() -> Drawn:
 
 
 def draw_sides(ax: Axes, peak: np.ndarray, y: np.ndarray) -> None:
-    """What belongs to peaks [m], those to the right and to the left each with their own mark."""
+    """Draw values at peaks [m], with one mark for peaks to the right and one for the left."""
     for side, mark, name in ((1, ">", "from peaks to the right"), (-1, "<", "to the left")):
         rows = np.sign(peak) == side
         ax.plot(
@@ -641,7 +641,7 @@ def figure_4_31() -> Drawn:
         sides.append(
             identification.fit(lambda r, to=of_side: np.full(to.shape, r), of_side, {"r": 0.85})
         )
-    told = ["{:.3f} ({:.3f} to {:.3f})".format(s.values["r"], *s.interval("r")) for s in sides]
+    ratios = ["{:.3f} ({:.3f} to {:.3f})".format(s.values["r"], *s.interval("r")) for s in sides]
     return Drawn(
         draw_ratios(0.7, 1.0),
         (
@@ -657,7 +657,7 @@ def figure_4_31() -> Drawn:
             ),
             Statement(
                 "4.7", "no difference of the sides is spoken of, as in chapter 3",
-                f"{told[0]} coming from the right, {told[1]} from the left: not told apart",
+                f"{ratios[0]} coming right, {ratios[1]} left: no clear difference",
                 None,
             ),
         ),

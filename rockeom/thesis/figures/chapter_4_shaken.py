@@ -1,6 +1,6 @@
 """Figures of 4.9.1: the wall of chapter 4 on the shaking table, and trials of its oscillator.
 
-The traces of the tests are lost. Of them Table 4-2 has the largest displacements and tendon forces.
+The traces of the tests are lost; Table 4-2 has the largest displacements and tendon forces.
 Test run 4 was shaken by Northridge 1994, Sylmar 360, in 0.6 of its time: the component is made of
 those at 32 and 122 degrees in FEMA P695's near-field set, and has the table's peak of 8.273 m/s2.
 """
@@ -35,7 +35,7 @@ SPREAD = 2.5e-3
 RUNS = ("1", "2", "3", "4", "6")
 """The tests with 75 kN."""
 MEASURED_PEAK = -23.91e-3
-"""Of test run 4, Table 4-2 [m]."""
+"""Largest displacement of test run 4, Table 4-2 [m]."""
 RATIO = 0.852
 
 

@@ -63,7 +63,7 @@ def figure_4_36() -> Drawn:
     """
     curves = [(f"r = {r:.3f}", released(oscillator(r))) for r in (HOUSNER, 0.88, 0.93)]
     early, late = fitted_ratio(0, 5), fitted_ratio(8, 12)
-    told = [
+    ratios = [
         f"{found.values['r']:.3f} ({found.interval('r')[0]:.3f} to {found.interval('r')[1]:.3f})"
         for found in (early, late)
     ]
@@ -72,8 +72,8 @@ def figure_4_36() -> Drawn:
         (
             Statement(
                 "4.8.1", "no single r is right: one that works early loses too little later",
-                f"the first five passages ask for r = {told[0]}, the last four of the first "
-                f"twelve for {told[1]}",
+                f"the first five passages ask for r = {ratios[0]}, the last four of the first "
+                f"twelve for {ratios[1]}",
                 bool(early.interval("r")[0] > late.interval("r")[1]),
             ),
         ),
@@ -82,7 +82,7 @@ def figure_4_36() -> Drawn:
 
 @thesis_figure(Source.IN_KIND)
 def figure_4_38() -> Drawn:
-    """What small changes of r in 4-31 do to the free vibration of the equivalent oscillator.
+    """Effect of small changes of r in 4-31 on the free vibration of the equivalent oscillator.
 
     The deviations of the thesis are not stated; here r is 0.02 larger in one of the three faster
     bands of speed at a time. The oscillator is that of Figure 4-37, r that of the instantaneous
@@ -276,7 +276,7 @@ class Miss(NamedTuple):
 
 @cache
 def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
-    """Of the wall about fixed corners; the same as in `rockeom.thesis.free_vibration_table`."""
+    """Free vibration of the wall about fixed corners, as in `thesis.free_vibration_table`."""
     time, peak = measured_peaks()
     start = {"theta": float(WALL.rotation(peak[0]))}
     run = rk.simulate(FIXED, rk.GroundMotion.none(1.6), impact=law, initial=start)
@@ -313,7 +313,7 @@ def figure_4_42() -> Drawn:
 def figure_4_43() -> Drawn:
     """Free vibration of the substitute-gravity wall about fixed corners with 4-36.
 
-    With the points of Table A-1. 4-36 is taken as printed, with the larger r for the larger speed.
+    With the points of Table A-1. 4-36 is as printed, with the larger r for the larger speed.
     """
     start = FIXED.uplift_acceleration
     assert start is not None

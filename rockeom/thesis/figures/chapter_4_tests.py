@@ -29,7 +29,7 @@ from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_3
 
 NAMES = {"1": "El Centro 180, half", "2": "El Centro 180", "4": "Sylmar 360 in 0.6 of its time"}
 ROCKING_PERIODS = (0.10, 0.24)
-"""Of the wall, section 4.4 [s]."""
+"""Period of the wall, section 4.4 [s]."""
 
 
 def printed_peak(run: str) -> float:
@@ -47,7 +47,7 @@ def measured_peak(run: str) -> float:
 
 @cache
 def spectrum(run: str) -> dynamics.ResponseSpectrum:
-    """Of the motion that was meant, damped by 5 %."""
+    """Spectrum of the intended motion, damped by 5 %."""
     return analysis.response_spectrum(shaken.wall_motion(run), np.geomspace(0.03, 3.0, 120))
 
 
@@ -76,7 +76,7 @@ def figure_4_6() -> Drawn:
     """Response spectrum of test run 2: the motion intended, and the same at the table's peak.
 
     The motion that the table made is lost; of it the peak is printed. Dashed is the record scaled
-    to that peak: the table cannot be told from it. The damping is 5 %, as in the appendix.
+    to that peak: the table cannot be distinguished from it. The damping is 5 %, as in the appendix.
     """
     motion = shaken.wall_motion("2")
     factor = printed_peak("2") / motion.peak
@@ -159,7 +159,7 @@ def substitute_run(run: str) -> Response:
 
 
 def displacement(run: Response, time: np.ndarray) -> np.ndarray:
-    """Of the point at height H (n,) [m]."""
+    """Displacement of the point at height H (n,) [m]."""
     state = run.at(time)
     if "theta" in run.states:
         return np.asarray(run.structure.parameters()["height"] * np.sin(state["theta"]))
@@ -459,17 +459,17 @@ GROUPS = (("75 kN", ("1", "2", "3", "4", "6"), "o"), ("110 kN", ("7", "8", "9"),
 
 
 def read_from_tendon(runs: tuple[str, ...]) -> dict[str, np.ndarray]:
-    """What the largest displacement and the largest tendon force of tests say together.
+    """Rotation centre and uplift by the largest displacement and tendon force of tests.
 
-    The extension of the tendon by its stiffness places the rotation centre; both maxima are taken
-    for one instant. Returns displacement and force [m, N], the distance of the centre from the
+    The extension of the tendon by its stiffness places the rotation centre; both maxima count as
+    simultaneous. Returns displacement and force [m, N], the distance of the centre from the
     edge and the edge's uplift [m]; (n,) each.
     """
     rows = [row for row in TABLE_4_2.rows if row[0] in runs]
     d, before, force = np.array([row[1:4] for row in rows], dtype=float).T * [[1e-3], [1e3], [1e3]]
     extension = (force - before) / MORE.tendons[0].stiffness
     turn = np.tan(MORE.rotation(np.abs(d)))
-    beside = extension / turn  # of the tendon, which stands in the middle
+    beside = extension / turn  # of the tendon, in the middle
     half = MORE.half_width
     return {
         "displacement": d,

@@ -163,7 +163,7 @@ def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
 
 @thesis_figure(Source.COMPUTED)
 def figure_4_19() -> Figure:
-    """What the extension of the tendon follows from: the wall turned about O in its base.
+    """Geometry of the extension of the tendon: the wall turned about O in its base.
 
     Drawn to scale, but turned much further than in any of the tests. The base is straight and the
     pressed edge enters the ground, as 4-1 has it.
@@ -362,8 +362,8 @@ def figure_4_24() -> Drawn:
 def figure_4_32() -> Figure:
     """Trajectories without losses from measured peaks, 4-23, and the measured zero crossings.
 
-    Of the measured trajectories only both ends are printed, in Table A-1. Their distance from
-    the curves at the zero crossing is what the wall has lost by then: about half of r.
+    Only both ends of the measured trajectories are printed, in Table A-1. Their distance from the
+    curves at the zero crossing is the energy lost by then: about half of r.
     """
     measured = identification.FreeVibration.table_a1()
     figure = style.new_figure(6.4, 4.0)
@@ -549,7 +549,7 @@ def figure_4_37() -> Figure:
 
 @thesis_figure(Source.COMPUTED)
 def figure_4_44() -> Figure:
-    """What a rotation centre on its way changes, R, alpha and b', and that way: 4-37.
+    """Changes of R, alpha and b' by a rotation centre that moves, and its path: 4-37.
 
     4-37 lets the centre go to the edge of the wall, 508 mm, where 4-7, which the tendon's force
     still follows, stops 96 mm before. Both are drawn.
@@ -702,9 +702,9 @@ def moved(curves: list[tuple[str, History]]) -> list[float]:
 
 @thesis_figure(Source.COMPUTED)
 def figure_4_48() -> Drawn:
-    """What small changes of r in 4-38 do to the free vibration of the substitute-gravity wall.
+    """Effect of small changes of r in 4-38 on the free vibration of the substitute-gravity wall.
 
-    The text does not tell the deviations of the thesis. Here r is 0.02 larger in one of the three
+    The text does not state the deviations of the thesis. Here r is 0.02 larger in one of the three
     faster bands at a time. In the fastest one this brings one more passage, with 0.783 m/s, over
     the limit of 0.78 m/s. In the slowest of them it moves the wall so little that its curve lies
     under that of 4-38: the differences stand below.
@@ -735,9 +735,9 @@ def figure_4_71() -> Drawn:
     """Peaks of the oscillator in test run 4 for many r about 0.852.
 
     The motion of the table is not printed. Here it is the record that was meant, Northridge 1994,
-    Sylmar 360, its time scaled by 0.6 (Table 4-1). What is measured in the thesis is the response
-    with r = 0.852 here. The oscillator is that of 4-37, with all of its mass driven by the ground
-    (4-39).
+    Sylmar 360, its time scaled by 0.6 (Table 4-1). The measured curve of the thesis is
+    replaced by the response with r = 0.852. The oscillator is that of 4-37, with all of its mass
+    driven by the ground (4-39).
     """
     record = wall_motion("4")
     ratios = 0.852 * np.linspace(0.9, 1.1, RATIOS)
@@ -790,7 +790,7 @@ def figure_4_71() -> Drawn:
 
 
 def time_scale_of_run_4() -> Statement:
-    """What run 4 comes to with the time scale of Tabas in place of the one printed."""
+    """Peaks of run 4 with the time scale of Tabas in place of the one printed."""
     as_of = {scale: sylmar_360().scaled(time=scale) for scale in (0.6, 0.38)}
     oscillator = rk.ControlledWallOscillator.from_wall(
         WALL, 0.852, effective_mass=WALL.mass / STIFFER
@@ -812,7 +812,7 @@ def time_scale_of_run_4() -> Statement:
 
 
 CYCLES = 120
-"""Of the ground, for a motion of Figure 4-73 to settle."""
+"""Periods of the ground in which a motion of Figure 4-73 settles."""
 
 
 def settled_speeds(
@@ -887,8 +887,8 @@ def figure_4_73() -> Figure:
     three starts (left). The multipliers of that motion stay complex from 5 to 7 m/s2, of size
     0.85, so that its period cannot double.
 
-    What the thesis describes is found at 4.553 Hz (right), sought so that the period doubles at
-    6.03; the smear from 6.21 on then comes of itself. Black is a motion of four passages a cycle,
+    The description of the thesis fits 4.553 Hz (right), chosen so that the period doubles at 6.03;
+    the smear from 6.21 on then follows. Black is a motion of four passages a cycle,
     followed from 6.02 up and down. Orange dots are motions from rest: below 5.97 they settle to one
     of two passages a cycle, which stays stable beside the other. A third, with passages of 0.8 m/s,
     is out of the picture. The oscillator is that of 4-37 with the constant r = 0.852.

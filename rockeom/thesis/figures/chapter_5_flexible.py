@@ -208,7 +208,7 @@ def beside(scale: float = 1.0, run: str = "3") -> design.Isolation:
 
 
 def bought(found: design.Isolation) -> Statement:
-    """What rocking gives and takes under a record."""
+    """Demands on the rocking and on the fixed column under a record."""
     ratios = found.ratios
     name = found.rocking_run.motion.name.split(", 180")[0].split(", 254")[0]
     return Statement(

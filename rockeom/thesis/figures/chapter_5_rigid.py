@@ -137,7 +137,7 @@ class Uplifts(NamedTuple):
 
 
 def uplifts(run: Response) -> Uplifts:
-    """Of both edges; the cart's as in 5.3.2.1, about its middle until lift-off and then a foot."""
+    """Uplifts of both edges; the cart's by 5.3.2.1, about its middle, after uplift about a foot."""
     if "left_uplift" in run.names:
         return Uplifts(run.t, MM * run["left_uplift"], MM * run["right_uplift"])
     values = run.structure.parameters()
@@ -170,7 +170,7 @@ def first_quarter(run: Response, number: str) -> Statement:
         "5.3.1.1" if number == "Figure 5-6" else "5.3.2.1",
         "the first quarter cycle is predicted very accurately",
         f"from rest to upright in {first_zero(run):.3f} s; the times printed are "
-        f"{float(zero - start):.3f} s apart, when the column was let go is not told",
+        f"{float(zero - start):.3f} s apart, the time of the release is not stated",
         None,
     )
 
@@ -350,7 +350,7 @@ def approximation(k_f: float) -> dict[str, float]:
 def figure_5_29() -> Drawn:
     """Restoring force against displacement of a rigid structure on two springs: 5-25 and 5-33.
 
-    Of the column with k_f = 550 kN/m. The thesis's closed form jumps at lift-off from P_crit to
+    The column has k_f = 550 kN/m. The thesis's closed form jumps at lift-off from P_crit to
     P_crit2; the exact characteristic does not, it is an artefact of the linearisation.
     """
     a = approximation(550e3)
@@ -430,7 +430,7 @@ def figure_5_32() -> Drawn:
     """Displacement of the column on soft rubber after its release, r = 0.74.
 
     Model B, the cart on two springs of 5-15, with k_f = 550 kN/m. The release is put where the
-    first zero meets the measured one, as in Figure 5-22. Of the measured uplifts nothing is
+    first zero meets the measured one, as in Figure 5-22. The measured uplifts are not
     printed; drawn are those of the rigid body, by rotation about the centre until lift-off and
     about the foot after it.
     """
@@ -483,7 +483,7 @@ def run_4(structure: rk.Structure) -> Response:
 
 
 def direction_of_pacoima() -> Statement:
-    """What run 4 comes to with other directions of Pacoima Dam's record, from north over east."""
+    """Peaks of run 4 with other directions of Pacoima Dam's record, from north over east."""
     one, other = (rk.GroundMotion.from_library(f"Pacoima {n}") for n in (164, 254))
     peaks = {}
     for degrees in (164, 254, 284):
@@ -503,8 +503,8 @@ def figure_5_34() -> Drawn:
     """The column on rubber in run 4, Pacoima Dam with 2.4 g in 1/5 of its time, k_f = 550 kN/m.
 
     Model B with r = 0.74. N76W is none of the components recorded; taken is the nearest, 254. The
-    component 164 would come near the displacement measured. Of the measured trace only that largest
-    displacement is printed.
+    component 164 would come near the displacement measured. Only that largest displacement of
+    the measured trace is printed.
     """
     run = run_4(shaken.model_b())
     figure = draw_shaken(("Model B, 550 kN/m", run), peak=float(RUN_4 or 0), uplift=run, end=8.0)

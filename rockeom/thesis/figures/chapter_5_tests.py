@@ -274,7 +274,7 @@ def figure_5_12() -> Drawn:
 def figure_5_13() -> Drawn:
     """Place of the rotation centre against the displacement in run 2: 5-5.
 
-    What was measured, by direction of motion, is not printed.
+    The measured values, by direction of motion, are not printed.
     """
     d = np.linspace(-0.03, 0.03, 301)
     figure = style.new_figure(5.6, 3.4)

@@ -1,4 +1,4 @@
-"""What a figure of the thesis is here: a function that draws it, and what comes of its claims."""
+"""A figure of the thesis: a function that draws it, and the statements that it decides."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rockeom.plots import style
 
 
 class Source(Enum):
-    """What stands behind a figure."""
+    """Source of the data of a figure."""
 
     PRINTED = "printed data"  # numbers that the thesis prints are drawn
     COMPUTED = "computed"  # all that it depends on is printed, or said with it
@@ -96,7 +96,7 @@ def thesis_figure(source: Source) -> Callable[[Callable[[], Figure | Drawn]], Th
 
 
 def figures_of(modules: tuple[ModuleType, ...]) -> dict[str, ThesisFigure]:
-    """The figures that stand in these modules, by number, in the order of the thesis."""
+    """The figures of these modules, by number, in the order of the thesis."""
     found = [
         value
         for module in modules
