@@ -63,7 +63,7 @@ def free_vibration_peaks() -> tuple[ModelPeaks, ...]:
 
 
 def _cases() -> list[tuple[rk.Structure, ImpactLaw | None, str]]:
-    """Each model with its law of impact, if it has impacts, and what is said of it."""
+    """Each model with its impact law, if it has impacts, and its description."""
     at_speed, constant = rk.EnergyRatioAtSpeed, rk.EnergyRatio(0.88)
     oscillator, lighter = rk.ControlledWallOscillator.from_wall, WALL.mass / STIFFER
     stiffer = oscillator(WALL, 0.88, effective_mass=lighter)

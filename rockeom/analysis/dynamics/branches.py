@@ -11,7 +11,7 @@
     other = branch.switched(branch.bifurcations[0])
 
 The parameter is any number that the function uses to make the map: of the ground's motion, of the
-structure, of the law of impact. The function is called with a `Dual` of it, which calculates as a
+structure, of the impact law. The function is called with a `Dual` of it, which calculates as a
 number does, and so the derivative by it is exact, too.
 
 States x of all cycles and the parameter are unknown together, z = (x, value); the motion closes on
@@ -102,8 +102,8 @@ class OrbitBranch:
 
     values (k,) : of the parameter, which may go back and forth. orbits : one of each. bifurcations
     in the order in which they were passed; they are among the motions. ended : why the branch was
-    not followed further. An interrupt (Ctrl-C) returns what is done; from there it goes on by
-    `orbit_branch` from the last value and the `looks` of the last orbit.
+    not followed further. An interrupt (Ctrl-C) returns what is done; `orbit_branch` continues it
+    from the last value and the `looks` of the last orbit.
     """
 
     values: np.ndarray
@@ -123,7 +123,7 @@ class OrbitBranch:
 
     @property
     def interrupted(self) -> bool:
-        """Whether a keyboard interrupt ended the branch, which may go on."""
+        """Whether a keyboard interrupt ended the branch, which can be continued."""
         return self.ended == _INTERRUPTED
 
     @property
@@ -394,7 +394,7 @@ class _Follower:
         if here.orbit.nearest_event() < _AT_THE_LOOK:
             return [], (
                 f"at {value:.12g} an event falls together with the look: begin the motion of the "
-                "ground at another phase"
+                "ground at another phase angle"
             )
         return [Bifurcation("grazing", value, here.orbit)], f"a grazing was reached: {lost}"
 

@@ -28,6 +28,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom import renamed
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
 from rockeom.numbers.arguments import require
@@ -44,22 +45,23 @@ _NOISE = 1e-13
 """Growth in a cycle, in parts of that of the fastest direction, that is rounding alone."""
 
 
+@renamed.fields(phase="mode")
 @dataclass(frozen=True, eq=False)
 class LyapunovSpectrum:
     """The Lyapunov exponents of a motion under periodic shaking, and their errors.
 
     states (n names) : those that are followed. period : of the ground [s].
     growth (c, n) : logarithm of how much each direction grew in each cycle; -inf where a cycle
-        forgets it, as one in which the structure comes to rest or feet are held does.
-    state (n,), phase, directions (n, n) : where the motion is after the cycles, its contact state,
-        and the orthogonal directions in the columns: from there it can be gone on with.
+        forgets it, as one in which the structure comes to rest or into full contact does.
+    state (n,), mode, directions (n, n) : of the motion after the cycles, with the orthogonal
+        directions in the columns; a call can continue from there.
     """
 
     states: tuple[str, ...]
     period: float
     growth: np.ndarray
     state: np.ndarray
-    phase: str
+    mode: str
     directions: np.ndarray
 
     @property
@@ -135,7 +137,7 @@ def lyapunov_spectrum(
         spectrum is continued.
     progress : a line on stderr; if not given, where stderr is a terminal.
 
-    The motion goes on from period to period in its contact state. A keyboard interrupt ends the
+    The motion continues from period to period in its mode. A keyboard interrupt ends the
     work early, once twenty cycles are done, and returns the spectrum so far, which can be
     continued.
 
@@ -182,14 +184,14 @@ def _start(
             f"lyapunov_spectrum: initial is a spectrum of {', '.join(initial.states)} and a period "
             f"of {initial.period} s: continue it with the map of the call that returned it"
         )
-    return _Motion(initial.state, initial.phase, initial.directions)
+    return _Motion(initial.state, initial.mode, initial.directions)
 
 
 class _Motion(NamedTuple):
     """The state of a motion, and the directions that are propagated with it."""
 
     state: np.ndarray
-    phase: str
+    mode: str
     directions: np.ndarray
 
 
@@ -199,9 +201,7 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
         name: Dual(float(value), along)
         for name, value, along in zip(one.states, motion.state, _free(one, motion), strict=True)
     }
-    case = Case(
-        one.structure, one.motion, one.impact, start, one.period, phase=motion.phase or None
-    )
+    case = Case(one.structure, one.motion, one.impact, start, one.period, phase=motion.mode or None)
     found = tangents(case, one.options)
     run = found.response
     if run.outcome not in STANDS:
@@ -222,8 +222,8 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
 def _free(one: StroboscopicMap, motion: _Motion) -> np.ndarray:
     """(n, n) the directions that contacts leave free: no rotation in full contact."""
     found = motion.directions.copy()
-    if one.structure.rocks_on_rigid_ground and motion.phase == "both":
+    if one.structure.rocks_on_rigid_ground and motion.mode == "both":
         m = one.structure.module
-        held = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
-        found[[name in held for name in one.states]] = 0.0
+        at_rest = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
+        found[[name in at_rest for name in one.states]] = 0.0
     return found

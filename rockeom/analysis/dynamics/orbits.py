@@ -255,7 +255,7 @@ class StroboscopicMap:
 
     mirrored : a cycle is half a period, and its end is mirrored: all states change their sign but
     those named by `upward`, such as heights. A symmetric motion then repeats itself after one
-    cycle, one that is not after two. For structures and laws of impact without a preferred side,
+    cycle, one that is not after two. For structures and impact laws without a preferred side,
     and a motion that is its own negative half a period later.
 
     Structure, motion, impact and period may hold duals, whose directions come behind those of the

@@ -348,7 +348,7 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
     if boundaries.attrs.get("interrupted"):
         raise ValueError(
             "minimum_overturning: the search for the boundaries was interrupted: give them to "
-            "overturning_boundaries, which goes on from there"
+            "overturning_boundaries, which continues from there"
         )
     for name in (x, y):
         if name not in boundaries.coords:

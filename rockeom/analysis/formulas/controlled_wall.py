@@ -1,4 +1,4 @@
-"""A wall that rocks on its base and is held by tendons (thesis chapter 4, appendix B).
+"""A wall that rocks on its base with tendons (thesis chapter 4, appendix B).
 
     from rockeom import analysis
 

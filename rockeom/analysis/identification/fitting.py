@@ -327,7 +327,7 @@ def fit_free_vibration(
     exact: bool | None = None,
     options: SolverOptions | None = None,
 ) -> Fit:
-    """A structure's parameters and its law of impact, fitted to a measured free vibration.
+    """Parameters of a structure and of its impact law, fitted to a measured free vibration.
 
     case : a function of the parameters, by name, that returns the `Case` of the free vibration.
     start : a first guess of each. peaks (n,) : measured, signed, the release first, in the unit of
@@ -533,13 +533,13 @@ def fit_moving_centre(
     if velocity is not None:
         (v,) = numbers(where, velocity=velocity)
         parts |= {"clockwise": v >= 0, "counterclockwise": v < 0}
-    start, held = {"reach": 0.2201, "slope": 127.6}, {"reach": (0.0, base_width / 2)}
+    start, reach_bounds = {"reach": 0.2201, "slope": 127.6}, {"reach": (0.0, base_width / 2)}
 
     def of(rows: np.ndarray) -> Fit:
         def path(reach: float, slope: float) -> np.ndarray:
             return rotation_centre(d[rows], reach=reach, slope=slope, base_width=base_width)
 
-        bounds = held | {"slope": (0.0, np.inf)}
+        bounds = reach_bounds | {"slope": (0.0, np.inf)}
         return fit(path, measured[rows], start, uncertainty=uncertainty, bounds=bounds)
 
     return {name: of(rows) for name, rows in parts.items()}

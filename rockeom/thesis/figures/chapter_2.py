@@ -28,7 +28,7 @@ def figure_2_6() -> Figure:
 
     Given are H/B = 1/0.3, read as H = 1 m and B = 0.3 m, omega = 56.10 rad/s, xi = 0.03 and
     theta_0 = 0.05 theta_crit. Left open are what theta_crit is, taken as atan(B/H); the
-    deformation at the release, taken as that of a structure held there by a force on its mass,
+    deformation at the release, that of static equilibrium under a force on its mass,
     u_c; and what happens at an impact: here momentum is conserved (`Impulsive`), and each ends
     in full contact. Beside it stands the same structure with exact kinematics and P-delta.
     """

@@ -163,7 +163,7 @@ def draw_uplifts(ax: Axes, run: Response, later: float = 0.0) -> None:
 def first_quarter(run: Response, number: str) -> Statement:
     """The first quarter period, which the text says is met.
 
-    How long the column was still held after the first time printed is not said.
+    The time of the release, after the first time printed, is not stated.
     """
     (start, zero, *_), _ = measured(number)
     return Statement(

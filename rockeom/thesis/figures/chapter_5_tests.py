@@ -159,7 +159,7 @@ def figure_5_7() -> Drawn:
 def figure_5_9() -> Drawn:
     """r of run 1 against the peak rotation before the impact, by 5-4 from the printed peaks.
 
-    The figure of the thesis has the whole record, which goes on to smaller rotations. Bars: what
+    The figure of the thesis has the whole record, which continues to smaller rotations. Bars: what
     the last printed digit of the peaks leaves open.
     """
     found = impacts()
@@ -339,7 +339,7 @@ def figure_5_14() -> Drawn:
 
 
 def frequencies(contact: str) -> list[float]:
-    """Frequencies of vibration of the flexible column in a contact state [Hz], if they are real.
+    """Frequencies of vibration of the flexible column in a mode [Hz], if they are real.
 
     Those of its equations linearised about upright, without damping.
     """
@@ -419,7 +419,7 @@ def figure_5_16() -> Drawn:
     """Damping ratio of each cycle of run 2 against its peak, by 5-7.
 
     A cycle goes from a printed peak to the next but one, on the same side. The record of the
-    thesis goes on to smaller peaks.
+    thesis continues to smaller peaks.
     """
     _, displacement = points(2)
     peaks = displacement[::2]
