@@ -14,8 +14,10 @@ No lane's numbers depend on another's, nor on its place: so the results are the 
 bit for any order and number of motions.
 """
 
+from __future__ import annotations
+
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -158,8 +160,19 @@ def ground_of(z, lane):
     return Ground(0, ground_x(z, lane), 0, ground_y(z, lane))
 
 
+class Ends(NamedTuple):
+    """A coordinate, its rate and its acceleration at both ends of a step."""
+
+    q0: float
+    v0: float
+    a0: float
+    q1: float
+    v1: float
+    a1: float
+
+
 @inlined
-def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, q1, v1, a1):
+def judge_gap(t, h, left, side, touching, landing, upright, within, ends):
     """(verdict, length of the step when repeated) by the quintic through both ends of a step.
 
     Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
@@ -169,8 +182,8 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, 
     left : of the ground's law. upright : whether it has not fallen. within : whether no state has a
     new extreme inside.
     """
-    q0, v0, a0 = side * q0, side * h * v0, side * h * h * a0
-    q1, v1, a1 = side * q1, side * h * v1, side * h * h * a1
+    q0, v0, a0 = side * ends.q0, side * h * ends.v0, side * h * h * ends.a0
+    q1, v1, a1 = side * ends.q1, side * h * ends.v1, side * h * h * ends.a1
     b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
     b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
     least = 1e-3 * max(q0, q1)
@@ -220,13 +233,13 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, q0, v0, a0, 
 
 
 @inlined
-def turns_within(h, q0, v0, a0, q1, v1, a1, least_known, most_known, slowest, fastest):
+def turns_within(h, ends, least_known, most_known, slowest, fastest):
     """The opposite of `widens` for one coordinate and its rate.
 
     One that turns at an end of the step may miss it by a little: that makes an error of its square.
     """
-    v0, v1 = h * v0, h * v1
-    a0, a1 = h * h * a0, h * h * a1
+    q0, v0, a0 = ends.q0, h * ends.v0, h * h * ends.a0
+    q1, v1, a1 = ends.q1, h * ends.v1, h * h * ends.a1
     soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
     miss = 1e-5 * max(abs(v0), abs(v1))
     up = (v0 >= -miss) & (soon >= -miss) & (late >= -miss) & (v1 >= -miss)

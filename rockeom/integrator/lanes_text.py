@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from textwrap import indent
 from types import ModuleType
+from typing import NamedTuple
 
 import numpy as np
 
@@ -178,65 +179,59 @@ def _sampled(generated: ModuleType) -> str:
     return text
 
 
+def _at(rows: str, i: int) -> str:
+    """The number of a lane in row i of several rows."""
+    return f"z[{rows} + {i} * LANES + lane]"
+
+
+class _Lines(NamedTuple):
+    """Lines of a loop over the lanes that several functions have.
+
+    step : time, length and parameters. start, end : the coordinates, their rates and accelerations
+    at both ends of the step. within : whether no state has a new extreme between them.
+    """
+
+    step: str
+    start: str
+    end: str
+    within: str
+
+
+def _lines(generated: ModuleType, parameters: int) -> _Lines:
+    n = generated.N_STATES // 2
+    step = f"""        t, h = z[Z_T + lane], z[Z_H + lane]
+        p = ({", ".join(_at("Z_P", i) for i in range(parameters))},)
+"""
+    start = end = within = ""
+    for i in range(n):
+        start += f"        q0_{i} = {_at('Z_Q', i)}\n"
+        start += f"        v0_{i} = {_at('Z_K', i)}\n        a0_{i} = {_at('Z_K', n + i)}\n"
+        end += f"        q1_{i} = {_at('Z_Q_NEW', i)}\n"
+        end += f"        v1_{i} = {_at('Z_K_NEW', i)}\n        a1_{i} = {_at('Z_K_NEW', n + i)}\n"
+        within += f"""        within &= turns_within(
+            h, Ends(q0_{i}, v0_{i}, a0_{i}, q1_{i}, v1_{i}, a1_{i}),
+            {_at("Z_LEAST", i)}, {_at("Z_MOST", i)},
+            {_at("Z_LEAST", n + i)}, {_at("Z_MOST", n + i)},
+        )
+"""
+    return _Lines(step, start, end, within)
+
+
 def lanes_text(method: Tableau, generated: ModuleType) -> str:
     """Source of one step of `LANES` motions of a structure at once; `lanes.py` says of what.
 
     Each loop over the lanes holds the whole work of a lane in plain numbers and without branches,
     at places that differ by constants: so the compiler makes vector instructions of it.
     """
-    s, size, r = method.stages, generated.N_STATES, generated.ROTATION
-    n = size // 2
     parameters = len(generated.prepare(np.ones(len(generated.PARAMETERS))))
-    method_exponent = -1.0 / (method.error_order + 1)
-    damping = round(-0.4 * method_exponent * 2**ROOTS) / 2**ROOTS
-    roots = "        r1 = math.sqrt(error)\n"
-    roots += "".join(f"        r{k} = math.sqrt(r{k - 1})\n" for k in range(2, ROOTS + 1))
-
-    def at(rows: str, i: int) -> str:
-        return f"z[{rows} + {i} * LANES + lane]"
-
-    start_of = f"""        t, h = z[Z_T + lane], z[Z_H + lane]
-        p = ({", ".join(at("Z_P", i) for i in range(parameters))},)
-"""
-    start, end, kept, within, taken = "", "", "", "", ""
-    for i in range(n):
-        start += f"        q0_{i} = {at('Z_Q', i)}\n"
-        start += f"        v0_{i} = {at('Z_K', i)}\n        a0_{i} = {at('Z_K', n + i)}\n"
-        end += f"        q1_{i} = {at('Z_Q_NEW', i)}\n"
-        end += f"        v1_{i} = {at('Z_K_NEW', i)}\n        a1_{i} = {at('Z_K_NEW', n + i)}\n"
-        kept += f"        {at('Z_Q_NEW', i)} = q{s}_{i}\n"
-        kept += (
-            f"        {at('Z_K_NEW', i)} = v{s}_{i}\n        {at('Z_K_NEW', n + i)} = a{s}_{i}\n"
-        )
-        within += f"""        within &= turns_within(
-            h, q0_{i}, v0_{i}, a0_{i}, q1_{i}, v1_{i}, a1_{i},
-            {at("Z_LEAST", i)}, {at("Z_MOST", i)}, {at("Z_LEAST", n + i)}, {at("Z_MOST", n + i)},
-        )
-"""
-        taken += f"        {at('Z_Q', i)} = q1_{i} if stands else q0_{i}\n"
-        taken += f"        {at('Z_K', i)} = v1_{i} if stands else v0_{i}\n"
-        taken += f"        {at('Z_K', n + i)} = a1_{i} if stands else a0_{i}\n"
-        for state, old, new in ((i, f"q0_{i}", f"q1_{i}"), (n + i, f"v0_{i}", f"v1_{i}")):
-            least, most = at("Z_LEAST", state), at("Z_MOST", state)
-            taken += f"        {least} = min({least}, {new} if stands else {old})\n"
-            taken += f"        {most} = max({most}, {new} if stands else {old})\n"
+    lines = _lines(generated, parameters)
     # stage j is shaken as place j - 1, the last two, at the end of the step, as one
-    times = method.c[1:s].tolist()
-    assert method.c[s] == times[-1]
+    times = method.c[1 : method.stages].tolist()
+    assert method.c[method.stages] == times[-1]
     places = max(len(times), len(NODES))
-
-    def stage(j: int) -> str:
-        place = min(j, len(times)) - 1
-        ground = f"{at('Z_AX', place)}, {at('Z_AY', place)}"
-        return _stage(method, j, n, ground, "accelerations_of_lanes")
-
-    stages = "".join(stage(j) for j in range(1, s + 1))
-    errors = indent(error_text(method, n, in_lanes=True), "    ")
-    gap = f"q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}"
-
-    held = _held(generated)
-
-    return f'''
+    exponent = -1.0 / (method.error_order + 1)
+    damping = round(-0.4 * exponent * 2**ROOTS) / 2**ROOTS
+    head = f"""
 from rockeom.compiler.decorators import Floats, entry, inlined
 
 LANES = {LANES}
@@ -246,7 +241,25 @@ STAGE_PLACES = np.array({_padded(times, places)!r})
 NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
 DAMPING = {damping!r}
 GAP_SIDES = {gap_sides(generated)!r}  # of contact states that end by an impact alone; 0 of others
-{_accelerations(generated)}{_shaken(places)}
+"""
+    return "".join(
+        (
+            head,
+            _accelerations(generated),
+            _shaken(places),
+            _control(exponent, damping),
+            _step(method, generated, lines),
+            _judge(generated, lines),
+            _judge_held(generated, lines),
+            _accept(generated, lines),
+        )
+    )
+
+
+def _control(exponent: float, damping: float) -> str:
+    roots = "        r1 = math.sqrt(error)\n"
+    roots += "".join(f"        r{k} = math.sqrt(r{k - 1})\n" for k in range(2, ROOTS + 1))
+    return f'''
 
 @entry
 def control_lanes(z: Floats):
@@ -262,22 +275,46 @@ def control_lanes(z: Floats):
         cut, first = z[Z_T_NEW + lane] >= z[Z_LAST + lane], z[Z_LANDING + lane] == 0.0
         tells = (error <= 1.0) & first & ~cut & ~equal
         factor = (0.9 if refused else 0.9 * last) / (
-            {_powers(-method_exponent)} if refused else {_powers(-0.7 * method_exponent)}
+            {_powers(-exponent)} if refused else {_powers(-0.7 * exponent)}
         )
         factor = max(0.1 if refused else 0.2, factor)
         z[Z_NEXT + lane] = h * min(5.0, factor) if refused | tells else z[Z_NEXT + lane]
         z[Z_DAMP + lane] = {_powers(damping)} if tells else last
+'''
 
+
+def _step(method: Tableau, generated: ModuleType, lines: _Lines) -> str:
+    s, n = method.stages, generated.N_STATES // 2
+    atol = ", ".join(f"tolerances[{i}]" for i in range(2 * n))
+
+    def stage(j: int) -> str:
+        place = min(j, s - 1) - 1
+        ground = f"{_at('Z_AX', place)}, {_at('Z_AY', place)}"
+        return _stage(method, j, n, ground, "accelerations_of_lanes")
+
+    stages = indent("".join(stage(j) for j in range(1, s + 1)), "    ")
+    ends = "".join(
+        f"        {_at('Z_Q_NEW', i)} = q{s}_{i}\n        {_at('Z_K_NEW', i)} = v{s}_{i}\n"
+        f"        {_at('Z_K_NEW', n + i)} = a{s}_{i}\n"
+        for i in range(n)
+    )
+    errors = indent(error_text(method, n, in_lanes=True), "    ")
+    return f'''
 
 @entry
 def step_lanes(z: Floats, rtol: float, tolerances: Floats):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
-    atol = ({", ".join(f"tolerances[{i}]" for i in range(size))},)
+    atol = ({atol},)
     for lane in range(LANES):
         contact = z[Z_CONTACT + lane]
-{start_of}        hh = h * h
-{start}{indent(stages, "    ")}{kept}{errors}        z[Z_ERROR + lane] = error
+{lines.step}        hh = h * h
+{lines.start}{stages}{ends}{errors}        z[Z_ERROR + lane] = error
+'''
 
+
+def _judge(generated: ModuleType, lines: _Lines) -> str:
+    r = generated.ROTATION
+    return f'''
 
 @entry
 def judge_lanes(z: Floats, coarse: float):
@@ -289,31 +326,51 @@ def judge_lanes(z: Floats, coarse: float):
     for lane in range(LANES):
         t, h, side = z[Z_T + lane], z[Z_H + lane], z[Z_SIDE + lane]
         touching, landing = z[Z_TOUCHING + lane] == 0.0, z[Z_LANDING + lane]
-{start}{end}        upright, within = abs(q1_{r}) < z[Z_FALLEN + lane], True
-{within}        verdict, new_h = judge_gap(
+{lines.start}{lines.end}        upright, within = abs(q1_{r}) < z[Z_FALLEN + lane], True
+{lines.within}        verdict, new_h = judge_gap(
             t, h, z[Z_LAST + lane] - t, side, touching, landing, upright, within,
-            {gap},
+            Ends(q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}),
         )
         error, equal = z[Z_ERROR + lane], z[Z_EQUAL + lane] > 0.0
         refused = (error > 1.0) & (error < np.inf) & (h > 64.0 * EPS * t) & ~equal
         verdict = verdict if error <= (coarse if equal else 1.0) else DOUBTFUL
         z[Z_VERDICT + lane] = REFUSED if refused else verdict
         z[Z_H + lane] = h if refused else new_h
+'''
 
+
+def _judge_held(generated: ModuleType, lines: _Lines) -> str:
+    held, r = _held(generated), generated.ROTATION
+    contact = "z[Z_CONTACT + lane]" if len(held) > 1 else held[0]
+    functions = generated.N_GUARDS + generated.N_PARTS
+    return f'''
 
 @entry
 def judge_held_lanes(z: Floats, coarse: float):
     """What becomes of the step of each lane in other contact states: it stands where they last."""
-    y, g = np.empty({size}), np.empty({generated.N_GUARDS + generated.N_PARTS})
+    y, g = np.empty({generated.N_STATES}), np.empty({functions})
     for lane in range(LANES):
-        contact = {"z[Z_CONTACT + lane]" if len(held) > 1 else held[0]}
-{start_of}{start}{end}{_sampled(generated)}        held &= z[Z_SIDE + lane] == 0.0
+        contact = {contact}
+{lines.step}{lines.start}{lines.end}{_sampled(generated)}        held &= z[Z_SIDE + lane] == 0.0
         held &= abs(q1_{r}) < z[Z_FALLEN + lane]
         held &= z[Z_ERROR + lane] <= (coarse if z[Z_EQUAL + lane] > 0.0 else 1.0)
         within = True
-{within}        stands = STANDS if within else TURNS
+{lines.within}        stands = STANDS if within else TURNS
         z[Z_VERDICT + lane] = stands if held else z[Z_VERDICT + lane]
+'''
 
+
+def _accept(generated: ModuleType, lines: _Lines) -> str:
+    n, moved = generated.N_STATES // 2, ""
+    for i in range(n):
+        moved += f"        {_at('Z_Q', i)} = q1_{i} if stands else q0_{i}\n"
+        moved += f"        {_at('Z_K', i)} = v1_{i} if stands else v0_{i}\n"
+        moved += f"        {_at('Z_K', n + i)} = a1_{i} if stands else a0_{i}\n"
+        for state, old, new in ((i, f"q0_{i}", f"q1_{i}"), (n + i, f"v0_{i}", f"v1_{i}")):
+            least, most = _at("Z_LEAST", state), _at("Z_MOST", state)
+            moved += f"        {least} = min({least}, {new} if stands else {old})\n"
+            moved += f"        {most} = max({most}, {new} if stands else {old})\n"
+    return f'''
 
 @entry
 def accept_lanes(z: Floats):
@@ -322,11 +379,11 @@ def accept_lanes(z: Floats):
         stands = z[Z_VERDICT + lane] >= STANDS
         repeated = z[Z_VERDICT + lane] == REPEATED
         t, h = z[Z_T + lane], z[Z_H + lane]
-{start}{end}        z[Z_T + lane] = z[Z_T_NEW + lane] if stands else t
+{lines.start}{lines.end}        z[Z_T + lane] = z[Z_T_NEW + lane] if stands else t
         z[Z_T_NEW + lane] = t + h if repeated else z[Z_T_NEW + lane]
         landing = z[Z_LANDING + lane]
         kept = landing if z[Z_VERDICT + lane] == TURNS else 0.0
         z[Z_LANDING + lane] = max(landing, 0.0) + 1.0 if repeated else kept
         z[Z_TOUCHING + lane] = -1.0 if stands else z[Z_TOUCHING + lane]
         z[Z_TAKEN + lane] = z[Z_TAKEN + lane] + 1.0
-{taken}'''
+{moved}'''
