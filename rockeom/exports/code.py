@@ -66,8 +66,9 @@ def impact(contact, guard, y, p, ax, ay, out):
     state that follows is that whose impulses, and then forces, fit. Returns its number, -1 where
     none fits, -2 where several do that move differently.
     """
-    known = np.empty(N_KNOWN)
-    follows, _ = pass_on(contact, guard, 1e-3, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, out)
+    known, ground = np.empty(N_KNOWN), np.empty(5)
+    same_ground(ax, ay, 1e-9, ground)
+    follows, _ = pass_on(contact, guard, 1e-3, y, p, ground, 0.0, known, out)
     return follows
 '''
 

@@ -41,7 +41,15 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.records import Case, Ground, Recorder, State
     from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
-    from rockeom.integrator.transitions.searched import N_KNOWN, pass_on
+    from rockeom.integrator.transitions.searched import (
+        AX,
+        AY,
+        LATER,
+        LATER_AX,
+        LATER_AY,
+        N_KNOWN,
+        pass_on,
+    )
     from rockeom.integrator.transitions.zeno import time_of_bounces
 
 DIGITS = 1e4
@@ -397,15 +405,13 @@ def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
         follows = jump(mode, guard, case.law, ratio, y, p, out)
     else:
         ahead, known = 1e-5 * length, duals[_KNOWN_POINTS:]
-        ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
-        later = value(now) + ahead
-        later_x, later_y = (
-            ground_acceleration(ground.x, later),
-            ground_acceleration(ground.y, later),
-        )
-        follows, _ = pass_on(
-            mode, guard, length, y, p, ax, ay, later_x, later_y, ahead, case.rtol, known, out
-        )
+        accelerations, soon = np.empty(5), value(now) + ahead
+        accelerations[AX] = ground_acceleration(ground.x, now)
+        accelerations[AY] = ground_acceleration(ground.y, now)
+        accelerations[LATER_AX] = ground_acceleration(ground.x, soon)
+        accelerations[LATER_AY] = ground_acceleration(ground.y, soon)
+        accelerations[LATER] = ahead
+        follows, _ = pass_on(mode, guard, length, y, p, accelerations, case.rtol, known, out)
     return follows
 
 

@@ -35,6 +35,11 @@ if TYPE_CHECKING:  # joined before this text
         to_landing,
     )
     from rockeom.integrator.transitions.searched import (
+        AX,
+        AY,
+        LATER,
+        LATER_AX,
+        LATER_AY,
         fits_by_forces,
         guard_noise,
         held_upright,
@@ -115,11 +120,15 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
             return after_step_over(motion, rest), rest
     length = max(h, min(motion.h_next, end - motion.t))
     tau = 1e-5 * length
+    accelerations, soon = np.empty(5), motion.t + tau
+    accelerations[AX] = ground_acceleration(ground.x, motion.t)
+    accelerations[AY] = ground_acceleration(ground.y, motion.t)
+    accelerations[LATER_AX] = ground_acceleration(ground.x, soon)
+    accelerations[LATER_AY] = ground_acceleration(ground.y, soon)
+    accelerations[LATER] = tau
     mode, touching = pass_on(
-        motion.mode, guard, length, a.y, case.p, ground_acceleration(ground.x, motion.t),
-        ground_acceleration(ground.y, motion.t), ground_acceleration(ground.x, motion.t + tau),
-        ground_acceleration(ground.y, motion.t + tau), tau, case.rtol, a.known, a.after,
-    )  # fmt: skip
+        motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.known, a.after
+    )
     kind = KINDS[motion.mode][guard]
     if mode < 0:
         rest = stepped_over(motion, ground, end, True, case, a)

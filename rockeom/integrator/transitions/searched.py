@@ -67,6 +67,9 @@ SPREAD = MATRIX + N_MATRIX
 COUPLING = SPREAD + N_COORDINATES * ROWS
 N_KNOWN = COUPLING + ROWS * ROWS
 
+# Places in `ground` (5,): the accelerations of the ground now, those a little later, and how much
+AX, AY, LATER_AX, LATER_AY, LATER = range(5)
+
 GRAIN = 4e-15  # relative rounding error of a gap
 FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
@@ -670,9 +673,16 @@ def fits_by_forces(contact, y, p, ax, ay):
     for i in range(N_POINTS):
         if POINT_STATES[contact][i] != OPEN:
             near[i] = 1
-    return select_by_forces(
-        contact, False, near, sliding, y, p, ax, ay, ax, ay, 1e-9, 0.0, known, sizes
-    )
+    ground = np.empty(5)
+    same_ground(ax, ay, 1e-9, ground)
+    return select_by_forces(contact, False, near, sliding, y, p, ground, 0.0, known, sizes)
+
+
+@inlined
+def same_ground(ax, ay, later, ground):
+    """Ground that has the same accelerations a little later."""
+    ground[AX], ground[AY], ground[LATER_AX], ground[LATER_AY] = ax, ay, ax, ay
+    ground[LATER] = later
 
 
 def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
@@ -701,20 +711,17 @@ def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
     return whole
 
 
-def select_by_forces(
-    contact, ends, near, sliding, y, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
-):  # fmt: skip
-    """The contact state whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
+def select_by_forces(contact, ends, near, sliding, y, p, ground, rtol, known, sizes):
+    """The mode whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `contact` has come to its end, so that it follows only where nothing else does.
-    later_x, later_y : the ground's acceleration a time tau later, when the margins of those that
-    move alike decide between them. rtol : the relative tolerance of the motion, by whose error a
-    contact state must fit where none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`,
-    found here.
+    ground (5,) : where several modes move alike, their margins a little later decide between them.
+    rtol : the relative tolerance of the motion, by whose error a mode must fit where none fits
+    nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
     wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
     fitting = np.empty(len(POINT_STATES), np.int64)
-    whole = without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    whole = without_forces(y, p, ground[AX], ground[AY], contact, known, wanted, sizes)
     follows = IMPOSSIBLE
     for turn in range(2):
         nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
@@ -729,9 +736,8 @@ def select_by_forces(
             fitting[0], several = contact, 1
         if apart or (follows >= 0 and (several > 1 or (ends and follows == contact))):
             follows = best_later(
-                contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau,
-                sizes,
-            )  # fmt: skip
+                contact, ends, near, sliding, fitting, several, y, p, ground, sizes
+            )
         if apart and follows == IMPOSSIBLE:
             follows, several = fitting_states(
                 contact, contact, near, sliding, wanted, known, sizes, nearly, alike, fitting,
@@ -739,27 +745,24 @@ def select_by_forces(
             )  # fmt: skip
             if follows >= 0 and several > 1:
                 follows = best_later(
-                    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y,
-                    tau, sizes,
-                )  # fmt: skip
+                    contact, ends, near, sliding, fitting, several, y, p, ground, sizes
+                )
     return follows
 
 
 @rolled
-def best_later(
-    contact, ends, near, sliding, fitting, several, y, p, ax, ay, later_x, later_y, tau, sizes
-):  # fmt: skip
+def best_later(contact, ends, near, sliding, fitting, several, y, p, ground, sizes):
     """The mode that fits best a little later, of those that move alike now."""
-    n = N_COORDINATES
+    n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
     known, of_then = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
-    rates(fitting[0], y, p, ax, ay, dy)
+    rates(fitting[0], y, p, ground[AX], ground[AY], dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
     all_known(w, p, contact, known)
-    without_forces(w, p, later_x, later_y, contact, known, wanted, of_then)
+    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], contact, known, wanted, of_then)
     found, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
@@ -779,8 +782,8 @@ def best_later(
 # -- passages ------------------------------------------------------------------------------------
 
 
-def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
-    """The end of a contact state by a guard: state after into out (N,).
+def pass_on(contact, guard, h, y, p, ground, rtol, known, out):
+    """The end of a mode by a guard: state after into out (N,).
 
     Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
     closed, see `is_closed`.
@@ -809,7 +812,7 @@ def pass_on(contact, guard, h, y, p, ax, ay, later_x, later_y, tau, rtol, known,
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
-    return meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out)
+    return meet(contact, guard, near, y, p, ground, rtol, known, out)
 
 
 def slow_landing(contact, near, y, p, ax, ay, known):
@@ -842,7 +845,7 @@ def still_closed(before, follows, guard, closed, touching):
     return touching
 
 
-def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known, out):
+def meet(contact, guard, near, y, p, ground, rtol, known, out):
     """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
@@ -853,7 +856,7 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known,
     if kind == LANDING:
         as_said = collide(contact, near, 0.0, known, out)
         if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
-            slowest = slow_landing(contact, near, y, p, ax, ay, known)
+            slowest = slow_landing(contact, near, y, p, ground[AX], ground[AY], known)
             as_said = collide(contact, near, slowest, known, out)
         if as_said < 0:
             return as_said, -1
@@ -883,21 +886,17 @@ def meet(contact, guard, near, y, p, ax, ay, later_x, later_y, tau, rtol, known,
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
     ends = kind in (LIFTING, SLIPPING)
-    follows = select_by_forces(
-        contact, ends, near, sliding, out, p, ax, ay, later_x, later_y, tau, rtol, known, sizes
-    )
+    follows = select_by_forces(contact, ends, near, sliding, out, p, ground, rtol, known, sizes)
     if follows < 0:
         return follows, -1
-    return follows, closed_guards(
-        follows, contact, guard, near, leaving, sliding, out, p, ax, ay, sizes
-    )
+    g = np.empty(N_GUARDS + N_PARTS)
+    guards(follows, out, p, ground[AX], ground[AY], g)
+    return follows, closed_guards(follows, contact, guard, near, leaving, sliding, g, sizes)
 
 
 @rolled
-def closed_guards(follows, contact, guard, near, leaving, sliding, y, p, ax, ay, sizes):
-    """Which guards of a contact state are zero as it begins, see `is_closed`; -1 for none."""
-    g = np.empty(N_GUARDS + N_PARTS)
-    guards(follows, y, p, ax, ay, g)
+def closed_guards(follows, contact, guard, near, leaving, sliding, g, sizes):
+    """Which guards g of a mode are zero as it begins, see `is_closed`; -1 for none."""
     touching = 0
     for i in range(GUARDS[follows]):
         kind, subject = KINDS[follows][i], SUBJECTS[follows][i]

@@ -44,6 +44,7 @@ if TYPE_CHECKING:  # joined before this text
         put_on,
         radius_of,
         rate_of,
+        same_ground,
         select_by_forces,
         squared,
         through_mass,
@@ -73,15 +74,14 @@ class Series(NamedTuple):
     """A flight with which those after it are compared: in the end they shrink by one ratio.
 
     point, mode : which point landed, and in which mode; -1 before there is such a flight. time :
-    from the start. rate : of the landing; ratio : of the last two rates of flights like this one.
-    flights : since; after `patience` of them another flight takes its place.
+    from the start. rate : of the landing. flights : since; after `patience` of them another flight
+    takes its place.
     """
 
     point: int
     mode: int
     time: float
     rate: float
-    ratio: float
     flights: int
     patience: int
 
@@ -150,8 +150,8 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
     `time_of_bounces`. dy : the rates of y.
     """
     w, here, landed = state.y, state.mode, np.zeros(N_POINTS, np.int64)
-    total = last = 0.0
-    series, w_then = Series(-1, -1, 0.0, 0.0, 0.0, 0, 2), np.empty(N_STATES)
+    total = last = last_ratio = 0.0
+    series, w_then = Series(-1, -1, 0.0, 0.0, 0, 2), np.empty(N_STATES)
     for turn in range(TURNS + 1):
         if turn > 0:
             rates(here, w, state.p, state.ax, state.ay, dy)
@@ -179,17 +179,15 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
                 left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
                 if total + left * period > limit:
                     return np.inf, state.mode
-                steady = abs(ratio - series.ratio) <= 1e-9 * (1.0 - ratio)
+                steady = abs(ratio - last_ratio) <= 1e-9 * (1.0 - ratio)
                 if left > 0.0 and steady and all_landed(landed, bounces.points):
                     to_the_end(ratio, period, w_then, w)
                     total += left * period
                     break
-                series = series._replace(ratio=ratio)
+                last_ratio = ratio
             if alike or series.point < 0 or series.flights == series.patience:
                 waited = series.flights == series.patience and not alike
-                series = Series(
-                    which, here, total, rate, series.ratio, 0, series.patience * (1 + int(waited))
-                )
+                series = Series(which, here, total, rate, 0, series.patience * (1 + int(waited)))
                 for i in range(N_STATES):
                     w_then[i] = w[i]
                 for i in range(N_POINTS):
@@ -222,16 +220,16 @@ def meet_after_flight(state, guard, flight, rtol, known, bounces, out):
 
     Points that leave by it bounce, too.
     """
-    w, p, ax, ay = state.y, state.p, state.ax, state.ay
+    w, p = state.y, state.p
     met = np.zeros(N_POINTS, np.int64)
     for i in range(N_POINTS):
         met[i] = bounces.near[i]
     for i in range(N_STATES):
         out[i] = w[i]
     points(w, p, known)
-    follows, _ = meet(
-        state.mode, guard, bounces.near, w, p, ax, ay, ax, ay, 1e-3 * flight, rtol, known, out
-    )
+    ground = np.empty(5)
+    same_ground(state.ax, state.ay, 1e-3 * flight, ground)
+    follows, _ = meet(state.mode, guard, bounces.near, w, p, ground, rtol, known, out)
     if follows < 0:
         return follows
     for i in range(N_COORDINATES, N_STATES):
@@ -466,9 +464,9 @@ def all_closed(state, bounces, start, time, rtol, known, out):
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
     close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
     points(out, p, known)
-    return select_by_forces(
-        here, False, near, sliding, out, p, ax, ay, ax, ay, 1e-6, rtol, known, sizes
-    )
+    ground = np.empty(5)
+    same_ground(ax, ay, 1e-6, ground)
+    return select_by_forces(here, False, near, sliding, out, p, ground, rtol, known, sizes)
 
 
 def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
