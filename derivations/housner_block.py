@@ -272,7 +272,7 @@ for side, name in [(1, "right"), (-1, "left")]:
 # The forces of the ground agree as well. On the right foot they are those of (3):
 
 # %%
-engine_forces = reactions(model, model.mechanism("right"))
+engine_forces = reactions(model, model.mode("right"))
 for name, ours in [("horizontal_reaction", horizontal), ("right_reaction", vertical)]:
     engine = engine_forces[name].subs(sp.Symbol("s", real=True), 1).subs(to_polar)
     assert sp.simplify(engine - ours) == 0

@@ -24,16 +24,16 @@ Operations before and after common subexpressions were shared:
     accelerations           1277   356
     guards                   254   107
     jump                     122    66
-    energies                 616   213
     reactions               1893   291
+    energies                 616   213
     kinematics               396   126
     momentum                 330   102
     statics                 1240   216
-    positions                552   105
-    shapes                    10     6
     masses                     0     0
     powers                   553   192
+    positions                552   105
     elements                 465   134
+    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "b0db1239f85bd242"
+SOURCE_HASH = "f390b23b60537bcc"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -104,6 +104,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = (
+    "displacement",
+    "left_uplift",
+    "right_uplift",
+    "rotation_centre",
+    "tendon_extension",
+)
+POSITIONS = ("wall", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ("tendon",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("tendon",)
+MEMBER_ENDS = ("ground", "wall",)
+COPIES = ()
+
+N_STATES = 4
+ROTATION = 0
+ROTATION_RATE = 2
+N_FALLS = 0
+N_GUARDS = 3
+N_PARTS = 0
+SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
+GUARDS = (3, 2, 2, 3, 2, 2,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("left", "left_yield", "switch"),
@@ -120,31 +145,6 @@ TRANSITIONS = (
     ("right_yield", "left_yield", "impact"),
     ("right_yield", "right", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
-KINEMATICS = (
-    "displacement",
-    "left_uplift",
-    "right_uplift",
-    "rotation_centre",
-    "tendon_extension",
-)
-POSITIONS = ("wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("tendon",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
-ELEMENT_NAMES = ("tendon",)
-
-N_STATES = 4
-N_GUARDS = 3
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 2
-N_FALLS = 0
-SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
-GUARDS = (3, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2, 2,),  # left
     (0, 2, 2,),  # left_slack
@@ -178,7 +178,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -656,139 +656,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        theta_dot = y[2]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        gravity = p[13]
-        x0 = theta_dot**2
-        x1 = (1/2)*x0
-        x2 = mass*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2/transition**2
-        x6 = x4*x5
-        x7 = math.exp(-x6)
-        x8 = 1 - x7
-        x9 = -edge_distance + half_width
-        x10 = x9**2
-        x11 = math.cos(theta)
-        x12 = centroid_height*x11
-        x13 = s*x9
-        x14 = mass*x0
-        x15 = 2*x13*x14*x3*x5*x7
-        x16 = x11**2
-        x17 = 2*x6
-        x18 = x10*x14
-        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
-        x20 = gravity*mass
-        x21 = x13*x8
-        x22 = eccentricity - x21
-        out[0] = (
-            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
-            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
-        )
-        out[1] = x12*x20 + x20*x21*x3
-        out[2] = (
-            (1/2)*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
-            permanent_extension + math.sqrt((anchor_depth + anchor_height*x11 - x22*x3)**2 +
-            (anchor_height*x3 - eccentricity + x11*x22 + x21)**2)))**2/tendon_stiffness
-        )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        gravity = p[13]
-        x0 = theta_dot**2
-        x1 = (1/2)*x0
-        x2 = mass*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2/transition**2
-        x6 = x4*x5
-        x7 = math.exp(-x6)
-        x8 = 1 - x7
-        x9 = -edge_distance + half_width
-        x10 = x9**2
-        x11 = math.cos(theta)
-        x12 = centroid_height*x11
-        x13 = s*x3*x9
-        x14 = mass*x0
-        x15 = 2*x13*x14*x5*x7
-        x16 = x11**2
-        x17 = 2*x6
-        x18 = x10*x14
-        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
-        x20 = gravity*mass
-        out[0] = (
-            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
-            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
-        )
-        out[1] = x12*x20 + x13*x20*x8
-        out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[9]
-        yield_force = p[11]
-        gravity = p[13]
-        x0 = theta_dot**2
-        x1 = (1/2)*x0
-        x2 = mass*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2/transition**2
-        x6 = x4*x5
-        x7 = math.exp(-x6)
-        x8 = 1 - x7
-        x9 = -edge_distance + half_width
-        x10 = x9**2
-        x11 = math.cos(theta)
-        x12 = centroid_height*x11
-        x13 = s*x3*x9
-        x14 = mass*x0
-        x15 = 2*x13*x14*x5*x7
-        x16 = x11**2
-        x17 = 2*x6
-        x18 = x10*x14
-        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
-        x20 = gravity*mass
-        out[0] = (
-            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
-            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
-        )
-        out[1] = x12*x20 + x13*x20*x8
-        out[2] = (1/2)*yield_force**2/tendon_stiffness
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -958,8 +832,143 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = yield_force
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        permanent_extension = y[1]
+        theta_dot = y[2]
+        mass = p[0]
+        inertia = p[1]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        eccentricity = p[12]
+        gravity = p[13]
+        x0 = theta_dot**2
+        x1 = (1/2)*x0
+        x2 = mass*x1
+        x3 = math.sin(theta)
+        x4 = x3**2
+        x5 = height**2/transition**2
+        x6 = x4*x5
+        x7 = math.exp(-x6)
+        x8 = 1 - x7
+        x9 = -edge_distance + half_width
+        x10 = x9**2
+        x11 = math.cos(theta)
+        x12 = centroid_height*x11
+        x13 = s*x9
+        x14 = mass*x0
+        x15 = 2*x13*x14*x3*x5*x7
+        x16 = x11**2
+        x17 = 2*x6
+        x18 = x10*x14
+        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
+        x20 = gravity*mass
+        x21 = x13*x8
+        x22 = eccentricity - x21
+        out[0] = (
+            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
+            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
+        )
+        out[1] = x12*x20 + x20*x21*x3
+        out[2] = (
+            (1/2)*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
+            permanent_extension + math.sqrt((anchor_depth + anchor_height*x11 - x22*x3)**2 +
+            (anchor_height*x3 - eccentricity + x11*x22 + x21)**2)))**2/tendon_stiffness
+        )
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        inertia = p[1]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        gravity = p[13]
+        x0 = theta_dot**2
+        x1 = (1/2)*x0
+        x2 = mass*x1
+        x3 = math.sin(theta)
+        x4 = x3**2
+        x5 = height**2/transition**2
+        x6 = x4*x5
+        x7 = math.exp(-x6)
+        x8 = 1 - x7
+        x9 = -edge_distance + half_width
+        x10 = x9**2
+        x11 = math.cos(theta)
+        x12 = centroid_height*x11
+        x13 = s*x3*x9
+        x14 = mass*x0
+        x15 = 2*x13*x14*x5*x7
+        x16 = x11**2
+        x17 = 2*x6
+        x18 = x10*x14
+        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
+        x20 = gravity*mass
+        out[0] = (
+            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
+            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
+        )
+        out[1] = x12*x20 + x13*x20*x8
+        out[2] = 0
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        inertia = p[1]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        tendon_stiffness = p[9]
+        yield_force = p[11]
+        gravity = p[13]
+        x0 = theta_dot**2
+        x1 = (1/2)*x0
+        x2 = mass*x1
+        x3 = math.sin(theta)
+        x4 = x3**2
+        x5 = height**2/transition**2
+        x6 = x4*x5
+        x7 = math.exp(-x6)
+        x8 = 1 - x7
+        x9 = -edge_distance + half_width
+        x10 = x9**2
+        x11 = math.cos(theta)
+        x12 = centroid_height*x11
+        x13 = s*x3*x9
+        x14 = mass*x0
+        x15 = 2*x13*x14*x5*x7
+        x16 = x11**2
+        x17 = 2*x6
+        x18 = x10*x14
+        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
+        x20 = gravity*mass
+        out[0] = (
+            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
+            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
+        )
+        out[1] = x12*x20 + x13*x20*x8
+        out[2] = (1/2)*yield_force**2/tendon_stiffness
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     s = SIDES[contact]
     theta = y[0]
     height = p[3]
@@ -1141,74 +1150,6 @@ def statics(contact, y, p, load, out):
         out[1] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
-
-
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    s = SIDES[contact]
-    theta = y[0]
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    edge_distance = p[5]
-    transition = p[6]
-    x0 = math.sin(theta)
-    x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-    x2 = math.cos(theta)
-    x3 = -x1*x2 + x1
-    x4 = x0*x1
-    x5 = -half_width - x1
-    x6 = half_width - x1
-    out[0] = centroid_height*x0 + x3
-    out[1] = centroid_height*x2 + x4
-    out[2] = theta
-    out[3] = x1 + x2*x5
-    out[4] = -x0*x5
-    out[5] = 0
-    out[6] = x1 + x2*x6
-    out[7] = -x0*x6
-    out[8] = 0
-    out[9] = height*x0 + x3
-    out[10] = height*x2 + x4
-    out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    anchor_height = p[7]
-    anchor_depth = p[8]
-    eccentricity = p[12]
-    x0 = -half_width
-    x1 = -centroid_height
-    x2 = -centroid_height + max(anchor_height, height)
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = x2
-    out[6] = x0
-    out[7] = x2
-    out[8] = eccentricity
-    out[9] = -anchor_depth
-    out[10] = eccentricity
-    out[11] = anchor_height + x1
-
-
 def masses(contact, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
@@ -1220,8 +1161,8 @@ def masses(contact, y, p, out):
 
 
 def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
     if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
         s = SIDES[contact]
@@ -1301,6 +1242,36 @@ def powers(contact, y, p, ax, ay, out):
             (1/2)*x24*(x0*x14*x25 - x14*x17*x25 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2)
         )
         out[2] = 0
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    s = SIDES[contact]
+    theta = y[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    x0 = math.sin(theta)
+    x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+    x2 = math.cos(theta)
+    x3 = -x1*x2 + x1
+    x4 = x0*x1
+    x5 = -half_width - x1
+    x6 = half_width - x1
+    out[0] = centroid_height*x0 + x3
+    out[1] = centroid_height*x2 + x4
+    out[2] = theta
+    out[3] = x1 + x2*x5
+    out[4] = -x0*x5
+    out[5] = 0
+    out[6] = x1 + x2*x6
+    out[7] = -x0*x6
+    out[8] = 0
+    out[9] = height*x0 + x3
+    out[10] = height*x2 + x4
+    out[11] = 0
 
 
 def elements(contact, y, p, out):
@@ -1397,6 +1368,35 @@ def elements(contact, y, p, out):
             theta_dot*yield_force*((1/2)*x14*(4*s*x1*x4*x5*x6*x8*x9 - 2*x15 - 2*x16) +
             (1/2)*x17*(-x1**2*x18*x19 + x1*x18*x19 - 2*x13 + 2*x2))/math.sqrt(x14**2 + x17**2)
         )
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    eccentricity = p[12]
+    x0 = -half_width
+    x1 = -centroid_height
+    x2 = -centroid_height + max(anchor_height, height)
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = x2
+    out[6] = x0
+    out[7] = x2
+    out[8] = eccentricity
+    out[9] = -anchor_depth
+    out[10] = eccentricity
+    out[11] = anchor_height + x1
 
 
 def overturning(p):

@@ -34,16 +34,16 @@ Operations before and after common subexpressions were shared:
     accelerations            852   208
     guards                  1292   548
     jump                     484   330
-    energies                 142    94
     reactions                 47    35
+    energies                 142    94
     kinematics               129    69
     momentum                   3     3
     statics                  878   174
-    positions                  0     0
-    shapes                     7     4
     masses                     0     0
     powers                   616   147
+    positions                  0     0
     elements                 298   110
+    shapes                     7     4
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -55,7 +55,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "b767bfa612a63d86"
+SOURCE_HASH = "ab5d5fdac7140ef1"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -193,6 +193,25 @@ CONTACTS = (
     "right_slack",
     "right_yield",
 )
+REACTIONS = ("horizontal_reaction", "tendon_force",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "rotation_centre", "tendon_extension",)
+POSITIONS = ("wall", "load",)
+POSITION_KINDS = ("body", "load",)
+ELEMENT_NAMES = ("tendon",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("spring",)
+MEMBER_ENDS = ("ground", "wall",)
+COPIES = ()
+
+N_STATES = 6
+ROTATION = 0
+ROTATION_RATE = 3
+N_FALLS = 0
+N_GUARDS = 4
+N_PARTS = 0
+SIDES = (-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,)
+GUARDS = (3, 4, 3, 3, 4, 3, 3, 2, 1, 3, 4, 3, 3, 4, 3, 3, 2, 1,)
 TRANSITIONS = (
     ("left", "left_inward", "switch"),
     ("left", "left_yield", "switch"),
@@ -247,25 +266,6 @@ TRANSITIONS = (
     ("right_slack", "right", "switch"),
     ("right_yield", "right", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "tendon_force",)
-KINEMATICS = ("displacement", "rotation_centre", "tendon_extension",)
-POSITIONS = ("wall", "load",)
-POSITION_KINDS = ("body", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("spring",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
-ELEMENT_NAMES = ("tendon",)
-
-N_STATES = 6
-N_GUARDS = 4
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 3
-N_FALLS = 0
-SIDES = (-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,)
-GUARDS = (3, 4, 3, 3, 4, 3, 3, 2, 1, 3, 4, 3, 3, 4, 3, 3, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (2, 2, 2, 2,),  # left
     (2, 2, 2, 2,),  # left_inward
@@ -347,7 +347,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -409,7 +409,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_0(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
-    """Accelerations of the coordinates of phase 0."""
+    """Accelerations of the coordinates of mode 0."""
     half_width = p[3]
     eccentricity = p[9]
     held = p[11]
@@ -467,7 +467,7 @@ def accelerations_0(s, u, permanent_extension, passage_speed, u_dot, permanent_e
 
 @inlined
 def accelerations_1(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
-    """Accelerations of the coordinates of phase 1."""
+    """Accelerations of the coordinates of mode 1."""
     half_width = p[3]
     held = p[11]
     energy_ratio = p[12]
@@ -514,7 +514,7 @@ def accelerations_1(s, u, permanent_extension, passage_speed, u_dot, permanent_e
 
 @inlined
 def accelerations_2(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
-    """Accelerations of the coordinates of phase 2."""
+    """Accelerations of the coordinates of mode 2."""
     half_width = p[3]
     eccentricity = p[9]
     held = p[11]
@@ -1340,6 +1340,55 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
+
+
+def reactions(contact, y, p, ax, ay, out):
+    """Forces of the ground [N] into out, in the order of REACTIONS."""
+    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
+        s = SIDES[contact]
+        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+        u_ddot = found[0]
+        u = y[0]
+        permanent_extension = y[1]
+        effective_mass = p[1]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        tendon_stiffness = p[6]
+        initial_force = p[7]
+        eccentricity = p[9]
+        x0 = u**2
+        x1 = math.sqrt(1 - x0/height**2)
+        x2 = 1/x1
+        out[0] = ax*effective_mass + effective_mass*u_ddot
+        out[1] = (
+            initial_force + tendon_stiffness*(-permanent_extension + u*x2*(-eccentricity +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            half_width)))/height)
+        )
+    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
+        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+        u_ddot = found[0]
+        effective_mass = p[1]
+        out[0] = ax*effective_mass + effective_mass*u_ddot
+        out[1] = 0
+    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
+        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+        u_ddot = found[0]
+        effective_mass = p[1]
+        yield_force = p[8]
+        out[0] = ax*effective_mass + effective_mass*u_ddot
+        out[1] = yield_force
+
+
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
@@ -1415,48 +1464,8 @@ def energies(contact, y, p, out):
         )
 
 
-def reactions(contact, y, p, ax, ay, out):
-    """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        u_ddot = found[0]
-        u = y[0]
-        permanent_extension = y[1]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[0] = ax*effective_mass + effective_mass*u_ddot
-        out[1] = (
-            initial_force + tendon_stiffness*(-permanent_extension + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height)
-        )
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        u_ddot = found[0]
-        effective_mass = p[1]
-        out[0] = ax*effective_mass + effective_mass*u_ddot
-        out[1] = 0
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        u_ddot = found[0]
-        effective_mass = p[1]
-        yield_force = p[8]
-        out[0] = ax*effective_mass + effective_mass*u_ddot
-        out[1] = yield_force
-
-
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     s = SIDES[contact]
     u = y[0]
     height = p[2]
@@ -1585,49 +1594,6 @@ def statics(contact, y, p, load, out):
         out[2] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
-
-
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    u = y[0]
-    out[0] = u
-    out[1] = 0
-    out[2] = 0
-    out[3] = u
-    out[4] = 0
-    out[5] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    half_width = p[3]
-    x0 = -half_width
-    x1 = (1/2)*half_width
-    out[0] = x0
-    out[1] = 0
-    out[2] = half_width
-    out[3] = 0
-    out[4] = half_width
-    out[5] = half_width
-    out[6] = x0
-    out[7] = half_width
-    out[8] = -3*half_width
-    out[9] = x1
-    out[10] = x0
-    out[11] = x1
-
-
 def masses(contact, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     effective_mass = p[1]
@@ -1638,8 +1604,8 @@ def masses(contact, y, p, out):
 
 
 def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
     if contact in (LEFT, LEFT_INWARD, LEFT_NEAR, RIGHT, RIGHT_INWARD, RIGHT_NEAR, LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK, RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK):
         u = y[0]
@@ -1727,6 +1693,17 @@ def powers(contact, y, p, ax, ay, out):
         )
 
 
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    u = y[0]
+    out[0] = u
+    out[1] = 0
+    out[2] = 0
+    out[3] = u
+    out[4] = 0
+    out[5] = 0
+
+
 def elements(contact, y, p, out):
     """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
 
@@ -1807,6 +1784,29 @@ def elements(contact, y, p, out):
             u_dot*yield_force*(u*x11*(s*x12*x13*x9 + s*x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
             x10*x11 + x10*x12*x2/height**3)
         )
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[3]
+    x0 = -half_width
+    x1 = (1/2)*half_width
+    out[0] = x0
+    out[1] = 0
+    out[2] = half_width
+    out[3] = 0
+    out[4] = half_width
+    out[5] = half_width
+    out[6] = x0
+    out[7] = half_width
+    out[8] = -3*half_width
+    out[9] = x1
+    out[10] = x0
+    out[11] = x1
 
 
 def overturning(p):

@@ -12,16 +12,16 @@ Source: Prieto et al. (2004); thesis 2-17 to 2-29.
 Operations before and after common subexpressions were shared:
     accelerations             20    20
     guards                    11    13
-    energies                  34    26
     reactions                  4     4
+    energies                  34    26
     kinematics                 2     2
     momentum                  18    15
     statics                   16    14
-    positions                 40    20
-    shapes                     0     0
     masses                     0     0
     powers                    40    38
+    positions                 40    20
     elements                   0     0
+    shapes                     0     0
     overturning                2     2
     velocity_ratio             0     0
     sizes                      0     0
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "6677cce7e87ae3d2"
+SOURCE_HASH = "eef9671674288523"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -49,6 +49,25 @@ PARAMETER_MEANINGS = (
 PARAMETER_SIGNS = ("+", "+", "+",)
 SIZES = ()
 CONTACTS = ("left", "left_core", "left_tail", "right", "right_core", "right_tail",)
+REACTIONS = ("horizontal_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement",)
+POSITIONS = ("block", "load",)
+POSITION_KINDS = ("body", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ()
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 0.0, 1.0, 0.0, 0.0,)
+GUARDS = (1, 2, 2, 1, 2, 2,)
 TRANSITIONS = (
     ("left", "left_tail", "switch"),
     ("left_core", "left_tail", "switch"),
@@ -61,25 +80,6 @@ TRANSITIONS = (
     ("right_tail", "right", "switch"),
     ("right_tail", "right_core", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction",)
-KINEMATICS = ("displacement",)
-POSITIONS = ("block", "load",)
-POSITION_KINDS = ("body", "load",)
-CORNERS = ()
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 0.0, 1.0, 0.0, 0.0,)
-GUARDS = (1, 2, 2, 1, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # left
     (2, 2,),  # left_core
@@ -113,7 +113,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right_tail
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -280,6 +280,23 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
+
+
+def reactions(contact, y, p, ax, ay, out):
+    """Forces of the ground [N] into out, in the order of REACTIONS."""
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    x_ddot = found[0]
+    alpha = p[0]
+    out[0] = alpha*x_ddot + ax
+
+
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == LEFT or contact == RIGHT:
@@ -305,16 +322,8 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def reactions(contact, y, p, ax, ay, out):
-    """Forces of the ground [N] into out, in the order of REACTIONS."""
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
-    x_ddot = found[0]
-    alpha = p[0]
-    out[0] = alpha*x_ddot + ax
-
-
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     x = y[0]
     alpha = p[0]
     out[0] = alpha*x
@@ -356,13 +365,39 @@ def statics(contact, y, p, load, out):
         out[0] = -alpha*load - x*x0 + x0*math.tanh(x/regularisation)
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    out[0] = 1
+    out[1] = 0
+    out[2] = 1
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        x0 = alpha**2
+        out[0] = x_dot*(-alpha*ax - ay*s*x0 + ay*x*x0)
+        out[1] = 0
+        out[2] = 0
+    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        energy_ratio = p[1]
+        regularisation = p[2]
+        x0 = alpha**2
+        x1 = 1/regularisation
+        out[0] = x_dot*(-alpha*ax + ay*x*x0 - ay*x0*math.tanh(x*x1))
+        out[1] = 0
+        out[2] = (
+            (1/2)*x0*x1*x_dot**3*math.exp(-x**2/regularisation**2)*math.log(energy_ratio)*math.tanh(x1*x_dot)/math.sqrt(math.pi)
+        )
 
 
 def positions(contact, y, p, out):
@@ -393,54 +428,19 @@ def positions(contact, y, p, out):
         out[5] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
     Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
     of each of COPIES.
-    """
-    pass
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    out[0] = 1
-    out[1] = 0
-    out[2] = 1
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        x = y[0]
-        x_dot = y[1]
-        alpha = p[0]
-        x0 = alpha**2
-        out[0] = x_dot*(-alpha*ax - ay*s*x0 + ay*x*x0)
-        out[1] = 0
-        out[2] = 0
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
-        x = y[0]
-        x_dot = y[1]
-        alpha = p[0]
-        energy_ratio = p[1]
-        regularisation = p[2]
-        x0 = alpha**2
-        x1 = 1/regularisation
-        out[0] = x_dot*(-alpha*ax + ay*x*x0 - ay*x0*math.tanh(x*x1))
-        out[1] = 0
-        out[2] = (
-            (1/2)*x0*x1*x_dot**3*math.exp(-x**2/regularisation**2)*math.log(energy_ratio)*math.tanh(x1*x_dot)/math.sqrt(math.pi)
-        )
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
     """
     pass
 

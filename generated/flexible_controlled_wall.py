@@ -26,16 +26,16 @@ Operations before and after common subexpressions were shared:
     accelerations           1739   549
     guards                   254   109
     jump                     122    66
-    energies                 951   306
     reactions               2082   378
+    energies                 951   306
     kinematics               399   129
     momentum                 384   168
     statics                 1282   282
-    positions                564   111
-    shapes                    10     6
     masses                     0     0
     powers                   617   238
+    positions                564   111
     elements                 489   158
+    shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -47,7 +47,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "aaaad7125d94b095"
+SOURCE_HASH = "3decd2440bd064e9"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -129,6 +129,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = (
+    "displacement",
+    "left_uplift",
+    "right_uplift",
+    "rotation_centre",
+    "tendon_extension",
+)
+POSITIONS = ("wall", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ("tendon", "wall",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("tendon",)
+MEMBER_ENDS = ("ground", "wall",)
+COPIES = ()
+
+N_STATES = 6
+ROTATION = 0
+ROTATION_RATE = 3
+N_FALLS = 0
+N_GUARDS = 3
+N_PARTS = 0
+SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
+GUARDS = (3, 2, 2, 3, 2, 2,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("left", "left_yield", "switch"),
@@ -145,31 +170,6 @@ TRANSITIONS = (
     ("right_yield", "left_yield", "impact"),
     ("right_yield", "right", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
-KINEMATICS = (
-    "displacement",
-    "left_uplift",
-    "right_uplift",
-    "rotation_centre",
-    "tendon_extension",
-)
-POSITIONS = ("wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("tendon",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
-ELEMENT_NAMES = ("tendon", "wall",)
-
-N_STATES = 6
-N_GUARDS = 3
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 3
-N_FALLS = 0
-SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
-GUARDS = (3, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2, 2,),  # left
     (0, 2, 2,),  # left_slack
@@ -203,7 +203,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -772,183 +772,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = centroid_height*mass
-        x1 = theta_dot*u_dot
-        x2 = theta_dot**2
-        x3 = (1/2)*x2
-        x4 = mass*x3
-        x5 = u**2
-        x6 = math.sin(theta)
-        x7 = x6**2
-        x8 = height**2/transition**2
-        x9 = x7*x8
-        x10 = math.exp(-x9)
-        x11 = 1 - x10
-        x12 = -edge_distance + half_width
-        x13 = s*x12
-        x14 = x11*x13
-        x15 = mass*u
-        x16 = x15*x2
-        x17 = x12**2
-        x18 = math.cos(theta)
-        x19 = x10*x18
-        x20 = 2*x13*x6*x8
-        x21 = mass*x1
-        x22 = x0*x18
-        x23 = x10*x20
-        x24 = x2*x23
-        x25 = x18**2
-        x26 = 2*x9
-        x27 = x19*x26
-        x28 = mass*x17*x2
-        x29 = 4*height**4*x28*x7*math.exp(-x26)/transition**4
-        x30 = gravity*x6
-        x31 = eccentricity - x14
-        out[0] = (
-            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x24*x25 +
-            x11**2*x17*x4 + x11*x27*x28 - x13*x16*x27 - x14*x16 - x18**3*x29 - x19*x20*x21 +
-            x21*x23*x25 - x22*x24 + x25*x29 + x4*x5
-        )
-        out[1] = gravity*x22 + mass*x14*x30 - x15*x30
-        out[2] = (
-            (1/2)*stiffness*x5 + (1/2)*(initial_force + tendon_stiffness*(-anchor_depth -
-            anchor_height - permanent_extension + math.sqrt((anchor_depth + anchor_height*x18 -
-            x31*x6)**2 + (anchor_height*x6 - eccentricity + x14 +
-            x18*x31)**2)))**2/tendon_stiffness
-        )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = centroid_height*mass
-        x1 = theta_dot*u_dot
-        x2 = theta_dot**2
-        x3 = (1/2)*x2
-        x4 = mass*x3
-        x5 = u**2
-        x6 = math.sin(theta)
-        x7 = x6**2
-        x8 = height**2/transition**2
-        x9 = x7*x8
-        x10 = math.exp(-x9)
-        x11 = 1 - x10
-        x12 = x11*x2
-        x13 = mass*u
-        x14 = -edge_distance + half_width
-        x15 = s*x14
-        x16 = x13*x15
-        x17 = x14**2
-        x18 = math.cos(theta)
-        x19 = x10*x18
-        x20 = 2*x6*x8
-        x21 = mass*x15
-        x22 = x1*x21
-        x23 = x0*x18
-        x24 = x10*x20
-        x25 = x15*x2*x24
-        x26 = x18**2
-        x27 = 2*x9
-        x28 = x19*x27
-        x29 = mass*x17
-        x30 = 4*height**4*x2*x29*x7*math.exp(-x27)/transition**4
-        x31 = gravity*x6
-        out[0] = (
-            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x25*x26 +
-            x11**2*x17*x4 - x12*x16 + x12*x28*x29 - x16*x2*x28 - x18**3*x30 - x19*x20*x22 +
-            x22*x24*x26 - x23*x25 + x26*x30 + x4*x5
-        )
-        out[1] = gravity*x23 + x11*x21*x31 - x13*x31
-        out[2] = (1/2)*stiffness*x5
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[9]
-        yield_force = p[11]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = centroid_height*mass
-        x1 = theta_dot*u_dot
-        x2 = theta_dot**2
-        x3 = (1/2)*x2
-        x4 = mass*x3
-        x5 = u**2
-        x6 = math.sin(theta)
-        x7 = x6**2
-        x8 = height**2/transition**2
-        x9 = x7*x8
-        x10 = math.exp(-x9)
-        x11 = 1 - x10
-        x12 = x11*x2
-        x13 = mass*u
-        x14 = -edge_distance + half_width
-        x15 = s*x14
-        x16 = x13*x15
-        x17 = x14**2
-        x18 = math.cos(theta)
-        x19 = x10*x18
-        x20 = 2*x6*x8
-        x21 = mass*x15
-        x22 = x1*x21
-        x23 = x0*x18
-        x24 = x10*x20
-        x25 = x15*x2*x24
-        x26 = x18**2
-        x27 = 2*x9
-        x28 = x19*x27
-        x29 = mass*x17
-        x30 = 4*height**4*x2*x29*x7*math.exp(-x27)/transition**4
-        x31 = gravity*x6
-        out[0] = (
-            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x25*x26 +
-            x11**2*x17*x4 - x12*x16 + x12*x28*x29 - x16*x2*x28 - x18**3*x30 - x19*x20*x22 +
-            x22*x24*x26 - x23*x25 + x26*x30 + x4*x5
-        )
-        out[1] = gravity*x23 + x11*x21*x31 - x13*x31
-        out[2] = (1/2)*stiffness*x5 + (1/2)*yield_force**2/tendon_stiffness
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -1148,8 +978,187 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = yield_force
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        permanent_extension = y[2]
+        theta_dot = y[3]
+        u_dot = y[4]
+        mass = p[0]
+        inertia = p[1]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        anchor_height = p[7]
+        anchor_depth = p[8]
+        tendon_stiffness = p[9]
+        initial_force = p[10]
+        eccentricity = p[12]
+        stiffness = p[13]
+        gravity = p[15]
+        x0 = centroid_height*mass
+        x1 = theta_dot*u_dot
+        x2 = theta_dot**2
+        x3 = (1/2)*x2
+        x4 = mass*x3
+        x5 = u**2
+        x6 = math.sin(theta)
+        x7 = x6**2
+        x8 = height**2/transition**2
+        x9 = x7*x8
+        x10 = math.exp(-x9)
+        x11 = 1 - x10
+        x12 = -edge_distance + half_width
+        x13 = s*x12
+        x14 = x11*x13
+        x15 = mass*u
+        x16 = x15*x2
+        x17 = x12**2
+        x18 = math.cos(theta)
+        x19 = x10*x18
+        x20 = 2*x13*x6*x8
+        x21 = mass*x1
+        x22 = x0*x18
+        x23 = x10*x20
+        x24 = x2*x23
+        x25 = x18**2
+        x26 = 2*x9
+        x27 = x19*x26
+        x28 = mass*x17*x2
+        x29 = 4*height**4*x28*x7*math.exp(-x26)/transition**4
+        x30 = gravity*x6
+        x31 = eccentricity - x14
+        out[0] = (
+            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x24*x25 +
+            x11**2*x17*x4 + x11*x27*x28 - x13*x16*x27 - x14*x16 - x18**3*x29 - x19*x20*x21 +
+            x21*x23*x25 - x22*x24 + x25*x29 + x4*x5
+        )
+        out[1] = gravity*x22 + mass*x14*x30 - x15*x30
+        out[2] = (
+            (1/2)*stiffness*x5 + (1/2)*(initial_force + tendon_stiffness*(-anchor_depth -
+            anchor_height - permanent_extension + math.sqrt((anchor_depth + anchor_height*x18 -
+            x31*x6)**2 + (anchor_height*x6 - eccentricity + x14 +
+            x18*x31)**2)))**2/tendon_stiffness
+        )
+    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
+        s = 1.0 if contact == RIGHT_SLACK else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[3]
+        u_dot = y[4]
+        mass = p[0]
+        inertia = p[1]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        stiffness = p[13]
+        gravity = p[15]
+        x0 = centroid_height*mass
+        x1 = theta_dot*u_dot
+        x2 = theta_dot**2
+        x3 = (1/2)*x2
+        x4 = mass*x3
+        x5 = u**2
+        x6 = math.sin(theta)
+        x7 = x6**2
+        x8 = height**2/transition**2
+        x9 = x7*x8
+        x10 = math.exp(-x9)
+        x11 = 1 - x10
+        x12 = x11*x2
+        x13 = mass*u
+        x14 = -edge_distance + half_width
+        x15 = s*x14
+        x16 = x13*x15
+        x17 = x14**2
+        x18 = math.cos(theta)
+        x19 = x10*x18
+        x20 = 2*x6*x8
+        x21 = mass*x15
+        x22 = x1*x21
+        x23 = x0*x18
+        x24 = x10*x20
+        x25 = x15*x2*x24
+        x26 = x18**2
+        x27 = 2*x9
+        x28 = x19*x27
+        x29 = mass*x17
+        x30 = 4*height**4*x2*x29*x7*math.exp(-x27)/transition**4
+        x31 = gravity*x6
+        out[0] = (
+            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x25*x26 +
+            x11**2*x17*x4 - x12*x16 + x12*x28*x29 - x16*x2*x28 - x18**3*x30 - x19*x20*x22 +
+            x22*x24*x26 - x23*x25 + x26*x30 + x4*x5
+        )
+        out[1] = gravity*x23 + x11*x21*x31 - x13*x31
+        out[2] = (1/2)*stiffness*x5
+    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
+        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[3]
+        u_dot = y[4]
+        mass = p[0]
+        inertia = p[1]
+        centroid_height = p[2]
+        height = p[3]
+        half_width = p[4]
+        edge_distance = p[5]
+        transition = p[6]
+        tendon_stiffness = p[9]
+        yield_force = p[11]
+        stiffness = p[13]
+        gravity = p[15]
+        x0 = centroid_height*mass
+        x1 = theta_dot*u_dot
+        x2 = theta_dot**2
+        x3 = (1/2)*x2
+        x4 = mass*x3
+        x5 = u**2
+        x6 = math.sin(theta)
+        x7 = x6**2
+        x8 = height**2/transition**2
+        x9 = x7*x8
+        x10 = math.exp(-x9)
+        x11 = 1 - x10
+        x12 = x11*x2
+        x13 = mass*u
+        x14 = -edge_distance + half_width
+        x15 = s*x14
+        x16 = x13*x15
+        x17 = x14**2
+        x18 = math.cos(theta)
+        x19 = x10*x18
+        x20 = 2*x6*x8
+        x21 = mass*x15
+        x22 = x1*x21
+        x23 = x0*x18
+        x24 = x10*x20
+        x25 = x15*x2*x24
+        x26 = x18**2
+        x27 = 2*x9
+        x28 = x19*x27
+        x29 = mass*x17
+        x30 = 4*height**4*x2*x29*x7*math.exp(-x27)/transition**4
+        x31 = gravity*x6
+        out[0] = (
+            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x25*x26 +
+            x11**2*x17*x4 - x12*x16 + x12*x28*x29 - x16*x2*x28 - x18**3*x30 - x19*x20*x22 +
+            x22*x24*x26 - x23*x25 + x26*x30 + x4*x5
+        )
+        out[1] = gravity*x23 + x11*x21*x31 - x13*x31
+        out[2] = (1/2)*stiffness*x5 + (1/2)*yield_force**2/tendon_stiffness
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     s = SIDES[contact]
     theta = y[0]
     u = y[1]
@@ -1350,76 +1359,6 @@ def statics(contact, y, p, load, out):
         out[2] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
-
-
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    s = SIDES[contact]
-    theta = y[0]
-    u = y[1]
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    edge_distance = p[5]
-    transition = p[6]
-    x0 = math.sin(theta)
-    x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
-    x2 = math.cos(theta)
-    x3 = u - x1
-    x4 = x1 + x2*x3
-    x5 = -x0*x3
-    x6 = -half_width - x1
-    x7 = half_width - x1
-    out[0] = centroid_height*x0 + x4
-    out[1] = centroid_height*x2 + x5
-    out[2] = theta
-    out[3] = x1 + x2*x6
-    out[4] = -x0*x6
-    out[5] = 0
-    out[6] = x1 + x2*x7
-    out[7] = -x0*x7
-    out[8] = 0
-    out[9] = height*x0 + x4
-    out[10] = height*x2 + x5
-    out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    anchor_height = p[7]
-    anchor_depth = p[8]
-    eccentricity = p[12]
-    x0 = -half_width
-    x1 = -centroid_height
-    x2 = -centroid_height + max(anchor_height, height)
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = x2
-    out[6] = x0
-    out[7] = x2
-    out[8] = eccentricity
-    out[9] = -anchor_depth
-    out[10] = eccentricity
-    out[11] = anchor_height + x1
-
-
 def masses(contact, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
@@ -1431,8 +1370,8 @@ def masses(contact, y, p, out):
 
 
 def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
     if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
         s = SIDES[contact]
@@ -1524,6 +1463,38 @@ def powers(contact, y, p, ax, ay, out):
             x24**2)
         )
         out[2] = 0
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    s = SIDES[contact]
+    theta = y[0]
+    u = y[1]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    x0 = math.sin(theta)
+    x1 = s*(1 - math.exp(-height**2*x0**2/transition**2))*(-edge_distance + half_width)
+    x2 = math.cos(theta)
+    x3 = u - x1
+    x4 = x1 + x2*x3
+    x5 = -x0*x3
+    x6 = -half_width - x1
+    x7 = half_width - x1
+    out[0] = centroid_height*x0 + x4
+    out[1] = centroid_height*x2 + x5
+    out[2] = theta
+    out[3] = x1 + x2*x6
+    out[4] = -x0*x6
+    out[5] = 0
+    out[6] = x1 + x2*x7
+    out[7] = -x0*x7
+    out[8] = 0
+    out[9] = height*x0 + x4
+    out[10] = height*x2 + x5
+    out[11] = 0
 
 
 def elements(contact, y, p, out):
@@ -1644,6 +1615,35 @@ def elements(contact, y, p, out):
         out[5] = damping*u_dot + stiffness*u
         out[6] = (1/2)*stiffness*u**2
         out[7] = damping*u_dot**2
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    eccentricity = p[12]
+    x0 = -half_width
+    x1 = -centroid_height
+    x2 = -centroid_height + max(anchor_height, height)
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = x2
+    out[6] = x0
+    out[7] = x2
+    out[8] = eccentricity
+    out[9] = -anchor_depth
+    out[10] = eccentricity
+    out[11] = anchor_height + x1
 
 
 def overturning(p):

@@ -20,16 +20,16 @@ Operations before and after common subexpressions were shared:
     accelerations             59    54
     guards                    13    10
     impulse                   23    21
-    energies                  91    62
     reactions                291   137
+    energies                  91    62
     kinematics                20    15
     momentum                  61    39
     statics                   45    35
-    positions                 71    30
-    shapes                     4     2
     masses                     0     0
     powers                    70    53
+    positions                 71    30
     elements                  16    16
+    shapes                     4     2
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "fb5b14a871e428da"
+SOURCE_HASH = "f46c513cca26f5d5"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -77,31 +77,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("superstructure", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+ELEMENT_NAMES = ("column",)
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("cantilever",)
+MEMBER_ENDS = ("base", "superstructure",)
+COPIES = ()
+
+N_STATES = 4
+ROTATION = 0
+ROTATION_RATE = 2
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("superstructure", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
-CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("cantilever",)
-MEMBER_ENDS = ("base", "superstructure",)
-COPIES = ()
-ELEMENT_NAMES = ("column",)
-
-N_STATES = 4
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 2
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -123,7 +123,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = 1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = 1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -339,53 +339,23 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
-        half_width = p[6]
-        gravity = p[7]
-        stiffness = p[8]
-        x0 = height*mass
-        x1 = theta_dot**2
-        x2 = (1/2)*x1
-        x3 = base_mass*x2
-        x4 = half_width**2
-        x5 = mass*x2
-        x6 = u**2
-        x7 = mass*u
-        x8 = half_width*s
-        x9 = gravity*math.cos(theta)
-        x10 = gravity*math.sin(theta)
-        x11 = x10*x8
-        out[0] = (
-            base_height**2*x3 + base_inertia*x2 + height**2*x5 + inertia*x2 +
-            (1/2)*mass*u_dot**2 + theta_dot*u_dot*x0 - x1*x7*x8 + x3*x4 + x4*x5 + x5*x6
-        )
-        out[1] = base_height*base_mass*x9 + base_mass*x11 + mass*x11 + x0*x9 - x10*x7
-        out[2] = (1/2)*stiffness*x6
-    elif contact == BOTH:
-        u = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        gravity = p[7]
-        stiffness = p[8]
-        out[0] = (1/2)*mass*u_dot**2
-        out[1] = base_height*base_mass*gravity + gravity*height*mass
-        out[2] = (1/2)*stiffness*u**2
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    u = y[1]
+    u_dot = y[3]
+    c3 = p[13]  # base_height*base_mass
+    c4 = p[14]  # damping*height
+    c14 = p[24]  # gravity*mass + height*stiffness
+    c15 = p[25]  # base_mass*gravity*half_width + gravity*half_width*mass
+    x0 = c14*u
+    x1 = c4*u_dot
+    x2 = ax*c3
+    g[0] = c15 + x0 + x1 - x2
+    g[1] = c15 - x0 - x1 + x2
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -461,8 +431,57 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x12*(x11 - x3 - x4 - x5 + x7 + x8)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        inertia = p[2]
+        base_mass = p[3]
+        base_height = p[4]
+        base_inertia = p[5]
+        half_width = p[6]
+        gravity = p[7]
+        stiffness = p[8]
+        x0 = height*mass
+        x1 = theta_dot**2
+        x2 = (1/2)*x1
+        x3 = base_mass*x2
+        x4 = half_width**2
+        x5 = mass*x2
+        x6 = u**2
+        x7 = mass*u
+        x8 = half_width*s
+        x9 = gravity*math.cos(theta)
+        x10 = gravity*math.sin(theta)
+        x11 = x10*x8
+        out[0] = (
+            base_height**2*x3 + base_inertia*x2 + height**2*x5 + inertia*x2 +
+            (1/2)*mass*u_dot**2 + theta_dot*u_dot*x0 - x1*x7*x8 + x3*x4 + x4*x5 + x5*x6
+        )
+        out[1] = base_height*base_mass*x9 + base_mass*x11 + mass*x11 + x0*x9 - x10*x7
+        out[2] = (1/2)*stiffness*x6
+    elif contact == BOTH:
+        u = y[1]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        gravity = p[7]
+        stiffness = p[8]
+        out[0] = (1/2)*mass*u_dot**2
+        out[1] = base_height*base_mass*gravity + gravity*height*mass
+        out[2] = (1/2)*stiffness*u**2
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -545,23 +564,56 @@ def statics(contact, y, p, load, out):
         out[1] = -load + stiffness*u
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[2]
+    base_mass = p[3]
+    base_inertia = p[5]
+    gravity = p[7]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = base_mass
+    out[3] = base_inertia
+    out[4] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    u = y[1]
-    u_dot = y[3]
-    c3 = p[13]  # base_height*base_mass
-    c4 = p[14]  # damping*height
-    c14 = p[24]  # gravity*mass + height*stiffness
-    c15 = p[25]  # base_mass*gravity*half_width + gravity*half_width*mass
-    x0 = c14*u
-    x1 = c4*u_dot
-    x2 = ax*c3
-    g[0] = c15 + x0 + x1 - x2
-    g[1] = c15 - x0 - x1 + x2
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        damping = p[9]
+        x0 = math.cos(theta)
+        x1 = mass*x0
+        x2 = ax*x1
+        x3 = math.sin(theta)
+        x4 = half_width*s
+        x5 = base_mass*x4
+        out[0] = (
+            theta_dot*(-ax*base_height*base_mass*x0 + ax*mass*u*x3 - ax*mass*x3*x4 - ax*x3*x5 +
+            ay*base_height*base_mass*x3 + ay*height*mass*x3 + ay*mass*u*x0 - ay*x0*x5 - ay*x1*x4
+            - height*x2) + u_dot*(ay*mass*x3 - x2)
+        )
+        out[1] = damping*u_dot**2
+        out[2] = 0
+    elif contact == BOTH:
+        u_dot = y[3]
+        mass = p[0]
+        damping = p[9]
+        out[0] = -ax*mass*u_dot
+        out[1] = damping*u_dot**2
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -618,6 +670,21 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    u = y[1]
+    u_dot = y[3]
+    stiffness = p[8]
+    damping = p[9]
+    out[0] = u
+    out[1] = damping*u_dot + stiffness*u
+    out[2] = (1/2)*stiffness*u**2
+    out[3] = damping*u_dot**2
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -640,73 +707,6 @@ def shapes(p, out):
     out[9] = base_height
     out[10] = 0
     out[11] = 0
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    inertia = p[2]
-    base_mass = p[3]
-    base_inertia = p[5]
-    gravity = p[7]
-    out[0] = mass
-    out[1] = inertia
-    out[2] = base_mass
-    out[3] = base_inertia
-    out[4] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        damping = p[9]
-        x0 = math.cos(theta)
-        x1 = mass*x0
-        x2 = ax*x1
-        x3 = math.sin(theta)
-        x4 = half_width*s
-        x5 = base_mass*x4
-        out[0] = (
-            theta_dot*(-ax*base_height*base_mass*x0 + ax*mass*u*x3 - ax*mass*x3*x4 - ax*x3*x5 +
-            ay*base_height*base_mass*x3 + ay*height*mass*x3 + ay*mass*u*x0 - ay*x0*x5 - ay*x1*x4
-            - height*x2) + u_dot*(ay*mass*x3 - x2)
-        )
-        out[1] = damping*u_dot**2
-        out[2] = 0
-    elif contact == BOTH:
-        u_dot = y[3]
-        mass = p[0]
-        damping = p[9]
-        out[0] = -ax*mass*u_dot
-        out[1] = damping*u_dot**2
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    u = y[1]
-    u_dot = y[3]
-    stiffness = p[8]
-    damping = p[9]
-    out[0] = u
-    out[1] = damping*u_dot + stiffness*u
-    out[2] = (1/2)*stiffness*u**2
-    out[3] = damping*u_dot**2
 
 
 def overturning(p):

@@ -18,16 +18,16 @@ Operations before and after common subexpressions were shared:
     accelerations             12    11
     guards                     1     1
     impulse                   11    11
-    energies                  57    38
     reactions                208    92
+    energies                  57    38
     kinematics                19    14
     momentum                  42    28
     statics                   29    24
-    positions                 67    26
-    shapes                     4     2
     masses                     0     0
     powers                    44    30
+    positions                 67    26
     elements                   0     0
+    shapes                     4     2
     overturning                1     1
     velocity_ratio            28    18
     sizes                      1     1
@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "32f02a309fb12de5"
+SOURCE_HASH = "ec4eb9d5065ecec7"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"
@@ -71,31 +71,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("superstructure", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("rod",)
+MEMBER_ENDS = ("base", "superstructure",)
+COPIES = ()
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("superstructure", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
-CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("rod",)
-MEMBER_ENDS = ("base", "superstructure",)
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -117,7 +117,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -285,38 +285,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        mass = p[0]
-        height = p[1]
-        inertia = p[2]
-        base_mass = p[3]
-        base_height = p[4]
-        base_inertia = p[5]
-        half_width = p[6]
-        gravity = p[7]
-        x0 = (1/2)*theta_dot**2
-        x1 = base_mass*x0
-        x2 = half_width**2
-        x3 = mass*x0
-        x4 = gravity*math.cos(theta)
-        x5 = gravity*half_width*s*math.sin(theta)
-        out[0] = base_height**2*x1 + base_inertia*x0 + height**2*x3 + inertia*x0 + x1*x2 + x2*x3
-        out[1] = base_height*base_mass*x4 + base_mass*x5 + height*mass*x4 + mass*x5
-        out[2] = 0
-    elif contact == BOTH:
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        gravity = p[7]
-        out[0] = 0
-        out[1] = base_height*base_mass*gravity + gravity*height*mass
-        out[2] = 0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -376,8 +351,42 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x7*(-x2 - x3 + x6)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        height = p[1]
+        inertia = p[2]
+        base_mass = p[3]
+        base_height = p[4]
+        base_inertia = p[5]
+        half_width = p[6]
+        gravity = p[7]
+        x0 = (1/2)*theta_dot**2
+        x1 = base_mass*x0
+        x2 = half_width**2
+        x3 = mass*x0
+        x4 = gravity*math.cos(theta)
+        x5 = gravity*half_width*s*math.sin(theta)
+        out[0] = base_height**2*x1 + base_inertia*x0 + height**2*x3 + inertia*x0 + x1*x2 + x2*x3
+        out[1] = base_height*base_mass*x4 + base_mass*x5 + height*mass*x4 + mass*x5
+        out[2] = 0
+    elif contact == BOTH:
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        gravity = p[7]
+        out[0] = 0
+        out[1] = base_height*base_mass*gravity + gravity*height*mass
+        out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -442,13 +451,51 @@ def statics(contact, y, p, load, out):
         out[0] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[2]
+    base_mass = p[3]
+    base_inertia = p[5]
+    gravity = p[7]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = base_mass
+    out[3] = base_inertia
+    out[4] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = half_width*s
+        x4 = base_mass*x3
+        x5 = ax*x2
+        x6 = mass*x3
+        x7 = ay*x0
+        out[0] = (
+            theta_dot*(ay*base_height*base_mass*x2 + ay*height*mass*x2 -
+            base_height*base_mass*x1 - height*mass*x1 - x4*x5 - x4*x7 - x5*x6 - x6*x7)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -504,6 +551,14 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -526,61 +581,6 @@ def shapes(p, out):
     out[9] = base_height
     out[10] = 0
     out[11] = 0
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    inertia = p[2]
-    base_mass = p[3]
-    base_inertia = p[5]
-    gravity = p[7]
-    out[0] = mass
-    out[1] = inertia
-    out[2] = base_mass
-    out[3] = base_inertia
-    out[4] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        x0 = math.cos(theta)
-        x1 = ax*x0
-        x2 = math.sin(theta)
-        x3 = half_width*s
-        x4 = base_mass*x3
-        x5 = ax*x2
-        x6 = mass*x3
-        x7 = ay*x0
-        out[0] = (
-            theta_dot*(ay*base_height*base_mass*x2 + ay*height*mass*x2 -
-            base_height*base_mass*x1 - height*mass*x1 - x4*x5 - x4*x7 - x5*x6 - x6*x7)
-        )
-        out[1] = 0
-        out[2] = 0
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

@@ -12,16 +12,16 @@ Operations before and after common subexpressions were shared:
     accelerations             12    11
     guards                     1     1
     impulse                    2     2
-    energies                  19    18
     reactions                142    58
+    energies                  19    18
     kinematics                37    19
     momentum                  32    16
     statics                   30    20
-    positions                114    31
-    shapes                    20     6
     masses                     4     4
     powers                    34    24
+    positions                114    31
     elements                   0     0
+    shapes                    20     6
     overturning                2     2
     velocity_ratio             5     5
     sizes                      5     5
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "6ebdffb74d7ac03e"
+SOURCE_HASH = "4821fe47fe37e4ac"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -51,31 +51,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("alpha", "radius_ratio",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("block", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("block", "block", "block", "block",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -97,7 +97,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -258,27 +258,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        x = y[0]
-        x_dot = y[1]
-        alpha = p[0]
-        radius_ratio = p[1]
-        x0 = alpha*x
-        out[0] = (1/2)*alpha**2*radius_ratio*x_dot**2
-        out[1] = (
-            radius_ratio*s*math.sin(alpha)*math.sin(x0) +
-            radius_ratio*math.cos(alpha)*math.cos(x0)
-        )
-        out[2] = 0
-    elif contact == BOTH:
-        alpha = p[0]
-        radius_ratio = p[1]
-        out[0] = 0
-        out[1] = radius_ratio*math.cos(alpha)
-        out[2] = 0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -320,8 +306,31 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x3*(-x0 + x2)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        radius_ratio = p[1]
+        x0 = alpha*x
+        out[0] = (1/2)*alpha**2*radius_ratio*x_dot**2
+        out[1] = (
+            radius_ratio*s*math.sin(alpha)*math.sin(x0) +
+            radius_ratio*math.cos(alpha)*math.cos(x0)
+        )
+        out[2] = 0
+    elif contact == BOTH:
+        alpha = p[0]
+        radius_ratio = p[1]
+        out[0] = 0
+        out[1] = radius_ratio*math.cos(alpha)
+        out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         x = y[0]
@@ -379,13 +388,39 @@ def statics(contact, y, p, load, out):
         out[0] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    radius_ratio = p[1]
+    out[0] = 1
+    out[1] = -radius_ratio**2 + radius_ratio
+    out[2] = 1
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        x = y[0]
+        x_dot = y[1]
+        alpha = p[0]
+        radius_ratio = p[1]
+        x0 = alpha*x
+        x1 = math.cos(x0)
+        x2 = math.cos(alpha)
+        x3 = math.sin(x0)
+        x4 = alpha*radius_ratio*s*math.sin(alpha)
+        out[0] = (
+            x_dot*(-alpha*ax*radius_ratio*x1*x2 + alpha*ay*radius_ratio*x2*x3 - ax*x3*x4 -
+            ay*x1*x4)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -436,6 +471,14 @@ def positions(contact, y, p, out):
         out[11] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -456,49 +499,6 @@ def shapes(p, out):
     out[5] = x2
     out[6] = x1
     out[7] = x2
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    radius_ratio = p[1]
-    out[0] = 1
-    out[1] = -radius_ratio**2 + radius_ratio
-    out[2] = 1
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        x = y[0]
-        x_dot = y[1]
-        alpha = p[0]
-        radius_ratio = p[1]
-        x0 = alpha*x
-        x1 = math.cos(x0)
-        x2 = math.cos(alpha)
-        x3 = math.sin(x0)
-        x4 = alpha*radius_ratio*s*math.sin(alpha)
-        out[0] = (
-            x_dot*(-alpha*ax*radius_ratio*x1*x2 + alpha*ay*radius_ratio*x2*x3 - ax*x3*x4 -
-            ay*x1*x4)
-        )
-        out[1] = 0
-        out[2] = 0
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

@@ -15,16 +15,16 @@ Operations before and after common subexpressions were shared:
     accelerations             12    11
     guards                     1     1
     impulse                    5     5
-    energies                  27    21
     reactions                106    52
+    energies                  27    21
     kinematics                19    14
     momentum                  20    12
     statics                   18    16
-    positions                 53    22
-    shapes                     4     2
     masses                     0     0
     powers                    22    18
+    positions                 53    22
     elements                   0     0
+    shapes                     4     2
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "8d795a5c416b551a"
+SOURCE_HASH = "22761c89628fbe82"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"
@@ -56,31 +56,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("block", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("block", "block", "block", "block",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -102,7 +102,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -265,30 +265,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        mass = p[0]
-        half_width = p[1]
-        height = p[2]
-        inertia = p[3]
-        gravity = p[4]
-        x0 = (1/2)*theta_dot**2
-        x1 = mass*x0
-        x2 = gravity*mass
-        out[0] = half_width**2*x1 + height**2*x1 + inertia*x0
-        out[1] = half_width*s*x2*math.sin(theta) + height*x2*math.cos(theta)
-        out[2] = 0
-    elif contact == BOTH:
-        mass = p[0]
-        height = p[2]
-        gravity = p[4]
-        out[0] = 0
-        out[1] = gravity*height*mass
-        out[2] = 0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -333,8 +316,34 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x4*(-x1 + x3)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        inertia = p[3]
+        gravity = p[4]
+        x0 = (1/2)*theta_dot**2
+        x1 = mass*x0
+        x2 = gravity*mass
+        out[0] = half_width**2*x1 + height**2*x1 + inertia*x0
+        out[1] = half_width*s*x2*math.sin(theta) + height*x2*math.cos(theta)
+        out[2] = 0
+    elif contact == BOTH:
+        mass = p[0]
+        height = p[2]
+        gravity = p[4]
+        out[0] = 0
+        out[1] = gravity*height*mass
+        out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -391,13 +400,37 @@ def statics(contact, y, p, load, out):
         out[0] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    gravity = p[4]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = half_width*mass*s
+        out[0] = theta_dot*(-ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1 - ay*x0*x2)
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -443,6 +476,14 @@ def positions(contact, y, p, out):
         out[11] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -461,47 +502,6 @@ def shapes(p, out):
     out[5] = height
     out[6] = x0
     out[7] = height
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    inertia = p[3]
-    gravity = p[4]
-    out[0] = mass
-    out[1] = inertia
-    out[2] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        mass = p[0]
-        half_width = p[1]
-        height = p[2]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = half_width*mass*s
-        out[0] = theta_dot*(-ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1 - ay*x0*x2)
-        out[1] = 0
-        out[2] = 0
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

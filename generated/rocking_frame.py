@@ -16,16 +16,16 @@ Operations before and after common subexpressions were shared:
     accelerations             12    11
     guards                     1     1
     impulse                    7     7
-    energies                  59    36
     reactions                250    99
+    energies                  59    36
     kinematics                22    16
     momentum                  50    32
     statics                   35    29
-    positions                 79    31
-    shapes                    48    13
     masses                    14    12
     powers                    52    35
+    positions                 79    31
     elements                   0     0
+    shapes                    48    13
     overturning                1     1
     velocity_ratio            26    21
     sizes                      1     1
@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "4ad52f81c8c07245"
+SOURCE_HASH = "91a188b9dd4b6193"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"
@@ -58,31 +58,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("beam", "columns", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("beam", "beam", "beam", "beam", "columns", "columns", "columns", "columns",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ("columns",)
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("beam", "columns", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
-CORNERS = ("beam", "beam", "beam", "beam", "columns", "columns", "columns", "columns",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ("columns",)
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -104,7 +104,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -268,41 +268,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        columns = p[0]
-        column_mass = p[1]
-        half_width = p[2]
-        half_height = p[3]
-        beam_mass = p[4]
-        gravity = p[5]
-        x0 = theta_dot**2
-        x1 = half_height**2*x0
-        x2 = 2*beam_mass
-        x3 = half_width**2*x0
-        x4 = column_mass*columns
-        x5 = (2/3)*x4
-        x6 = gravity*x2
-        x7 = half_height*math.cos(theta)
-        x8 = gravity*x4
-        x9 = half_width*s*math.sin(theta)
-        out[0] = x1*x2 + x1*x5 + x2*x3 + x3*x5
-        out[1] = x6*x7 + x6*x9 + x7*x8 + x8*x9
-        out[2] = 0
-    elif contact == BOTH:
-        columns = p[0]
-        column_mass = p[1]
-        half_height = p[3]
-        beam_mass = p[4]
-        gravity = p[5]
-        x0 = gravity*half_height
-        out[0] = 0
-        out[1] = 2*beam_mass*x0 + column_mass*columns*x0
-        out[2] = 0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -368,8 +340,45 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x9*(-x3 - x4 + x8)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        columns = p[0]
+        column_mass = p[1]
+        half_width = p[2]
+        half_height = p[3]
+        beam_mass = p[4]
+        gravity = p[5]
+        x0 = theta_dot**2
+        x1 = half_height**2*x0
+        x2 = 2*beam_mass
+        x3 = half_width**2*x0
+        x4 = column_mass*columns
+        x5 = (2/3)*x4
+        x6 = gravity*x2
+        x7 = half_height*math.cos(theta)
+        x8 = gravity*x4
+        x9 = half_width*s*math.sin(theta)
+        out[0] = x1*x2 + x1*x5 + x2*x3 + x3*x5
+        out[1] = x6*x7 + x6*x9 + x7*x8 + x8*x9
+        out[2] = 0
+    elif contact == BOTH:
+        columns = p[0]
+        column_mass = p[1]
+        half_height = p[3]
+        beam_mass = p[4]
+        gravity = p[5]
+        x0 = gravity*half_height
+        out[0] = 0
+        out[1] = 2*beam_mass*x0 + column_mass*columns*x0
+        out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -440,13 +449,54 @@ def statics(contact, y, p, load, out):
         out[0] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    columns = p[0]
+    column_mass = p[1]
+    half_width = p[2]
+    half_height = p[3]
+    beam_mass = p[4]
+    gravity = p[5]
+    x0 = column_mass*columns
+    out[0] = beam_mass
+    out[1] = 0
+    out[2] = x0
+    out[3] = (1/3)*x0*(half_height**2 + half_width**2)
+    out[4] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        columns = p[0]
+        column_mass = p[1]
+        half_width = p[2]
+        half_height = p[3]
+        beam_mass = p[4]
+        x0 = math.cos(theta)
+        x1 = ax*x0
+        x2 = math.sin(theta)
+        x3 = column_mass*columns
+        x4 = half_width*s
+        x5 = 2*beam_mass*x4
+        x6 = ax*x2
+        x7 = ay*x0
+        x8 = x3*x4
+        out[0] = (
+            theta_dot*(2*ay*beam_mass*half_height*x2 + ay*column_mass*columns*half_height*x2 -
+            2*beam_mass*half_height*x1 - half_height*x1*x3 - x5*x6 - x5*x7 - x6*x8 - x7*x8)
+        )
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -502,6 +552,14 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -535,64 +593,6 @@ def shapes(p, out):
     out[15] = half_height
     out[16] = columns
     out[17] = x0
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    columns = p[0]
-    column_mass = p[1]
-    half_width = p[2]
-    half_height = p[3]
-    beam_mass = p[4]
-    gravity = p[5]
-    x0 = column_mass*columns
-    out[0] = beam_mass
-    out[1] = 0
-    out[2] = x0
-    out[3] = (1/3)*x0*(half_height**2 + half_width**2)
-    out[4] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        columns = p[0]
-        column_mass = p[1]
-        half_width = p[2]
-        half_height = p[3]
-        beam_mass = p[4]
-        x0 = math.cos(theta)
-        x1 = ax*x0
-        x2 = math.sin(theta)
-        x3 = column_mass*columns
-        x4 = half_width*s
-        x5 = 2*beam_mass*x4
-        x6 = ax*x2
-        x7 = ay*x0
-        x8 = x3*x4
-        out[0] = (
-            theta_dot*(2*ay*beam_mass*half_height*x2 + ay*column_mass*columns*half_height*x2 -
-            2*beam_mass*half_height*x1 - half_height*x1*x3 - x5*x6 - x5*x7 - x6*x8 - x7*x8)
-        )
-        out[1] = 0
-        out[2] = 0
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

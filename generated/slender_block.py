@@ -15,16 +15,16 @@ Operations before and after common subexpressions were shared:
     accelerations              6     6
     guards                     1     1
     impulse                    5     5
-    energies                  37    32
     reactions                 61    35
+    energies                  37    32
     kinematics                13     5
     momentum                  28    15
     statics                   10    10
-    positions                101    30
-    shapes                    20     6
     masses                     0     0
     powers                    12    11
+    positions                101    30
     elements                   0     0
+    shapes                    20     6
     overturning                1     1
     velocity_ratio            14    10
     sizes                      3     3
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "e36cb45a4bcd9ac3"
+SOURCE_HASH = "d02b404fa9934f76"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -56,31 +56,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("radius", "alpha",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("block", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("block", "block", "block", "block",)
+MEMBERS = ()
+MEMBER_ENDS = ()
+COPIES = ()
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("block", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("block", "block", "block", "block",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -102,7 +102,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -263,32 +263,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        mass = p[0]
-        radius = p[1]
-        alpha = p[2]
-        inertia = p[3]
-        gravity = p[4]
-        x0 = (1/2)*theta_dot**2
-        x1 = (1/2)*gravity*mass*radius
-        out[0] = inertia*x0 + mass*radius**2*x0
-        out[1] = (
-            -alpha**2*x1 + alpha*gravity*mass*radius*s*theta + gravity*mass*radius - theta**2*x1
-        )
-        out[2] = 0
-    elif contact == BOTH:
-        mass = p[0]
-        radius = p[1]
-        alpha = p[2]
-        gravity = p[4]
-        out[0] = 0
-        out[1] = -1/2*alpha**2*gravity*mass*radius + gravity*mass*radius
-        out[2] = 0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -325,8 +306,36 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x3*(-x0 + x2)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        radius = p[1]
+        alpha = p[2]
+        inertia = p[3]
+        gravity = p[4]
+        x0 = (1/2)*theta_dot**2
+        x1 = (1/2)*gravity*mass*radius
+        out[0] = inertia*x0 + mass*radius**2*x0
+        out[1] = (
+            -alpha**2*x1 + alpha*gravity*mass*radius*s*theta + gravity*mass*radius - theta**2*x1
+        )
+        out[2] = 0
+    elif contact == BOTH:
+        mass = p[0]
+        radius = p[1]
+        alpha = p[2]
+        gravity = p[4]
+        out[0] = 0
+        out[1] = -1/2*alpha**2*gravity*mass*radius + gravity*mass*radius
+        out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -379,13 +388,35 @@ def statics(contact, y, p, load, out):
         out[0] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    gravity = p[4]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[1]
+        mass = p[0]
+        radius = p[1]
+        alpha = p[2]
+        x0 = mass*radius
+        out[0] = theta_dot*(-alpha*ay*s*x0 - ax*x0 + ay*mass*radius*theta)
+        out[1] = 0
+        out[2] = 0
+    elif contact == BOTH:
+        out[0] = 0
+        out[1] = 0
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -435,6 +466,14 @@ def positions(contact, y, p, out):
         out[11] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -455,45 +494,6 @@ def shapes(p, out):
     out[5] = x2
     out[6] = x1
     out[7] = x2
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    inertia = p[3]
-    gravity = p[4]
-    out[0] = mass
-    out[1] = inertia
-    out[2] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[1]
-        mass = p[0]
-        radius = p[1]
-        alpha = p[2]
-        x0 = mass*radius
-        out[0] = theta_dot*(-alpha*ay*s*x0 - ax*x0 + ay*mass*radius*theta)
-        out[1] = 0
-        out[2] = 0
-    elif contact == BOTH:
-        out[0] = 0
-        out[1] = 0
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

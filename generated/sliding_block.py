@@ -20,16 +20,16 @@ Operations before and after common subexpressions were shared:
     free_motion               47    29
     points                    50    19
     point_laws                 0     0
-    energies                  36    29
     reactions                 33    30
+    energies                  36    29
     kinematics                17    12
     momentum                  12    10
     statics                   11    10
-    positions                 24    12
-    shapes                     4     2
     masses                     0     0
     powers                    16    15
+    positions                 24    12
     elements                   0     0
+    shapes                     4     2
     overturning                1     1
     velocity_ratio             0     0
     sizes                      4     2
@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "b299571ead86e00b"
+SOURCE_HASH = "33ca29a1bb939733"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -77,8 +77,6 @@ CONTACTS = (
     "right_slides_left",
     "flight",
 )
-TRANSITIONS = ()
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = (
     "horizontal_reaction",
     "left_reaction",
@@ -86,25 +84,27 @@ REACTIONS = (
     "left_friction",
     "right_friction",
 )
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift", "left_slip", "right_slip",)
 POSITIONS = ("block", "left", "right", "load",)
 POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
 CORNERS = ("block", "block", "block", "block",)
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
-ELEMENT_NAMES = ()
-POINTS = ("left", "right",)
-ELEMENTS = ()
 
 N_STATES = 6
+ROTATION = 2
+ROTATION_RATE = 5
+N_FALLS = 0
+POINTS = ("left", "right",)
+ELEMENTS = ()
 N_GUARDS = 4
 N_PARTS = 0
 N_POINTS = 2
 N_ELEMENTS = 0
-ROTATION = 2
-ROTATION_RATE = 5
-N_FALLS = 0
+TRANSITIONS = ()
 SIDES = (
     0.0,  # both
     0.0,  # both_slides_right
@@ -189,8 +189,8 @@ MECHANISMS = (
     3,  # right_slides_left
     4,  # flight
 )
-QUICK = ((2, 2),)  # mechanisms with a step of their own, and the coordinate that the others follow
-IMAGES = (  # the side s with which its mechanism is written
+QUICK = ((2, 2),)  # derived with a step of their own, and the coordinate that the others follow
+IMAGES = (  # the side s with which its mode is written
     1.0,  # both
     1.0,  # both_slides_right
     1.0,  # both_slides_left
@@ -275,7 +275,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # flight
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH = 0
@@ -794,30 +794,6 @@ def point_laws(p, out):
     out[3] = friction
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    y_ = y[1]
-    theta = y[2]
-    x_dot = y[3]
-    y_dot = y[4]
-    theta_dot = y[5]
-    mass = p[0]
-    height = p[2]
-    inertia = p[3]
-    gravity = p[4]
-    x0 = (1/2)*theta_dot**2
-    x1 = (1/2)*mass
-    x2 = height*math.cos(theta)
-    x3 = mass*theta_dot
-    x4 = gravity*mass
-    out[0] = (
-        height**2*mass*x0 - height*x3*y_dot*math.sin(theta) + inertia*x0 + x1*x_dot**2 +
-        x1*y_dot**2 + x2*x3*x_dot
-    )
-    out[1] = x2*x4 + x4*y_
-    out[2] = 0
-
-
 def reactions(contact, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
@@ -930,8 +906,32 @@ def reactions(contact, y, p, ax, ay, out):
         out[4] = 0
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    y_ = y[1]
+    theta = y[2]
+    x_dot = y[3]
+    y_dot = y[4]
+    theta_dot = y[5]
+    mass = p[0]
+    height = p[2]
+    inertia = p[3]
+    gravity = p[4]
+    x0 = (1/2)*theta_dot**2
+    x1 = (1/2)*mass
+    x2 = height*math.cos(theta)
+    x3 = mass*theta_dot
+    x4 = gravity*mass
+    out[0] = (
+        height**2*mass*x0 - height*x3*y_dot*math.sin(theta) + inertia*x0 + x1*x_dot**2 +
+        x1*y_dot**2 + x2*x3*x_dot
+    )
+    out[1] = x2*x4 + x4*y_
+    out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point, gap and slip of each point [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     x = y[0]
     y_ = y[1]
     theta = y[2]
@@ -972,6 +972,35 @@ def statics(contact, y, p, load, out):
     out[2] = -height*load*math.cos(theta) - height*x0*math.sin(theta)
 
 
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    gravity = p[4]
+    out[0] = mass
+    out[1] = inertia
+    out[2] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
+    """
+    theta = y[2]
+    x_dot = y[3]
+    y_dot = y[4]
+    theta_dot = y[5]
+    mass = p[0]
+    height = p[2]
+    x0 = ax*mass
+    out[0] = (
+        -ay*mass*y_dot + theta_dot*(ay*height*mass*math.sin(theta) -
+        height*x0*math.cos(theta)) - x0*x_dot
+    )
+    out[1] = 0
+    out[2] = 0
+
+
 def positions(contact, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
     x = y[0]
@@ -999,6 +1028,14 @@ def positions(contact, y, p, out):
     out[11] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -1017,43 +1054,6 @@ def shapes(p, out):
     out[5] = height
     out[6] = x0
     out[7] = height
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    inertia = p[3]
-    gravity = p[4]
-    out[0] = mass
-    out[1] = inertia
-    out[2] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    theta = y[2]
-    x_dot = y[3]
-    y_dot = y[4]
-    theta_dot = y[5]
-    mass = p[0]
-    height = p[2]
-    x0 = ax*mass
-    out[0] = (
-        -ay*mass*y_dot + theta_dot*(ay*height*mass*math.sin(theta) - height*x0*math.cos(theta))
-        - x0*x_dot
-    )
-    out[1] = 0
-    out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

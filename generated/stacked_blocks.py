@@ -23,16 +23,16 @@ Operations before and after common subexpressions were shared:
     free_motion              672   218
     points                   198    57
     point_laws                 0     0
-    energies                 281   150
     reactions                108    81
+    energies                 281   150
     kinematics                45    31
     momentum                  74    50
     statics                   59    37
-    positions                126    53
-    shapes                     8     4
     masses                     0     0
     powers                    84    56
+    positions                126    53
     elements                   0     0
+    shapes                     8     4
     overturning                1     1
     overturns_at               1     1
     velocity_ratio             0     0
@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "7810bb29697c568a"
+SOURCE_HASH = "ba6a4ea080962395"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -118,8 +118,6 @@ CONTACTS = (
     "upper_right",
     "flight",
 )
-TRANSITIONS = ()
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 REACTIONS = (
     "horizontal_reaction",
     "left_reaction",
@@ -131,6 +129,7 @@ REACTIONS = (
     "upper_left_friction",
     "upper_right_friction",
 )
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = (
     "displacement",
     "left_uplift",
@@ -144,23 +143,24 @@ KINEMATICS = (
 )
 POSITIONS = ("lower", "upper", "left", "right", "upper_left", "upper_right", "load",)
 POSITION_KINDS = ("body", "body", "foot", "foot", "point", "point", "load",)
+ELEMENT_NAMES = ()
 CORNERS = ("lower", "lower", "lower", "lower", "upper", "upper", "upper", "upper",)
 MEMBERS = ()
 MEMBER_ENDS = ()
 COPIES = ()
-ELEMENT_NAMES = ()
-POINTS = ("left", "right", "upper_left", "upper_right",)
-ELEMENTS = ()
 
 N_STATES = 12
-N_GUARDS = 4
-N_PARTS = 0
-N_POINTS = 4
-N_ELEMENTS = 0
 ROTATION = 5
 ROTATION_RATE = 11
 N_FALLS = 1
 FALLS = (2,)
+POINTS = ("left", "right", "upper_left", "upper_right",)
+ELEMENTS = ()
+N_GUARDS = 4
+N_PARTS = 0
+N_POINTS = 4
+N_ELEMENTS = 0
+TRANSITIONS = ()
 SIDES = (
     0.0,  # both_upper_both
     0.0,  # both_upper_left
@@ -287,8 +287,8 @@ MECHANISMS = (
     8,  # upper_right
     9,  # flight
 )
-QUICK = ((1, 5), (2, 5),)  # mechanisms with a step of their own, and the coordinate that the others follow
-IMAGES = (  # the side s with which its mechanism is written
+QUICK = ((1, 5), (2, 5),)  # derived with a step of their own, and the coordinate that the others follow
+IMAGES = (  # the side s with which its mode is written
     1.0,  # both_upper_both
     -1.0,  # both_upper_left
     1.0,  # both_upper_right
@@ -415,7 +415,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # flight
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_UPPER_BOTH = 0
@@ -2525,80 +2525,6 @@ def point_laws(p, out):
     out[7] = 1.00000000000000e+300
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    y_ = y[1]
-    theta = y[2]
-    xi = y[3]
-    eta = y[4]
-    phi = y[5]
-    x_dot = y[6]
-    y_dot = y[7]
-    theta_dot = y[8]
-    xi_dot = y[9]
-    eta_dot = y[10]
-    phi_dot = y[11]
-    lower_mass = p[0]
-    lower_half_height = p[2]
-    lower_inertia = p[3]
-    upper_mass = p[4]
-    upper_half_height = p[6]
-    upper_inertia = p[7]
-    gravity = p[8]
-    x0 = upper_mass*xi_dot
-    x1 = eta*theta_dot
-    x2 = (1/2)*upper_mass
-    x3 = theta_dot**2
-    x4 = (1/2)*x3
-    x5 = x_dot**2
-    x6 = (1/2)*lower_mass
-    x7 = y_dot**2
-    x8 = (1/2)*phi_dot**2
-    x9 = eta_dot*upper_mass
-    x10 = theta_dot*xi
-    x11 = math.sin(theta)
-    x12 = x11*x_dot
-    x13 = math.cos(theta)
-    x14 = x13*y_dot
-    x15 = 2*upper_mass
-    x16 = lower_half_height*x15
-    x17 = theta_dot*x16
-    x18 = x13*x_dot
-    x19 = x11*y_dot
-    x20 = upper_mass*x1
-    x21 = lower_half_height*lower_mass
-    x22 = theta_dot*x21
-    x23 = upper_half_height*math.cos(phi)
-    x24 = phi_dot*upper_mass
-    x25 = x23*x24
-    x26 = x15*x3
-    x27 = upper_half_height*math.sin(phi)
-    x28 = x24*x27
-    x29 = upper_mass*x10
-    x30 = upper_mass*x4
-    x31 = lower_half_height**2
-    x32 = phi_dot*x23
-    x33 = phi_dot*x27
-    x34 = x11*x33
-    x35 = x13*x32
-    x36 = gravity*y_
-    x37 = gravity*x13
-    x38 = gravity*upper_mass
-    out[0] = (
-        eta**2*x30 + eta*lower_half_height*x26 + eta_dot**2*x2 + lower_inertia*x4 +
-        lower_mass*x31*x4 + upper_half_height**2*upper_mass*x8 + upper_inertia*x8 + x0*x1 +
-        x0*x18 - x0*x19 + x0*x34 + x0*x35 - x10*x11*x25 + x10*x13*x28 - x10*x9 + x11*x32*x9 -
-        x12*x29 + x12*x9 - x13*x33*x9 - x14*x29 + x14*x9 + x17*x18 - x17*x19 + x17*x34 + x17*x35
-        + x17*xi_dot + x18*x20 + x18*x22 - x19*x20 - x19*x22 + x2*x5 + x2*x7 + x2*xi_dot**2 +
-        x20*x34 + x20*x35 + x25*x_dot + x26*x31 - x28*y_dot + x30*xi**2 + x5*x6 + x6*x7
-    )
-    out[1] = (
-        eta*upper_mass*x37 + lower_mass*x36 + upper_mass*x36 - x11*x38*xi + x16*x37 + x21*x37 +
-        x23*x38
-    )
-    out[2] = 0
-
-
 def reactions(contact, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
@@ -3009,8 +2935,83 @@ def reactions(contact, y, p, ax, ay, out):
         out[8] = 0
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    y_ = y[1]
+    theta = y[2]
+    xi = y[3]
+    eta = y[4]
+    phi = y[5]
+    x_dot = y[6]
+    y_dot = y[7]
+    theta_dot = y[8]
+    xi_dot = y[9]
+    eta_dot = y[10]
+    phi_dot = y[11]
+    lower_mass = p[0]
+    lower_half_height = p[2]
+    lower_inertia = p[3]
+    upper_mass = p[4]
+    upper_half_height = p[6]
+    upper_inertia = p[7]
+    gravity = p[8]
+    x0 = upper_mass*xi_dot
+    x1 = eta*theta_dot
+    x2 = (1/2)*upper_mass
+    x3 = theta_dot**2
+    x4 = (1/2)*x3
+    x5 = x_dot**2
+    x6 = (1/2)*lower_mass
+    x7 = y_dot**2
+    x8 = (1/2)*phi_dot**2
+    x9 = eta_dot*upper_mass
+    x10 = theta_dot*xi
+    x11 = math.sin(theta)
+    x12 = x11*x_dot
+    x13 = math.cos(theta)
+    x14 = x13*y_dot
+    x15 = 2*upper_mass
+    x16 = lower_half_height*x15
+    x17 = theta_dot*x16
+    x18 = x13*x_dot
+    x19 = x11*y_dot
+    x20 = upper_mass*x1
+    x21 = lower_half_height*lower_mass
+    x22 = theta_dot*x21
+    x23 = upper_half_height*math.cos(phi)
+    x24 = phi_dot*upper_mass
+    x25 = x23*x24
+    x26 = x15*x3
+    x27 = upper_half_height*math.sin(phi)
+    x28 = x24*x27
+    x29 = upper_mass*x10
+    x30 = upper_mass*x4
+    x31 = lower_half_height**2
+    x32 = phi_dot*x23
+    x33 = phi_dot*x27
+    x34 = x11*x33
+    x35 = x13*x32
+    x36 = gravity*y_
+    x37 = gravity*x13
+    x38 = gravity*upper_mass
+    out[0] = (
+        eta**2*x30 + eta*lower_half_height*x26 + eta_dot**2*x2 + lower_inertia*x4 +
+        lower_mass*x31*x4 + upper_half_height**2*upper_mass*x8 + upper_inertia*x8 + x0*x1 +
+        x0*x18 - x0*x19 + x0*x34 + x0*x35 - x10*x11*x25 + x10*x13*x28 - x10*x9 + x11*x32*x9
+        - x12*x29 + x12*x9 - x13*x33*x9 - x14*x29 + x14*x9 + x17*x18 - x17*x19 + x17*x34 +
+        x17*x35 + x17*xi_dot + x18*x20 + x18*x22 - x19*x20 - x19*x22 + x2*x5 + x2*x7 +
+        x2*xi_dot**2 + x20*x34 + x20*x35 + x25*x_dot + x26*x31 - x28*y_dot + x30*xi**2 +
+        x5*x6 + x6*x7
+    )
+    out[1] = (
+        eta*upper_mass*x37 + lower_mass*x36 + upper_mass*x36 - x11*x38*xi + x16*x37 +
+        x21*x37 + x23*x38
+    )
+    out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point, gap and slip of each point [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     x = y[0]
     y_ = y[1]
     theta = y[2]
@@ -3066,12 +3067,12 @@ def momentum(contact, y, p, out):
     x8 = theta_dot*x0
     x9 = upper_mass*xi
     out[0] = (
-        eta_dot*upper_mass*x0 + lower_mass*x_dot + upper_mass*x_dot + x1*x2 + x3*x4 + x3*x5 +
-        x3*x7 + x6*math.cos(phi) - x8*x9
+        eta_dot*upper_mass*x0 + lower_mass*x_dot + upper_mass*x_dot + x1*x2 + x3*x4 + x3*x5
+        + x3*x7 + x6*math.cos(phi) - x8*x9
     )
     out[1] = (
-        eta_dot*upper_mass*x1 + lower_mass*y_dot + upper_mass*y_dot - x0*x2 - x3*x9 - x4*x8 -
-        x5*x8 - x6*math.sin(phi) - x7*x8
+        eta_dot*upper_mass*x1 + lower_mass*y_dot + upper_mass*y_dot - x0*x2 - x3*x9 - x4*x8
+        - x5*x8 - x6*math.sin(phi) - x7*x8
     )
 
 
@@ -3100,6 +3101,59 @@ def statics(contact, y, p, load, out):
     out[3] = -x3 - x6
     out[4] = -load*x5 + x7
     out[5] = -load*upper_half_height*math.cos(phi) - upper_half_height*x1*math.sin(phi)
+
+
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    lower_mass = p[0]
+    lower_inertia = p[3]
+    upper_mass = p[4]
+    upper_inertia = p[7]
+    gravity = p[8]
+    out[0] = lower_mass
+    out[1] = lower_inertia
+    out[2] = upper_mass
+    out[3] = upper_inertia
+    out[4] = gravity
+
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
+    """
+    theta = y[2]
+    xi = y[3]
+    eta = y[4]
+    phi = y[5]
+    x_dot = y[6]
+    y_dot = y[7]
+    theta_dot = y[8]
+    xi_dot = y[9]
+    eta_dot = y[10]
+    phi_dot = y[11]
+    lower_mass = p[0]
+    lower_half_height = p[2]
+    upper_mass = p[4]
+    upper_half_height = p[6]
+    x0 = ax*lower_mass
+    x1 = ax*upper_mass
+    x2 = ay*lower_mass
+    x3 = ay*upper_mass
+    x4 = math.cos(theta)
+    x5 = x1*x4
+    x6 = math.sin(theta)
+    x7 = x1*x6
+    x8 = x3*x4
+    x9 = x3*x6
+    x10 = 2*lower_half_height
+    out[0] = (
+        eta_dot*(-x7 - x8) + phi_dot*(ay*upper_half_height*upper_mass*math.sin(phi) -
+        upper_half_height*x1*math.cos(phi)) + theta_dot*(-eta*x5 + eta*x9 -
+        lower_half_height*x0*x4 + lower_half_height*x2*x6 - x10*x5 + x10*x9 + x7*xi + x8*xi)
+        + x_dot*(-x0 - x1) + xi_dot*(ay*upper_mass*x6 - x5) + y_dot*(-x2 - x3)
+    )
+    out[1] = 0
+    out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -3151,6 +3205,14 @@ def positions(contact, y, p, out):
     out[20] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -3181,67 +3243,6 @@ def shapes(p, out):
     out[13] = upper_half_height
     out[14] = x2
     out[15] = upper_half_height
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    lower_mass = p[0]
-    lower_inertia = p[3]
-    upper_mass = p[4]
-    upper_inertia = p[7]
-    gravity = p[8]
-    out[0] = lower_mass
-    out[1] = lower_inertia
-    out[2] = upper_mass
-    out[3] = upper_inertia
-    out[4] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    theta = y[2]
-    xi = y[3]
-    eta = y[4]
-    phi = y[5]
-    x_dot = y[6]
-    y_dot = y[7]
-    theta_dot = y[8]
-    xi_dot = y[9]
-    eta_dot = y[10]
-    phi_dot = y[11]
-    lower_mass = p[0]
-    lower_half_height = p[2]
-    upper_mass = p[4]
-    upper_half_height = p[6]
-    x0 = ax*lower_mass
-    x1 = ax*upper_mass
-    x2 = ay*lower_mass
-    x3 = ay*upper_mass
-    x4 = math.cos(theta)
-    x5 = x1*x4
-    x6 = math.sin(theta)
-    x7 = x1*x6
-    x8 = x3*x4
-    x9 = x3*x6
-    x10 = 2*lower_half_height
-    out[0] = (
-        eta_dot*(-x7 - x8) + phi_dot*(ay*upper_half_height*upper_mass*math.sin(phi) -
-        upper_half_height*x1*math.cos(phi)) + theta_dot*(-eta*x5 + eta*x9 -
-        lower_half_height*x0*x4 + lower_half_height*x2*x6 - x10*x5 + x10*x9 + x7*xi + x8*xi) +
-        x_dot*(-x0 - x1) + xi_dot*(ay*upper_mass*x6 - x5) + y_dot*(-x2 - x3)
-    )
-    out[1] = 0
-    out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

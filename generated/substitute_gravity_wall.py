@@ -22,16 +22,16 @@ Operations before and after common subexpressions were shared:
     accelerations            126    71
     guards                   100    72
     jump                      48    46
-    energies                  69    63
     reactions                517   153
+    energies                  69    63
     kinematics               270   108
     momentum                 120    75
     statics                  174   103
-    positions                516   102
-    shapes                     7     3
     masses                    48    48
     powers                   254   132
+    positions                516   102
     elements                   0     0
+    shapes                     7     3
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -43,7 +43,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "6ebb764c54195994"
+SOURCE_HASH = "edbf1e28d811c960"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"
@@ -83,6 +83,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = (
+    "displacement",
+    "left_uplift",
+    "right_uplift",
+    "rotation_centre",
+    "tendon_extension",
+)
+POSITIONS = ("wall", "left", "right", "load",)
+POSITION_KINDS = ("body", "foot", "foot", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("tendon",)
+MEMBER_ENDS = ("ground", "wall",)
+COPIES = ()
+
+N_STATES = 4
+ROTATION = 0
+ROTATION_RATE = 2
+N_FALLS = 0
+N_GUARDS = 3
+N_PARTS = 0
+SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
+GUARDS = (3, 2, 2, 3, 2, 2,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("left", "left_yield", "switch"),
@@ -99,31 +124,6 @@ TRANSITIONS = (
     ("right_yield", "left_yield", "impact"),
     ("right_yield", "right", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
-KINEMATICS = (
-    "displacement",
-    "left_uplift",
-    "right_uplift",
-    "rotation_centre",
-    "tendon_extension",
-)
-POSITIONS = ("wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("tendon",)
-MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 4
-N_GUARDS = 3
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 2
-N_FALLS = 0
-SIDES = (-1.0, -1.0, -1.0, 1.0, 1.0, 1.0,)
-GUARDS = (3, 2, 2, 3, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2, 2,),  # left
     (0, 2, 2,),  # left_slack
@@ -157,7 +157,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_yield
 )
 NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -465,26 +465,13 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    s = SIDES[contact]
-    theta = y[0]
-    theta_dot = y[2]
-    mass = p[0]
-    pivot_inertia = p[1]
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    transition = p[6]
-    gravity = p[11]
-    x0 = gravity*mass
-    x1 = math.sin(theta)
-    out[0] = (1/2)*pivot_inertia*theta_dot**2
-    out[1] = (
-        centroid_height*x0*math.cos(theta) + half_width*s*x0*x1*(1 -
-        math.exp(-height**2*x1**2/transition**2))
-    )
-    out[2] = 0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -583,8 +570,30 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = yield_force
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    s = SIDES[contact]
+    theta = y[0]
+    theta_dot = y[2]
+    mass = p[0]
+    pivot_inertia = p[1]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    transition = p[6]
+    gravity = p[11]
+    x0 = gravity*mass
+    x1 = math.sin(theta)
+    out[0] = (1/2)*pivot_inertia*theta_dot**2
+    out[1] = (
+        centroid_height*x0*math.cos(theta) + half_width*s*x0*x1*(1 -
+        math.exp(-height**2*x1**2/transition**2))
+    )
+    out[2] = 0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     s = SIDES[contact]
     theta = y[0]
     height = p[3]
@@ -692,71 +701,6 @@ def statics(contact, y, p, load, out):
         out[1] = 0
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
-
-
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    s = SIDES[contact]
-    theta = y[0]
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    transition = p[6]
-    x0 = math.sin(theta)
-    x1 = half_width*s*(1 - math.exp(-height**2*x0**2/transition**2))
-    x2 = math.cos(theta)
-    x3 = -x1*x2 + x1
-    x4 = x0*x1
-    x5 = -half_width - x1
-    x6 = half_width - x1
-    out[0] = centroid_height*x0 + x3
-    out[1] = centroid_height*x2 + x4
-    out[2] = theta
-    out[3] = x1 + x2*x5
-    out[4] = -x0*x5
-    out[5] = 0
-    out[6] = x1 + x2*x6
-    out[7] = -x0*x6
-    out[8] = 0
-    out[9] = height*x0 + x3
-    out[10] = height*x2 + x4
-    out[11] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    centroid_height = p[2]
-    height = p[3]
-    half_width = p[4]
-    eccentricity = p[10]
-    x0 = -half_width
-    x1 = -centroid_height
-    x2 = -centroid_height + height
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = x2
-    out[6] = x0
-    out[7] = x2
-    out[8] = eccentricity
-    out[9] = 0
-    out[10] = eccentricity
-    out[11] = x2
-
-
 def masses(contact, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     theta = y[0]
@@ -776,8 +720,8 @@ def masses(contact, y, p, out):
 
 
 def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
@@ -863,12 +807,68 @@ def powers(contact, y, p, ax, ay, out):
         )
 
 
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    s = SIDES[contact]
+    theta = y[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    transition = p[6]
+    x0 = math.sin(theta)
+    x1 = half_width*s*(1 - math.exp(-height**2*x0**2/transition**2))
+    x2 = math.cos(theta)
+    x3 = -x1*x2 + x1
+    x4 = x0*x1
+    x5 = -half_width - x1
+    x6 = half_width - x1
+    out[0] = centroid_height*x0 + x3
+    out[1] = centroid_height*x2 + x4
+    out[2] = theta
+    out[3] = x1 + x2*x5
+    out[4] = -x0*x5
+    out[5] = 0
+    out[6] = x1 + x2*x6
+    out[7] = -x0*x6
+    out[8] = 0
+    out[9] = height*x0 + x3
+    out[10] = height*x2 + x4
+    out[11] = 0
+
+
 def elements(contact, y, p, out):
     """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
 
     Into out, one element behind the other.
     """
     pass
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    eccentricity = p[10]
+    x0 = -half_width
+    x1 = -centroid_height
+    x2 = -centroid_height + height
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = x2
+    out[6] = x0
+    out[7] = x2
+    out[8] = eccentricity
+    out[9] = 0
+    out[10] = eccentricity
+    out[11] = x2
 
 
 def overturning(p):

@@ -18,16 +18,16 @@ Source: thesis 5-15, 5-25, 5-33.
 Operations before and after common subexpressions were shared:
     accelerations              8     8
     guards                     6     6
-    energies                 217    94
     reactions                 14    14
+    energies                 217    94
     kinematics                 0     0
     momentum                   6     6
     statics                  270    70
-    positions                  0     0
-    shapes                     7     4
     masses                     2     2
     powers                    10    10
+    positions                  0     0
     elements                   0     0
+    shapes                     7     4
     overturning                1     1
     velocity_ratio            28    18
     sizes                      0     0
@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "f1d8860af341c7d6"
+SOURCE_HASH = "ac4e753bb45e6877"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -71,6 +71,25 @@ PARAMETER_MEANINGS = (
 PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+",)
 SIZES = ()
 CONTACTS = ("both_left", "left", "both_right", "right",)
+REACTIONS = ("horizontal_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement",)
+POSITIONS = ("cart", "load",)
+POSITION_KINDS = ("body", "load",)
+ELEMENT_NAMES = ()
+CORNERS = ("cart", "cart", "cart", "cart",)
+MEMBERS = ("spring",)
+MEMBER_ENDS = ("ground", "cart",)
+COPIES = ()
+
+N_STATES = 2
+ROTATION = 0
+ROTATION_RATE = 1
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, -1.0, 1.0, 1.0,)
+GUARDS = (2, 1, 2, 1,)
 TRANSITIONS = (
     ("both_left", "both_right", "impact"),
     ("both_left", "left", "switch"),
@@ -79,25 +98,6 @@ TRANSITIONS = (
     ("both_right", "right", "switch"),
     ("right", "both_right", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction",)
-KINEMATICS = ("displacement",)
-POSITIONS = ("cart", "load",)
-POSITION_KINDS = ("body", "load",)
-CORNERS = ("cart", "cart", "cart", "cart",)
-MEMBERS = ("spring",)
-MEMBER_ENDS = ("ground", "cart",)
-COPIES = ()
-ELEMENT_NAMES = ()
-
-N_STATES = 2
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 1
-N_FALLS = 0
-SIDES = (-1.0, -1.0, 1.0, 1.0,)
-GUARDS = (2, 1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # both_left
     (2, 2,),  # left
@@ -123,7 +123,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_LEFT = 0
@@ -272,6 +272,24 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
+
+
+def reactions(contact, y, p, ax, ay, out):
+    """Forces of the ground [N] into out, in the order of REACTIONS."""
+    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    u_ddot = found[0]
+    mass = p[0]
+    base_mass = p[3]
+    out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
+
+
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == BOTH_LEFT or contact == BOTH_RIGHT:
@@ -328,17 +346,8 @@ def energies(contact, y, p, out):
         )
 
 
-def reactions(contact, y, p, ax, ay, out):
-    """Forces of the ground [N] into out, in the order of REACTIONS."""
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
-    u_ddot = found[0]
-    mass = p[0]
-    base_mass = p[3]
-    out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
-
-
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     u = y[0]
     out[0] = u
 
@@ -393,13 +402,26 @@ def statics(contact, y, p, load, out):
         out[0] = gravity**2*height*s*x0*x12*x4*x7 - load + s*x8 - u*x12*x8
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    base_mass = p[3]
+    gravity = p[7]
+    out[0] = base_mass + mass
+    out[1] = 0
+    out[2] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    pass
+    u_dot = y[1]
+    mass = p[0]
+    base_mass = p[3]
+    out[0] = u_dot*(-ax*base_mass - ax*mass)
+    out[1] = 0
+    out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -411,6 +433,14 @@ def positions(contact, y, p, out):
     out[3] = u
     out[4] = 0
     out[5] = 0
+
+
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    pass
 
 
 def shapes(p, out):
@@ -434,36 +464,6 @@ def shapes(p, out):
     out[9] = x1
     out[10] = x0
     out[11] = x1
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    base_mass = p[3]
-    gravity = p[7]
-    out[0] = base_mass + mass
-    out[1] = 0
-    out[2] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    u_dot = y[1]
-    mass = p[0]
-    base_mass = p[3]
-    out[0] = u_dot*(-ax*base_mass - ax*mass)
-    out[1] = 0
-    out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def overturning(p):

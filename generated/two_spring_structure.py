@@ -19,16 +19,16 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
 Operations before and after common subexpressions were shared:
     accelerations             78    76
     guards                   166    76
-    energies                 248   181
     reactions                146    98
+    energies                 248   181
     kinematics                24    15
     momentum                  66    48
     statics                   92    74
-    positions                153    57
-    shapes                     4     2
     masses                     0     0
     powers                   112    95
+    positions                153    57
     elements                 196   102
+    shapes                     4     2
     overturning                1     1
     velocity_ratio             0     0
     sizes                      1     1
@@ -40,7 +40,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "ce67cea6feb76745"
+SOURCE_HASH = "c52b3cbda792ae65"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -76,6 +76,25 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "flight", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("superstructure", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "spring_and_damper", "spring_and_damper", "load",)
+ELEMENT_NAMES = ("left", "right",)
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("rod",)
+MEMBER_ENDS = ("base", "superstructure",)
+COPIES = ()
+
+N_STATES = 4
+ROTATION = 0
+ROTATION_RATE = 2
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 4
+SIDES = (-1.0, 0.0, 0.0, 1.0,)
+GUARDS = (2, 2, 2, 2,)
 TRANSITIONS = (
     ("left", "both", "switch"),
     ("left", "flight", "switch"),
@@ -86,25 +105,6 @@ TRANSITIONS = (
     ("right", "both", "switch"),
     ("right", "flight", "switch"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("superstructure", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "spring_and_damper", "spring_and_damper", "load",)
-CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("rod",)
-MEMBER_ENDS = ("base", "superstructure",)
-COPIES = ()
-ELEMENT_NAMES = ("left", "right",)
-
-N_STATES = 4
-N_GUARDS = 2
-N_PARTS = 4
-ROTATION = 0
-ROTATION_RATE = 2
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 0.0, 1.0,)
-GUARDS = (2, 2, 2, 2,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # left
     (2, 2,),  # both
@@ -130,7 +130,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (2, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -415,6 +415,100 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    pass
+
+
+def reactions(contact, y, p, ax, ay, out):
+    """Forces of the ground [N] into out, in the order of REACTIONS."""
+    if contact == BOTH:
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = theta_ddot*x0
+        x2 = base_height*base_mass
+        x3 = height*mass
+        x4 = math.sin(theta)
+        x5 = theta_dot**2*x4
+        x6 = half_width*theta_dot*x0
+        x7 = half_width*x4
+        x8 = 1/foundation_stiffness
+        x9 = base_mass + mass
+        out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
+        out[1] = (
+            foundation_damping*(-heave_dot - x6) + foundation_stiffness*((1/2)*gravity*x8*x9 -
+            heave - x7)
+        )
+        out[2] = (
+            foundation_damping*(-heave_dot + x6) + foundation_stiffness*((1/2)*gravity*x8*x9 -
+            heave + x7)
+        )
+    elif contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
+        theta = y[0]
+        heave = y[1]
+        theta_dot = y[2]
+        heave_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        half_width = p[6]
+        gravity = p[7]
+        foundation_stiffness = p[8]
+        foundation_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = theta_ddot*x0
+        x2 = base_height*base_mass
+        x3 = height*mass
+        x4 = math.sin(theta)
+        x5 = theta_dot**2*x4
+        x6 = half_width*s
+        x7 = (
+            (1/2)*foundation_damping*(-heave_dot + theta_dot*x0*x6) +
+            (1/2)*foundation_stiffness*(-heave + x4*x6 + (1/2)*gravity*(base_mass +
+            mass)/foundation_stiffness)
+        )
+        out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
+        out[1] = x7*(1 - s)
+        out[2] = x7*(s + 1)
+    elif contact == FLIGHT:
+        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+        theta_ddot = found[0]
+        theta = y[0]
+        theta_dot = y[2]
+        mass = p[0]
+        height = p[1]
+        base_mass = p[3]
+        base_height = p[4]
+        x0 = theta_ddot*math.cos(theta)
+        x1 = base_height*base_mass
+        x2 = height*mass
+        x3 = theta_dot**2*math.sin(theta)
+        out[0] = ax*base_mass + ax*mass + x0*x1 + x0*x2 - x1*x3 - x2*x3
+        out[1] = 0
+        out[2] = 0
+
+
 def energies(contact, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     if contact == BOTH:
@@ -528,93 +622,8 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def reactions(contact, y, p, ax, ay, out):
-    """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == BOTH:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        x0 = math.cos(theta)
-        x1 = theta_ddot*x0
-        x2 = base_height*base_mass
-        x3 = height*mass
-        x4 = math.sin(theta)
-        x5 = theta_dot**2*x4
-        x6 = half_width*theta_dot*x0
-        x7 = half_width*x4
-        x8 = 1/foundation_stiffness
-        x9 = base_mass + mass
-        out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
-        out[1] = (
-            foundation_damping*(-heave_dot - x6) + foundation_stiffness*((1/2)*gravity*x8*x9 -
-            heave - x7)
-        )
-        out[2] = (
-            foundation_damping*(-heave_dot + x6) + foundation_stiffness*((1/2)*gravity*x8*x9 -
-            heave + x7)
-        )
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        heave = y[1]
-        theta_dot = y[2]
-        heave_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        half_width = p[6]
-        gravity = p[7]
-        foundation_stiffness = p[8]
-        foundation_damping = p[9]
-        x0 = math.cos(theta)
-        x1 = theta_ddot*x0
-        x2 = base_height*base_mass
-        x3 = height*mass
-        x4 = math.sin(theta)
-        x5 = theta_dot**2*x4
-        x6 = half_width*s
-        x7 = (
-            (1/2)*foundation_damping*(-heave_dot + theta_dot*x0*x6) +
-            (1/2)*foundation_stiffness*(-heave + x4*x6 + (1/2)*gravity*(base_mass +
-            mass)/foundation_stiffness)
-        )
-        out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
-        out[1] = x7*(1 - s)
-        out[2] = x7*(s + 1)
-    elif contact == FLIGHT:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        height = p[1]
-        base_mass = p[3]
-        base_height = p[4]
-        x0 = theta_ddot*math.cos(theta)
-        x1 = base_height*base_mass
-        x2 = height*mass
-        x3 = theta_dot**2*math.sin(theta)
-        out[0] = ax*base_mass + ax*mass + x0*x1 + x0*x2 - x1*x3 - x2*x3
-        out[1] = 0
-        out[2] = 0
-
-
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     theta = y[0]
     heave = y[1]
     height = p[1]
@@ -700,75 +709,6 @@ def statics(contact, y, p, load, out):
         out[1] = x1 + x2
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
-
-
-def positions(contact, y, p, out):
-    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    theta = y[0]
-    heave = y[1]
-    mass = p[0]
-    height = p[1]
-    base_mass = p[3]
-    base_height = p[4]
-    half_width = p[6]
-    gravity = p[7]
-    foundation_stiffness = p[8]
-    x0 = math.sin(theta)
-    x1 = height*x0
-    x2 = math.cos(theta)
-    x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
-    x4 = heave - x3
-    x5 = height*x2 + x4
-    x6 = half_width*x2
-    x7 = half_width*x0
-    out[0] = x1
-    out[1] = x5
-    out[2] = theta
-    out[3] = base_height*x0
-    out[4] = base_height*x2 + x4
-    out[5] = theta
-    out[6] = -x6
-    out[7] = x4 + x7
-    out[8] = 0
-    out[9] = x6
-    out[10] = heave - x3 - x7
-    out[11] = 0
-    out[12] = x1
-    out[13] = x5
-    out[14] = 0
-
-
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    base_height = p[4]
-    half_width = p[6]
-    x0 = -half_width
-    x1 = -base_height
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = base_height
-    out[6] = x0
-    out[7] = base_height
-    out[8] = 0
-    out[9] = base_height
-    out[10] = 0
-    out[11] = 0
-
-
 def masses(contact, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
@@ -784,8 +724,8 @@ def masses(contact, y, p, out):
 
 
 def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
     if contact == BOTH:
         theta = y[0]
@@ -848,6 +788,42 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = 0
+
+
+def positions(contact, y, p, out):
+    """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
+    theta = y[0]
+    heave = y[1]
+    mass = p[0]
+    height = p[1]
+    base_mass = p[3]
+    base_height = p[4]
+    half_width = p[6]
+    gravity = p[7]
+    foundation_stiffness = p[8]
+    x0 = math.sin(theta)
+    x1 = height*x0
+    x2 = math.cos(theta)
+    x3 = (1/2)*gravity*(base_mass + mass)/foundation_stiffness
+    x4 = heave - x3
+    x5 = height*x2 + x4
+    x6 = half_width*x2
+    x7 = half_width*x0
+    out[0] = x1
+    out[1] = x5
+    out[2] = theta
+    out[3] = base_height*x0
+    out[4] = base_height*x2 + x4
+    out[5] = theta
+    out[6] = -x6
+    out[7] = x4 + x7
+    out[8] = 0
+    out[9] = x6
+    out[10] = heave - x3 - x7
+    out[11] = 0
+    out[12] = x1
+    out[13] = x5
+    out[14] = 0
 
 
 def elements(contact, y, p, out):
@@ -950,6 +926,30 @@ def elements(contact, y, p, out):
         out[5] = 0
         out[6] = 0
         out[7] = 0
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    base_height = p[4]
+    half_width = p[6]
+    x0 = -half_width
+    x1 = -base_height
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = base_height
+    out[6] = x0
+    out[7] = base_height
+    out[8] = 0
+    out[9] = base_height
+    out[10] = 0
+    out[11] = 0
 
 
 def overturning(p):

@@ -16,16 +16,16 @@ Operations before and after common subexpressions were shared:
     accelerations             19    18
     guards                     9     6
     impulse                   16    16
-    energies                  37    32
     reactions                 55    40
+    energies                  37    32
     kinematics                10     6
     momentum                   8     7
     statics                    9     9
-    positions                 43    22
-    shapes                     2     1
     masses                     0     0
     powers                    18    17
+    positions                 43    22
     elements                  16    16
+    shapes                     2     1
     overturning                1     1
     velocity_ratio             8     8
     sizes                      1     1
@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "852eb040bb71289e"
+SOURCE_HASH = "89d3688b2bb70497"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -58,31 +58,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("mass", "base", "left", "right", "load",)
+POSITION_KINDS = ("body", "massless", "foot", "foot", "load",)
+ELEMENT_NAMES = ("column",)
+CORNERS = ("base", "base", "base", "base",)
+MEMBERS = ("cantilever",)
+MEMBER_ENDS = ("base", "mass",)
+COPIES = ()
+
+N_STATES = 4
+ROTATION = 0
+ROTATION_RATE = 2
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("mass", "base", "left", "right", "load",)
-POSITION_KINDS = ("body", "massless", "foot", "foot", "load",)
-CORNERS = ("base", "base", "base", "base",)
-MEMBERS = ("cantilever",)
-MEMBER_ENDS = ("base", "mass",)
-COPIES = ()
-ELEMENT_NAMES = ("column",)
-
-N_STATES = 4
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 2
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -104,7 +104,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = 1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = 1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -295,35 +295,20 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        half_width = p[2]
-        stiffness = p[3]
-        gravity = p[5]
-        x0 = height*mass
-        x1 = (1/2)*mass
-        x2 = theta_dot**2*x1
-        out[0] = half_width**2*x2 + height**2*x2 + theta_dot*u_dot*x0 + u_dot**2*x1
-        out[1] = gravity*half_width*mass*s*theta + gravity*x0
-        out[2] = (1/2)*stiffness*u**2
-    elif contact == BOTH:
-        u = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        stiffness = p[3]
-        gravity = p[5]
-        out[0] = (1/2)*mass*u_dot**2
-        out[1] = gravity*height*mass
-        out[2] = (1/2)*stiffness*u**2
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    u = y[1]
+    u_dot = y[3]
+    c15 = p[21]  # damping*height*mass
+    c16 = p[22]  # height*mass*stiffness
+    c17 = p[23]  # gravity*half_width*mass**2
+    x0 = c15*u_dot + c16*u
+    g[0] = c17 + x0
+    g[1] = c17 - x0
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -359,8 +344,39 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x4*(ay*half_width*mass + gravity*half_width*mass - x3)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        half_width = p[2]
+        stiffness = p[3]
+        gravity = p[5]
+        x0 = height*mass
+        x1 = (1/2)*mass
+        x2 = theta_dot**2*x1
+        out[0] = half_width**2*x2 + height**2*x2 + theta_dot*u_dot*x0 + u_dot**2*x1
+        out[1] = gravity*half_width*mass*s*theta + gravity*x0
+        out[2] = (1/2)*stiffness*u**2
+    elif contact == BOTH:
+        u = y[1]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        stiffness = p[3]
+        gravity = p[5]
+        out[0] = (1/2)*mass*u_dot**2
+        out[1] = gravity*height*mass
+        out[2] = (1/2)*stiffness*u**2
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -417,20 +433,40 @@ def statics(contact, y, p, load, out):
         out[1] = -load + stiffness*u
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    gravity = p[5]
+    out[0] = mass
+    out[1] = 0
+    out[2] = 0
+    out[3] = 0
+    out[4] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    u = y[1]
-    u_dot = y[3]
-    c15 = p[21]  # damping*height*mass
-    c16 = p[22]  # height*mass*stiffness
-    c17 = p[23]  # gravity*half_width*mass**2
-    x0 = c15*u_dot + c16*u
-    g[0] = c17 + x0
-    g[1] = c17 - x0
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[1]
+        half_width = p[2]
+        damping = p[4]
+        x0 = ax*mass
+        out[0] = theta_dot*(-ay*half_width*mass*s - height*x0) - u_dot*x0
+        out[1] = damping*u_dot**2
+        out[2] = 0
+    elif contact == BOTH:
+        u_dot = y[3]
+        mass = p[0]
+        damping = p[4]
+        out[0] = -ax*mass*u_dot
+        out[1] = damping*u_dot**2
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -484,6 +520,21 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
+def elements(contact, y, p, out):
+    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other.
+    """
+    u = y[1]
+    u_dot = y[3]
+    stiffness = p[3]
+    damping = p[4]
+    out[0] = u
+    out[1] = damping*u_dot + stiffness*u
+    out[2] = (1/2)*stiffness*u**2
+    out[3] = damping*u_dot**2
+
+
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -504,57 +555,6 @@ def shapes(p, out):
     out[9] = 0
     out[10] = 0
     out[11] = 0
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    gravity = p[5]
-    out[0] = mass
-    out[1] = 0
-    out[2] = 0
-    out[3] = 0
-    out[4] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[1]
-        half_width = p[2]
-        damping = p[4]
-        x0 = ax*mass
-        out[0] = theta_dot*(-ay*half_width*mass*s - height*x0) - u_dot*x0
-        out[1] = damping*u_dot**2
-        out[2] = 0
-    elif contact == BOTH:
-        u_dot = y[3]
-        mass = p[0]
-        damping = p[4]
-        out[0] = -ax*mass*u_dot
-        out[1] = damping*u_dot**2
-        out[2] = 0
-
-
-def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
-
-    Into out, one element behind the other.
-    """
-    u = y[1]
-    u_dot = y[3]
-    stiffness = p[3]
-    damping = p[4]
-    out[0] = u
-    out[1] = damping*u_dot + stiffness*u
-    out[2] = (1/2)*stiffness*u**2
-    out[3] = damping*u_dot**2
 
 
 def overturning(p):

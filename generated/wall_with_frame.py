@@ -21,16 +21,16 @@ Operations before and after common subexpressions were shared:
     accelerations             75    65
     guards                    13    10
     impulse                    5     5
-    energies                  63    52
     reactions                134    76
+    energies                  63    52
     kinematics                11     9
     momentum                  23    15
     statics                   78    47
-    positions                 51    28
-    shapes                    22    13
     masses                     0     0
     powers                    87    66
+    positions                 51    28
     elements                  77    45
+    shapes                    22    13
     overturning                1     1
     velocity_ratio            14    10
     sizes                      1     1
@@ -42,7 +42,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "b105be1f85129602"
+SOURCE_HASH = "2cfcdd40580ab298"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"
@@ -80,31 +80,31 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
 CONTACTS = ("left", "both", "right",)
+REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
+ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
+KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
+POSITIONS = ("frame", "wall", "left", "right", "load",)
+POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
+ELEMENT_NAMES = ("frame", "link",)
+CORNERS = ("wall", "wall", "wall", "wall",)
+MEMBERS = ("spring", "rod", "column", "column",)
+MEMBER_ENDS = ("wall", "frame", "frame", "frame", "ground", "frame", "ground", "frame",)
+COPIES = ()
+
+N_STATES = 4
+ROTATION = 0
+ROTATION_RATE = 2
+N_FALLS = 0
+N_GUARDS = 2
+N_PARTS = 0
+SIDES = (-1.0, 0.0, 1.0,)
+GUARDS = (1, 2, 1,)
 TRANSITIONS = (
     ("left", "right", "impact"),
     ("both", "left", "uplift"),
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
-REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
-POSITIONS = ("frame", "wall", "left", "right", "load",)
-POSITION_KINDS = ("body", "body", "foot", "foot", "load",)
-CORNERS = ("wall", "wall", "wall", "wall",)
-MEMBERS = ("spring", "rod", "column", "column",)
-MEMBER_ENDS = ("wall", "frame", "frame", "frame", "ground", "frame", "ground", "frame",)
-COPIES = ()
-ELEMENT_NAMES = ("frame", "link",)
-
-N_STATES = 4
-N_GUARDS = 2
-N_PARTS = 0
-ROTATION = 0
-ROTATION_RATE = 2
-N_FALLS = 0
-SIDES = (-1.0, 0.0, 1.0,)
-GUARDS = (1, 2, 1,)
 KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
@@ -126,7 +126,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right
 )
 NARROW = False  # whether forces may act in a small part of a step
-HELD = 1  # contact state whose guards are sums of the state and the ground, or -1
+HELD = 1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -331,49 +331,23 @@ def jump(contact, guard, law, ratio, y, p, out):
     return contact
 
 
-def energies(contact, y, p, out):
-    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        half_width = p[1]
-        height = p[2]
-        inertia = p[3]
-        frame_mass = p[4]
-        frame_stiffness = p[5]
-        link_height = p[7]
-        link_stiffness = p[8]
-        gravity = p[10]
-        x0 = (1/2)*theta_dot**2
-        x1 = mass*x0
-        x2 = math.cos(theta)
-        x3 = gravity*mass
-        x4 = math.sin(theta)
-        x5 = half_width*s
-        out[0] = (1/2)*frame_mass*u_dot**2 + half_width**2*x1 + height**2*x1 + inertia*x0
-        out[1] = frame_mass*gravity*link_height + height*x2*x3 + x3*x4*x5
-        out[2] = (
-            (1/2)*frame_stiffness*u**2 + (1/2)*link_stiffness*(half_width*s + link_height*x4 - u
-            - x2*x5)**2
-        )
-    elif contact == BOTH:
-        u = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        height = p[2]
-        frame_mass = p[4]
-        frame_stiffness = p[5]
-        link_height = p[7]
-        link_stiffness = p[8]
-        gravity = p[10]
-        x0 = (1/2)*u**2
-        out[0] = (1/2)*frame_mass*u_dot**2
-        out[1] = frame_mass*gravity*link_height + gravity*height*mass
-        out[2] = frame_stiffness*x0 + link_stiffness*x0
+@inlined
+def held_guards(y, p, ax, g):
+    """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.
+    """
+    u = y[1]
+    u_dot = y[3]
+    c21 = p[32]  # frame_mass*link_damping*link_height
+    c22 = p[33]  # frame_mass*link_height*link_stiffness
+    c23 = p[34]  # frame_mass*height*mass
+    c24 = p[35]  # frame_mass*gravity*half_width*mass
+    x0 = c21*u_dot
+    x1 = c22*u
+    x2 = ax*c23
+    g[0] = c24 + x0 + x1 - x2
+    g[1] = c24 - x0 - x1 + x2
 
 
 def reactions(contact, y, p, ax, ay, out):
@@ -441,8 +415,53 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x6*(-x1 + x2 + x3 + x5)
 
 
+def energies(contact, y, p, out):
+    """Kinetic, gravitational and elastic energy [J] into out (3,)."""
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        u = y[1]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        inertia = p[3]
+        frame_mass = p[4]
+        frame_stiffness = p[5]
+        link_height = p[7]
+        link_stiffness = p[8]
+        gravity = p[10]
+        x0 = (1/2)*theta_dot**2
+        x1 = mass*x0
+        x2 = math.cos(theta)
+        x3 = gravity*mass
+        x4 = math.sin(theta)
+        x5 = half_width*s
+        out[0] = (1/2)*frame_mass*u_dot**2 + half_width**2*x1 + height**2*x1 + inertia*x0
+        out[1] = frame_mass*gravity*link_height + height*x2*x3 + x3*x4*x5
+        out[2] = (
+            (1/2)*frame_stiffness*u**2 + (1/2)*link_stiffness*(half_width*s + link_height*x4 - u
+            - x2*x5)**2
+        )
+    elif contact == BOTH:
+        u = y[1]
+        u_dot = y[3]
+        mass = p[0]
+        height = p[2]
+        frame_mass = p[4]
+        frame_stiffness = p[5]
+        link_height = p[7]
+        link_stiffness = p[8]
+        gravity = p[10]
+        x0 = (1/2)*u**2
+        out[0] = (1/2)*frame_mass*u_dot**2
+        out[1] = frame_mass*gravity*link_height + gravity*height*mass
+        out[2] = frame_stiffness*x0 + link_stiffness*x0
+
+
 def kinematics(contact, y, p, out):
-    """Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS."""
+    """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     if contact == LEFT or contact == RIGHT:
         s = 1.0 if contact == RIGHT else -1.0
         theta = y[0]
@@ -520,23 +539,62 @@ def statics(contact, y, p, load, out):
         out[1] = frame_stiffness*u + link_stiffness*u - load
 
 
-@inlined
-def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+def masses(contact, y, p, out):
+    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
+    mass = p[0]
+    inertia = p[3]
+    frame_mass = p[4]
+    gravity = p[10]
+    out[0] = frame_mass
+    out[1] = 0
+    out[2] = mass
+    out[3] = inertia
+    out[4] = gravity
 
-    Sums of the states and ax, while there is no vertical shaking.
+
+def powers(contact, y, p, ax, ay, out):
+    """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.
     """
-    u = y[1]
-    u_dot = y[3]
-    c21 = p[32]  # frame_mass*link_damping*link_height
-    c22 = p[33]  # frame_mass*link_height*link_stiffness
-    c23 = p[34]  # frame_mass*height*mass
-    c24 = p[35]  # frame_mass*gravity*half_width*mass
-    x0 = c21*u_dot
-    x1 = c22*u
-    x2 = ax*c23
-    g[0] = c24 + x0 + x1 - x2
-    g[1] = c24 - x0 - x1 + x2
+    if contact == LEFT or contact == RIGHT:
+        s = 1.0 if contact == RIGHT else -1.0
+        theta = y[0]
+        theta_dot = y[2]
+        u_dot = y[3]
+        mass = p[0]
+        half_width = p[1]
+        height = p[2]
+        frame_mass = p[4]
+        frame_damping = p[6]
+        link_height = p[7]
+        link_damping = p[9]
+        x0 = math.cos(theta)
+        x1 = math.sin(theta)
+        x2 = half_width*mass*s
+        x3 = link_damping*u_dot
+        x4 = link_damping*theta_dot
+        x5 = link_height*x0
+        x6 = half_width*s*x1
+        x7 = half_width**2
+        x8 = x0**2
+        out[0] = (
+            -ax*frame_mass*u_dot + theta_dot*(-ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1
+            - ay*x0*x2)
+        )
+        out[1] = (
+            theta_dot*(2*half_width*link_damping*link_height*s*theta_dot*x0*x1 +
+            link_damping*link_height**2*theta_dot*x8 + link_damping*theta_dot*x7 - x3*x5 - x3*x6
+            - x4*x7*x8) + u_dot*(frame_damping*u_dot + x3 - x4*x5 - x4*x6)
+        )
+        out[2] = 0
+    elif contact == BOTH:
+        u_dot = y[3]
+        frame_mass = p[4]
+        frame_damping = p[6]
+        link_damping = p[9]
+        out[0] = -ax*frame_mass*u_dot
+        out[1] = u_dot*(frame_damping*u_dot + link_damping*u_dot)
+        out[2] = 0
 
 
 def positions(contact, y, p, out):
@@ -592,104 +650,6 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
-def shapes(p, out):
-    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
-
-    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
-    of each of COPIES.
-    """
-    half_width = p[1]
-    height = p[2]
-    link_height = p[7]
-    x0 = -half_width
-    x1 = -height
-    x2 = (4/5)*half_width
-    x3 = -x2
-    x4 = (7/10)*half_width
-    out[0] = x0
-    out[1] = x1
-    out[2] = half_width
-    out[3] = x1
-    out[4] = half_width
-    out[5] = height
-    out[6] = x0
-    out[7] = height
-    out[8] = 0
-    out[9] = -height + link_height
-    out[10] = x3
-    out[11] = 0
-    out[12] = x3
-    out[13] = 0
-    out[14] = x2
-    out[15] = 0
-    out[16] = (5/2)*half_width
-    out[17] = 0
-    out[18] = -x4
-    out[19] = 0
-    out[20] = (39/10)*half_width
-    out[21] = 0
-    out[22] = x4
-    out[23] = 0
-
-
-def masses(contact, y, p, out):
-    """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
-    mass = p[0]
-    inertia = p[3]
-    frame_mass = p[4]
-    gravity = p[10]
-    out[0] = frame_mass
-    out[1] = 0
-    out[2] = mass
-    out[3] = inertia
-    out[4] = gravity
-
-
-def powers(contact, y, p, ax, ay, out):
-    """Powers [W] into out (3,): what the shaking gives, what dampers and yielding take, and
-    what declared forces give.
-    """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        u_dot = y[3]
-        mass = p[0]
-        half_width = p[1]
-        height = p[2]
-        frame_mass = p[4]
-        frame_damping = p[6]
-        link_height = p[7]
-        link_damping = p[9]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = half_width*mass*s
-        x3 = link_damping*u_dot
-        x4 = link_damping*theta_dot
-        x5 = link_height*x0
-        x6 = half_width*s*x1
-        x7 = half_width**2
-        x8 = x0**2
-        out[0] = (
-            -ax*frame_mass*u_dot + theta_dot*(-ax*height*mass*x0 - ax*x1*x2 + ay*height*mass*x1
-            - ay*x0*x2)
-        )
-        out[1] = (
-            theta_dot*(2*half_width*link_damping*link_height*s*theta_dot*x0*x1 +
-            link_damping*link_height**2*theta_dot*x8 + link_damping*theta_dot*x7 - x3*x5 - x3*x6
-            - x4*x7*x8) + u_dot*(frame_damping*u_dot + x3 - x4*x5 - x4*x6)
-        )
-        out[2] = 0
-    elif contact == BOTH:
-        u_dot = y[3]
-        frame_mass = p[4]
-        frame_damping = p[6]
-        link_damping = p[9]
-        out[0] = -ax*frame_mass*u_dot
-        out[1] = u_dot*(frame_damping*u_dot + link_damping*u_dot)
-        out[2] = 0
-
-
 def elements(contact, y, p, out):
     """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
 
@@ -737,6 +697,46 @@ def elements(contact, y, p, out):
         out[5] = -link_damping*u_dot - link_stiffness*u
         out[6] = link_stiffness*x0
         out[7] = link_damping*x1
+
+
+def shapes(p, out):
+    """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.
+    """
+    half_width = p[1]
+    height = p[2]
+    link_height = p[7]
+    x0 = -half_width
+    x1 = -height
+    x2 = (4/5)*half_width
+    x3 = -x2
+    x4 = (7/10)*half_width
+    out[0] = x0
+    out[1] = x1
+    out[2] = half_width
+    out[3] = x1
+    out[4] = half_width
+    out[5] = height
+    out[6] = x0
+    out[7] = height
+    out[8] = 0
+    out[9] = -height + link_height
+    out[10] = x3
+    out[11] = 0
+    out[12] = x3
+    out[13] = 0
+    out[14] = x2
+    out[15] = 0
+    out[16] = (5/2)*half_width
+    out[17] = 0
+    out[18] = -x4
+    out[19] = 0
+    out[20] = (39/10)*half_width
+    out[21] = 0
+    out[22] = x4
+    out[23] = 0
 
 
 def overturning(p):

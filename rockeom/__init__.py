@@ -42,8 +42,9 @@ _NAMES_OF = {
     "rockeom.structures.classes": ("Structure",),
     "rockeom.sweeps.tangents": ("Tangents", "tangents"),
     "rockeom.exports.responses": ("load",),
-    "rockeom.symbolic": ("Body", "Parameter", "Mechanism", "RockingModel", "derive", "models"),
+    "rockeom.symbolic": ("Body", "Parameter", "Mode", "RockingModel", "derive", "models"),
 }
+_FORMER_CLASSES = ("Mechanism",)
 _NAMESPACES = ("analysis", "plots")
 """Packages whose many names are no top-level ones."""
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
@@ -114,7 +115,7 @@ if TYPE_CHECKING:
     from rockeom.sweeps.tangents import Tangents as Tangents, tangents as tangents
     from rockeom.symbolic import (
         Body as Body,
-        Mechanism as Mechanism,
+        Mode as Mode,
         Parameter as Parameter,
         RockingModel as RockingModel,
         derive as derive,
@@ -130,9 +131,8 @@ def __getattr__(name: str) -> Any:
     home = _HOME_OF.get(name)
     if home is None and name[:1].isupper():
         home = _classes().get(name)
-    if name == "Phase":
-        former = import_module("rockeom.symbolic.former")
-        return former.classes(vars(import_module("rockeom.symbolic")), name)
+    if name in _FORMER_CLASSES:
+        return getattr(import_module("rockeom.symbolic"), name)
     if home is None:
         message = f"module {__name__!r} has no attribute {name!r}"
         if name.startswith("_"):

@@ -74,6 +74,6 @@ def _text(args: argparse.Namespace, arguments: dict[str, int | str]) -> str:
 
         return module_text(model)
     from rockeom.cli.plain import to_text
-    from rockeom.symbolic.typeset import content
+    from rockeom.symbolic.write.typeset import content
 
     return to_text(content(model, args.form or "width"), width())

@@ -100,7 +100,7 @@ def _list(chosen: list[Equation]) -> str:
 
 def _shown(decision: Decision, columns: int) -> str:
     from rockeom.cli.plain import to_text
-    from rockeom.symbolic.page import Block, Display, Heading, Table
+    from rockeom.symbolic.write.page import Block, Display, Heading, Table
 
     one = decision.equation
     blocks: list[Block] = [Heading(1, f"{one.number}  {one.meaning}")]

@@ -6,7 +6,7 @@ import re
 import textwrap
 import unicodedata
 
-from rockeom.symbolic.page import Block, Display, Heading, Table, broken
+from rockeom.symbolic.write.page import Block, Display, Heading, Table, broken
 
 _COMBINING = {"dot": "\u0307", "ddot": "\u0308"}
 _RAISED = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")

@@ -10,10 +10,9 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from rockeom.compiler.sources import digest
-from rockeom.symbolic.model import RockingModel
 
 
-def declaration_digest(model: RockingModel) -> str:
+def declaration_digest(model: Any) -> str:
     """Hash of all that a generated module follows from: the declaration, SymPy and the derivation.
 
     Raises TypeError where a declaration holds what is neither text nor number nor expression.

@@ -1,4 +1,4 @@
-"""RockingModel -> the text of its generated module.
+"""A hybrid model -> the text of its generated module.
 
 The module is the whole of what the numeric side knows about a structure: tables (states,
 parameters, contacts, transitions) and functions of plain numbers and arrays (rates, guards,
@@ -10,21 +10,16 @@ from __future__ import annotations
 
 import hashlib
 
-from rockeom.codegen.contacts import contact_functions
-from rockeom.codegen.guards import guards
-from rockeom.codegen.held import held
-from rockeom.codegen.jump import jump
+from rockeom.codegen.declared import declared
 from rockeom.codegen.names import check_names, docstring
 from rockeom.codegen.outputs import outputs
-from rockeom.codegen.parameters import functions_of_parameters
-from rockeom.codegen.positions import positions
-from rockeom.codegen.quantities import quantities
-from rockeom.codegen.rates import equations_of_motion
+from rockeom.codegen.parameters import functions_of_parameters, shapes
+from rockeom.codegen.searched import searched
 from rockeom.codegen.sine_cosine import SINE_COSINE
-from rockeom.codegen.tables import contact_tables, tables
-from rockeom.codegen.text import Text, contact_names
-from rockeom.symbolic.contacts import Model
-from rockeom.symbolic.model import RockingModel
+from rockeom.codegen.tables import tables
+from rockeom.codegen.text import Text
+from rockeom.symbolic.checks.derived import check_derived
+from rockeom.symbolic.hybrid import Lowers
 
 HEADER = """{title}.
 
@@ -51,29 +46,19 @@ ROUNDING = """
 # one number wherever they stand."""
 
 
-def module_text(model: RockingModel | Model) -> str:
-    """Source of the generated module; the same model gives the same text.
+def module_text(declaration: Lowers) -> str:
+    """Source of the generated module; the same declaration gives the same text.
 
-    Raises ValueError where what follows from the declaration cannot be simulated.
+    Raises ValueError where equations that follow from the declaration cannot be simulated.
     """
-    model = model.reduced
-    model.check_derived()
+    model = declaration.hybrid
+    check_derived(model)
     text = Text(model)
-    if isinstance(model, Model):
-        columns = contact_functions(text)
-    else:
-        equations_of_motion(text)
-        guards(text)
-        jump(text)
-        columns = outputs(text)
-        on_both_feet = held(text)
-    columns |= positions(text) | quantities(text)
+    search = model.search
+    columns, guards = declared(text) if search is None else searched(text, search)
+    columns |= outputs(text) | shapes(text)
     functions_of_parameters(text)
-    head = (
-        contact_tables(text, columns)
-        if isinstance(model, Model)
-        else tables(text, columns, on_both_feet)
-    )
+    head = tables(text, columns, guards)
     of_tables = [line for line in head if not line.startswith(" ")]  # their rows hold no names
     check_names("\n".join(of_tables + text.lines), text.given)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
@@ -91,7 +76,7 @@ def _header(text: Text, body: str) -> str:
         parameters="\n                ".join(
             f"{p.name} [{p.unit}]: {p.meaning}" for p in model.parameters
         ),
-        contacts=", ".join(contact_names(model)),
+        contacts=", ".join(model.mode_names),
         operations="\n".join(
             f"    {name:<22}{b:>6}{a:>6}" for name, (b, a) in text.operations.items()
         ),

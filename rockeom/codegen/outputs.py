@@ -1,140 +1,179 @@
-"""What is asked of a state: energies, reactions, kinematics, momentum, and equilibrium.
+"""Functions of a state: energies, reactions, kinematics, statics, places, powers, elements.
 
-Each is a function that fills `out`.
+Each fills `out`, in each mode by its own expressions; see `rockeom.symbolic.outputs`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 
 import sympy as sp
 
 from rockeom.codegen.rates import found_accelerations
 from rockeom.codegen.text import Text
-from rockeom.symbolic.contact import reactions
+from rockeom.symbolic import outputs as expressions
 from rockeom.symbolic.impulse import momentum
-from rockeom.symbolic.model import Mechanism
-from rockeom.symbolic.statics import equilibrium
+from rockeom.symbolic.mode import Mode
 
 Columns = tuple[str, ...]
-"""What a function fills `out` with, by name."""
+"""Names of the values that a function fills `out` with."""
 
 
 def outputs(text: Text) -> dict[str, Columns]:
-    """Add all of them; returns the columns of those that have a table of names."""
+    """Add all of them; returns the tables that name the columns of `out`."""
+    model = text.model
     columns = {
-        "ENERGIES": _energies(text),
-        "REACTIONS": _reactions(text),
-        "KINEMATICS": _kinematics(text),
+        "ENERGIES": _named(
+            text,
+            "energies(contact, y, p, out)",
+            "Kinetic, gravitational and elastic energy [J] into out (3,).",
+            lambda mode: expressions.energies(model, mode),
+        ),
+        "KINEMATICS": _named(
+            text,
+            "kinematics(contact, y, p, out)",
+            "Displacement of the load point, gaps and slips [m] into out, as KINEMATICS.",
+            lambda mode: expressions.kinematics(model, mode),
+        ),
     }
-    _momentum(text)
-    _statics(text)
-    return columns
-
-
-def _energies(text: Text) -> Columns:
-    def table(phase: Mechanism) -> dict[str, sp.Expr]:
-        eq = phase.equations
-        return {
-            "kinetic_energy": eq.kinetic_energy,
-            "gravitational_energy": eq.gravitational_energy,
-            "elastic_energy": eq.elastic_energy,
-        }
-
-    return _named(
-        text,
-        "energies",
-        "contact, y, p, out",
-        "Kinetic, gravitational and elastic energy [J] into out (3,).",
-        table,
-    )
-
-
-def _reactions(text: Text) -> Columns:
-    return _named(
-        text,
-        "reactions",
-        "contact, y, p, ax, ay, out",
-        "Forces of the ground [N] into out, in the order of REACTIONS.",
-        lambda phase: reactions(text.model, phase) | phase.quantities_in("N"),
-    )
-
-
-def _kinematics(text: Text) -> Columns:
-    """Displacement of the load point and uplift of the feet, relative to the rest position."""
-    rest = {c.position: 0 for c in text.model.coordinates}
-
-    def table(phase: Mechanism) -> dict[str, sp.Expr]:
-        def moved(expr) -> sp.Expr:
-            expr = phase.approximated(expr)
-            return expr - expr.subs(rest)
-
-        values: dict[str, sp.Expr] = {}
-        if phase.load_point is not None:
-            values["displacement"] = moved(phase.load_point[0])
-        for foot in sorted(phase.feet):
-            values[f"{foot}_uplift"] = moved(phase.feet[foot].position[1])
-        return values | phase.quantities_in("m")
-
-    return _named(
-        text,
-        "kinematics",
-        "contact, y, p, out",
-        "Displacement of the load point and uplift of the feet [m] into out, as KINEMATICS.",
-        table,
-    )
-
-
-def _momentum(text: Text) -> None:
-    """What changes at an impact is the impulse of the ground."""
     _named(
         text,
-        "momentum",
-        "contact, y, p, out",
+        "momentum(contact, y, p, out)",
         "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
-        lambda phase: dict(zip("xy", momentum(phase), strict=True)),
+        lambda mode: dict(zip("xy", momentum(mode), strict=True)),
     )
-
-
-def _statics(text: Text) -> None:
-    def branch(phase: Mechanism, indent: str) -> list[str]:
-        free = dict(zip(phase.coordinates, equilibrium(phase), strict=True))
-        targets = {
-            f"out[{i}]": free.get(c, sp.Integer(0)) for i, c in enumerate(text.model.coordinates)
-        }
-        return text.evaluate("statics", targets, indent)
-
-    text.by_phase(
+    _in_order(
+        text,
         "statics(contact, y, p, load, out)",
         "Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,).",
-        branch,
+        lambda mode: expressions.statics(model, mode),
     )
+    _in_order(
+        text,
+        "masses(contact, y, p, out)",
+        "Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out.",
+        lambda mode: [*(e for b in mode.bodies for e in (b.mass, b.inertia)), mode.gravity],
+    )
+    _in_order(
+        text,
+        "powers(contact, y, p, ax, ay, out)",
+        """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
+    forces.""",
+        lambda mode: expressions.powers(model, mode),
+    )
+    return columns | _positions(text) | {"ELEMENT_NAMES": _elements(text)}
+
+
+def reactions(text: Text) -> Columns:
+    """Add the forces in declared modes."""
+    return _named(
+        text,
+        "reactions(contact, y, p, ax, ay, out)",
+        "Forces of the ground [N] into out, in the order of REACTIONS.",
+        lambda mode: expressions.forces(text.model, mode),
+    )
+
+
+def into_out(values: Iterable[sp.Expr]) -> dict[str, sp.Expr]:
+    """Expressions by their places in `out`."""
+    return {f"out[{i}]": sp.sympify(e) for i, e in enumerate(values)}
 
 
 def _named(
-    text: Text,
-    name: str,
-    arguments: str,
-    doc: str,
-    table: Callable[[Mechanism], dict[str, sp.Expr]],
+    text: Text, signature: str, doc: str, table: Callable[[Mode], Mapping[str, sp.Expr]]
 ) -> Columns:
-    """A function that fills out with named quantities; held accelerations are zero."""
-    columns: list[str] = []
+    """A function of named quantities; returns their names."""
+    _in_order(text, signature, doc, lambda mode: table(mode).values())
+    return tuple(table(text.model.modes[0]))
 
-    def branch(phase: Mechanism, indent: str) -> list[str]:
-        values = table(phase)
-        columns[:] = list(values)
-        used = set().union(*(sp.sympify(e).free_symbols for e in values.values()))
+
+def _in_order(
+    text: Text, signature: str, doc: str, values: Callable[[Mode], Iterable[sp.Expr]]
+) -> None:
+    """A function that fills out; accelerations of coordinates that a mode holds are zero."""
+    name = signature.partition("(")[0]
+
+    def branch(mode: Mode, indent: str) -> list[str]:
+        targets = into_out(values(mode))
+        used = set().union(*(e.free_symbols for e in targets.values()))
         lines = []
-        if used & {c.acceleration for c in phase.coordinates}:
+        if used & {c.acceleration for c in mode.coordinates}:
             lines.append(found_accelerations(text, indent))
             lines += [
                 f"{indent}{text.name(c.acceleration)} = found[{i}]"
                 for i, c in enumerate(text.model.coordinates)
                 if c.acceleration in used
             ]
-        targets = {f"out[{i}]": e for i, e in enumerate(values.values())}
         return lines + text.evaluate(name, targets, indent)
 
-    text.by_phase(f"{name}({arguments})", doc, branch)
-    return tuple(columns)
+    text.by_mode(signature, doc, branch)
+
+
+def _positions(text: Text) -> dict[str, Columns]:
+    model = text.model
+    _in_order(
+        text,
+        "positions(contact, y, p, out)",
+        "Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one.",
+        lambda mode: (e for place in expressions.places(model, mode).values() for e in place[1:]),
+    )
+    shown = expressions.places(model, model.modes[0])
+    return {
+        "POSITIONS": tuple(shown),
+        "POSITION_KINDS": tuple(place.kind for place in shown.values()),
+    }
+
+
+# -- elements -----------------------------------------------------------------------------------
+
+
+def _elements(text: Text) -> Columns:
+    model = text.model
+    first = model.modes[0]
+    side = next(iter(first.sides.values()))
+    names = tuple(_called(a, side) for a in expressions.elements(model, first))
+    signature = "elements(contact, y, p, out)"
+    doc = """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+
+    Into out, one element behind the other."""
+    if any(e.mirrored for mode in model.modes for e in mode.elements):
+        text.function(signature, doc, _on_each_side(text, names))
+        return names
+
+    def values(mode: Mode) -> Iterable[sp.Expr]:
+        acting = {a.element.name: a for a in expressions.elements(model, mode)}
+        for name in names:
+            for x in expressions.of_element(acting[name], mode.coordinates):
+                yield model.written_out(x)
+
+    _in_order(text, signature, doc, values)
+    return names
+
+
+def _called(acting: expressions.Acting, side: int) -> str:
+    """Name of an element on a side."""
+    e = acting.element
+    return e.called(side) if isinstance(e, expressions.Spring) else e.name
+
+
+def _on_each_side(text: Text, names: Columns) -> list[str]:
+    """Lines for each mode: an element and its image on the other side have names of their own."""
+    model = text.model
+    branches: dict[tuple[str, ...], list[str]] = {}
+    for mode in model.modes:
+        for name, side in mode.sides.items():
+            acting = {_called(a, side): a for a in expressions.elements(model, mode)}
+            values = (
+                model.in_mode(x, name)
+                for element in names
+                for x in expressions.of_element(acting[element], mode.coordinates)
+            )
+            lines = tuple(text.evaluate("elements", into_out(values), " " * 8))
+            branches.setdefault(lines, []).append(text.contacts[name])
+    if len(branches) == 1:
+        return [line[4:] for line in next(iter(branches))]
+    body: list[str] = []
+    for lines, modes in branches.items():
+        body.append(f"    {'elif' if body else 'if'} contact in ({', '.join(modes)},):")
+        body += lines
+    return body

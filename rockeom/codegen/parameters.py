@@ -4,11 +4,36 @@ from __future__ import annotations
 
 import sympy as sp
 
+from rockeom.codegen.outputs import into_out
 from rockeom.codegen.printer import statements
 from rockeom.codegen.text import Text
-from rockeom.symbolic.check import Size, sizes
-from rockeom.symbolic.contacts import Model
-from rockeom.symbolic.model import RockingModel
+from rockeom.symbolic.checks.values import Size, sizes
+from rockeom.symbolic.hybrid import HybridModel
+
+
+def shapes(text: Text) -> dict[str, tuple[str, ...]]:
+    """Add the sizes that a sketch shows; returns the tables that name them."""
+    bodies, members = text.model.bodies, text.model.members
+    several = [b for b in bodies if b.copies != 1]
+    found = [
+        *(e for b in bodies for corner in b.outline for e in corner),
+        *(e for m in members for e in (*m.start_at, *m.end_at)),
+        *(e for b in several for e in (b.copies, b.apart)),
+    ]
+    text.function(
+        "shapes(p, out)",
+        """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
+
+    Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
+    of each of COPIES.""",
+        text.evaluate("shapes", into_out(found), "    ") or ["    pass"],
+    )
+    return {
+        "CORNERS": tuple(b.name for b in bodies for _ in b.outline),
+        "MEMBERS": tuple(m.kind for m in members),
+        "MEMBER_ENDS": tuple(name for m in members for name in (m.start, m.end)),
+        "COPIES": tuple(b.name for b in several),
+    }
 
 
 def functions_of_parameters(text: Text) -> None:
@@ -20,7 +45,7 @@ def functions_of_parameters(text: Text) -> None:
     _prepare(text)
 
 
-def sizes_to_check(model: RockingModel | Model) -> list[Size]:
+def sizes_to_check(model: HybridModel) -> list[Size]:
     """Those that the signs of the parameters do not settle."""
     return [size for size in sizes(model) if not (size.may_vanish and size.value.is_nonnegative)]
 

@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from rockeom.codegen.solve import solve
 from rockeom.codegen.text import Text
-from rockeom.symbolic.model import Mechanism
+from rockeom.symbolic.mode import Mode
 
 
 def equations_of_motion(text: Text) -> None:
@@ -16,16 +16,16 @@ def equations_of_motion(text: Text) -> None:
 
 
 def _accelerations(text: Text) -> None:
-    """A function of plain numbers for each phase, and one that chooses the phase."""
-    phases = text.model.mechanisms
-    indent = " " * 8 if len(phases) > 1 else " " * 4
+    """A function of plain numbers for each mode, and one that chooses the mode."""
+    modes = text.model.modes
+    indent = " " * 8 if len(modes) > 1 else " " * 4
     chosen: list[str] = []
-    for i, phase in enumerate(phases):
-        call = _accelerations_of(text, i, phase)
-        if len(phases) > 1:
-            test = f"{'elif' if chosen else 'if'} {text.test(phase)}"
-            chosen.append(f"    {'else' if phase is phases[-1] else test}:")
-        chosen += [*text.side(indent, phase), f"{indent}return {call}"]
+    for i, mode in enumerate(modes):
+        call = _accelerations_of(text, i, mode)
+        if len(modes) > 1:
+            test = f"{'elif' if chosen else 'if'} {text.test(mode)}"
+            chosen.append(f"    {'else' if mode is modes[-1] else test}:")
+        chosen += [*text.side(indent, mode), f"{indent}return {call}"]
     text.function(
         f"accelerations(contact, {', '.join(text.states)}, p, ax, ay)",
         "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
@@ -34,24 +34,24 @@ def _accelerations(text: Text) -> None:
     )
 
 
-def _accelerations_of(text: Text, number: int, phase: Mechanism) -> str:
-    """Add the function of one phase; returns how it is called."""
-    several = phase.has_side and len(phase.contacts) > 2
-    own = "" if several else "_".join(["accelerations", *phase.contacts])
+def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
+    """Add the function of one mode; returns how it is called."""
+    several = mode.has_side and len(mode.sides) > 2
+    own = "" if several else "_".join(["accelerations", *mode.sides])
     name = text.function_name(own, f"accelerations_{number}")
-    which = f"of phase {number}" if several else f"with contact {' or '.join(phase.contacts)}"
-    out = [text.name(c.acceleration) for c in phase.coordinates]
+    which = f"of mode {number}" if several else f"with contact {' or '.join(mode.sides)}"
+    out = [text.name(c.acceleration) for c in mode.coordinates]
     body = []
     if out:
-        eq = phase.equations
+        eq = mode.equations
         body = solve(
-            text, "accelerations", eq.mass_matrix, eq.forcing, out, "    ", phase.gravity, False
+            text, "accelerations", eq.mass_matrix, eq.forcing, out, "    ", mode.gravity, False
         )
     found = [
-        text.name(c.acceleration) if c in phase.coordinates else "0.0"
+        text.name(c.acceleration) if c in mode.coordinates else "0.0"
         for c in text.model.coordinates
     ]
-    side = "s, " if phase.has_side else ""
+    side = "s, " if mode.has_side else ""
     call = f"{name}({side}{', '.join(text.states)}, p, ax, ay)"
     text.function(
         call,
@@ -65,13 +65,13 @@ def _accelerations_of(text: Text, number: int, phase: Mechanism) -> str:
 def _rates(text: Text) -> None:
     """Of all states, on arrays."""
 
-    def branch(phase: Mechanism, indent: str) -> list[str]:
+    def branch(mode: Mode, indent: str) -> list[str]:
         return [
-            f"{indent}dy[{i}] = {f'y[{text.n + i}]' if c in phase.coordinates else '0.0'}"
+            f"{indent}dy[{i}] = {f'y[{text.n + i}]' if c in mode.coordinates else '0.0'}"
             for i, c in enumerate(text.model.coordinates)
         ]
 
-    text.by_phase(
+    text.by_mode(
         "rates(contact, y, p, ax, ay, dy)",
         "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
         branch,
@@ -83,7 +83,7 @@ def _rates(text: Text) -> None:
 
 
 def _opening_acceleration(text: Text) -> None:
-    """Second derivative of the gap that a rocking phase would open from rest."""
+    """Second derivative of the gap that a rocking mode would open from rest."""
     rotation = text.model.rotation
     theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
     text.function(

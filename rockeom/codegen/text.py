@@ -8,23 +8,57 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from textwrap import dedent
-from typing import Any
 
 import sympy as sp
 
-from rockeom.codegen.constants import Constants
 from rockeom.codegen.names import Names, docstring, names_in
 from rockeom.codegen.printer import WIDTH, assign, python, statements
 from rockeom.codegen.sine_cosine import assigned_angles, named_angles
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.contacts import Model
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Mechanism, RockingModel
+from rockeom.symbolic.elements import switch_of
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD
 
 
-def contact_names(model: RockingModel | Model) -> tuple[str, ...]:
-    """Names of the contact states, in the order in which generated code numbers them."""
-    return model.modes.names if isinstance(model, Model) else model.contacts
+class Constants:
+    """Parts of expressions that depend on parameters alone: named, and computed by `prepare`.
+
+    names : of each constant, by its expression in parameters.
+    """
+
+    def __init__(self, parameters: Iterable[sp.Symbol]) -> None:
+        self.parameters = frozenset(parameters)
+        self.names: dict[sp.Expr, sp.Symbol] = {}
+        self._fixed: dict[sp.Basic, bool] = {}
+
+    def fixed(self, expr: sp.Basic) -> bool:
+        """Whether an expression contains parameters alone."""
+        if expr not in self._fixed:
+            parts = all(self.fixed(a) for a in expr.args)
+            self._fixed[expr] = parts if expr.args else expr.free_symbols <= self.parameters
+        return self._fixed[expr]
+
+    def name(self, expr: sp.Expr) -> sp.Expr:
+        """A name for an expression in parameters alone; numbers and symbols need none."""
+        if expr.is_Atom or expr.is_number:
+            return expr
+        if expr.could_extract_minus_sign():
+            return -self.name(-expr)
+        return self.names.setdefault(expr, sp.Symbol(f"c{len(self.names)}"))
+
+    def hoisted(self, expr: sp.Expr) -> sp.Expr:
+        """The expression with all parts that depend on parameters alone named as constants."""
+        if expr.is_Atom:
+            return expr
+        if self.fixed(expr):
+            return self.name(expr)
+        if expr.is_Add or expr.is_Mul:
+            fixed = [a for a in expr.args if self.fixed(a)]
+            moving = [self.hoisted(a) for a in expr.args if not self.fixed(a)]
+            return expr.func(*([self.name(expr.func(*fixed))] if fixed else []), *moving)
+        return expr.func(*(self.hoisted(a) for a in expr.args))
 
 
 class Text:
@@ -37,14 +71,12 @@ class Text:
         by function.
     """
 
-    def __init__(self, model: RockingModel | Model) -> None:
-        self.model: Any = model
-        coordinates = model.coordinates
-        if isinstance(model, Model):
-            coordinates += model.integrals
+    def __init__(self, model: HybridModel) -> None:
+        self.model = model
+        coordinates = model.integrated
         self.n = len(coordinates)
         given = Names()
-        self.contacts = {c: given.of_contact(c) for c in contact_names(model)}
+        self.contacts = {c: given.of_contact(c) for c in model.mode_names}
         self.states = [given.of(name) for name in model.states]
         self.parameters = [given.of(p.name) for p in model.parameters]
         self.given = given.given
@@ -60,6 +92,10 @@ class Text:
             self.names[c.position] = sp.Symbol(self.states[i])
             self.names[c.velocity] = sp.Symbol(self.states[self.n + i])
             self.names[c.acceleration] = sp.Symbol(f"{self.states[i]}_ddot")
+        of = model.search.of if model.search else None
+        self.switches = [f"chi_{i}" for i in range(len(of.switching) if of else 0)]
+        for i, name in enumerate(self.switches):
+            self.names[switch_of(i)] = sp.Symbol(name)
         self.constants = Constants(self.names[p.symbol] for p in model.parameters)
         self.operations: dict[str, tuple[int, int]] = {}
         self.lines: list[str] = []
@@ -93,22 +129,35 @@ class Text:
 
     # -- lines ----------------------------------------------------------------------------
 
-    def test(self, *phases: Mechanism) -> str:
-        """The condition that a contact state is one of these phases'."""
-        names = [self.contacts[c] for phase in phases for c in phase.contacts]
-        if len(phases) > 1:
+    def test(self, *modes: Mode) -> str:
+        """The condition that a contact state is one of these modes'."""
+        names = [self.contacts[c] for mode in modes for c in mode.sides]
+        if len(modes) > 1:
             return f"contact in ({', '.join(names)})"
         return " or ".join(f"contact == {name}" for name in names)
 
-    def side(self, indent: str, *phases: Mechanism) -> list[str]:
-        """Lines that assign the side of a contact state of these phases, if they have any."""
-        if not any(phase.has_side for phase in phases):
+    def side(self, indent: str, *modes: Mode) -> list[str]:
+        """Lines that assign the side of a contact state of these modes, if they have any."""
+        if not any(mode.has_side for mode in modes):
             return []
-        sides = [(side, c) for phase in phases for c, side in phase.contacts.items()]
+        sides = [(side, c) for mode in modes for c, side in mode.sides.items()]
         if sorted(side for side, _ in sides) != [-1, 1]:
             return [f"{indent}s = SIDES[contact]"]
         right = next(c for side, c in sides if side == 1)
         return [f"{indent}s = 1.0 if contact == {self.contacts[right]} else -1.0"]
+
+    def _signs(self, lines: Iterable[str], modes: Sequence[Mode]) -> list[str]:
+        """Lines that read the side and the states of elements, where lines of a branch use them."""
+        used, indent = names_in(dedent("\n".join(lines))), " " * 8
+        side = self.side(indent, *modes) if str(self.names[SIDE]) in used else []
+        return side + [line for line in self.read_switches(indent) if line.split()[0] in used]
+
+    def read_switches(self, indent: str) -> list[str]:
+        """Lines that read the states of all elements of a mode."""
+        return [
+            f"{indent}{name} = 1.0 * ELEMENT_STATES[contact][{i}]"
+            for i, name in enumerate(self.switches)
+        ]
 
     def evaluate(
         self,
@@ -168,28 +217,28 @@ class Text:
         marked = [mark] if mark else []
         self.lines += ["", "", *marked, f"def {signature}:", docstring(doc, "    "), *body]
 
-    def by_phase(
+    def by_mode(
         self,
         signature: str,
         doc: str,
-        branch: Callable[[Mechanism, str], list[str]],
+        branch: Callable[[Mode, str], list[str]],
         after: Sequence[str] = (),
     ) -> None:
-        """Add a function with a branch for each phase, and the lines that stand after them.
+        """Add a function with a branch for each mode, and the lines behind them.
 
         Phases of which the same is to be said share a branch.
         """
-        branches: dict[tuple[str, ...], list[Mechanism]] = {}
-        for phase in self.model.mechanisms:
-            branches.setdefault(tuple(branch(phase, " " * 8)), []).append(phase)
+        branches: dict[tuple[str, ...], list[Mode]] = {}
+        for mode in self.model.modes:
+            branches.setdefault(tuple(branch(mode, " " * 8)), []).append(mode)
         body: list[str] = []
-        for lines, phases in branches.items():
-            body.append(f"    {'elif' if body else 'if'} {self.test(*phases)}:")
-            if str(self.names[SIDE]) in names_in(dedent("\n".join(lines))):
-                body += self.side(" " * 8, *phases)
+        for lines, modes in branches.items():
+            if len(branches) > 1:
+                body.append(f"    {'elif' if body else 'if'} {self.test(*modes)}:")
+            body += self._signs(lines, modes)
             body += lines or [" " * 8 + "pass"]
-        if len(branches) == 1 and len(self.model.mechanisms) > 1:  # whatever the contact state is
-            body = [line[4:] for line in body[1:]]
+        if len(branches) == 1:
+            body = [line[4:] for line in body]
         self.function(signature, doc, [*body, *after])
 
 

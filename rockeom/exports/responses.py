@@ -47,8 +47,7 @@ from rockeom.structures.impact_laws import (
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rockeom.symbolic import RockingModel
-    from rockeom.symbolic.modes import Model
+    from rockeom.symbolic import Model, RockingModel
 
 FORMAT = 1
 """Of the files: one of a higher format is refused. Who changes it must still read the lower ones.

@@ -21,8 +21,8 @@ from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure, cl
 if TYPE_CHECKING:
     from rockeom.symbolic import RockingModel
 
-MANY_CONTACT_STATES = 30
-"""The derivation of more contact states takes many seconds, and is announced before it begins."""
+MANY_MODES = 30
+"""The derivation of more modes takes many seconds, and is announced before it begins."""
 
 _CLASSES: dict[int, tuple[RockingModel, type[DeclaredStructure]]] = {}
 
@@ -75,13 +75,12 @@ def module_of(name: str, **arguments: str | int) -> ModuleType:
 def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> ModuleType:
     def text() -> bytes:
         from rockeom.codegen import module_text
-        from rockeom.codegen.text import contact_names
 
         started = time.monotonic()
         of = model()
-        states = len(contact_names(of.reduced))
-        if states > MANY_CONTACT_STATES:
-            say(f"deriving {of.name} with {states} contact states")
+        modes = len(of.hybrid.mode_names)
+        if modes > MANY_MODES:
+            say(f"deriving {of.name} with {modes} modes")
         found = module_text(of).encode()
         announce(f"derived {of.name}", started)
         return found

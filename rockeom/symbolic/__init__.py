@@ -4,39 +4,40 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.symbolic import former
-from rockeom.symbolic.contacts import Contact, Force, Model, Pinned, Rigid, feet
+from rockeom import renamed
+from rockeom.symbolic.contact_model import Model
+from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, feet
 from rockeom.symbolic.elements import Spring, Unilateral, Yielding
+from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import (
     Body,
     Coordinate,
     Definition,
     Foot,
     InternalVariable,
-    Mechanism,
     Member,
     NamedFunction,
     Parameter,
-    RockingModel,
-    Transition,
     coordinate,
     internal_variable,
     parameter,
     rectangle,
-    rocking_structure,
     turned,
 )
 from rockeom.symbolic.registry import SHIPPED, derive, models
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
+
+FORMER = {"Mechanism": "Mode"}
+"""Former names of classes."""
+
+_former = renamed.names(__name__, FORMER, lambda name: globals()[name])
 
 
 def __getattr__(name: str) -> Any:
     """The function that declares a shipped structure, such as `controlled_wall`."""
     if name in SHIPPED:
         return SHIPPED[name]
-    renamed = former.classes(globals(), name)
-    if renamed is not None:
-        return renamed
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _former(name)
 
 
 __all__ = [
@@ -48,8 +49,8 @@ __all__ = [
     "Foot",
     "Force",
     "InternalVariable",
-    "Mechanism",
     "Member",
+    "Mode",
     "Model",
     "NamedFunction",
     "Parameter",

@@ -5,34 +5,36 @@ from __future__ import annotations
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Mechanism, RockingModel
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 
-def total_reaction(phase: Mechanism) -> tuple[sp.Expr, sp.Expr]:
+def total_reaction(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
     """(horizontal, vertical) force of the ground on all feet, by Newton's second law."""
-    horizontal, vertical = (-sp.sympify(force) for force in phase.beside_feet)
-    for body in phase.bodies:
-        place = [phase.approximated(e) for e in body.position]
-        x, y = (rate(rate(e, phase.coordinates), phase.coordinates) for e in place)
+    horizontal, vertical = (-sp.sympify(force) for force in mode.beside_feet)
+    for body in mode.bodies:
+        place = [mode.approximated(e) for e in body.position]
+        x, y = (rate(rate(e, mode.coordinates), mode.coordinates) for e in place)
         horizontal += body.mass * (x + GROUND_X)
-        vertical += body.mass * (y + GROUND_Y + phase.gravity)
+        vertical += body.mass * (y + GROUND_Y + mode.gravity)
     return tidy(horizontal), tidy(vertical)
 
 
-def reactions(model: RockingModel, phase: Mechanism) -> dict[str, sp.Expr]:
+def reactions(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
     """Horizontal force, and vertical force at the left and the right foot, where there are feet.
 
     The horizontal force is the sum over both feet: in full contact statics does not tell how
-    they share it. Expressions contain the accelerations of the mechanism's coordinates.
+    they share it. Expressions contain the accelerations of the mode's coordinates.
     """
-    horizontal, vertical = total_reaction(phase)
-    feet = phase.feet
+    horizontal, vertical = total_reaction(mode)
+    feet = mode.feet
     if not feet:
         return {"horizontal_reaction": horizontal}
     if all(foot.force is not None for foot in feet.values()):
         left, right = feet["left"].force, feet["right"].force
-    elif phase.has_side:
+    elif mode.has_side:
         left, right = vertical * (1 - SIDE) / 2, vertical * (1 + SIDE) / 2
     else:
         left = _force_of_held_foot(model, "left", "right")
@@ -44,13 +46,13 @@ def reactions(model: RockingModel, phase: Mechanism) -> dict[str, sp.Expr]:
     }
 
 
-def _force_of_held_foot(model: RockingModel, foot: str, pivot: str) -> sp.Expr:
+def _force_of_held_foot(model: HybridModel, foot: str, pivot: str) -> sp.Expr:
     """Vertical force at a foot in full contact, by virtual work.
 
     Release the foot: the structure turns about the other one. What the equation of that
     rotation lacks of being satisfied at rest is the work of the force that held the foot.
     """
-    turning = model.mechanism(pivot)
+    turning = model.mode(pivot)
     side = turning.side_of(pivot)
     theta = model.rotation
     held = {theta.position: 0, theta.velocity: 0, theta.acceleration: 0}

@@ -1,8 +1,8 @@
-"""A structure whose contacts are declared: its modes are derived, see `rockeom.symbolic.modes`.
+"""A structure whose contacts are declared; `rockeom.symbolic.modes` derives its modes.
 
 Bodies have positions in the coordinates of the FREE structure. A contact is a point with a gap and
-a slip, functions of the coordinates, and a law; an element carries a force. Nothing is said of
-modes or of what leads from one to another.
+a slip, functions of the coordinates, and a law; an element carries a force. Modes and transitions
+follow from these.
 """
 
 from __future__ import annotations
@@ -10,35 +10,27 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from rockeom.symbolic import former, valid
+from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import (
     Element,
     Passage,
     Spring,
     Switching,
-    Unilateral as Unilateral,
     switch_of,
 )
+from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import (
     Body,
     Coordinate,
-    Definition,
     InternalVariable,
-    Mechanism,
     Member,
-    NamedFunction,
     Parameter,
     Point,
-    RockingModel,
 )
-
-if TYPE_CHECKING:
-    from rockeom.symbolic.modes import DerivedMechanism, Modes
 
 
 @dataclass(frozen=True)
@@ -73,8 +65,8 @@ class Rigid:
 class Pinned(Rigid):
     """The law of a pair of feet that open, and neither slip nor bounce, whatever happens.
 
-    A model on them is a rocking structure: the place of its base is no state, contact states are
-    "left", "both" and "right", and laws of impact are those by a ratio of rates, such as
+    A model on them is a rocking structure: the place of its base is no state, its modes are
+    "left", "both" and "right", and impact laws are those by a ratio of rates, such as
     `AngularMomentum`. See `Model.reduced`.
     """
 
@@ -157,32 +149,9 @@ def feet(
     )
 
 
-_LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
-
-
-@former.names(phases="mechanisms", laws="functions")
 @dataclass(frozen=True, kw_only=True)
-class Model:
-    """A structure that is free to move but for its contacts and elements.
-
-    contacts, elements : what touches, and what carries forces: a `Spring` always, others by their
-        states.
-    rotation : the coordinate that overturns, positive clockwise, at `overturning`.
-    falls : further coordinates that do, each with the size at which it has, {coordinate: size}.
-    elastic_energy, dissipation : of springs and dampers that always act and need no name; those of
-        each `Spring` are added.
-    forces : others that always act, each by its work along a displacement.
-    rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
-        variables. These may stand in forces and in the elastic energy, whose slope by a coordinate
-        is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
-        Beside z a response tells of its integral over time, `z_integral`, which acts on nothing.
-    load_point : place of a pushover's force, whose displacement a response tells.
-    members : what a sketch shows between bodies.
-
-    On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.
-
-    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
-    """
+class ContactDeclaration:
+    """Bodies that are free to move but for contacts and elements; see `Model`, which checks it."""
 
     name: str
     title: str
@@ -203,31 +172,10 @@ class Model:
     members: tuple[Member, ...] = ()
     falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
 
-    def __post_init__(self) -> None:
-        from rockeom.symbolic.check_contacts import check
-
-        for name in _LISTS:
-            object.__setattr__(self, name, tuple(getattr(self, name)))
-        check(self)
-        _ = self.reduced
-
     @cached_property
-    def reduced(self) -> Model | RockingModel:
-        """What is generated and simulated: the model itself, or with pinned feet what is left.
-
-        That is a RockingModel, whose coordinates are those that a pinned foot leaves free. It tells
-        of its own equations, such as `model.reduced.equations("right")`.
-        """
-        if not any(isinstance(c.law, Pinned) for c in self.contacts):
-            return self
-        from rockeom.symbolic.pinned import reduced
-
-        return reduced(self)
-
-    @cached_property
-    def free(self) -> Mechanism:
+    def free(self) -> Mode:
         """The structure without its contacts and what switches, all coordinates free."""
-        return Mechanism(
+        return Mode(
             {"flight": 0},
             self.coordinates,
             self.bodies,
@@ -246,7 +194,7 @@ class Model:
 
     @property
     def switching(self) -> tuple[Switching, ...]:
-        """Those of `elements` that have states, of which contact states are made."""
+        """Those of `elements` that have states, of which modes are made."""
         return tuple(e for e in self.elements if not isinstance(e, Spring))
 
     @cached_property
@@ -284,99 +232,14 @@ class Model:
             for z in self.internal
         )  # fmt: skip
 
-    @cached_property
-    def modes(self) -> Modes:
-        """The contact states and their mechanisms, derived.
-
-        Raises ValueError where statics does not tell how closed points share their forces, where
-        there are too many contact states, and where feet are pinned: see `reduced`.
-        """
-        from rockeom.symbolic.modes import derive_modes
-
-        if isinstance(self.reduced, RockingModel):
-            raise ValueError(
-                f"{self.name}: with pinned feet its contact states are "
-                f"{', '.join(self.reduced.contacts)}: see `model.reduced`, such as "
-                '`model.reduced.equations("right")`'
-            )
-        return derive_modes(self)
-
-    def mode(self, name: str) -> DerivedMechanism:
-        """The mechanism that moves in a contact state, such as "right_slides_left".
-
-        Raises ValueError, naming the contact states, if there is none of that name.
-        """
-        valid.known(self.name, "contact state", name, self.modes.names)
-        return self.modes.mechanism_of(self.modes.states[self.modes.names.index(name)])
-
     @property
     def states(self) -> tuple[str, ...]:
+        """Places of coordinates, integrals of internal variables, and the rates of both."""
         names = [c.name for c in self.coordinates]
         integrals = [c.name for c in self.integrals]
         return (*names, *integrals, *(f"{n}_dot" for n in names), *(z.name for z in self.internal))
 
-    def check_derived(self) -> None:
-        """Raise ValueError where what follows from the declaration cannot be simulated."""
-        from rockeom.symbolic.check_contacts import check_derived
-
-        if isinstance(self.reduced, RockingModel):
-            self.reduced.check_derived()
-        else:
-            check_derived(self)
-
-    def check_values(self, values: Mapping[str, float]) -> None:
-        """Raise ValueError where these parameters, by name, give a body or a base no size."""
-        from rockeom.symbolic.check import check_values
-
-        check_values(self.reduced, values)
-
-    def latex(self, form: str = "width") -> str:
-        """A LaTeX document of the whole model; in two forms where feet are pinned."""
-        from rockeom.symbolic.typeset import latex_document
-
-        return latex_document(self, form)
-
-    def markdown(self) -> str:
-        """The same equations as a Markdown page."""
-        from rockeom.symbolic.typeset import markdown_page
-
-        return markdown_page(self)
-
-    def code(self, language: str) -> str:
-        """What is simulated, as the text of one self-contained file: "c" (C99) or "matlab".
-
-        Equations of motion, guards, impact map, energies and more of every contact state, with
-        arguments and units told in it; MATLAB's runs in Octave as well. See `rockeom export`.
-        Raises ValueError for another language.
-        """
-        from rockeom.exports import code_of_model
-
-        return code_of_model(self, language)
-
-    # what is asked of a model whichever way it was declared
-
     @property
-    def mechanisms(self) -> tuple[Mechanism, ...]:
-        return (self.free,)
-
-    @property
-    def constants(self) -> dict[sp.Symbol, sp.Expr]:
-        return {}
-
-    @property
-    def definitions(self) -> tuple[Definition, ...]:
-        return ()
-
-    @property
-    def functions(self) -> tuple[NamedFunction, ...]:
-        return ()
-
-    @property
-    def velocity_ratio(self) -> None:
-        return None
-
-    def in_contact(self, expr: sp.Expr, contact: str) -> sp.Expr:
-        return sp.sympify(expr)
-
-    def written_out(self, expr: sp.Expr) -> sp.Expr:
-        return sp.sympify(expr)
+    def has_pinned_feet(self) -> bool:
+        """Whether a contact has the law `Pinned`."""
+        return any(isinstance(c.law, Pinned) for c in self.contacts)

@@ -10,15 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self
+from typing import ClassVar, NamedTuple, Self
 
 import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
-
-if TYPE_CHECKING:
-    from rockeom.symbolic.model import Coordinate, InternalVariable, Point
+from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
 
 
 def switch_of(element: int) -> sp.Symbol:
@@ -178,8 +176,6 @@ class Yielding:
     variable: InternalVariable = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        from rockeom.symbolic.model import internal_variable
-
         what = f"element {self.name!r}"
         valid.texts(what, name=self.name)
         valid.expressions(what, elongation=self.elongation, **self.constants)
@@ -311,7 +307,7 @@ class Spring:
     NAME_deformation, NAME_force, NAME_energy and NAME_loss.
 
     stiffness : k [N/m]. damping : c [N s/m]. initial_force : P [N], of either sign, where d is
-    zero. Its energy is what it gives back when it is let loose. mirrored : in a mechanism that is
+    zero. Its energy is what it gives back when it is let loose. mirrored : in a mode that is
     written with the side s, what it is called where s = -1, if not the same.
 
         Spring("storey_2", u_2 - u_1, stiffness=k_2, damping=c_2)

@@ -9,18 +9,20 @@ import numpy as np
 import sympy as sp
 
 from rockeom.symbolic.contact import reactions
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel, Transition
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.mode import Transition
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 Function = Callable[[Sequence], np.ndarray]
 Table = tuple[tuple[str, ...], Function]
 """Names, and the function that gives their values."""
 
 
-class NumpyPhase:
+class NumpyMode:
     """One contact state of a model as functions of arrays.
 
-        phase = rk.derive("rigid_block").lambdify()["right"]
-        phase.accelerations([theta, theta_dot], {"mass": 1.0, "half_width": 0.1, ...}, ax=1.2)
+        mode = rk.derive("rigid_block").lambdify()["right"]
+        mode.accelerations([theta, theta_dot], {"mass": 1.0, "half_width": 0.1, ...}, ax=1.2)
 
     Every method takes
 
@@ -33,13 +35,13 @@ class NumpyPhase:
     Units are those of the model, SI. `coordinates` are the d free ones; held ones do not move.
     """
 
-    def __init__(self, model: RockingModel, contact: str) -> None:
-        phase = model.mechanism(contact)
-        self._model, self._phase = model, phase
+    def __init__(self, model: HybridModel, contact: str) -> None:
+        mode = model.mode(contact)
+        self._model, self._mode = model, mode
         self.contact = contact
         self.states = model.states
         self.parameters = tuple(p.name for p in model.parameters)
-        self.coordinates = tuple(c.name for c in phase.coordinates)
+        self.coordinates = tuple(c.name for c in mode.coordinates)
         self._rows = [model.states.index(name) for name in self.coordinates]
 
     # each made when it is asked for first: printing the longer expressions takes a second
@@ -52,7 +54,7 @@ class NumpyPhase:
         return [*given, *self._model.constants, *q, *qd, GROUND_X, GROUND_Y]
 
     def _function(self, expressions: Iterable[sp.Expr], *more: sp.Symbol) -> Function:
-        exact = (self._model.in_contact(e, self.contact) for e in expressions)
+        exact = (self._model.in_mode(e, self.contact) for e in expressions)
         return array_function([*self._arguments, *more], exact)
 
     def _table(self, named: Mapping[str, sp.Expr], *more: sp.Symbol) -> Table:
@@ -65,15 +67,15 @@ class NumpyPhase:
 
     @cached_property
     def _mass_matrix(self) -> Function:
-        return self._function(self._phase.equations.mass_matrix)
+        return self._function(self._mode.equations.mass_matrix)
 
     @cached_property
     def _forcing(self) -> Function:
-        return self._function(self._phase.equations.forcing)
+        return self._function(self._mode.equations.forcing)
 
     @cached_property
     def _energies(self) -> Table:
-        equations = self._phase.equations
+        equations = self._mode.equations
         return self._table(
             {
                 "kinetic_energy": equations.kinetic_energy,
@@ -84,17 +86,17 @@ class NumpyPhase:
 
     @cached_property
     def _reactions(self) -> Table:
-        found = reactions(self._model, self._phase) | self._phase.quantities_in("N")
-        return self._table(found, *(c.acceleration for c in self._phase.coordinates))
+        found = reactions(self._model, self._mode) | self._mode.quantities_in("N")
+        return self._table(found, *(c.acceleration for c in self._mode.coordinates))
 
     @cached_property
     def _positions(self) -> Table:
-        phase = self._phase
-        places = {body.name: body.position for body in phase.bodies}
-        places |= {f"{name}_foot": foot.position for name, foot in phase.feet.items()}
+        mode = self._mode
+        places = {body.name: body.position for body in mode.bodies}
+        places |= {f"{name}_foot": foot.position for name, foot in mode.feet.items()}
         return self._table(
             {
-                f"{name}.{i}": phase.approximated(place[i])
+                f"{name}.{i}": mode.approximated(place[i])
                 for name, place in places.items()
                 for i in (0, 1)
             }
@@ -184,22 +186,22 @@ class NumpyPhase:
         return _common([*chosen, *y, ax, ay])
 
     def __repr__(self) -> str:
-        return f"<NumpyPhase {self.contact!r} of {', '.join(self.states)}>"
+        return f"<NumpyMode {self.contact!r} of {', '.join(self.states)}>"
 
 
 class _Opening:
-    """Acceleration with which a rocking phase would open from closed and at rest."""
+    """Acceleration with which a rocking mode would open from closed and at rest."""
 
-    def __init__(self, model: RockingModel, transition: Transition, given: list[sp.Symbol]) -> None:
+    def __init__(self, model: HybridModel, transition: Transition, given: list[sp.Symbol]) -> None:
         rotation, target = model.rotation, transition.target
-        phase, equations = model.mechanism(target), model.equations(target)
+        mode, equations = model.mode(target), model.equations(target)
         closed = {rotation.position: 0, rotation.velocity: 0}
 
         def still(m: sp.Matrix) -> sp.Matrix:
-            return m.applyfunc(lambda e: model.in_contact(e, target).subs(closed))
+            return m.applyfunc(lambda e: model.in_mode(e, target).subs(closed))
 
-        self._side = phase.side_of(target)
-        self._row = [c.name for c in phase.coordinates].index(rotation.name)
+        self._side = mode.side_of(target)
+        self._row = [c.name for c in mode.coordinates].index(rotation.name)
         self._mass_matrix = array_function(given, still(equations.mass_matrix))
         self._forcing = array_function(given, still(equations.forcing))
 
@@ -208,9 +210,9 @@ class _Opening:
         return self._side * found[self._row]
 
 
-def numpy_functions(model: RockingModel) -> dict[str, NumpyPhase]:
+def numpy_functions(model: HybridModel) -> dict[str, NumpyMode]:
     """The functions of every contact state, by its name ("left", "both", "right", ...)."""
-    return {contact: NumpyPhase(model, contact) for contact in model.contacts}
+    return {name: NumpyMode(model, name) for name in model.mode_names}
 
 
 def array_function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr]) -> Function:

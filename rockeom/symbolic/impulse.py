@@ -1,12 +1,12 @@
 """Velocities after a sudden change of contact, by the impulsive form of Lagrange's equations.
 
 Over an impact positions stay and only impulses act. The impulse at a new support does no work
-in any motion of the mechanism that follows, so the momentum in the directions of that mechanism is
+in any motion of the mode that follows, so the momentum in the directions of that mode is
 conserved:
 
     M+ q'+ = sum_i (m_i J+_i^T v-_i + I_i w+_i^T w-_i)
 
-with J+ the Jacobian of body i in the mechanism after the impact. For a rigid block this is the
+with J+ the Jacobian of body i in the mode after the impact. For a rigid block this is the
 conservation of angular momentum about the new pivot (Housner 1963; thesis 2-6, 5-14). With
 full contact after the impact the impulses of both feet drop out.
 """
@@ -14,21 +14,31 @@ full contact after the impact the impulses of both feet drop out.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, determinant, tidy
 from rockeom.symbolic.lagrange import body_velocity
-from rockeom.symbolic.model import Coordinate, Mechanism, RockingModel, Transition
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import Coordinate
+
+
+class OnSide(NamedTuple):
+    """A mode on one of its sides, -1, 0 or 1."""
+
+    mode: Mode
+    side: int
 
 
 @dataclass(frozen=True)
 class ImpulseMap:
     """M+ q'+ = momentum(q, q'-), for the `coordinates` free after the change.
 
-    The side s is that of the contact state before the change.
+    The side s is that of the mode before the change.
     """
 
     coordinates: tuple[Coordinate, ...]
@@ -65,62 +75,69 @@ class ImpulseMap:
         return all(tidy(d) == 0 for d in differences)
 
 
-def _jacobian(phase: Mechanism, index: int) -> sp.Matrix:
-    """(3, n): x, y and rotation of one body by the coordinates of the mechanism."""
-    body, q = phase.bodies[index], [c.position for c in phase.coordinates]
+def _jacobian(mode: Mode, index: int) -> sp.Matrix:
+    """(3, n): x, y and rotation of one body by the coordinates of the mode."""
+    body, q = mode.bodies[index], [c.position for c in mode.coordinates]
     place = (*body.position, sp.sympify(body.rotation))
-    return sp.Matrix(3, len(phase.coordinates), lambda i, j: sp.diff(place[i], q[j]))
+    return sp.Matrix(3, len(mode.coordinates), lambda i, j: sp.diff(place[i], q[j]))
 
 
-def momentum(phase: Mechanism) -> tuple[sp.Expr, sp.Expr]:
+def momentum(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
     """(horizontal, vertical) momentum of all bodies, relative to the ground.
 
-    What it gains over a change of contact is the impulse of the ground on both feet together.
+    Its gain over a change of contact is the impulse of the ground on both feet together.
     """
     total = [sp.Integer(0), sp.Integer(0)]
-    for body in phase.bodies:
-        for i, v in enumerate(body_velocity(body, phase.coordinates)[:2]):
+    for body in mode.bodies:
+        for i, v in enumerate(body_velocity(body, mode.coordinates)[:2]):
             total[i] += body.mass * v
     return tidy(total[0]), tidy(total[1])
 
 
-def derive_impulse_map(model: RockingModel, source: str, target: str) -> ImpulseMap:
-    """The map from contact state `source` to `target` at the closed gap, theta = 0."""
-    before, after = model.mechanism(source), model.mechanism(target)
+def derive_impulse_map(
+    before: OnSide,
+    after: OnSide,
+    rotation: Coordinate,
+    written_out: Callable[[sp.Expr], sp.Expr],
+) -> ImpulseMap:
+    """The map from one mode to another at the closed gap, where the rotation is zero.
+
+    written_out : writes an expression without the names of functions.
+    """
     # written for the side s of the source; the opposite edge is the target's
-    flip = {SIDE: SIDE * before.side_of(source) * after.side_of(target)} if after.has_side else {}
-    closed = {model.rotation.position: 0}
-    n = len(after.coordinates)
+    flip = {SIDE: SIDE * before.side * after.side} if after.mode.has_side else {}
+    closed = {rotation.position: 0}
+    n = len(after.mode.coordinates)
     mass_matrix, momentum = sp.zeros(n, n), sp.zeros(n, 1)
-    for i, body in enumerate(before.bodies):
-        jacobian = _jacobian(after, i).subs(flip, simultaneous=True).subs(closed)
-        arriving = sp.Matrix(body_velocity(body, before.coordinates)).subs(closed)
+    for i, body in enumerate(before.mode.bodies):
+        jacobian = _jacobian(after.mode, i).subs(flip, simultaneous=True).subs(closed)
+        arriving = sp.Matrix(body_velocity(body, before.mode.coordinates)).subs(closed)
         weights = sp.diag(body.mass, body.mass, body.inertia)
         mass_matrix += jacobian.T * weights * jacobian
         momentum += jacobian.T * weights * arriving
 
     def written(m: sp.Matrix) -> sp.Matrix:
-        return m.applyfunc(lambda e: tidy(model.written_out(e).subs(closed)))
+        return m.applyfunc(lambda e: tidy(written_out(e).subs(closed)))
 
-    return ImpulseMap(after.coordinates, written(mass_matrix), written(momentum))
+    return ImpulseMap(after.mode.coordinates, written(mass_matrix), written(momentum))
 
 
-def rigid_velocity_ratio(model: RockingModel, transition: Transition) -> sp.Expr:
+def rigid_velocity_ratio(
+    impact: ImpulseMap, coordinates: Iterable[Coordinate], rotation: Coordinate, side: int
+) -> sp.Expr:
     """Ratio of angular velocities after and before the impact of the structure held rigid.
 
-    All coordinates but the rotation are frozen at zero: what is left is the conservation of
-    angular momentum about the new pivot, thesis 2-6 (its square root) and 5-14.
+    All coordinates but the rotation are frozen at zero, and the conservation of angular momentum
+    about the new pivot is left, thesis 2-6 (its square root) and 5-14. side : before the impact.
     """
-    full = model.impulse_map(transition.source, transition.target)
     frozen: dict[sp.Expr, int] = {}
-    for c in model.coordinates:
-        if c != model.rotation:
+    for c in coordinates:
+        if c != rotation:
             frozen |= {c.position: 0, c.velocity: 0}
-    row = [c.name for c in full.coordinates].index(model.rotation.name)
-    ratio = full.momentum[row].subs(frozen) / (
-        full.mass_matrix[row, row].subs(frozen) * model.rotation.velocity
+    row = [c.name for c in impact.coordinates].index(rotation.name)
+    ratio = impact.momentum[row].subs(frozen) / (
+        impact.mass_matrix[row, row].subs(frozen) * rotation.velocity
     )
-    side = model.mechanism(transition.source).side_of(transition.source)
     return at_side(_shortest(ratio), side)
 
 

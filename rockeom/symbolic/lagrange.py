@@ -1,4 +1,4 @@
-"""Lagrange's equations of one phase, each physical part kept by its own name.
+"""Lagrange's equations of one mode, each physical part kept by its own name.
 
     d/dt dT/dq' - dT/dq + dV/dq + dF/dq' = Q        (thesis D-5)
 
@@ -9,15 +9,30 @@ the same as measuring positions from the moving ground and letting gravity be g 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import at_side, tidy
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Coordinate
 
-if TYPE_CHECKING:
-    from rockeom.symbolic.model import Body, Coordinate, Mechanism
+
+class Moving(Protocol):
+    """Masses, springs, dampers and forces from which equations of motion follow; see `Mode`."""
+
+    @property
+    def coordinates(self) -> tuple[Coordinate, ...]: ...
+    @property
+    def bodies(self) -> tuple[Body, ...]: ...
+    @property
+    def gravity(self) -> sp.Expr: ...
+    @property
+    def forces(self) -> tuple[sp.Expr, ...]: ...
+    @property
+    def stored_energy(self) -> sp.Expr: ...
+    @property
+    def dissipation_function(self) -> sp.Expr: ...
+    def approximated(self, expr: sp.Expr) -> sp.Expr: ...
 
 
 @dataclass(frozen=True)
@@ -86,25 +101,25 @@ def body_velocity(
     return tuple(rate(e, coordinates) for e in (x, y, sp.sympify(body.rotation)))
 
 
-def kinetic_energy(phase: Mechanism) -> sp.Expr:
+def kinetic_energy(mode: Moving) -> sp.Expr:
     total = sp.Integer(0)
-    for body in phase.bodies:
-        vx, vy, turning = body_velocity(body, phase.coordinates)
+    for body in mode.bodies:
+        vx, vy, turning = body_velocity(body, mode.coordinates)
         total += body.mass * (vx**2 + vy**2) / 2 + body.inertia * turning**2 / 2
     return total
 
 
-def derive_equations(phase: Mechanism) -> Equations:
-    """Lagrange's equations of a phase from the positions, springs and dampers it declares."""
-    q = [c.position for c in phase.coordinates]
-    qd = [c.velocity for c in phase.coordinates]
+def derive_equations(mode: Moving) -> Equations:
+    """Lagrange's equations of a mode from the positions, springs and dampers it declares."""
+    q = [c.position for c in mode.coordinates]
+    qd = [c.velocity for c in mode.coordinates]
 
-    kinetic = tidy(phase.approximated(kinetic_energy(phase)))
-    weight = phase.approximated(sum(b.mass * phase.gravity * b.position[1] for b in phase.bodies))
-    shaking = phase.approximated(
-        sum(b.mass * (GROUND_X * b.position[0] + GROUND_Y * b.position[1]) for b in phase.bodies)
+    kinetic = tidy(mode.approximated(kinetic_energy(mode)))
+    weight = mode.approximated(sum(b.mass * mode.gravity * b.position[1] for b in mode.bodies))
+    shaking = mode.approximated(
+        sum(b.mass * (GROUND_X * b.position[0] + GROUND_Y * b.position[1]) for b in mode.bodies)
     )
-    elastic = phase.approximated(phase.stored_energy)
+    elastic = mode.approximated(mode.stored_energy)
 
     def gradient(expr: sp.Expr, by) -> sp.Matrix:
         return sp.Matrix([tidy(sp.diff(expr, x)) for x in by]).reshape(len(by), 1)
@@ -123,9 +138,9 @@ def derive_equations(phase: Mechanism) -> Equations:
         velocity=velocity,
         gravity=gradient(weight, q),
         stiffness=gradient(elastic, q),
-        damping=gradient(phase.dissipation_function, qd),
+        damping=gradient(mode.dissipation_function, qd),
         excitation=-gradient(shaking, q),
-        force=sp.Matrix(phase.forces or [0] * len(q)).reshape(len(q), 1),
+        force=sp.Matrix(mode.forces or [0] * len(q)).reshape(len(q), 1),
         kinetic_energy=kinetic,
         gravitational_energy=tidy(weight),
         elastic_energy=elastic,

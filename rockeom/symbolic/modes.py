@@ -1,4 +1,4 @@
-"""Modes out of contacts: which contact states there are, and the mechanism of each.
+"""Modes out of contacts: which contact states there are, and the mode of each.
 
 A contact state is a state of each point (open, sticking, slipping to either side) and of each
 element (off, on; elastic, yielding). Where points are closed or stuck the accelerations follow from
@@ -11,7 +11,7 @@ forces of contact vanishes under L, L^T (J_N^T - mu sigma J_T^T) = 0:
 
     L^T M T q_I'' = L^T (f - M tau),    q'' = T q_I'' + tau,
 
-which is not symmetric where a point slips. Mirror images are one mechanism, written with the side
+which is not symmetric where a point slips. Mirror images are one mode, written with the side
 s; so are the two signs of a slip, sigma, and the states of an element, chi.
 
 A closed point is frictionless where its law says so: lambda_T = 0, and slip'' is not constrained.
@@ -48,16 +48,16 @@ from rockeom.symbolic.algebra import (
     tidy,
 )
 from rockeom.symbolic.beds import Combination, both, combinations_of
-from rockeom.symbolic.check import repeated
-from rockeom.symbolic.contacts import Model
+from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.valid import repeated
 
 SLIP = SLIP_RIGHT
-"""In an arrangement, which does not tell the signs of slips."""
+"""In a pattern, which leaves the signs of slips open."""
 
 VERBS = {STICK: "sticks", SLIP: "slips", FRICTIONLESS: "touches"}
-"""By the state of a closed point in an arrangement."""
+"""By the state of a closed point in a pattern."""
 
 
 def sign_of_slip(group: int) -> sp.Symbol:
@@ -66,29 +66,29 @@ def sign_of_slip(group: int) -> sp.Symbol:
 
 
 @dataclass(frozen=True)
-class ContactState:
-    """A state of each point and of each element; `arrangement` is its number in `Modes`."""
+class ContactMode:
+    """A state of each point and of each element; `pattern` is its number in `Modes`."""
 
     name: str
     points: tuple[int, ...]
     elements: tuple[int, ...]
-    arrangement: int
+    pattern: int
 
 
 @dataclass(frozen=True)
-class Arrangement:
-    """The state of each point, SLIP of either sign, and the mechanism that moves, on a side s."""
+class Pattern:
+    """The state of each point, SLIP of either sign, and the mode that moves, on a side s."""
 
     states: tuple[int, ...]
-    mechanism: int
+    mode: int
     side: int
     points: tuple[int, ...]
-    """The point that plays the part of each of the mechanism's."""
+    """The point that plays the part of each of the mode's."""
     shared: tuple[int, ...]
 
 
 class Start(NamedTuple):
-    """What a mechanism begins with: accelerations and forces, or rates and impulses.
+    """What a mode begins with: accelerations and forces, or rates and impulses.
 
     motion : by symbols of accelerations or rates. normal : by point; friction : of a group, by its
     first point.
@@ -99,14 +99,14 @@ class Start(NamedTuple):
     friction: dict[int, sp.Expr]
 
 
-class DerivedMechanism:
+class DerivedMode:
     """What moves while some points are closed, some of which slip.
 
     states : of each point: OPEN, STICK, SLIP or FRICTIONLESS. sided : whether it is written with
         the side s.
     """
 
-    def __init__(self, model: Model, states: tuple[int, ...], sided: bool) -> None:
+    def __init__(self, model: ContactDeclaration, states: tuple[int, ...], sided: bool) -> None:
         self.model, self.states, self.sided = model, states, sided
         self.n = len(model.coordinates)
         self.q = [c.position for c in model.coordinates]
@@ -121,9 +121,7 @@ class DerivedMechanism:
     def __repr__(self) -> str:
         points = zip(self.model.contacts, self.states, strict=True)
         told = [f"{c.name} {VERBS[x]}" for c, x in points if x != OPEN]
-        return (
-            f"<DerivedMechanism of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
-        )
+        return f"<DerivedMode of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
 
     # -- the closed configuration ------------------------------------------------------------
 
@@ -195,7 +193,7 @@ class DerivedMechanism:
         return None
 
     def here(self, expr: sp.Expr) -> sp.Expr:
-        """An expression in the closed configuration, the rates those of this mechanism."""
+        """An expression in the closed configuration, the rates those of this mode."""
         return brief(sp.sympify(expr).xreplace(self.velocity).subs(self.place))
 
     # -- constraints -------------------------------------------------------------------------
@@ -379,7 +377,7 @@ class DerivedMechanism:
 
     @cached_property
     def _free(self) -> tuple[sp.Matrix, sp.Matrix]:
-        """(M, f) of the free structure with its elements, in this mechanism's configuration."""
+        """(M, f) of the free structure with its elements, in this mode's configuration."""
         matrix, forces = free_motion(self.model)
         return matrix.applyfunc(self.here), forces.applyfunc(self.here)
 
@@ -529,7 +527,7 @@ class DerivedMechanism:
     def landing(
         self, before: Mapping[sp.Symbol, sp.Expr], place: Mapping[sp.Symbol, sp.Expr]
     ) -> Start:
-        """Rates after an impact that ends in this mechanism, and the impulses of contact.
+        """Rates after an impact that ends in this mode, and the impulses of contact.
 
         before : rates by their symbols, those not named zero. It is what follows where no normal
         impulse pulls, friction stays within its cone, slips have their signs and gaps open.
@@ -560,7 +558,7 @@ class DerivedMechanism:
         return Start(rates, normal, friction)
 
     def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
-        """What this mechanism begins with from rest at given positions, in closed form.
+        """What this mode begins with from rest at given positions, in closed form.
 
         Accelerations of all coordinates, normal forces and friction are quotients; where the
         friction is less than friction can be, and no normal force negative, it is what begins.
@@ -604,47 +602,47 @@ class DerivedMechanism:
         return self.here((self.slip_rows[group[0]] * sp.Matrix(self.qd))[0])
 
     def gap(self, point: int) -> sp.Expr:
-        """The gap of a point in this mechanism's configuration."""
+        """The gap of a point in this mode's configuration."""
         return brief(self._gaps[point].subs(self.place))
 
 
 @dataclass(frozen=True)
 class Modes:
-    """All contact states of a model, their arrangements and mechanisms."""
+    """All modes of a model, their patterns and equations."""
 
-    states: tuple[ContactState, ...]
-    arrangements: tuple[Arrangement, ...]
-    mechanisms: tuple[DerivedMechanism, ...]
+    states: tuple[ContactMode, ...]
+    patterns: tuple[Pattern, ...]
+    derived: tuple[DerivedMode, ...]
 
     @property
     def standing(self) -> dict[sp.Symbol, sp.Expr]:
         """Positions at rest with as many points closed as may be."""
-        first = self.mechanisms[0]
+        first = self.derived[0]
         return {x: e.subs(first.leaning) for x, e in first.place.items()} | first.leaning
 
     @property
     def names(self) -> tuple[str, ...]:
         return tuple(state.name for state in self.states)
 
-    def signs_of(self, state: ContactState) -> list[int]:
-        """The sign of each slip of the state's mechanism."""
-        arrangement = self.arrangements[state.arrangement]
-        groups = self.mechanisms[arrangement.mechanism].slipping
-        ways = [state.points[arrangement.points[group[0]]] for group in groups]
+    def signs_of(self, state: ContactMode) -> list[int]:
+        """The sign of each slip of the state's mode."""
+        pattern = self.patterns[state.pattern]
+        groups = self.derived[pattern.mode].slipping
+        ways = [state.points[pattern.points[group[0]]] for group in groups]
         return [1 if way == SLIP_RIGHT else -1 for way in ways]
 
-    def signs(self, state: ContactState) -> dict[sp.Symbol, int]:
-        """What the side and the signs of slips of the state's mechanism are."""
-        arrangement = self.arrangements[state.arrangement]
-        found = {SIDE: arrangement.side} if self.mechanism_of(state).sided else {}
+    def signs(self, state: ContactMode) -> dict[sp.Symbol, int]:
+        """What the side and the signs of slips of the state's mode are."""
+        pattern = self.patterns[state.pattern]
+        found = {SIDE: pattern.side} if self.mode_of(state).sided else {}
         slips = {sign_of_slip(i): sign for i, sign in enumerate(self.signs_of(state))}
         return found | slips
 
-    def mechanism_of(self, state: ContactState) -> DerivedMechanism:
-        return self.mechanisms[self.arrangements[state.arrangement].mechanism]
+    def mode_of(self, state: ContactMode) -> DerivedMode:
+        return self.derived[self.patterns[state.pattern].mode]
 
 
-def free_motion(model: Model) -> tuple[sp.Matrix, sp.Matrix]:
+def free_motion(model: ContactDeclaration) -> tuple[sp.Matrix, sp.Matrix]:
     """(M, f) of M q'' = f without forces of contact; an element acts by its chi."""
     equations = model.free.equations
     forces = equations.forcing
@@ -655,7 +653,7 @@ def free_motion(model: Model) -> tuple[sp.Matrix, sp.Matrix]:
     return equations.mass_matrix, forces
 
 
-def force_of(model: Model, element: int) -> sp.Expr:
+def force_of(model: ContactDeclaration, element: int) -> sp.Expr:
     """The force of an element, by its chi."""
     return model.switching[element].force(switch_of(element), model.coordinates)
 
@@ -663,20 +661,20 @@ def force_of(model: Model, element: int) -> sp.Expr:
 # --- which there are
 
 
-def derive_modes(model: Model) -> Modes:
+def derive_modes(model: ContactDeclaration) -> Modes:
     """All contact states of a model.
 
     Raises ValueError where statics does not tell how closed points share their forces, and where
     there are more than MOST_CONTACT_STATES.
     """
-    arrangements: list[Arrangement] = []
-    mechanisms: list[DerivedMechanism] = []
-    states: list[ContactState] = []
+    patterns: list[Pattern] = []
+    derived: list[DerivedMode] = []
+    states: list[ContactMode] = []
     known: dict[tuple[int, ...], int] = {}
     mirror = _mirror(model)
     every = combinations_of(model.switching)
     for closed in _closed_sets(model):
-        all_stuck = DerivedMechanism(model, _stuck(model, closed), False)
+        all_stuck = DerivedMode(model, _stuck(model, closed), False)
         groups, held = all_stuck.groups, all_stuck.held
         for kinds in product(*((FRICTIONLESS if g in held else STICK, SLIP) for g in groups)):
             if any(
@@ -684,26 +682,26 @@ def derive_modes(model: Model) -> Modes:
                 for kind, group in zip(kinds, groups, strict=True)
             ):
                 continue
-            pattern = [FRICTIONLESS if i in closed else OPEN for i in range(len(model.contacts))]
+            points = [FRICTIONLESS if i in closed else OPEN for i in range(len(model.contacts))]
             for kind, group in zip(kinds, groups, strict=True):
                 for i in group:
-                    pattern[i] = kind
-            arrangement = _arrangement(model, tuple(pattern), groups, mirror, known, mechanisms)
-            arrangements.append(arrangement)
-            mechanism = mechanisms[arrangement.mechanism]
-            _ = mechanism.dependent  # raises where it cannot move or stand so
-            _are_few(model, len(states) + 2 ** len(mechanism.slipping) * len(every))
-            states += _states(model, arrangement, mechanism, len(arrangements) - 1, every)
+                    points[i] = kind
+            pattern = _pattern(model, tuple(points), groups, mirror, known, derived)
+            patterns.append(pattern)
+            mode = derived[pattern.mode]
+            _ = mode.dependent  # raises where it cannot move or stand so
+            _are_few(model, len(states) + 2 ** len(mode.slipping) * len(every))
+            states += _states(model, pattern, mode, len(patterns) - 1, every)
     twice = repeated(state.name for state in states)
     if twice:
         raise ValueError(
             f"{model.name}: two contact states would be called {twice[0]!r}: choose names of "
             "contacts and elements that do not make one another's"
         )
-    return Modes(tuple(states), tuple(arrangements), tuple(mechanisms))
+    return Modes(tuple(states), tuple(patterns), tuple(derived))
 
 
-def _are_few(model: Model, contact_states: int) -> None:
+def _are_few(model: ContactDeclaration, contact_states: int) -> None:
     if contact_states > MOST_CONTACT_STATES:
         raise ValueError(
             f"{model.name}: its {len(model.contacts)} contacts and {len(model.switching)} elements "
@@ -711,11 +709,11 @@ def _are_few(model: Model, contact_states: int) -> None:
         )
 
 
-def _stuck(model: Model, closed: tuple[int, ...]) -> tuple[int, ...]:
+def _stuck(model: ContactDeclaration, closed: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(STICK if i in closed else OPEN for i in range(len(model.contacts)))
 
 
-def _mirror(model: Model) -> list[int]:
+def _mirror(model: ContactDeclaration) -> list[int]:
     """The point on the other side of each, itself where it has none."""
     found = []
     for i, c in enumerate(model.contacts):
@@ -728,7 +726,7 @@ def _mirror(model: Model) -> list[int]:
     return found
 
 
-def _closed_sets(model: Model) -> list[tuple[int, ...]]:
+def _closed_sets(model: ContactDeclaration) -> list[tuple[int, ...]]:
     """Sets of points that may be closed together, the largest first, made of those of one less."""
     sets: list[list[tuple[int, ...]]] = [[()]]
     while sets[-1]:
@@ -744,17 +742,17 @@ def _closed_sets(model: Model) -> list[tuple[int, ...]]:
     return [closed for some in reversed(sets) for closed in some]
 
 
-def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
+def _may_close(model: ContactDeclaration, closed: tuple[int, ...]) -> bool:
     """Whether points may be closed together, whatever the parameters are."""
     if len(closed) < 2:
         return True
-    mechanism = DerivedMechanism(model, _stuck(model, closed), False)
-    if any(not gap.free_symbols & set(mechanism.q) for gap in mechanism.left_open):
+    mode = DerivedMode(model, _stuck(model, closed), False)
+    if any(not gap.free_symbols & set(mode.q) for gap in mode.left_open):
         return False  # but for parameters that happen to make them meet
-    matrix = sp.Matrix.vstack(*mechanism.normal_rows.values())
-    if _rank(matrix.subs(mechanism.leaning)) == len(closed):
+    matrix = sp.Matrix.vstack(*mode.normal_rows.values())
+    if _rank(matrix.subs(mode.leaning)) == len(closed):
         return True
-    if mechanism.left_open and not _meet(mechanism):
+    if mode.left_open and not _meet(mode):
         return False
     names = ", ".join(model.contacts[i].name for i in closed)
     raise ValueError(
@@ -763,11 +761,11 @@ def _may_close(model: Model, closed: tuple[int, ...]) -> bool:
     )
 
 
-def _meet(mechanism: DerivedMechanism) -> bool:
+def _meet(mode: DerivedMode) -> bool:
     """Whether all closed gaps can be zero at once, at random parameters."""
     rng = np.random.default_rng(2)
-    gaps = sp.Matrix(mechanism.left_open)
-    places = [x for x in mechanism.q if gaps.has(x)]
+    gaps = sp.Matrix(mode.left_open)
+    places = [x for x in mode.q if gaps.has(x)]
     given = sorted(gaps.free_symbols - set(places), key=str)
     put = {x: sp.Float(rng.uniform(0.5, 1.5)) for x in given}
     value = sp.lambdify(places, gaps.subs(put).doit(), modules="math")
@@ -779,29 +777,29 @@ def _meet(mechanism: DerivedMechanism) -> bool:
     return bool(np.abs(np.array(value(*x), dtype=float)).max() < 1e-9)
 
 
-def _arrangement(
-    model: Model,
+def _pattern(
+    model: ContactDeclaration,
     pattern: tuple[int, ...],
     groups: tuple[tuple[int, ...], ...],
     mirror: list[int],
     known: dict[tuple[int, ...], int],
-    mechanisms: list[DerivedMechanism],
-) -> Arrangement:
-    """The arrangement of a pattern, its mechanism one that is known or new."""
+    derived: list[DerivedMode],
+) -> Pattern:
+    """The pattern of some states of points, its mode one that is known or new."""
     points = tuple(range(len(pattern)))
     image = tuple(pattern[mirror[i]] for i in points)
     shared = tuple(next((g[0] for g in groups if i in g), i) for i in points)
     # written for the right side, where there is one
     written = image if _leans(model, pattern, image) < 0 else pattern
     if written not in known:
-        known[written] = len(mechanisms)
-        mechanisms.append(DerivedMechanism(model, written, image != pattern))
+        known[written] = len(derived)
+        derived.append(DerivedMode(model, written, image != pattern))
     if written == pattern:
-        return Arrangement(pattern, known[written], 1, points, shared)
-    return Arrangement(pattern, known[written], -1, tuple(mirror), shared)
+        return Pattern(pattern, known[written], 1, points, shared)
+    return Pattern(pattern, known[written], -1, tuple(mirror), shared)
 
 
-def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> int:
+def _leans(model: ContactDeclaration, pattern: tuple[int, ...], image: tuple[int, ...]) -> int:
     """The side of the first closed point that is not closed in the image alike."""
     for i, (state, other) in enumerate(zip(pattern, image, strict=True)):
         if state != other and state != OPEN:
@@ -810,18 +808,18 @@ def _leans(model: Model, pattern: tuple[int, ...], image: tuple[int, ...]) -> in
 
 
 def _states(
-    model: Model,
-    arrangement: Arrangement,
-    mechanism: DerivedMechanism,
+    model: ContactDeclaration,
+    pattern: Pattern,
+    mode: DerivedMode,
     number: int,
     of_elements: Mapping[Combination, list[str]],
-) -> Iterator[ContactState]:
-    groups = [tuple(sorted(arrangement.points[i] for i in g)) for g in mechanism.groups]
-    slips = [g for g in groups if arrangement.states[g[0]] == SLIP]
-    smooth = _pairs(model, [i for i, s in enumerate(arrangement.states) if s == FRICTIONLESS])
+) -> Iterator[ContactMode]:
+    groups = [tuple(sorted(pattern.points[i] for i in g)) for g in mode.groups]
+    slips = [g for g in groups if pattern.states[g[0]] == SLIP]
+    smooth = _pairs(model, [i for i, s in enumerate(pattern.states) if s == FRICTIONLESS])
     for signs in product((SLIP_RIGHT, SLIP_LEFT), repeat=len(slips)):
         ways = dict(zip(slips, signs, strict=True))
-        points = list(arrangement.states)
+        points = list(pattern.states)
         for group, sign in ways.items():
             for i in group:
                 points[i] = sign
@@ -829,10 +827,10 @@ def _states(
         of_points = _words(model, {g: states_of[g] for g in sorted(states_of)})
         for elements, words in of_elements.items():
             name = "_".join([*of_points, *words]) or "flight"
-            yield ContactState(name, tuple(points), elements, number)
+            yield ContactMode(name, tuple(points), elements, number)
 
 
-def _pairs(model: Model, points: list[int]) -> list[tuple[int, ...]]:
+def _pairs(model: ContactDeclaration, points: list[int]) -> list[tuple[int, ...]]:
     """Frictionless points, of which a left and a right one of one kind have one name."""
     found: list[tuple[int, ...]] = []
     for i in points:
@@ -844,7 +842,7 @@ def _pairs(model: Model, points: list[int]) -> list[tuple[int, ...]]:
     return found
 
 
-def _words(model: Model, groups: Mapping[tuple[int, ...], int]) -> list[str]:
+def _words(model: ContactDeclaration, groups: Mapping[tuple[int, ...], int]) -> list[str]:
     """Of which the name of a contact state is made: what touches, and what slips where."""
     slides = {SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
     return [

@@ -2,7 +2,7 @@
 
 Two coordinates of the free structure, such as the place of its base, are eliminated by the foot on
 which it stands: its gap is zero, and its slip is where it stood upright. What is left turns about
-that foot, and `rockeom.symbolic.model.on_pinned_feet` derives the rest.
+that foot, and `rockeom.symbolic.rocking.on_pinned_feet` derives the rest.
 """
 
 from __future__ import annotations
@@ -10,17 +10,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations
-from typing import TYPE_CHECKING, NamedTuple, NoReturn
+from typing import NamedTuple, NoReturn
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, tidy
-from rockeom.symbolic.contacts import Model, Pinned
+from rockeom.symbolic.contacts import ContactDeclaration, Pinned
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import SIDES, Foot, Mechanism, Point, on_pinned_feet
-
-if TYPE_CHECKING:
-    from rockeom.symbolic.model import Coordinate, RockingModel
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import Coordinate, Foot, Point
+from rockeom.symbolic.rocking import SIDES, RockingModel, on_pinned_feet
 
 
 class _Closed(NamedTuple):
@@ -42,7 +41,7 @@ class _Closed(NamedTuple):
         return tidy(self(place[0])), tidy(self(place[1]))
 
 
-def reduced(model: Model) -> RockingModel:
+def reduced(model: ContactDeclaration) -> RockingModel:
     """The rocking structure that a model on a pair of pinned feet is.
 
     Raises ValueError, naming the item and the remedy, where its contacts are no such pair, and
@@ -54,7 +53,7 @@ def reduced(model: Model) -> RockingModel:
     feet = {name: closed.point((slip, gap)) for name, (gap, slip) in places.items()}
     _stand(model, closed, feet)
     _follow(model, closed)
-    rocking = Mechanism(
+    rocking = Mode(
         dict(SIDES),
         closed.left,
         tuple(replace(b, position=closed.point(b.position)) for b in model.bodies),
@@ -79,14 +78,14 @@ def reduced(model: Model) -> RockingModel:
     )
 
 
-def _fail(model: Model, what: str) -> NoReturn:
+def _fail(model: ContactDeclaration, what: str) -> NoReturn:
     raise ValueError(
         f"{model.name}: {what}; or give feet the law Rigid(restitution=0, friction=None), which "
         "never slips and has all contact states derived"
     )
 
 
-def _a_pair(model: Model) -> None:
+def _a_pair(model: ContactDeclaration) -> None:
     others = [c.name for c in model.contacts if not isinstance(c.law, Pinned)]
     names = ", ".join(c.name for c in model.contacts)
     if others:
@@ -120,7 +119,7 @@ def _a_pair(model: Model) -> None:
         _fail(model, f"its pinned feet are called {names}: call them left and right")
 
 
-def _closed(model: Model) -> _Closed:
+def _closed(model: ContactDeclaration) -> _Closed:
     """The first two coordinates that the gap and the slip of a foot fix, wherever it leans."""
     gap, slip = model.contacts[0].at(SIDE)
     positions = {c.position for c in model.coordinates}
@@ -152,7 +151,7 @@ def _closed(model: Model) -> _Closed:
     )
 
 
-def _stand(model: Model, closed: _Closed, feet: Mapping[str, Point]) -> None:
+def _stand(model: ContactDeclaration, closed: _Closed, feet: Mapping[str, Point]) -> None:
     """Whichever foot is pinned, where the rotation is zero the other is where it stood too."""
     theta = model.rotation.position
     upright = {c.position: 0 for c in model.coordinates}
@@ -184,7 +183,7 @@ def _stand(model: Model, closed: _Closed, feet: Mapping[str, Point]) -> None:
                 )
 
 
-def _follow(model: Model, closed: _Closed) -> None:
+def _follow(model: ContactDeclaration, closed: _Closed) -> None:
     """All masses are on the feet: they are carried along where the feet are."""
     for b in model.bodies:
         carried = sp.Matrix(
@@ -201,7 +200,7 @@ def _follow(model: Model, closed: _Closed) -> None:
             )
 
 
-def _beside(model: Model, closed: _Closed) -> Point:
+def _beside(model: ContactDeclaration, closed: _Closed) -> Point:
     """Force of the ground where springs and dampers reach it, beside the feet."""
     slopes = sp.Matrix(
         1, 2,

@@ -11,7 +11,7 @@ from inspect import Parameter, signature
 from typing import Any
 
 from rockeom.symbolic import structures
-from rockeom.symbolic.model import RockingModel
+from rockeom.symbolic.rocking import RockingModel
 from rockeom.symbolic.valid import ArgumentError
 
 _PLACES: dict[str, float] = {}

@@ -7,28 +7,29 @@ from sympy.simplify.fu import TR10i
 from sympy.solvers.solveset import NonlinearError
 
 from rockeom.symbolic.algebra import at_side, tidy
-from rockeom.symbolic.model import Mechanism, RockingModel
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.mode import Mode
 
 LOAD = sp.Symbol("P", real=True)
 """Horizontal force at the load point [N], positive to the right."""
 
 
-def equilibrium(phase: Mechanism) -> sp.Matrix:
+def equilibrium(mode: Mode) -> sp.Matrix:
     """dV/dq - Q - P dx/dq, (n, 1): zero in equilibrium under the force P at the load point.
 
     Q are the declared forces at rest. Without a load point, dV/dq - Q.
     """
-    eq = phase.equations
-    at_rest = {c.velocity: 0 for c in phase.coordinates}
+    eq = mode.equations
+    at_rest = {c.velocity: 0 for c in mode.coordinates}
     lacking = eq.gravity + eq.stiffness - eq.force.subs(at_rest)
-    if phase.load_point is None:
+    if mode.load_point is None:
         return lacking
-    x = phase.approximated(phase.load_point[0])
-    lever = [sp.diff(x, c.position) for c in phase.coordinates]
+    x = mode.approximated(mode.load_point[0])
+    lever = [sp.diff(x, c.position) for c in mode.coordinates]
     return lacking - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
 
 
-def pushover(model: RockingModel, contact: str) -> sp.Expr:
+def pushover(model: HybridModel, contact: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, as a quotient in lowest terms.
 
     See `holding_force`, of which laws are left as they are: of functions nothing is known that
@@ -43,20 +44,20 @@ def pushover(model: RockingModel, contact: str) -> sp.Expr:
     return above / below
 
 
-def holding_force(model: RockingModel, contact: str) -> sp.Expr:
+def holding_force(model: HybridModel, contact: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, the other coordinates condensed.
 
     Raises NotImplementedError where the condensation has no closed form that is unique (the
     other coordinates enter non-linearly); the numeric pushover solves these. Raises ValueError
     for a contact state that does not rotate.
     """
-    phase = model.mechanism(contact)
-    if model.rotation not in phase.coordinates:
+    mode = model.mode(contact)
+    if model.rotation not in mode.coordinates:
         raise ValueError(f"{model.name} does not rotate in the contact state {contact!r}")
-    rows = [at_side(e, phase.side_of(contact)) for e in equilibrium(phase)]
-    names = [c.name for c in phase.coordinates]
+    rows = [at_side(e, mode.side_of(contact)) for e in equilibrium(mode)]
+    names = [c.name for c in mode.coordinates]
     turning = rows.pop(names.index(model.rotation.name))
-    others = [c.position for c in phase.coordinates if c != model.rotation]
+    others = [c.position for c in mode.coordinates if c != model.rotation]
     if others:
         try:
             (others_at,) = sp.linsolve(rows, others)

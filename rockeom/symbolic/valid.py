@@ -143,6 +143,12 @@ def laws(what: str, symbol: Any) -> None:
     _typeset(what, symbol.func.__name__ if function else symbol.name)
 
 
+def repeated(names: Iterable[Any]) -> list[str]:
+    """Those that stand there more than once, as texts."""
+    names = list(names)
+    return sorted({str(n) for n in names if names.count(n) > 1})
+
+
 def counts(what: str, **items: Any) -> None:
     """Each must be a whole number, from one up."""
     for item, value in items.items():

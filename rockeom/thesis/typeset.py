@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
-from rockeom.symbolic.notation import (
+from rockeom.symbolic.write.notation import (
     ANGLE,
     BRACKET,
     DOTTED,

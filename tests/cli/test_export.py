@@ -12,6 +12,7 @@ import rockeom as rk
 from benchmarks.crosscheck import FOLLOWED, SPRUNG, TILT, TIMES, environment, rotations_of_ours
 from rockeom import __version__
 from rockeom.cli import main
+from rockeom.exports import code_of_model
 from rockeom.exports.opensees import script
 
 MASSES = (
@@ -84,14 +85,14 @@ def test_what_cannot_be_written_is_told_with_the_remedy(
     assert not list(tmp_path.iterdir())
 
 
-def test_model_is_written_by_its_method_and_by_no_other_language():
+def test_model_is_written_in_two_languages_and_in_no_other():
     model = rk.derive("slender_block")
-    assert "slender_block_rates(" in model.code("c")
-    assert "function m = slender_block()" in model.code("matlab")
+    assert "slender_block_rates(" in code_of_model(model, "c")
+    assert "function m = slender_block()" in code_of_model(model, "matlab")
     with pytest.raises(ValueError, match=r"no language 'matlap' .did you mean matlab.*c, matlab"):
-        model.code("matlap")
+        code_of_model(model, "matlap")
     with pytest.raises(TypeError, match="give one of c, matlab"):
-        model.code(3)
+        code_of_model(model, 3)
 
 
 def test_opensees_script_is_handed_the_record_as_it_is(tmp_path, capsys):

@@ -147,7 +147,7 @@ def assert_carried(what, found, expected, size):
 
 @functools.cache
 def cases(name):
-    return [Carried(name, contact) for contact in model(name).contacts]
+    return [Carried(name, contact) for contact in model(name).mode_names]
 
 
 @STRUCTURES
@@ -241,7 +241,7 @@ def test_ratio_of_the_law_and_bound_of_falling(name):
 def mode_accelerations(name, state, given):
     """(d, n) q'' = T z + tau of a mechanism, with M z = F of the motion its contacts leave it."""
     derived = model(name)
-    mechanism = derived.modes.mechanism_of(state)
+    mechanism = derived.modes.mode_of(state)
     known = Values(given | derived.modes.signs(state))
 
     def values(matrix):

@@ -124,7 +124,7 @@ class Sample:
 
     def __init__(self, name, contact, n=N):
         self.name, self.contact, self.model, self.n = name, contact, model(name), n
-        self.phase = self.model.mechanism(contact)
+        self.phase = self.model.mode(contact)
         self.side = self.phase.side_of(contact)
         rng = np.random.default_rng(zlib.crc32(f"{name} {contact}".encode()))
         self.parameters = {
@@ -164,7 +164,7 @@ class Sample:
 
     def sizes_written_out(self, *expressions):
         """The same with the terms of the laws, where these are differences of larger numbers."""
-        return self.sizes(*(self.model.in_contact(e, self.contact) for e in expressions))
+        return self.sizes(*(self.model.in_mode(e, self.contact) for e in expressions))
 
     def solution_size(self):
         """(d, n): the scale of rounding errors of q'' = M^-1 f."""
@@ -209,7 +209,7 @@ class Exact(Values):
         if expr in self.model.constants:
             return self[self.model.constants[expr]]
         if expr in self.named or isinstance(expr, AppliedUndef | sp.Derivative | sp.Subs):
-            return self[self.model.in_contact(expr, self.contact)]
+            return self[self.model.in_mode(expr, self.contact)]
         return super()._of(expr)
 
 
@@ -234,7 +234,7 @@ STRUCTURES = pytest.mark.parametrize("name", PINNED)
 @functools.cache
 def samples(name):
     """Of each contact state; tests do not change them."""
-    return [Sample(name, contact) for contact in model(name).contacts]
+    return [Sample(name, contact) for contact in model(name).mode_names]
 
 
 @STRUCTURES

@@ -20,7 +20,8 @@ from rockeom.exports import LANGUAGES, code
 from rockeom.exports.code import FILLED, file_name
 from rockeom.modelling.declared import class_of_model
 from rockeom.structures.classes import SHIPPED
-from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
+from rockeom.symbolic.model import Body, coordinate, parameter, turned
+from rockeom.symbolic.rocking import rocking_structure
 from tests.shipped import plain
 
 TOLERANCE = 1e-12

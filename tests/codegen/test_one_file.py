@@ -17,7 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 RING = '''
 """A hollow ring on a flat base, all of its mass at one distance from its centroid."""
 
-from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
+from rockeom.symbolic.model import Body, coordinate, parameter, turned
+from rockeom.symbolic.rocking import rocking_structure
 from rockeom.symbolic.registry import shipped
 
 MASS = parameter("m", "mass", "kg", "mass")

@@ -138,7 +138,7 @@ def test_a_bed_of_springs_has_the_sets_of_neighbours_that_a_straight_base_presse
     states = {s.elements for s in bed(n).modes.states}
     assert states == one_after_the_other(n, np.ones(n), np.random.default_rng(n))
     assert len(states) == n * (n + 1) // 2 + 1
-    assert len(bed(n).modes.mechanisms) == 1  # elements add forces, and no mechanism
+    assert len(bed(n).modes.derived) == 1  # elements add forces, and no mode
 
 
 @pytest.mark.parametrize("changes", [{"uneven": (1,)}, {"uneven": (0, 3)}, {"bent": (3,)}])

@@ -176,7 +176,7 @@ def test_a_block_on_two_feet_has_shentons_modes_on_either_side():
         "flight": (0, 0),
     }  # fmt: skip
     # mirror images and both ways of a slip are one mechanism
-    assert len(model("sliding_block").modes.mechanisms) == 5
+    assert len(model("sliding_block").modes.derived) == 5
 
 
 def test_of_four_feet_at_different_heights_any_two_stand_and_no_three():
@@ -198,7 +198,7 @@ def test_on_unequal_feet_the_block_leans():
 
 
 def test_a_pinned_foot_gives_the_pinned_block_term_by_term():
-    pinned = rk.derive("rigid_block").mechanism("right")
+    pinned = rk.derive("rigid_block").mode("right")
     mode = model("sliding_block").mode("right")
     for mine, theirs in (
         (mode.mass_matrix, pinned.equations.mass_matrix),
@@ -209,7 +209,7 @@ def test_a_pinned_foot_gives_the_pinned_block_term_by_term():
 
 def test_a_pinned_foot_is_pushed_as_the_pinned_block_s():
     mode = model("sliding_block").mode("right")
-    horizontal, vertical = total_reaction(rk.derive("rigid_block").mechanism("right"))
+    horizontal, vertical = total_reaction(rk.derive("rigid_block").mode("right"))
     tied = mode.motions * sp.Matrix([mode.qdd[2]]) + mode.drift
     put = {mode.qdd[0]: tied[0], mode.qdd[1]: tied[1]}
     (normal,), (friction,) = (part.values() for part in mode.forces)
@@ -221,7 +221,7 @@ def test_a_pinned_foot_is_pushed_as_the_pinned_block_s():
 def test_two_blocks_that_cannot_open_are_one(foot):
     """The equation of two masses on one base, derived in minimal coordinates."""
     mode = model("stacked_blocks").mode(f"{foot}_upper_both")
-    one = rk.derive("lumped_mass_structure").mechanism("right")
+    one = rk.derive("lumped_mass_structure").mode("right")
     stack = {p.name: p.symbol for p in model("stacked_blocks").parameters}
     whole = {p.name: p.symbol for p in rk.derive("lumped_mass_structure").parameters}
     same = {

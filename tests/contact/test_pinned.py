@@ -55,7 +55,7 @@ def freed(shipped: RockingModel, masses, width, **changes) -> Model:
         "parameters": shipped.parameters,
         "coordinates": (X, Y, *shipped.coordinates),
         "bodies": masses,
-        "gravity": shipped.mechanisms[0].gravity,
+        "gravity": shipped.modes[0].gravity,
         "rotation": shipped.rotation,
         "contacts": feet(
             gap=lambda s: placed((s * width, 0), theta)[1],
@@ -71,7 +71,7 @@ def freed(shipped: RockingModel, masses, width, **changes) -> Model:
 HOUSNER = rigid_block()
 M, B, H, INERTIA, G = (p.symbol for p in HOUSNER.parameters)
 THETA = HOUSNER.rotation
-POLAR = HOUSNER.mechanisms[0].bodies[0].polar
+POLAR = HOUSNER.modes[0].bodies[0].polar
 BLOCK = Body("block", M, placed((0, H), THETA.position), INERTIA, THETA.position, POLAR)
 
 
@@ -113,9 +113,9 @@ def test_the_shipped_structure_comes_out(which):
     declare, shipped = STRUCTURES[which]
     found = declare().reduced
     assert isinstance(found, RockingModel)
-    assert (found.contacts, found.coordinates) == (shipped.contacts, shipped.coordinates)
+    assert (found.mode_names, found.coordinates) == (shipped.mode_names, shipped.coordinates)
     assert found.transitions == shipped.transitions
-    for mine, theirs in zip(found.mechanisms, shipped.mechanisms, strict=True):
+    for mine, theirs in zip(found.modes, shipped.modes, strict=True):
         assert mine.coordinates == theirs.coordinates
         assert same(*(p.equations.residual(p.coordinates) for p in (mine, theirs)))
         pairs = [reactions(model, p) for model, p in ((found, mine), (shipped, theirs))]
@@ -187,7 +187,7 @@ def test_a_spring_to_the_ground_takes_its_part(foot, side):
         dissipation=c.symbol * (X.velocity**2 + 2 * Y.velocity**2) / 2,
     )
     found = tied.reduced
-    phase = found.mechanism(foot)
+    phase = found.mode(foot)
     forces = {
         k: e.subs(sp.Symbol("s", real=True), side) for k, e in reactions(found, phase).items()
     }

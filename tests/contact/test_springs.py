@@ -32,12 +32,12 @@ def named_column():
 def test_a_spring_is_the_energies_that_it_stands_for():
     """On pinned feet, too, where nothing that switches may stand."""
     by_name, by_energies, shipped = named_column().reduced, column().reduced, COLUMN
-    for contact in shipped.contacts:
+    for contact in shipped.mode_names:
         one, other = by_name.equations(contact), by_energies.equations(contact)
         for what in ("stiffness", "damping", "mass_matrix"):
             assert all(tidy(e) == 0 for e in getattr(one, what) - getattr(other, what)), what
         assert one.elastic_energy == other.elastic_energy
-    assert [e.name for e in by_name.mechanisms[0].elements] == ["column"]
+    assert [e.name for e in by_name.modes[0].elements] == ["column"]
     assert named_column().switching == ()
     assert named_column().springs == (SPRING,)
 
@@ -122,7 +122,7 @@ def one_body(**changes):
     what = {
         "name": "mine", "title": "mine", "parameters": COLUMN.parameters,
         "coordinates": (theta, u), "half_width": NAMED["half_width"], "gravity": NAMED["gravity"],
-        "bodies": lambda pivot: COLUMN.mechanisms[0].bodies,
+        "bodies": lambda pivot: COLUMN.modes[0].bodies,
     }  # fmt: skip
     return rocking_structure(**(what | changes))
 
@@ -156,9 +156,9 @@ def one_body(**changes):
         (
             lambda: replace(
                 two_spring_structure(),
-                mechanisms=(
-                    replace(two_spring_structure().mechanisms[0], elements=()),
-                    *two_spring_structure().mechanisms[1:],
+                modes=(
+                    replace(two_spring_structure().modes[0], elements=()),
+                    *two_spring_structure().modes[1:],
                 ),
             ),
             "differ in elements",
@@ -166,7 +166,7 @@ def one_body(**changes):
     ],
 )  # fmt: skip
 def test_springs_that_cannot_be_meant_are_refused(make, said):
-    assert one_body(elements=[SPRING]).mechanisms[0].elements == (SPRING,)
-    assert flexible_structure().mechanisms[0].elements == (SPRING,)
+    assert one_body(elements=[SPRING]).modes[0].elements == (SPRING,)
+    assert flexible_structure().modes[0].elements == (SPRING,)
     with pytest.raises(ValueError, match=said):
         make()

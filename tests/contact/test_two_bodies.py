@@ -82,9 +82,9 @@ def test_a_product_of_too_many_terms_is_not_expanded_and_is_still_found_to_vanis
 
 def test_the_derivation_of_many_contact_states_is_announced_before_it_begins(monkeypatch, capsys):
     monkeypatch.setattr(of_declarations, "kept", lambda name, digest, made: made())
-    monkeypatch.setattr(of_declarations, "MANY_CONTACT_STATES", 3)
+    monkeypatch.setattr(of_declarations, "MANY_MODES", 3)
     begun = []
     monkeypatch.setattr(codegen, "module_text", lambda model: begun.append(capsys.readouterr().err))
     with pytest.raises(AttributeError):  # nothing was derived
         of_declarations.class_of_model(replace(declared.block_and_load(), title="Announced"))
-    assert begun == ["rockeom: deriving block_and_load with 8 contact states\n"]
+    assert begun == ["rockeom: deriving block_and_load with 8 modes\n"]

@@ -7,14 +7,9 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.structures.classes import class_of
-from rockeom.symbolic.model import (
-    Body,
-    Mechanism,
-    RockingModel,
-    Transition,
-    coordinate,
-    parameter,
-)
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import Body, coordinate, parameter
+from rockeom.symbolic.rocking import RockingModel
 
 HEIGHT = coordinate("x", "x", "m", "height of the point")
 FLAGS = ("neither", "first", "second", "both_flags")
@@ -79,7 +74,7 @@ def clock() -> RockingModel:
         *dict.fromkeys(n for t in transitions for n in (t.source, t.target)),
     ]
     phases = (
-        Mechanism(
+        Mode(
             {contact: 0},
             (HEIGHT,),
             (Body("point", m.symbol, (sp.Integer(0), x)),),
@@ -94,7 +89,7 @@ def clock() -> RockingModel:
         title="A thrown point that passes marks",
         parameters=tuple(parameters),
         coordinates=(HEIGHT,),
-        mechanisms=tuple(phases),
+        modes=tuple(phases),
         transitions=tuple(transitions),
         rotation=HEIGHT,
         overturning=sp.Integer(10) ** 9,

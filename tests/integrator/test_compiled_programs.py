@@ -22,7 +22,8 @@ from rockeom.integrator import program as programs
 from rockeom.integrator.texts import load_text
 from rockeom.modelling import declared
 from rockeom.structures.classes import SHIPPED
-from rockeom.symbolic.model import Body, RockingModel, parameter, rocking_structure, turned
+from rockeom.symbolic.model import Body, parameter, turned
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
 from rockeom.symbolic.structures.rigid_block import GRAVITY, ROTATION, rigid_block
 from tests.shipped import plain
 
@@ -96,8 +97,8 @@ def generate(package, model):
 
 def twice_as_heavy(model):
     """The model with gravity counted twice in every phase."""
-    phases = (dataclasses.replace(phase, gravity=2 * phase.gravity) for phase in model.mechanisms)
-    return dataclasses.replace(model, mechanisms=tuple(phases))
+    phases = (dataclasses.replace(phase, gravity=2 * phase.gravity) for phase in model.modes)
+    return dataclasses.replace(model, modes=tuple(phases))
 
 
 def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):

@@ -24,7 +24,8 @@ from rockeom.simulation import extremes
 from rockeom.simulation.response import KINDS, Response
 from rockeom.simulation.steps import Steps
 from rockeom.structures.classes import SHIPPED
-from rockeom.symbolic.model import Body, coordinate, parameter, rocking_structure, turned
+from rockeom.symbolic.model import Body, coordinate, parameter, turned
+from rockeom.symbolic.rocking import rocking_structure
 from tests.numeric.structures import S1, column
 from tests.pipes import pipe
 from tests.shipped import plain

@@ -176,7 +176,7 @@ def parts(name):
     def number(expr):
         return float(model.written_out(expr).xreplace(model.constants).subs(values))
 
-    bodies = model.mechanisms[0].bodies
+    bodies = model.modes[0].bodies
     return structure, np.array([(number(b.mass), number(b.inertia)) for b in bodies])
 
 

@@ -60,7 +60,7 @@ def test_ratio_of_the_rates_at_an_impact_is_the_published_one():
 
 def test_beam_stays_where_it_is_when_the_columns_change_their_feet():
     """On the upper corners opposite the pressed feet, which differ: its path has no jump."""
-    right, left = (MODEL.mechanism(c).bodies[0] for c in ("right", "left"))
+    right, left = (MODEL.mode(c).bodies[0] for c in ("right", "left"))
     places = [at_side(sp.Matrix(b.position), s) for b, s in ((right, 1), (left, -1))]
     assert places[0].subs(THETA.position, 0) == places[1].subs(THETA.position, 0)
 

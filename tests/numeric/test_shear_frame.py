@@ -11,7 +11,7 @@ import sympy as sp
 from scipy.linalg import eigh
 
 import rockeom as rk
-from rockeom.symbolic.polar import polar_model
+from rockeom.symbolic.write.polar import polar_model
 
 from .structures import DAMPING, S1, STIFFNESS, column
 

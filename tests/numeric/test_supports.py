@@ -13,8 +13,8 @@ from rockeom.cli import models as command_line
 from rockeom.cli.errors import UsageError
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.modes import free_motion
-from rockeom.symbolic.page import to_latex, to_markdown
-from rockeom.symbolic.typeset import content
+from rockeom.symbolic.write.page import to_latex, to_markdown
+from rockeom.symbolic.write.typeset import content
 
 from .structures import FOUNDATION_STIFFNESS, S1, STIFFNESS, TOTAL_MASS, column, on_springs
 
@@ -178,7 +178,7 @@ def test_guided_at_the_foot_the_equations_tend_to_those_on_pinned_feet(name, arg
     model = rk.derive(name, **arguments, support="two_springs", guided="foot")
     pinned = rk.derive(name, **arguments).equations("right")
     half_width = next(p.symbol for p in model.parameters if p.name == "half_width")
-    eq = model.mechanism("flight_right").equations.at_side(1)  # without the springs' forces
+    eq = model.mode("flight_right").equations.at_side(1)  # without the springs' forces
     mass_matrix, forcing = reduced(eq.mass_matrix, eq.forcing, model.coordinates, half_width)
     for lacking in (*(mass_matrix - pinned.mass_matrix), *(forcing - pinned.forcing)):
         assert tidy(lacking) == 0
@@ -201,7 +201,7 @@ def test_the_guide_changes_its_foot_without_a_jump():
     """The base's centre goes on where it was, as fast as it went."""
     model = rk.derive("lumped_mass_structure", support="two_springs", guided="foot")
     theta = model.rotation
-    for body in model.mechanism("right").bodies:
+    for body in model.mode("right").bodies:
         x = body.position[0]
         left, right = (at_side(x, side) for side in (-1, 1))
         for order in (0, 1):

@@ -21,8 +21,8 @@ from rockeom.integrator.methods.tableau import step_text, tableau
 from rockeom.integrator.program import JOINED
 from rockeom.integrator.texts import text_of
 from rockeom.structures.classes import class_of
-from rockeom.symbolic import Coordinate, Mechanism, RockingModel, Transition
-from rockeom.symbolic.evaluate import NumpyPhase
+from rockeom.symbolic import Coordinate, Mode, RockingModel, Transition
+from rockeom.symbolic.evaluate import NumpyMode
 
 from .blocks import two_storey
 
@@ -75,7 +75,7 @@ def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
     def other(c: Coordinate) -> Coordinate:
         return replace(c, name=names.get(c.name, c.name))
 
-    def phase_of(phase: Mechanism) -> Mechanism:
+    def phase_of(phase: Mode) -> Mode:
         new = replace(phase, coordinates=tuple(map(other, phase.coordinates)))
         vars(new)["equations"] = phase.equations  # the same, and derived once
         return new
@@ -85,7 +85,7 @@ def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
         parameters=tuple(replace(p, name=names.get(p.name, p.name)) for p in model.parameters),
         coordinates=tuple(map(other, model.coordinates)),
         rotation=other(model.rotation),
-        mechanisms=tuple(map(phase_of, model.mechanisms)),
+        modes=tuple(map(phase_of, model.modes)),
     )
 
 
@@ -102,9 +102,9 @@ def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
 
     return replace(
         model,
-        mechanisms=tuple(
+        modes=tuple(
             replace(phase, contacts={names.get(c, c): s for c, s in phase.contacts.items()})
-            for phase in model.mechanisms
+            for phase in model.modes
         ),
         transitions=tuple(map(other, model.transitions)),
     )
@@ -188,7 +188,7 @@ def test_names_that_dampers_and_springs_are_given():
     assert_same(numbers(model, names))
     values = {names.get(k, k): v for k, v in VALUES.items()}
     y, ground = [0.02, 0.01, -0.02, 0.1, 0.3, 0.2], {"ax": 1.2, "ay": 0.3}
-    phase, usual_phase = NumpyPhase(model, "right"), NumpyPhase(MODEL, "right")
+    phase, usual_phase = NumpyMode(model, "right"), NumpyMode(MODEL, "right")
     for of, more in (("rates", ground), ("energies", {}), ("reactions", ground)):
         found = getattr(phase, of)(y, values, **more)
         expected = getattr(usual_phase, of)(y, VALUES, **more)
@@ -237,7 +237,7 @@ def test_contact_states_of_any_name():
     """Of a block whose contact states are marks on the way."""
     model = rk.derive("dirac_delta_block")
     nasty = ("rest", "Impact", "states", "ratio", "EPS", "lambda")
-    names = dict(zip(model.contacts, nasty, strict=True))
+    names = dict(zip(model.mode_names, nasty, strict=True))
     module, usual_module = uncompiled(with_contacts(model, names)), uncompiled(model)
     for table in ("STATES", "NAME", "PARAMETERS", "RATIO", "IMPULSIVE"):
         assert getattr(module, table) == getattr(usual_module, table)

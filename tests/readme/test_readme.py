@@ -64,7 +64,7 @@ def test_example_of_a_record_is_survived(examples):
 
 def test_example_of_feet_that_slide_names_no_passage_and_slides(examples):
     (declaration,) = (block for block in blocks("python") if "lopsided = " in block)
-    assert not {"Mechanism", "Transition", "Impact"} & set(re.findall(r"\w+", declaration))
+    assert not {"Mode", "Transition", "Impact"} & set(re.findall(r"\w+", declaration))
     names, _ = examples
     run = names["run"]
     assert run.structure is names["statue"]

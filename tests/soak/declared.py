@@ -13,16 +13,9 @@ import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.structures.classes import Structure
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.model import (
-    Body,
-    Foot,
-    Mechanism,
-    RockingModel,
-    Transition,
-    coordinate,
-    parameter,
-    turned,
-)
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import Body, Foot, coordinate, parameter, turned
+from rockeom.symbolic.rocking import RockingModel
 from tests.soak.cases import Dice
 from tests.soak.physics import physics
 
@@ -160,13 +153,13 @@ def _on_unequal_feet() -> RockingModel:
         title="A block on feet of unequal distance",
         parameters=tuple(parameters),
         coordinates=(theta,),
-        mechanisms=(
-            Mechanism(
+        modes=(
+            Mode(
                 {"left": -1, "right": 1}, (theta,), (turning,), gravity.symbol,
                 feet={k: Foot(turned(e, pivot, q)) for k, e in edges.items()},
                 load_point=turning.position,
             ),
-            Mechanism(
+            Mode(
                 {"both": 0}, (), (Body("block", mass.symbol, upright, inertia.symbol),),
                 gravity.symbol, feet={k: Foot(e) for k, e in edges.items()}, load_point=upright,
             ),

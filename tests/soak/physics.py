@@ -23,7 +23,8 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.compiler.cache import cache_folder
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, RockingModel
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.rocking import RockingModel
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,7 @@ def _text(model: RockingModel) -> str:
     # plain names: `dummify` would go through the expressions for each argument again
     plain = {symbol: sp.Symbol(f"a{i:03}") for i, symbol in enumerate(arguments)}
     parts = ["from functools import reduce\n\nfrom numpy import *\n"]
-    for number, contact in enumerate(model.contacts):
+    for number, contact in enumerate(model.mode_names):
         for part, expressions in (
             ("energies", _energies(model, contact)),
             ("power", _power(model, contact)),
@@ -109,7 +110,7 @@ def _plain(model: RockingModel, expr: sp.Expr) -> sp.Expr:
 def _energies(model: RockingModel, contact: str) -> list[sp.Expr]:
     equations = model.equations(contact)
     return [
-        model.in_contact(e, contact)
+        model.in_mode(e, contact)
         for e in (
             equations.kinetic_energy,
             equations.gravitational_energy,
@@ -120,18 +121,18 @@ def _energies(model: RockingModel, contact: str) -> list[sp.Expr]:
 
 def _power(model: RockingModel, contact: str) -> list[sp.Expr]:
     """d/dt of the energies: that the ground gives, and that other forces give and dampers take."""
-    equations, phase = model.equations(contact), model.mechanism(contact)
+    equations, phase = model.equations(contact), model.mode(contact)
     rates = [c.velocity for c in phase.coordinates]
     total = equations.kinetic_energy + equations.gravitational_energy + equations.elastic_energy
     ground = sp.Add(*(v * e for v, e in zip(rates, equations.excitation, strict=True)))
     given = equations.force - equations.damping
     other = sp.Add(*(v * e for v, e in zip(rates, given, strict=True)))
-    ground, other = (model.in_contact(e, contact) for e in (ground, other))
+    ground, other = (model.in_mode(e, contact) for e in (ground, other))
     if total.free_symbols & {law.symbol for law in model.functions}:
         # the equations take such a law as a constant, the energies change with it
         for c in phase.coordinates:
-            held = model.in_contact(sp.diff(total, c.position), contact)
-            moving = sp.diff(model.in_contact(total, contact), c.position)
+            held = model.in_mode(sp.diff(total, c.position), contact)
+            moving = sp.diff(model.in_mode(total, contact), c.position)
             other += c.velocity * (moving - held)
     return [ground, other]
 
@@ -139,18 +140,18 @@ def _power(model: RockingModel, contact: str) -> list[sp.Expr]:
 def _guards(model: RockingModel, contact: str) -> list[sp.Expr]:
     leaving = [t for t in model.transitions if t.source == contact]
     return [
-        -_opening(model, t.target) if t.kind == "uplift" else model.in_contact(t.guard, contact)
+        -_opening(model, t.target) if t.kind == "uplift" else model.in_mode(t.guard, contact)
         for t in leaving
     ]
 
 
 def _opening(model: RockingModel, target: str) -> sp.Expr:
     """Acceleration with which the gap of `target` would open from closed and at rest."""
-    phase, equations = model.mechanism(target), model.equations(target)
+    phase, equations = model.mode(target), model.equations(target)
     closed = {model.rotation.position: 0, model.rotation.velocity: 0}
 
     def still(m: sp.Matrix) -> sp.Matrix:
-        return m.applyfunc(lambda e: model.in_contact(e, target).subs(closed))
+        return m.applyfunc(lambda e: model.in_mode(e, target).subs(closed))
 
     found = still(equations.mass_matrix).LUsolve(still(equations.forcing))
     return phase.side_of(target) * found[list(phase.coordinates).index(model.rotation)]
@@ -158,4 +159,4 @@ def _opening(model: RockingModel, target: str) -> sp.Expr:
 
 def order_agrees(names: Iterable[str], model: RockingModel) -> bool:
     """Whether contact states are numbered as in a generated module."""
-    return tuple(names) == model.contacts
+    return tuple(names) == model.mode_names

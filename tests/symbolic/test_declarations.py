@@ -18,7 +18,7 @@ from rockeom.symbolic import (
     Body,
     Definition,
     Foot,
-    Mechanism,
+    Mode,
     NamedFunction,
     Parameter,
     RockingModel,
@@ -72,18 +72,18 @@ def tower(**changes) -> RockingModel:
 
 
 TOWER = tower()
-ROCKING, FULL = TOWER.mechanisms
+ROCKING, FULL = TOWER.modes
 LEFT, RIGHT, *UPLIFTS = TOWER.transitions
 
 
 def rocking(**changes) -> RockingModel:
     """The tower, its rocking phase changed."""
-    return replace(TOWER, mechanisms=(replace(ROCKING, **changes), FULL))
+    return replace(TOWER, modes=(replace(ROCKING, **changes), FULL))
 
 
 def phases(**changes) -> RockingModel:
     """The tower, both phases changed."""
-    return replace(TOWER, mechanisms=tuple(replace(p, **changes) for p in TOWER.mechanisms))
+    return replace(TOWER, modes=tuple(replace(p, **changes) for p in TOWER.modes))
 
 
 def right(**changes) -> RockingModel:
@@ -117,7 +117,7 @@ def on_feet(left: sp.Expr, right: sp.Expr) -> RockingModel:
     def phase(pivot, contacts, free, angle):
         place = turned((0, h), pivot, angle)
         feet = {"left": (-left, sp.S.Zero), "right": (right, sp.S.Zero)}
-        return Mechanism(
+        return Mode(
             contacts,
             free,
             (Body("block", m, place, m * h**2 / 3, angle),),
@@ -131,7 +131,7 @@ def on_feet(left: sp.Expr, right: sp.Expr) -> RockingModel:
         name="block",
         parameters=(*PARAMETERS, *(Parameter(x, str(x), "m", "") for x in (STRANGE,))),
         coordinates=(THETA,),
-        mechanisms=(
+        modes=(
             phase((-left, sp.S.Zero), {"left": -1}, (THETA,), theta),
             phase((right, sp.S.Zero), {"right": 1}, (THETA,), theta),
             phase((sp.S.Zero, sp.S.Zero), {"both": 0}, (), sp.S.Zero),
@@ -165,9 +165,8 @@ def contact(new: str) -> RockingModel:
     put = {"flight": new}
     return replace(
         SPRINGS,
-        mechanisms=tuple(
-            replace(p, contacts={put.get(c, c): s for c, s in p.contacts.items()})
-            for p in SPRINGS.mechanisms
+        modes=tuple(
+            replace(p, sides={put.get(c, c): s for c, s in p.sides.items()}) for p in SPRINGS.modes
         ),
         transitions=tuple(
             replace(t, source=put.get(t.source, t.source), target=put.get(t.target, t.target))
@@ -363,12 +362,12 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a phase without bodies": (lambda: phases(bodies=()), ("tower", "no bodies")),
     "one contact": (
         lambda: replace(
-            TOWER, mechanisms=(replace(ROCKING, contacts={"right": 1}),), transitions=(UPLIFTS[0],)
+            TOWER, modes=(replace(ROCKING, sides={"right": 1}),), transitions=(UPLIFTS[0],)
         ),
-        ("tower", "contact states are right", "two or more"),
+        ("tower", "modes are right", "two or more"),
     ),
     "no transitions": (lambda: replace(TOWER, transitions=()), ("tower", "transitions")),
-    "no phases": (lambda: replace(TOWER, mechanisms=()), ("tower", "none")),
+    "no phases": (lambda: replace(TOWER, modes=()), ("tower", "none")),
     "an unknown load_on": (
         lambda: tower(load_on="tip"),
         ("tower", "load_on", "'tip'", "did you mean 'top'"),
@@ -386,17 +385,17 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("tower", "singular", "w"),
     ),
     "a side that is no side": (
-        lambda: rocking(contacts={"left": -1, "right": 2}),
+        lambda: rocking(sides={"left": -1, "right": 2}),
         ("'right'", "-1, 0 or 1"),
     ),
     "sides exchanged": (
-        lambda: rocking(contacts={"left": 1, "right": -1}),
+        lambda: rocking(sides={"left": 1, "right": -1}),
         ("'left'", "negative"),
     ),
     "full contact of another name": (
         lambda: replace(
             TOWER,
-            mechanisms=(ROCKING, replace(FULL, contacts={"full": 0})),
+            modes=(ROCKING, replace(FULL, sides={"full": 0})),
             transitions=tuple(
                 replace(
                     t,
@@ -422,8 +421,8 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         lambda: phases(quantities={"lean": ("deg", u)}),
         ("'lean'", "'deg'", "'m' or 'N'"),
     ),
-    "a contact state in two phases": (
-        lambda: replace(TOWER, mechanisms=(ROCKING, FULL, FULL)),
+    "a mode declared twice": (
+        lambda: replace(TOWER, modes=(ROCKING, FULL, FULL)),
         ("tower", "declared twice: both"),
     ),
     "two bodies of one name": (
@@ -487,9 +486,9 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a model in another folder": (lambda: tower(name="../../tower"), ("'../../tower'", "letters")),
     "a model of two lines": (lambda: tower(name="a\nb"), ("model", "letters")),
     "a model called by 300 letters": (lambda: tower(name="a" * 300), ("100 letters",)),
-    "a contact state that contains code": (
+    "a mode whose name contains code": (
         lambda: contact("flight = 1; import os"),
-        ("two_spring_structure", "contact state"),
+        ("two_spring_structure", "mode"),
     ),
     "a title that is no text": (lambda: tower(title=None), ("tower", "title", "text")),
     # texts in place of expressions, which SymPy would run
@@ -516,9 +515,9 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         lambda: tower(elastic_energy=k * sp.besselj(0, u)),
         ("elastic energy", "besselj", "math"),
     ),
-    "a contact state that is a number": (
-        lambda: rocking(contacts={"left": -1, 1: 1}),
-        ("contact 1", "text"),
+    "a mode whose name is a number": (
+        lambda: rocking(sides={"left": -1, 1: 1}),
+        ("mode 1", "text"),
     ),
     "a mass of NaN": (lambda: Body("top", float("nan"), (0, h)), ("'top'", "mass", "finite")),
 }
@@ -643,10 +642,10 @@ def test_a_title_with_code_is_shown_by_a_compiled_structure(tmp_path):
 def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
     """Each with its pivot as a number: the map of one side is not that of the other."""
 
-    def phase(side: int, contact: str) -> Mechanism:
+    def phase(side: int, contact: str) -> Mode:
         return replace(
             ROCKING,
-            contacts={contact: side},
+            sides={contact: side},
             bodies=tuple(
                 replace(body, position=tuple(e.subs(SIDE, side) for e in body.position))
                 for body in ROCKING.bodies
@@ -658,7 +657,7 @@ def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
             load_point=tuple(e.subs(SIDE, side) for e in ROCKING.load_point),
         )
 
-    apart = replace(TOWER, mechanisms=(phase(-1, "left"), phase(1, "right"), FULL))
+    apart = replace(TOWER, modes=(phase(-1, "left"), phase(1, "right"), FULL))
     values = VALUES | {"gravity": 9.81}
     one = class_of(module_of(TOWER))(**values)
     other = class_of(module_of(apart))(**values)
@@ -676,7 +675,7 @@ def test_one_phase_alone_rocks_from_foot_to_foot():
     """Without full contact; the number of phases is no matter of the text."""
     alone = replace(
         TOWER,
-        mechanisms=(ROCKING,),
+        modes=(ROCKING,),
         transitions=tuple(replace(t, fallback=None) for t in (LEFT, RIGHT)),
     )
     values = VALUES | {"gravity": 9.81}
@@ -703,7 +702,7 @@ def test_rotation_need_not_be_first_where_it_is_named():
     swapped = replace(
         TOWER,
         coordinates=(U, THETA),
-        mechanisms=(replace(ROCKING, coordinates=(U, THETA)), FULL),
+        modes=(replace(ROCKING, coordinates=(U, THETA)), FULL),
     )
     values = VALUES | {"gravity": 9.81}
     one = class_of(module_of(TOWER))(**values)

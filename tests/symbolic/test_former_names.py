@@ -1,4 +1,4 @@
-"""Names that things had before work, and say what they are called now."""
+"""Former names work, and give the names of today."""
 
 import dataclasses
 
@@ -8,31 +8,35 @@ import rockeom as rk
 from rockeom import symbolic
 
 MODEL = rk.derive("rigid_block")
-HEAVIER = tuple(dataclasses.replace(m, gravity=2 * m.gravity) for m in MODEL.mechanisms)
+HEAVIER = tuple(dataclasses.replace(m, gravity=2 * m.gravity) for m in MODEL.modes)
 OTHERS = {f.name: getattr(MODEL, f.name) for f in dataclasses.fields(MODEL)}
-del OTHERS["mechanisms"]
+del OTHERS["modes"]
+ROCKING = MODEL.mode("right")
+OF_MODE = {f.name: getattr(ROCKING, f.name) for f in dataclasses.fields(ROCKING)}
+del OF_MODE["sides"]
 READ = {
-    "Phase is now called Mechanism": (lambda: rk.Phase, lambda: rk.Mechanism),
-    "Phase is now": (lambda: symbolic.Phase, lambda: symbolic.Mechanism),
-    "Law is now called NamedFunction": (lambda: symbolic.Law, lambda: symbolic.NamedFunction),
-    "phases is now called mechanisms": (lambda: MODEL.phases, lambda: MODEL.mechanisms),
-    "phase is now called mechanism": (
-        lambda: MODEL.phase("right"), lambda: MODEL.mechanism("right"),
+    "Mechanism is now called rockeom.symbolic.Mode": (lambda: rk.Mechanism, lambda: rk.Mode),
+    "symbolic.Mechanism is now": (lambda: symbolic.Mechanism, lambda: symbolic.Mode),
+    "mechanisms is now called modes": (lambda: MODEL.mechanisms, lambda: MODEL.modes),
+    "mechanism is now called mode": (lambda: MODEL.mechanism("right"), lambda: ROCKING),
+    "RockingModel: mechanisms is now": (
+        lambda: rk.RockingModel(**OTHERS, mechanisms=HEAVIER).modes, lambda: HEAVIER,
     ),
-    "laws is now called functions": (lambda: MODEL.laws, lambda: MODEL.functions),
-    "phases is now": (
-        lambda: rk.RockingModel(**OTHERS, phases=HEAVIER).mechanisms, lambda: HEAVIER,
+    "RockingModel.contacts is now": (lambda: MODEL.contacts, lambda: MODEL.mode_names),
+    "Mode.contacts is now called sides": (lambda: ROCKING.contacts, lambda: ROCKING.sides),
+    "Mode: contacts is now called sides": (
+        lambda: rk.Mode(**OF_MODE, contacts=ROCKING.sides), lambda: ROCKING,
     ),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("says", READ)
-def test_an_old_name_gives_what_the_new_one_does_and_says_so_to_who_wrote_it(says):
-    old, new = READ[says]
-    with pytest.warns(DeprecationWarning, match=says) as told:
-        found = old()
-    assert found == new()
-    assert [one.filename for one in told] == [__file__]
+def test_a_former_name_gives_what_that_of_today_gives_and_warns_at_its_use(says):
+    former, today = READ[says]
+    with pytest.warns(DeprecationWarning, match=says) as warned:
+        found = former()
+    assert found == today()
+    assert [one.filename for one in warned] == [__file__]
 
 
 def test_nothing_is_found_by_a_name_that_never_was():

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from rockeom.symbolic import Definition, InternalVariable, NamedFunction, coordinate, parameter
-from rockeom.symbolic.page import Display, Heading, Table, to_markdown
+from rockeom.symbolic.write.page import Display, Heading, Table, to_markdown
 from tests.symbolic.test_declarations import tower
 
 HOSTILE = '<script>alert(1)</script>|`x` <img src=x onerror="y">'

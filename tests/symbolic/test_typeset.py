@@ -20,11 +20,11 @@ from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.notation import AFTER, BEFORE, Notation, at_impact
-from rockeom.symbolic.page import LINE, Display, broken, to_latex, to_markdown, width
-from rockeom.symbolic.polar import has_polar_form, in_polar_form, polar_model, polar_phase
 from rockeom.symbolic.statics import pushover
-from rockeom.symbolic.typeset import (
+from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
+from rockeom.symbolic.write.page import LINE, Display, broken, to_latex, to_markdown, width
+from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_mode, polar_model
+from rockeom.symbolic.write.typeset import (
     content,
     equation_lines,
     equations_latex,
@@ -44,7 +44,7 @@ BY_PHASES = [(n, form) for n, form in DOCUMENTS if n in PINNED]
 
 @cache
 def structure(name):
-    return derive(name)
+    return derive(name).hybrid
 
 
 @cache
@@ -145,7 +145,7 @@ class Reader:
 
 def phases(name):
     """(phase, form) of every way to show a structure."""
-    for phase in structure(name).mechanisms:
+    for phase in structure(name).modes:
         yield phase, "width"
         if has_polar_form(phase):
             yield phase, "polar"
@@ -162,7 +162,7 @@ def test_reading_the_typeset_equations_gives_the_residual_of_the_derived_ones(na
         values = values_of(phase)
         exact = Values(values)
         residual = [exact[e] for e in phase.equations.residual(phase.coordinates)]
-        shown = polar_phase(phase) if form == "polar" else phase
+        shown = polar_mode(phase) if form == "polar" else phase
         read = Reader(Notation(shown), values)
         for line, expected in zip(equation_lines(phase, form), residual, strict=True):
             left, right = line.split(" = ")
@@ -174,7 +174,7 @@ def test_reading_the_typeset_equations_gives_the_residual_of_the_derived_ones(na
 def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived_ones(name, form):
     original = structure(name)
     model = polar_model(original) if form == "polar" else original
-    for phase, plain in zip(model.mechanisms, original.mechanisms, strict=True):
+    for phase, plain in zip(model.modes, original.modes, strict=True):
         notation, values = Notation(phase, model), values_of(plain, 1)
         read = Reader(notation, values)
         equations, exact = phase.equations, plain.equations
@@ -189,11 +189,11 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
         for tex, expr in pairs:
             assert read(tex) == pytest.approx(Values(values)[expr], rel=1e-12, abs=1e-12)
     if model.velocity_ratio is not None and original.rigid_velocity_ratio is None:
-        first = original.mechanisms[0]
+        first = original.modes[0]
         values = values_of(first, 2)
-        tex = Notation(model.mechanisms[0], model).quotient(model.velocity_ratio)
+        tex = Notation(model.modes[0], model).quotient(model.velocity_ratio)
         exact = Values(values)[original.velocity_ratio]
-        assert Reader(Notation(model.mechanisms[0], model), values)(tex) == pytest.approx(exact)
+        assert Reader(Notation(model.modes[0], model), values)(tex) == pytest.approx(exact)
 
 
 @pytest.mark.parametrize(
@@ -206,7 +206,7 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
 )
 def test_reading_typeset_impact_maps_gives_the_derived_velocities(name, form):
     model = structure(name)
-    first = model.mechanism("left")
+    first = model.mode("left")
     values = values_of(first, 3) | {model.rotation.position: 0.0, SIDE: -1.0}
     before = {at_impact(c, BEFORE): values[c.velocity] for c in model.coordinates}
     rotation = str(at_impact(model.rotation, AFTER))
@@ -228,7 +228,7 @@ def test_reading_typeset_impact_maps_gives_the_derived_velocities(name, form):
                 continue
             target = "right" if any(rotation in each for each in block.lines) else "both"
             known = values | before | {at_impact(c, AFTER): v for c, v in after(target)}
-            reader = Reader(Notation(model.mechanism(target), model), known)
+            reader = Reader(Notation(model.mode(target), model), known)
             left, right = map(reader, line.split(" = "))
             assert left == pytest.approx(right, rel=1e-12)
             read += 1
@@ -249,19 +249,15 @@ def test_reading_typeset_pushover_gives_the_derived_force(name, form):
     assert found
     for title, tex in found:
         contact = re.fullmatch("In `(.*)`:", title)[1]
-        values = values_of(model.mechanism(contact), 4)
+        values = values_of(model.mode(contact), 4)
         force = Values(values)[pushover(model, contact)]
-        read = Reader(
-            Notation(model.mechanisms[0], model), values_of(model.mechanisms[0], 5) | values
-        )
+        read = Reader(Notation(model.modes[0], model), values_of(model.modes[0], 5) | values)
         assert read(tex) == pytest.approx(force, rel=1e-12)
 
 
 def test_flexible_structure_reads_as_the_thesis_prints_it():
     """The thesis, equations 5-34 and 5-35, with vertical acceleration added."""
-    rotation, deformation = equation_lines(
-        structure("flexible_structure").mechanism("right"), "polar"
-    )
+    rotation, deformation = equation_lines(structure("flexible_structure").mode("right"), "polar")
     left, right = rotation.split(" = ")
     assert left == (
         r"(m_e R_e^2 + m_e u^2 - 2 s m_e u R_e \sin\alpha_e + I_{eg} + m_b R_b^2 + I_{bg})"
@@ -294,7 +290,7 @@ def test_one_line_an_equation_of_motion(name):
 
 @pytest.mark.parametrize("name", POLAR)
 def test_polar_form_is_the_width_form(name):
-    phase = structure(name).mechanisms[0]
+    phase = structure(name).modes[0]
     polar = in_polar_form(phase)
     geometry = {b.polar[0] for b in phase.bodies} | {b.polar[1] for b in phase.bodies}
     back = {}
@@ -315,8 +311,8 @@ def test_polar_form_is_the_width_form(name):
 
 
 def test_structure_without_radius_and_angle_has_no_polar_form():
-    phase = structure("two_spring_structure").mechanism("both")
-    with pytest.raises(ValueError, match=r'no polar form of mechanism both.*form="width"'):
+    phase = structure("two_spring_structure").mode("both")
+    with pytest.raises(ValueError, match=r'no polar form of mode both.*form="width"'):
         equations_latex(phase, "polar")
 
 
@@ -331,7 +327,7 @@ def test_unknown_form_is_refused_by_name():
     with pytest.raises(ValueError, match="not 'cartesian'"):
         latex_document(model, "cartesian")
     with pytest.raises(ValueError, match="not 'cartesian'"):
-        equations_latex(model.mechanisms[0], "cartesian")
+        equations_latex(model.modes[0], "cartesian")
 
 
 # --- line breaks
@@ -426,15 +422,20 @@ def test_pages_of_a_model_are_what_is_said_of_it():
     for form in ("width", "polar"):
         assert model.latex(form) == latex_document(model, form) == article("rigid_block", form)
     assert model.markdown() == markdown_page(model)
-    assert model._repr_latex_() == f"$${equations_latex(model.mechanisms[0])}$$"
+    assert model._repr_latex_() == f"$${equations_latex(model.modes[0])}$$"
+
+
+DERIVING = (
+    "model", "mode", "contacts", "modes", "hybrid", "lagrange", "impulse", "contact", "statics",
+    "evaluate", "outputs",
+)  # fmt: skip
 
 
 def test_a_model_is_data_and_knows_nothing_that_writes_it_out():
-    """Nor does what derives, not even in a function; methods of a model may show it."""
+    """Nor do the files that derive, not even in a function."""
     symbolic = ROOT / "rockeom" / "symbolic"
     writers = {"notation", "page", "polar", "typeset"}
-    for name in ("model", "check", "lagrange", "impulse", "contact", "statics", "evaluate"):
+    for name in DERIVING:
         tree = ast.parse((symbolic / f"{name}.py").read_text(encoding="utf-8"))
-        nodes = tree.body if name == "model" else ast.walk(tree)
-        homes = {n.module or "" for n in nodes if isinstance(n, ast.ImportFrom)}
+        homes = {n.module or "" for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
         assert not writers & {home.rpartition(".")[2] for home in homes}, name

@@ -133,8 +133,8 @@ def rigid_column(model: RockingModel) -> RockingModel:
             load_point=tuple(map(hold, phase.load_point)),
         )
 
-    phases = tuple(rigid(phase) for phase in model.mechanisms)
-    return replace(model, coordinates=(model.rotation,), mechanisms=phases)
+    phases = tuple(rigid(phase) for phase in model.modes)
+    return replace(model, coordinates=(model.rotation,), modes=phases)
 
 
 def minus_5_14(ratio: sp.Expr, side: int) -> sp.Expr:

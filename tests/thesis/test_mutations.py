@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 
 from rockeom.symbolic import SHIPPED, RockingModel, impulse, lagrange
-from rockeom.symbolic.model import GROUND_X, Body, Mechanism
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import GROUND_X, Body
 from rockeom.thesis import EQUATIONS, Verdict, decide, notation as th
 from rockeom.thesis.checks.engine import THETA, B, compared, shipped, values_of_shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
@@ -30,22 +31,22 @@ def notices(number: str, model: RockingModel) -> bool:
 def bodies(model: RockingModel, change: Callable[[Body], Body], name: str = "") -> RockingModel:
     """The model with `change` made to its bodies, or to the one called `name`."""
 
-    def altered(phase: Mechanism) -> Mechanism:
+    def altered(phase: Mode) -> Mode:
         new = tuple(change(b) if name in ("", b.name) else b for b in phase.bodies)
         at = [b.position for b in phase.bodies].index(phase.load_point)
         return replace(phase, bodies=new, load_point=new[at].position)
 
-    return replace(model, mechanisms=tuple(altered(phase) for phase in model.mechanisms))
+    return replace(model, modes=tuple(altered(phase) for phase in model.modes))
 
 
-def phases(model: RockingModel, change: Callable[[Mechanism], Mechanism]) -> RockingModel:
-    return replace(model, mechanisms=tuple(change(phase) for phase in model.mechanisms))
+def phases(model: RockingModel, change: Callable[[Mode], Mode]) -> RockingModel:
+    return replace(model, modes=tuple(change(phase) for phase in model.modes))
 
 
-def twice(constant: str) -> Callable[[Mechanism], Mechanism]:
+def twice(constant: str) -> Callable[[Mode], Mode]:
     """With twice the stiffness or damping of each element."""
 
-    def change(phase: Mechanism) -> Mechanism:
+    def change(phase: Mode) -> Mode:
         found = (replace(e, **{constant: 2 * getattr(e, constant)}) for e in phase.elements)
         return replace(phase, elements=tuple(found))
 
@@ -181,7 +182,7 @@ def _upwards(model: RockingModel) -> RockingModel:
 
 def _heavier(model: RockingModel) -> RockingModel:
     """The first mass, 1 % more."""
-    name = model.mechanisms[0].bodies[0].name
+    name = model.modes[0].bodies[0].name
     more = sp.Rational(101, 100)
     return bodies(model, lambda b: replace(b, mass=more * b.mass), name)
 

@@ -65,7 +65,7 @@ def foot_guided(model: RockingModel) -> RockingModel:
         feet = {name: Foot(moved(f.position), f.force) for name, f in phase.feet.items()}
         return replace(phase, bodies=bodies, feet=feet, load_point=moved(phase.load_point))
 
-    return replace(model, mechanisms=tuple(move(phase) for phase in model.mechanisms))
+    return replace(model, modes=tuple(move(phase) for phase in model.modes))
 
 
 @pytest.mark.parametrize("contact", ["both", "right"])
@@ -123,7 +123,7 @@ def test_5_30_names_the_rotation_at_which_the_force_is_spent():
 def test_moments_about_the_base_centre_balance():
     """At random rotations with numbers: weights, load and both springs, moment by moment."""
     model = shipped("two_spring_structure")
-    phase = model.mechanism("both")
+    phase = model.mode("both")
     rng = np.random.default_rng(524)
     forces = {name: foot.force for name, foot in phase.feet.items()}
     curve = pushover(model, "both")

@@ -11,20 +11,12 @@ import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.contacts import Model, Rigid, Unilateral, feet
-from rockeom.symbolic.elements import Spring
+from rockeom.symbolic.contact_model import Model
+from rockeom.symbolic.contacts import Rigid, feet
+from rockeom.symbolic.elements import Spring, Unilateral
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import (
-    Foot,
-    Mechanism,
-    Parameter,
-    RockingModel,
-    Transition,
-    coordinate,
-    parameter,
-    rocking_structure,
-    turned,
-)
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import Foot, Parameter, coordinate, parameter, turned
 from rockeom.symbolic.parts.superstructures import (
     GRAVITY,
     HALF_WIDTH,
@@ -33,6 +25,7 @@ from rockeom.symbolic.parts.superstructures import (
     Point,
     Superstructure,
 )
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 FOUNDATION_STIFFNESS = parameter("k_f", "foundation_stiffness", "N/m", "stiffness of each spring")
 FOUNDATION_DAMPING = parameter("c_f", "foundation_damping", "N s/m", "damping of each spring")
@@ -219,13 +212,13 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
     def press(compression: sp.Expr) -> sp.Expr:
         return k * compression + c * rate(compression, coordinates)
 
-    def phase(contacts: dict[str, int], *pressed: sp.Expr) -> Mechanism:
+    def mode(contacts: dict[str, int], *pressed: sp.Expr) -> Mode:
         forces = [press(e) if e in pressed else sp.S.Zero for e in (near, far)]
         of_feet = {
             foot: forces[0] * (1 + s * SIDE) / 2 + forces[1] * (1 - s * SIDE) / 2
             for foot, s in _FEET.items()
         }
-        return Mechanism(
+        return Mode(
             contacts,
             coordinates,
             bodies,
@@ -273,11 +266,11 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
         title=f"{of.title} on two springs, guided at the foot",
         parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=coordinates,
-        mechanisms=(
-            phase(on_both_sides("both_left", "both_right"), near, far),
-            phase(on_both_sides("left", "right"), near),
-            phase(on_both_sides("right_leaning_left", "left_leaning_right"), far),
-            phase(on_both_sides("flight_left", "flight_right")),
+        modes=(
+            mode(on_both_sides("both_left", "both_right"), near, far),
+            mode(on_both_sides("left", "right"), near),
+            mode(on_both_sides("right_leaning_left", "left_leaning_right"), far),
+            mode(on_both_sides("flight_left", "flight_right")),
         ),
         transitions=(*passages("left", "right", -1), *passages("right", "left", 1)),
         rotation=ROTATION,

@@ -21,22 +21,21 @@ from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import (
     Body,
     Coordinate,
     Foot,
-    Mechanism,
     Member,
     NamedFunction,
     Parameter,
-    RockingModel,
-    Transition,
     coordinate,
     parameter,
     rectangle,
     turned,
 )
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel
 from rockeom.symbolic.structures.dirac_delta import delta, loss
 from rockeom.symbolic.structures.rigid_block import GRAVITY
 
@@ -304,18 +303,18 @@ def _build(
     moving: Coordinate,
     places: Mapping[str, int],
     passages: Callable[[str, tuple[str, ...]], list[Transition]],
-    mechanism: Callable[[dict[str, int], tuple[str, ...]], Mechanism],
+    mode_of: Callable[[dict[str, int], tuple[str, ...]], Mode],
     **described,
 ) -> RockingModel:
-    """A phase for each state of the tendons, and the transitions between all of them.
+    """A mode for each state of the tendons, and the transitions between all of them.
 
     passages : those out of a place ("left", ...) of the states named, without their suffixes.
     """
     x = {t.number: t.extension(moving.position) for t in tendons}
-    phases, transitions = [], []
+    modes, transitions = [], []
     for states in product((ELASTIC, SLACK, YIELDING), repeat=len(tendons)):
         suffix = _suffix(tendons, states)
-        phases.append(mechanism({f"{p}{suffix}": s for p, s in places.items()}, states))
+        modes.append(mode_of({f"{p}{suffix}": s for p, s in places.items()}, states))
         for place, side in places.items():
             transitions += passages(place, states)
             for i, tendon in enumerate(tendons):
@@ -335,7 +334,7 @@ def _build(
                         )
                     )
     return RockingModel(
-        mechanisms=tuple(phases), transitions=tuple(transitions), rotation=moving, **described
+        modes=tuple(modes), transitions=tuple(transitions), rotation=moving, **described
     )
 
 
@@ -423,12 +422,12 @@ def controlled_wall_oscillator(
     def stored(states: tuple[str, ...]) -> sp.Expr:
         return sum((e.energy() for e in elements(states)), raised)
 
-    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
+    def mode_of(contacts: dict[str, int], states: tuple[str, ...]) -> Mode:
         plastic = (
             t.plastic_force_in(s, t.extension(q), q) for t, s in zip(cables, states, strict=True)
         )
         place = (q, sp.S.Zero)
-        return Mechanism(
+        return Mode(
             contacts,
             (DISPLACEMENT,),
             (Body("wall", M, place, outline=rectangle(B, 0, B)),),
@@ -467,7 +466,7 @@ def controlled_wall_oscillator(
         DISPLACEMENT,
         places,
         passages,
-        mechanism,
+        mode_of,
         name=f"controlled_wall_oscillator{several}",
         title="Controlled rocking wall as an equivalent oscillator",
         parameters=_unique(
@@ -505,14 +504,12 @@ def _crossing(
     return passages
 
 
-def _pressed(
-    phase: Mechanism, edges: dict[str, tuple[sp.Expr, sp.Expr]], pull: sp.Expr
-) -> Mechanism:
+def _pressed(mode: Mode, edges: dict[str, tuple[sp.Expr, sp.Expr]], pull: sp.Expr) -> Mode:
     """It with feet: the pressed one carries all, with the downward pull of the tendons."""
-    vertical = total_reaction(phase)[1] + pull
+    vertical = total_reaction(mode)[1] + pull
     share = {"left": (1 - SIDE) / 2, "right": (1 + SIDE) / 2}
     return replace(
-        phase, feet={name: Foot(edge, vertical * share[name]) for name, edge in edges.items()}
+        mode, feet={name: Foot(edge, vertical * share[name]) for name, edge in edges.items()}
     )
 
 
@@ -570,9 +567,9 @@ def substitute_gravity_wall(
             sp.S.Zero,
         )
 
-    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
+    def mode_of(contacts: dict[str, int], states: tuple[str, ...]) -> Mode:
         downward = pull(states)
-        phase = Mechanism(
+        mode = Mode(
             contacts,
             (ROTATION,),
             (body,),
@@ -581,14 +578,14 @@ def substitute_gravity_wall(
             forces=(-downward * sp.diff(centroid[1], q),),
             quantities=_quantities(cables, states, q, arm),
         )
-        return _pressed(phase, edges, downward)
+        return _pressed(mode, edges, downward)
 
     model = _build(
         cables,
         ROTATION,
         SIDES,
         _crossing(cables),
-        mechanism,
+        mode_of,
         name="simplified_substitute_gravity_wall" if fixed else "substitute_gravity_wall",
         title="Controlled rocking wall with substitute gravity"
         + (", about its edges" if fixed else ""),
@@ -612,7 +609,7 @@ def substitute_gravity_wall(
 
 def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> RockingModel:
     """The wall also stands still on both edges, its tendons elastic or slack."""
-    phases = []
+    modes = []
     uplifts: list[Transition] = []
 
     forces = {law.symbol: law.value for law in model.functions if law.symbol.is_Symbol}
@@ -625,9 +622,9 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
 
     for states in product((ELASTIC, SLACK), repeat=len(cables)):
         suffix = _suffix(cables, states)
-        turning = model.mechanism(f"right{suffix}")
-        phases.append(
-            Mechanism(
+        turning = model.mode(f"right{suffix}")
+        modes.append(
+            Mode(
                 {f"both{suffix}": 0},
                 (),
                 tuple(
@@ -649,7 +646,7 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
     rocking = (
         replace(t, fallback=rests[t.source]) if t.kind == "impact" else t for t in model.transitions
     )
-    return replace(model, mechanisms=(*model.mechanisms, *phases), transitions=(*rocking, *uplifts))
+    return replace(model, modes=(*model.modes, *modes), transitions=(*rocking, *uplifts))
 
 
 def _one_law(model: RockingModel) -> RockingModel:
@@ -704,10 +701,10 @@ def controlled_wall(
         x, y = turned((e, ANCHOR_HEIGHT.symbol), pivot, q)
         return x - e, y + ANCHOR_DEPTH.symbol
 
-    def mechanism(contacts: dict[str, int], states: tuple[str, ...]) -> Mechanism:
+    def mode_of(contacts: dict[str, int], states: tuple[str, ...]) -> Mode:
         pairs = list(zip(cables, states, strict=True))
         plastic = sum((t.plastic_force_in(s, t.extension(q), q) for t, s in pairs), sp.S.Zero)
-        phase = Mechanism(
+        mode = Mode(
             contacts,
             moving,
             (body,),
@@ -724,7 +721,7 @@ def controlled_wall(
             ),
             sp.S.Zero,
         )
-        return _pressed(phase, edges, down)
+        return _pressed(mode, edges, down)
 
     several = f"_{tendons}_tendons" if tendons != 1 else ""
     model = _build(
@@ -732,7 +729,7 @@ def controlled_wall(
         ROTATION,
         SIDES,
         _crossing(cables),
-        mechanism,
+        mode_of,
         name=("flexible_" if flexible else "") + f"controlled_wall{several}",
         title="Controlled rocking wall" + (" that bends," if flexible else "")
         + " by Lagrange's equations",

@@ -13,8 +13,10 @@ from itertools import pairwise
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.model import Body, Mechanism, RockingModel, Transition, coordinate, parameter
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import Body, coordinate, parameter
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel
 
 ROTATION = coordinate("x", "x", "-", "rotation over alpha")
 ALPHA = parameter("alpha", "alpha", "rad", "angle of the line from edge to centroid")
@@ -71,10 +73,10 @@ def dirac_delta_block() -> RockingModel:
     x, v = ROTATION.position, ROTATION.velocity
     a, r, n = ALPHA.symbol, ENERGY_RATIO.symbol, REGULARISATION.symbol
 
-    def phase(contacts: dict[str, int], height: sp.Expr, force: sp.Expr) -> Mechanism:
+    def mode(contacts: dict[str, int], height: sp.Expr, force: sp.Expr) -> Mode:
         """The slope of `height` is the place of the pivot, from -1 to 1 between the edges."""
         place = (a * x, 1 + a**2 * (height - x**2 / 2))
-        return Mechanism(
+        return Mode(
             contacts,
             (ROTATION,),
             (Body("block", sp.Integer(1), place),),
@@ -84,8 +86,8 @@ def dirac_delta_block() -> RockingModel:
             forces=(a**2 * force,),
         )
 
-    away = phase({"left": -1, "right": 1}, SIDE * x, sp.S.Zero)
-    near = phase(
+    away = mode({"left": -1, "right": 1}, SIDE * x, sp.S.Zero)
+    near = mode(
         {f"{side}_{part}": 0 for side in _SIDES for part in ("core", "tail")},
         n * sp.log(2 * sp.cosh(x / n)),  # of slope tanh(x/n)
         impact_force(x, v, r, n),
@@ -101,7 +103,7 @@ def dirac_delta_block() -> RockingModel:
         title="Slender block with Dirac-delta impacts",
         parameters=(ALPHA, ENERGY_RATIO, REGULARISATION),
         coordinates=(ROTATION,),
-        mechanisms=(away, near),
+        modes=(away, near),
         transitions=(
             *marks,
             Transition("right_core", "left_core", "switch", x),

@@ -4,17 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from rockeom.symbolic.model import (
-    Body,
-    RockingModel,
-    coordinate,
-    parameter,
-    rectangle,
-    rocking_structure,
-    turned,
-)
+from rockeom.symbolic.model import Body, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 
 @shipped(place=1)

@@ -5,17 +5,10 @@ from __future__ import annotations
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.model import (
-    Body,
-    Parameter,
-    RockingModel,
-    parameter,
-    rectangle,
-    rocking_structure,
-    turned,
-)
+from rockeom.symbolic.model import Body, Parameter, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 
 @shipped

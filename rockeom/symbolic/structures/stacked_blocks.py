@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from rockeom.symbolic.contacts import Model, Rigid, feet
+from rockeom.symbolic.contact_model import Model
+from rockeom.symbolic.contacts import Rigid, feet
 from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION as THETA, RESTITUTION, X, Y

@@ -10,18 +10,8 @@ import sympy as sp
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import (
-    Body,
-    Definition,
-    Foot,
-    Mechanism,
-    Member,
-    RockingModel,
-    Transition,
-    coordinate,
-    rectangle,
-    turned,
-)
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import Body, Definition, Foot, Member, coordinate, rectangle, turned
 from rockeom.symbolic.parts.superstructures import (
     BASE_MASS,
     GRAVITY,
@@ -39,6 +29,7 @@ from rockeom.symbolic.parts.supports import (
     foot_springs,
 )
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel
 from rockeom.symbolic.statics import holding_force
 from rockeom.symbolic.structures.lumped_mass import lumped_mass_structure
 
@@ -74,9 +65,9 @@ def two_spring_structure() -> RockingModel:
 
     near_and_far = {"right": edge, "left": edge.subs(SIDE, -SIDE)}
 
-    def phase(contacts: dict[str, int], springs: tuple[Spring, ...], **on: sp.Expr) -> Mechanism:
-        """The mechanism in which springs are pressed, and the forces that they have."""
-        return Mechanism(
+    def mode(contacts: dict[str, int], springs: tuple[Spring, ...], **on: sp.Expr) -> Mode:
+        """The mode in which springs are pressed, and the forces that they have."""
+        return Mode(
             contacts,
             (ROTATION, HEAVE),
             bodies,
@@ -98,15 +89,15 @@ def two_spring_structure() -> RockingModel:
         title="Rigid lumped-mass structure on two compression-only springs (Model B)",
         parameters=(*rigid().parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE),
-        mechanisms=(
-            phase({"both": 0}, foot_springs(compression, compression.values(), False), **force),
-            phase(
+        modes=(
+            mode({"both": 0}, foot_springs(compression, compression.values(), False), **force),
+            mode(
                 sides,
                 foot_springs(near_and_far, [edge]),
                 left=press * (1 - SIDE) / 2,
                 right=press * (1 + SIDE) / 2,
             ),
-            phase({"flight": 0}, foot_springs(compression, (), False)),
+            mode({"flight": 0}, foot_springs(compression, (), False)),
         ),
         transitions=(
             lifts("both", "right", "left"),
@@ -147,12 +138,12 @@ def bilinear_pushover() -> BilinearPushover:
     theta, v = ROTATION.position, HEAVE.position
     at_rest = {theta: 0, v: 0, ROTATION.velocity: 0, HEAVE.velocity: 0}
     lever = HEIGHT.symbol  # u = H_e theta for small rotations
-    left = sp.sympify(springs.mechanism("both").feet["left"].force)
+    left = sp.sympify(springs.mode("both").feet["left"].force)
     lift_off_rotation = sp.factor(-left.subs(at_rest) / sp.diff(left, theta).subs(at_rest))
     on_pivot = sp.factor(holding_force(pivots, "right"))
     cosine, sine = (sp.expand(sp.numer(on_pivot)).coeff(f(theta)) for f in (sp.cos, sp.sin))
     upright = sp.atan(sp.cancel(-cosine / sine))  # centroid above the pivot
-    x = at_side(pivots.mechanism("right").bodies[0].position[0], 1)  # of the superstructure
+    x = at_side(pivots.mode("right").bodies[0].position[0], 1)  # of the superstructure
     return BilinearPushover(
         contact_stiffness=sp.cancel(
             sp.diff(holding_force(springs, "both"), theta).subs(theta, 0) / lever
@@ -191,8 +182,8 @@ def two_spring_cart() -> RockingModel:
     b, mass = HALF_WIDTH.symbol, MASS.symbol + BASE_MASS.symbol
     cart = Body("cart", mass, (x, sp.Integer(0)), outline=rectangle(b, 0, b))
 
-    def phase(contacts: dict[str, int], energy: sp.Expr) -> Mechanism:
-        return Mechanism(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
+    def mode(contacts: dict[str, int], energy: sp.Expr) -> Mode:
+        return Mode(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
 
     def lifts(side: int, contact: str, lifted: str) -> tuple[Transition, Transition]:
         inside = ul - side * x
@@ -206,9 +197,9 @@ def two_spring_cart() -> RockingModel:
         title="Equivalent cart of the structure on two springs (Model B as printed)",
         parameters=(*rigid().parameters, FOUNDATION_STIFFNESS),
         coordinates=(u,),
-        mechanisms=(
-            phase({"both_left": -1, "both_right": 1}, k0 * x**2 / 2),
-            phase({"left": -1, "right": 1}, lifted),
+        modes=(
+            mode({"both_left": -1, "both_right": 1}, k0 * x**2 / 2),
+            mode({"left": -1, "right": 1}, lifted),
         ),
         transitions=(
             Transition("both_left", "both_right", "impact", -x),

@@ -6,15 +6,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import truncated
 from rockeom.symbolic.elements import Spring
-from rockeom.symbolic.model import (
-    Body,
-    Member,
-    RockingModel,
-    parameter,
-    rectangle,
-    rocking_structure,
-    turned,
-)
+from rockeom.symbolic.model import Body, Member, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import (
     DAMPING,
     DEFORMATION,
@@ -24,6 +16,7 @@ from rockeom.symbolic.parts.superstructures import (
     STIFFNESS,
 )
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 MASS = parameter("m", "mass", "kg", "mass, a point")
 HEIGHT = parameter("H", "height", "m", "height of the mass above the base")

@@ -4,19 +4,10 @@ from __future__ import annotations
 
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.elements import Spring
-from rockeom.symbolic.model import (
-    GROUND_Y,
-    Body,
-    Member,
-    RockingModel,
-    coordinate,
-    parameter,
-    rectangle,
-    rocking_structure,
-    turned,
-)
+from rockeom.symbolic.model import GROUND_Y, Body, Member, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 
 @shipped

@@ -115,7 +115,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
     }
     upright = {sp.sin(angle): B / radius, sp.cos(angle): PIER["height"] / radius}
     for side in sides:
-        x = shipped(MODEL_A).mechanism(CONTACT[side]).bodies[0].position[0]
+        x = shipped(MODEL_A).mode(CONTACT[side]).bodies[0].position[0]
         x = x.subs(SIDE, side)
         displacement = x - x.subs(THETA, 0)
         stated = branch(relation, side).xreplace(known)
@@ -267,7 +267,7 @@ def _cart(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """
     (relation,) = relations
     height = PIER["height"]
-    equations = shipped("two_spring_structure").mechanism("both").equations
+    equations = shipped("two_spring_structure").mode("both").equations
     heave = next(c for c in shipped("two_spring_structure").coordinates if c.name == "heave")
     upright = {THETA: 0, GROUND_Y: 0}
     turning = equations.gravity[0] + equations.stiffness[0]

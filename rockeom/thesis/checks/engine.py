@@ -94,7 +94,7 @@ def compared(
 def residual(model: RockingModel, side: int, row: int = 0) -> sp.Expr:
     """Left minus right side of an equation of motion; the thesis has no vertical shaking."""
     contact = CONTACT[side]
-    coordinates = model.mechanism(contact).coordinates
+    coordinates = model.mode(contact).coordinates
     return model.equations(contact).residual(coordinates)[row].subs(GROUND_Y, 0)
 
 
@@ -135,13 +135,13 @@ def slender_scaled(model: RockingModel, side: int) -> sp.Expr:
 
 
 def centroid_acceleration(model: RockingModel, side: int, axis: int) -> sp.Expr:
-    phase = model.mechanism(CONTACT[side])
+    phase = model.mode(CONTACT[side])
     relative = rate(rate(phase.bodies[0].position[axis], phase.coordinates), phase.coordinates)
     return in_polar(relative.subs(SIDE, side)) + (GROUND_X, sp.Integer(0))[axis]
 
 
 def force(model: RockingModel, side: int, axis: int) -> sp.Expr:
-    total = total_reaction(model.mechanism(CONTACT[side]))[axis]
+    total = total_reaction(model.mode(CONTACT[side]))[axis]
     return in_polar(total.subs({SIDE: side, GROUND_Y: 0}))
 
 
@@ -193,7 +193,7 @@ def block_energy_ratio(model: RockingModel, side: int) -> sp.Expr:
 
 def settled(model: RockingModel) -> sp.Expr:
     """Compression of a spring in equilibrium without a load."""
-    phase = model.mechanism("both")
+    phase = model.mode("both")
     upright = {c.position: 0 for c in phase.coordinates if c is model.rotation}
     turning, heaving = (row.subs({**upright, LOAD: 0}) for row in equilibrium(phase))
     (heave,) = (c.position for c in phase.coordinates if c is not model.rotation)
@@ -205,7 +205,7 @@ def settled(model: RockingModel) -> sp.Expr:
 
 def foot_force(model: RockingModel, foot: str) -> sp.Expr:
     """Static force of a spring at a rotation with both pressed, the vertical motion condensed."""
-    phase = model.mechanism("both")
+    phase = model.mode("both")
     (heave,) = (c for c in phase.coordinates if c is not model.rotation)
     row = [c.name for c in phase.coordinates].index(heave.name)
     (at,) = sp.solve(equilibrium(phase)[row], heave.position)
@@ -228,7 +228,7 @@ def first_stiffness(model: RockingModel) -> sp.Expr:
 
 
 def weight(model: RockingModel, side: int) -> sp.Expr:
-    return sp.expand(model.mechanism("flight").equations.gravity[1])
+    return sp.expand(model.mode("flight").equations.gravity[1])
 
 
 def linear_lift_off_force(model: RockingModel, side: int) -> sp.Expr:
@@ -236,14 +236,14 @@ def linear_lift_off_force(model: RockingModel, side: int) -> sp.Expr:
 
 
 def displacement(model: RockingModel, side: int) -> sp.Expr:
-    point = model.mechanism("both").load_point
+    point = model.mode("both").load_point
     assert point is not None
     return point[0]
 
 
 def centroid(model: RockingModel, side: int) -> list[sp.Expr]:
     """Height, angle at the pivot and distance from it of the centroid of all bodies."""
-    bodies = model.mechanism("right").bodies
+    bodies = model.mode("right").bodies
     total = sum(b.mass for b in bodies)
     upright = {SIDE: 1, THETA: 0}
     x, y = (sum(b.mass * b.position[i] for b in bodies) / total for i in (0, 1))
@@ -262,7 +262,7 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
 
 
 def cart_forces(model: RockingModel, side: int) -> dict:
-    mass = sum(b.mass for b in model.mechanism(CONTACT[side]).bodies)
+    mass = sum(b.mass for b in model.mode(CONTACT[side]).bodies)
     return {
         th.k_u: model.equations(CONTACT[side]).stiffness[0],
         th.P_t: -mass * GROUND_X,
@@ -273,18 +273,18 @@ def cart_forces(model: RockingModel, side: int) -> dict:
 
 
 def from_pivot(model: RockingModel, side: int, body: int) -> sp.Matrix:
-    x, y = model.mechanism(CONTACT[side]).bodies[body].position
+    x, y = model.mode(CONTACT[side]).bodies[body].position
     return sp.Matrix([x - SIDE * B, y]).subs(SIDE, side)
 
 
 def velocity(model: RockingModel, side: int, body: int) -> sp.Matrix:
-    phase = model.mechanism(CONTACT[side])
+    phase = model.mode(CONTACT[side])
     x, y, _ = body_velocity(phase.bodies[body], phase.coordinates)
     return sp.Matrix([x, y]).subs(SIDE, side)
 
 
 def kinetic(model: RockingModel, side: int, body: int) -> sp.Expr:
-    phase = model.mechanism(CONTACT[side])
+    phase = model.mode(CONTACT[side])
     return kinetic_energy(replace(phase, bodies=(phase.bodies[body],))).subs(SIDE, side)
 
 
@@ -379,7 +379,7 @@ DERIVED: dict[str, Derived] = {
     "D-12": _of(MODEL_C, kinetic, 1),
     "D-13": _of(MODEL_C, potential),
     "D-14": _of(MODEL_C, lagrangian),
-    "D-15": Derived(MODEL_C, lambda m, s: m.mechanism(CONTACT[s]).dissipation_function),
+    "D-15": Derived(MODEL_C, lambda m, s: m.mode(CONTACT[s]).dissipation_function),
     "D-16": Derived(MODEL_C, lambda m, s: list(excitation(m, s))),
     "D-17": Derived(MODEL_C, lambda m, s: excitation(m, s)[0]),
     "D-18": Derived(MODEL_C, lambda m, s: excitation(m, s)[1]),

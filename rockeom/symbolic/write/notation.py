@@ -16,10 +16,11 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
-from rockeom.symbolic.contacts import Model
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate, Mechanism, RockingModel
-from rockeom.symbolic.page import LINE, width
-from rockeom.symbolic.polar import compound_angles
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate
+from rockeom.symbolic.write.page import LINE, width
+from rockeom.symbolic.write.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
 MASS, INERTIA, FIELD, STRENGTH, LENGTH, POSITION, RADIUS, BRACKET, ANGLE, DOTTED = range(1, 11)
@@ -32,31 +33,31 @@ def at_impact(coordinate: Coordinate, when: str) -> sp.Symbol:
 
 
 class Notation(LatexPrinter):
-    """LaTeX of expressions of one phase; a `model` adds its units and all its coordinates."""
+    """LaTeX of expressions of one mode; a `model` adds its units and all its coordinates."""
 
-    def __init__(self, phase: Mechanism, model: RockingModel | Model | None = None) -> None:
+    def __init__(self, mode: Mode, model: HybridModel | None = None) -> None:
         super().__init__()
         self._collected: dict[sp.Expr, list[sp.Expr]] = {}  # counted first, and then written
-        coordinates = model.coordinates if model else phase.coordinates
+        coordinates = model.coordinates if model else mode.coordinates
         unit = {p.symbol: p.unit for p in model.parameters} if model else {}
         self.coordinates = coordinates
         self.positions = [c.position for c in coordinates]
         self.moving = set(self.positions)
         heavy = [x for x in unit if unit[x] in ("kg", "kg m2")]
-        for body in phase.bodies:
+        for body in mode.bodies:
             heavy += _symbols([body.mass]) + ([body.inertia] if body.inertia.is_Symbol else [])
         heavy = list(dict.fromkeys(heavy))
-        masses = set(_symbols(b.mass for b in phase.bodies))
+        masses = set(_symbols(b.mass for b in mode.bodies))
         self.masses = [x for x in heavy if x in masses or unit.get(x) == "kg"]
         self.dotted = [c.acceleration for c in coordinates]
         for c in coordinates:
             self.dotted += [c.velocity, at_impact(c, AFTER), at_impact(c, BEFORE)]
-        field = [GROUND_X, GROUND_Y, *_symbols([phase.gravity])]
+        field = [GROUND_X, GROUND_Y, *_symbols([mode.gravity])]
         self.leaders = [*self.dotted, *field]
         self.heavy = {x: i for i, x in enumerate(heavy)}
-        places = [b.position for b in phase.bodies] + [f.position for f in phase.feet.values()]
+        places = [b.position for b in mode.bodies] + [f.position for f in mode.feet.values()]
         levers = [sp.diff(e, q) for place in places for e in place for q in self.positions]
-        radii = {body.polar[2] for body in phase.bodies if body.polar}
+        radii = {body.polar[2] for body in mode.bodies if body.polar}
         groups = [
             (DOTTED, self.dotted),
             (POSITION, self.positions),

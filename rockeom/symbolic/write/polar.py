@@ -6,40 +6,39 @@ B = R sin(alpha),  H = R cos(alpha)
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, angles_in, square_is, tidy
-from rockeom.symbolic.model import Body, Coordinate, Mechanism, Parameter, RockingModel
-
-if TYPE_CHECKING:
-    from rockeom.symbolic.lagrange import Equations
-
-
-def has_polar_form(phase: Mechanism) -> bool:
-    return any(body.polar for body in phase.bodies)
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.lagrange import Equations
+from rockeom.symbolic.mode import Mode
+from rockeom.symbolic.model import Body, Coordinate, Parameter
 
 
-def in_polar_form(phase: Mechanism) -> Equations:
-    """The phase's equations with R and alpha of each body instead of half-width and height.
+def has_polar_form(mode: Mode) -> bool:
+    return any(body.polar for body in mode.bodies)
+
+
+def in_polar_form(mode: Mode) -> Equations:
+    """The mode's equations with R and alpha of each body instead of half-width and height.
 
     Raises ValueError if none of its bodies names its R and alpha.
     """
-    if not has_polar_form(phase):
+    if not has_polar_form(mode):
         raise ValueError(
-            f"no polar form of mechanism {', '.join(phase.contacts)}: none of its bodies names a "
+            f"no polar form of mode {', '.join(mode.sides)}: none of its bodies names a "
             'radius and an angle (`polar`); use form="width"'
         )
-    equations = polar_phase(phase).equations
-    return equations.map(lambda e: compound_angles(e, phase.coordinates))
+    equations = polar_mode(mode).equations
+    return equations.map(lambda e: compound_angles(e, mode.coordinates))
 
 
-def polar_phase(phase: Mechanism) -> Mechanism:
-    """The same mechanism, its bodies placed by R and alpha."""
-    bodies = tuple(_polar_body(body) for body in phase.bodies)
-    loaded = [b.position for b in phase.bodies].index(phase.load_point) if phase.load_point else 0
-    return replace(phase, bodies=bodies, load_point=phase.load_point and bodies[loaded].position)
+def polar_mode(mode: Mode) -> Mode:
+    """The same mode, its bodies placed by R and alpha."""
+    bodies = tuple(_polar_body(body) for body in mode.bodies)
+    loaded = [b.position for b in mode.bodies].index(mode.load_point) if mode.load_point else 0
+    return replace(mode, bodies=bodies, load_point=mode.load_point and bodies[loaded].position)
 
 
 def _polar_body(body: Body) -> Body:
@@ -51,10 +50,10 @@ def _polar_body(body: Body) -> Body:
     return replace(body, position=(x, y))
 
 
-def polar_parameters(model: RockingModel) -> tuple[tuple[Parameter, sp.Expr], ...]:
+def polar_parameters(model: HybridModel) -> tuple[tuple[Parameter, sp.Expr], ...]:
     """R and alpha of each body, each with its value in half-width and height."""
     found: dict[sp.Symbol, tuple[Parameter, sp.Expr]] = {}
-    for body in (b for phase in model.mechanisms for b in phase.bodies):
+    for body in (b for mode in model.modes for b in mode.bodies):
         if body.polar is None:
             continue
         b, h, radius, alpha = body.polar
@@ -70,12 +69,12 @@ def polar_parameters(model: RockingModel) -> tuple[tuple[Parameter, sp.Expr], ..
     return tuple(found.values())
 
 
-def polar_model(model: RockingModel) -> RockingModel:
-    """The same structure, the bodies of its rocking phases placed by R and alpha."""
+def polar_model(model: HybridModel) -> HybridModel:
+    """The same structure, the bodies of its rocking modes placed by R and alpha."""
     return replace(
         model,
         parameters=(*model.parameters, *(p for p, _ in polar_parameters(model))),
-        mechanisms=tuple(polar_phase(phase) for phase in model.mechanisms),
+        modes=tuple(polar_mode(mode) for mode in model.modes),
     )
 
 

@@ -1,0 +1,367 @@
+"""Declared modes and transitions: motion, guards, impact maps, and where transitions lead."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from rockeom.codegen.names import string
+from rockeom.codegen.outputs import Columns, reactions
+from rockeom.codegen.rates import equations_of_motion
+from rockeom.codegen.solve import by_states, eliminate, solve
+from rockeom.codegen.tables import rows
+from rockeom.codegen.text import Text
+from rockeom.codes import KIND_OF, SWITCH
+from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.impulse import ImpulseMap
+from rockeom.symbolic.mode import Transition
+from rockeom.symbolic.model import GROUND_Y
+
+ImpulseNames = dict[tuple[str, str], str]
+"""Name of the function of an impact map, by the modes before and after."""
+
+
+def declared(text: Text) -> tuple[dict[str, Columns], list[str]]:
+    """Add all functions; returns the table of names of forces, and the tables of guards."""
+    equations_of_motion(text)
+    _guards(text)
+    _jump(text)
+    held = _held_guards(text)
+    return {"REACTIONS": reactions(text)}, _tables(text, held)
+
+
+# -- tables ------------------------------------------------------------------------------------
+
+
+def _tables(text: Text, held: int) -> list[str]:
+    model = text.model
+    sides = [model.mode(name).side_of(name) for name in model.mode_names]
+    return [
+        f"N_GUARDS = {_longest(model)}",
+        f"N_PARTS = {max(sum(map(len, _parts(model, name))) for name in model.mode_names)}",
+        f"SIDES = ({', '.join(str(float(s)) for s in sides)},)",
+        f"GUARDS = ({', '.join(str(len(_outgoing(model, x))) for x in model.mode_names)},)",
+        *_of_transitions(model),
+        *_of_guards(model),
+        f"NARROW = {bool(model.functions)}  # whether forces may act in a small part of a step",
+        f"HELD = {held}  # mode whose guards are sums of the state and the ground, or -1",
+        f"HAS_IMPULSIVE = {_impulsive(model)}",
+    ]
+
+
+def _of_transitions(model: HybridModel) -> list[str]:
+    return [
+        "TRANSITIONS = (",
+        *(
+            f"    ({string(t.source)}, {string(t.target)}, {string(t.kind)}),"
+            for name in model.mode_names
+            for t in _outgoing(model, name)
+        ),
+        ")",
+    ]
+
+
+def _of_guards(model: HybridModel) -> list[str]:
+    """Tables with a row for each contact state, and in it a number for each guard."""
+    leaving = {c: _outgoing(model, c) for c in model.mode_names}
+    legend = ", ".join(f"{number} {kind}" for kind, number in KIND_OF.items())
+    return [
+        *rows(
+            f"KINDS = (  # of each guard of each contact state; {legend}",
+            {c: [KIND_OF[t.kind] for t in row] for c, row in leaving.items()},
+            SWITCH,
+        ),
+        *rows(
+            "TARGETS = (  # contact state to which each guard leads",
+            {c: [model.mode_names.index(t.target) for t in row] for c, row in leaving.items()},
+        ),
+        *rows(
+            "CLOSED = (  # guard of the contact state that follows which is closed on entering it",
+            {c: _closed(model, c) for c in leaving},
+        ),
+        *rows(
+            "PARTS = (  # place in g of the two parts of a guard, or -1",
+            {c: [min(two, default=-1) for two in _parts(model, c)] for c in leaving},
+        ),
+    ]
+
+
+def _closed(model: HybridModel, contact: str) -> list[int]:
+    """For each guard of a contact state: the one of its target that leads back, or -1.
+
+    It is zero on entering, up to rounding, and must not be taken for another event.
+    """
+    back = []
+    for t in _outgoing(model, contact):
+        returning = [
+            i
+            for i, other in enumerate(_outgoing(model, t.target))
+            if t.reversible and contact in (other.target, other.fallback)
+        ]
+        back.append(returning[0] if returning else -1)
+    return back
+
+
+# -- guards ------------------------------------------------------------------------------------
+
+
+def _guards(text: Text) -> None:
+    model = text.model
+    body: list[str] = []
+    done: set[str] = set()
+    for contact in model.mode_names:
+        transitions = _outgoing(model, contact)
+        if not transitions or contact in done:
+            continue
+        image = _image(model, contact)
+        done |= {contact, image or contact}
+        served = [f"contact == {text.contacts[c]}" for c in (contact, image) if c]
+        body.append(f"    {'elif' if body else 'if'} {' or '.join(served)}:")
+        if image:
+            body += text.side(" " * 8, model.mode(contact))
+            expressions = _on_both_sides(model, contact)
+        else:
+            expressions = _by_place(model, contact)
+        targets = {f"g[{i}]": e for i, e in expressions.items()}
+        body += text.evaluate("guards", targets, " " * 8, hoist=True)
+        body += [
+            f"        g[{i}] = -opening_acceleration({text.contacts[t.target]}, y, p, ax, ay)"
+            for i, t in enumerate(transitions)
+            if t.kind == "uplift"
+        ]
+    text.function(
+        "guards(contact, y, p, ax, ay, g)",
+        """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.""",
+        body or ["    pass"],
+    )
+
+
+def _outgoing(model: HybridModel, contact: str) -> list[Transition]:
+    """The transitions out of a contact state, an impact first."""
+    found = [t for t in model.transitions if t.source == contact]
+    return sorted(found, key=lambda t: t.kind != "impact")
+
+
+def _longest(model: HybridModel) -> int:
+    """The largest number of guards of a contact state."""
+    return max(len(_outgoing(model, c)) for c in model.mode_names)
+
+
+def _parts(model: HybridModel, contact: str) -> list[dict[int, sp.Expr]]:
+    """For each guard of a contact state: its two parts by their place in g, if it has any."""
+    found: list[dict[int, sp.Expr]] = []
+    place = _longest(model)
+    for t in _outgoing(model, contact):
+        if isinstance(t.guard, sp.Max):
+            two = (model.in_mode(e, contact) for e in t.guard.args)
+            found.append(dict(zip((place, place + 1), two, strict=True)))
+            place += 2
+        else:
+            found.append({})
+    return found
+
+
+def _by_place(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
+    """Guards of a contact state and their parts, by their place in g."""
+    found = {
+        i: model.in_mode(t.guard, contact)
+        for i, t in enumerate(_outgoing(model, contact))
+        if t.guard is not None
+    }
+    for two in _parts(model, contact):
+        found |= two
+    return found
+
+
+def _on_both_sides(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
+    """Guards of a contact state and of its image, with s, by their place in g."""
+    closing = SIDE * model.rotation.position
+    return {
+        i: closing if t.kind == "impact" else t.guard
+        for i, t in enumerate(_outgoing(model, contact))
+    }
+
+
+def _image(model: HybridModel, contact: str) -> str | None:
+    """The contact state on the other side, where its guards are the same but for laws of s.
+
+    They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
+    """
+    mode = model.mode(contact)
+    if sorted(mode.sides.values()) != [-1, 1]:
+        return None
+    (other,) = (c for c in mode.sides if c != contact)
+    mine, others = _outgoing(model, contact), _outgoing(model, other)
+    alike = len(mine) == len(others) and all(
+        t.kind == o.kind and (t.kind == "impact" or (t.kind == "switch" and t.guard == o.guard))
+        for t, o in zip(mine, others, strict=True)
+    )
+    switches = [model.written_out(t.guard) for t in mine if t.kind == "switch"]
+    if alike and any(e.has(SIDE) for e in switches):
+        return other
+    return None
+
+
+# -- guards in full contact ----------------------------------------------------------------------
+
+
+def _held_guards(text: Text) -> int:
+    """Add `held_guards`; returns the mode that it is for, -1 if there is none.
+
+    An acceleration out of M a = f lifts a foot. But for the factor that M gives, which is positive,
+    it is often a sum of the states and of the ground's acceleration, each by a constant: in a step,
+    in which these are polynomials, so is that sum, and its coefficients are known at once.
+    """
+    found = {c: sums for c in text.model.mode_names if (sums := _sums(text, c))}
+    contact = next(iter(found)) if len(found) == 1 else None
+    sums = found[contact] if contact else []
+    text.function(
+        "held_guards(y, p, ax, g)",
+        """Guards of the contact state HELD into g, each divided by what is positive.
+
+    Sums of the states and ax, while there is no vertical shaking.""",
+        text.evaluate("guards", {f"g[{i}]": e for i, e in enumerate(sums)}, "    ", hoist=True)
+        or ["    pass"],
+        "@inlined",
+    )
+    return text.model.mode_names.index(contact) if contact else -1
+
+
+def _sums(text: Text, contact: str) -> list[sp.Expr]:
+    """The guards of a contact state as such sums; none where one of them is no such sum.
+
+    A structure of one coordinate does not move on both feet.
+    """
+    leaving = _outgoing(text.model, contact)
+    if text.n < 2 or any(t.kind != "uplift" or t.guard is not None for t in leaving):
+        return []
+    found = [_sum(text, t.target) for t in leaving]
+    return [e for e in found if e is not None] if None not in found else []
+
+
+def _sum(text: Text, rocking: str) -> sp.Expr | None:
+    """What keeps the gap of a rocking contact state closed, as such a sum, if it is one."""
+    model = text.model
+    mode = model.mode(rocking)
+    rotation = mode.coordinates.index(model.rotation)
+    eq = mode.equations
+    M, F = eq.mass_matrix.copy(), eq.forcing.copy()
+    left, _ = eliminate(text, M, F)
+    if not left:  # all of M is constant
+        F = eq.mass_matrix.adjugate() * eq.forcing
+    elif left != [rotation]:
+        return None
+    closed = {model.rotation.position: 0, model.rotation.velocity: 0, GROUND_Y: 0}
+    side = mode.side_of(rocking)
+    opens = sp.expand(at_side(model.written_out(F[rotation]), side).subs(closed))
+    return by_states(text, -side * opens)
+
+
+# -- transitions -------------------------------------------------------------------------------
+
+
+def _impulsive(model: HybridModel) -> bool:
+    """Whether the impulsive form of Lagrange's equations gives the rates after an impact."""
+    return model.has_impacts and model.rigid_velocity_ratio is None
+
+
+def _jump(text: Text) -> None:
+    """The functions of the impact maps, and one that passes through a transition."""
+    impulses = _impulses(text)
+    body = ["    for i in range(N_STATES):", "        out[i] = y[i]"]
+    for contact in text.model.mode_names:
+        for i, t in enumerate(_outgoing(text.model, contact)):
+            body.append(f"    if contact == {text.contacts[contact]} and guard == {i}:")
+            if t.kind == "impact":
+                body += _impact(text, t, impulses, " " * 8)
+            else:
+                body += _passage(text, t, " " * 8)
+    body.append("    return contact")
+    text.function(
+        "jump(contact, guard, law, ratio, y, p, out)",
+        """Pass through the transition whose guard fell: state after into out (N,).
+
+    law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
+        applies the impulsive form of Lagrange's equations.
+    Returns the contact state that follows.""",
+        body,
+    )
+
+
+def _passage(text: Text, t: Transition, indent: str) -> list[str]:
+    """Lines of a transition without an impact: the states that it sets."""
+    sets = {f"out[{text.index(x)}]": text.model.written_out(e) for x, e in t.sets.items()}
+    lines = []
+    if any(e.has(SIDE) for e in sets.values()):
+        lines.append(f"{indent}s = {text.model.mode(t.source).side_of(t.source)}.0")
+    lines += text.evaluate("jump", sets, indent) if sets else []
+    return [*lines, f"{indent}return {text.contacts[t.target]}"]
+
+
+def _impact(text: Text, t: Transition, impulses: ImpulseNames, indent: str) -> list[str]:
+    """Lines of an impact: the target follows if its gap opens, otherwise the fallback."""
+    rotation = text.model.rotation
+    theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
+    arriving = text.model.mode(t.source).side_of(t.source)
+    side = text.model.mode(t.target).side_of(t.target)
+    opens = f"{'' if side == 1 else '-'}out[{theta_dot}] > 0.0 and y[{theta_dot}] != 0.0"
+
+    def by_impulses(target: str) -> list[str]:
+        return [
+            f"{indent}if law == IMPULSIVE:",
+            f"{indent}    {impulses[t.source, target]}({arriving}.0, y, p, out)",
+        ]
+
+    by_ratio = f"out[{theta_dot}] = ratio * y[{theta_dot}]"
+    lines = [f"{indent}out[{theta}] = 0.0"]
+    if impulses:
+        lines += [*by_impulses(t.target), f"{indent}else:", f"{indent}    {by_ratio}"]
+    else:
+        lines.append(f"{indent}{by_ratio}")
+    lines += [f"{indent}if {opens}:", f"{indent}    return {text.contacts[t.target]}"]
+    # the old foot does not lift
+    if impulses and t.fallback:
+        lines += by_impulses(t.fallback)
+    lines.append(f"{indent}out[{theta_dot}] = 0.0")
+    return [*lines, f"{indent}return {text.contacts[t.fallback or t.target]}"]
+
+
+def _impulses(text: Text) -> ImpulseNames:
+    """Add a function for each impact map; those that differ in the side alone share one."""
+    names: ImpulseNames = {}
+    if not _impulsive(text.model):
+        return names
+    maps: dict[str, ImpulseMap] = {}
+    for t in text.model.transitions:
+        if t.kind == "impact":
+            for target in filter(None, (t.target, t.fallback)):
+                if (t.source, target) not in names:
+                    names[t.source, target] = _impulse(text, t, target, maps)
+    return names
+
+
+def _impulse(text: Text, t: Transition, target: str, maps: dict[str, ImpulseMap]) -> str:
+    """Name of the function of the map from the source of `t` to `target`: one of `maps`, or new."""
+    law = text.model.impulse_map(t.source, target)
+    side = text.model.mode(t.source).side_of(t.source)
+    for name, known in maps.items():
+        if known.at_side(side).equals(law.at_side(side)):
+            return name
+    word = "opposite" if target == t.target else target
+    name = text.function_name(f"impulse_to_{word}", f"impulse_{len(maps)}")
+    maps[name] = law
+    after = [f"{text.name(c.velocity)}_after" for c in law.coordinates]
+    body = ["    pass"]
+    if after:
+        body = solve(text, "impulse", law.mass_matrix, law.momentum, after, "    ")
+    places = [text.index(c.velocity) for c in law.coordinates]
+    body += [f"    out[{i}] = {a}" for i, a in zip(places, after, strict=True)]
+    text.function(
+        f"{name}(s, y, p, out)",
+        f"Rates after side s closes and {word} contact follows: M+ q'+ = sum J+^T m v-.",
+        body,
+    )
+    return name

@@ -1,0 +1,742 @@
+"""The functions of a structure whose contacts were declared: motion, forces, guards, outputs.
+
+Each mode has one text, written with the side s, the sign sigma of each slip and the state chi
+of each element as numbers. Which one moves in a contact state stands in tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from math import prod
+from typing import NamedTuple
+
+import sympy as sp
+
+from rockeom.codegen.outputs import Columns
+from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
+from rockeom.codegen.tables import column, rows, table
+from rockeom.codegen.text import Text
+from rockeom.codes import (
+    FRICTIONLESS,
+    LANDING,
+    LIFTING,
+    MOST_DIGITS,
+    NEVER_SLIPS,
+    SLIPPING,
+    STICKING,
+    SWITCH,
+)
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.beds import number_of_combinations
+from rockeom.symbolic.contact import total_reaction
+from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.elements import Passage
+from rockeom.symbolic.hybrid import Search
+from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.model import GROUND_Y
+from rockeom.symbolic.modes import (
+    OPEN,
+    SLIP,
+    STICK,
+    VERBS,
+    DerivedMode,
+    Modes,
+    Pattern,
+    brief,
+    force_of,
+    free_motion,
+    sign_of_slip,
+)
+
+MOST_QUICK = 2
+"""So many modes have functions of their own: each makes the program longer."""
+
+
+class Written:
+    """Names of signs and switches, and of the functions of each mode as they are written."""
+
+    def __init__(self, text: Text, search: Search) -> None:
+        self.text, self.of, self.modes = text, search.of, search.modes
+        self.rates: list[str] = []
+        self.forces: dict[int, str] = {}
+        self.slips = max(len(m.slipping) for m in self.modes.derived)
+        for i in range(self.slips):
+            text.names[sign_of_slip(i)] = sp.Symbol(f"sigma_{i}")
+
+    def call(self, function: str, mode: DerivedMode) -> str:
+        """How a function of a mode is called."""
+        side = ["s"] if mode.sided else []
+        sigmas = [f"sigma_{i}" for i in range(len(mode.slipping))]
+        given = [*side, *sigmas, *self.text.switches, *self.text.states, "p", "ax", "ay"]
+        return f"{function}({', '.join(given)})"
+
+    def read(self, mode: DerivedMode, indent: str) -> list[str]:
+        """Lines that read the signs of a contact state from the tables."""
+        lines = [f"{indent}s = IMAGES[contact]"] if mode.sided else []
+        lines += [f"{indent}sigma_{i} = SIGMAS[contact][{i}]" for i in range(len(mode.slipping))]
+        return lines + self.text.read_switches(indent)
+
+    def found_forces(self, pattern: Pattern, indent: str) -> list[str]:
+        """Lines that find the forces of a pattern's points, by their own numbers.
+
+        The friction is that of a group, and has the number of the first of its points.
+        """
+        mode = self.modes.derived[pattern.mode]
+        if not mode.closed:
+            return self.text.read_switches(indent)
+        lines = self.read(mode, indent)
+        lines += [f"{indent}{x} = y[{i}]" for i, x in enumerate(self.text.states)]
+        names = [f"normal_{pattern.points[i]}" for i in mode.closed]
+        names += [f"friction_{first_of(pattern, g)}" for g in groups_of(mode)]
+        found = ", ".join(names) + ("," if len(names) == 1 else "")
+        return [*lines, f"{indent}{found} = {self.forces[pattern.mode]}"]
+
+
+def groups_of(mode: DerivedMode) -> list[tuple[int, ...]]:
+    """Points that share friction, in the order in which a mode tells of them."""
+    return [*mode.slipping, *mode.sticking]
+
+
+def first_of(pattern: Pattern, group: tuple[int, ...]) -> int:
+    """The first of the points that play the parts of a mode's group."""
+    return min(pattern.points[i] for i in group)
+
+
+def searched(text: Text, search: Search) -> tuple[dict[str, Columns], list[str]]:
+    """Add all functions; returns the table of names of forces, and the tables of guards."""
+    written = Written(text, search)
+    _motions(written)
+    _forces(written)
+    _guards(written)
+    if search.of.switching:
+        _jump(written)
+    _free_motion(written)
+    _points(written)
+    _point_laws(written)
+    return {"REACTIONS": _reactions(written)}, _tables(written)
+
+
+def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
+    """Lines of a function that is the same in every contact state."""
+    return text.evaluate(name, targets, "    ") or ["    pass"]
+
+
+def _chosen(name: str, branches: list[list[str]]) -> list[str]:
+    """Lines of the branch of a contact state's mode or pattern; of one alone, its own."""
+    if len(branches) == 1:
+        return [line[4:] for line in branches[0]]
+    lines = [f"    {name} = {name.upper()}S[contact]"]
+    for i, branch in enumerate(branches):
+        test = f"{'elif' if i else 'if'} {name} == {i}"
+        lines += [f"    {'else' if i == len(branches) - 1 else test}:", *branch]
+    return lines
+
+
+# -- motion -----------------------------------------------------------------------------------
+
+
+def _suffix(mode: DerivedMode) -> str:
+    """What the functions of a mode are called by."""
+    points = zip(mode.model.contacts, mode.states, strict=True)
+    words = [f"{c.name}_{VERBS[state]}" for c, state in points if state]
+    return "_".join(words) or "flight"
+
+
+def _told(mode: DerivedMode) -> str:
+    """What a mode is, in words."""
+    points = zip(mode.model.contacts, mode.states, strict=True)
+    words = [f"{c.name} {VERBS[state]}" for c, state in points if state]
+    mirrored = ", or its mirror image" if mode.sided else ""
+    return (", ".join(words) or "no point is closed") + mirrored
+
+
+def _motions(written: Written) -> None:
+    """Rates of all states: of each mode, of the one that moves, and on arrays."""
+    text, derived = written.text, written.modes.derived
+    branches = []
+    for i, mode in enumerate(derived):
+        written.rates.append(_motion_of(written, i, mode))
+        branches.append([*written.read(mode, " " * 8), f"        return {written.rates[-1]}"])
+    n, states = text.n, ", ".join(text.states)
+    text.function(
+        f"rates_of_states(contact, {states}, p, ax, ay)",
+        "Rates of all states, in their order.",
+        _chosen("mechanism", branches),
+        "@inlined",
+    )
+    found = ", ".join(f"found[{n + i}]" for i in range(n))
+    text.function(
+        f"accelerations(contact, {states}, p, ax, ay)",
+        "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
+        [
+            f"    found = rates_of_states(contact, {states}, p, ax, ay)",
+            f"    return ({found},)",
+        ],
+        "@inlined",
+    )
+    for i, _ in quick(written.modes):
+        text.function(
+            f"accelerations_{i}(contact, {states}, p, ax, ay)",
+            f"The same where {_told(derived[i])}.",
+            [
+                *written.read(derived[i], "    "),
+                f"    found = {written.rates[i]}",
+                f"    return ({found},)",
+            ],
+            "@everywhere",
+        )
+    given = ", ".join(f"y[{i}]" for i in range(2 * n))
+    text.function(
+        "rates(contact, y, p, ax, ay, dy)",
+        "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
+        [
+            f"    found = rates_of_states(contact, {given}, p, ax, ay)",
+            *(f"    dy[{i}] = found[{i}]" for i in range(2 * n)),
+        ],
+    )
+    text.function(
+        "opening_acceleration(contact, y, p, ax, ay)",
+        "Zero: whether a gap opens is found among the candidates.",
+        ["    return 0.0"],
+        "@inlined",
+    )
+
+
+def quick(modes: Modes) -> list[tuple[int, int]]:
+    """The modes of one coordinate, that the others follow, where nothing slips; and which."""
+    return [
+        (i, m.independent[0])
+        for i, m in enumerate(modes.derived)
+        if len(m.independent) == 1 and not m.slipping
+    ][:MOST_QUICK]
+
+
+def _motion_of(written: Written, number: int, mode: DerivedMode) -> str:
+    """Add the function of one mode; returns how it is called."""
+    text = written.text
+    name = text.function_name(f"rates_{_suffix(mode)}", f"rates_{number}")
+    names = [text.name(a) for a in mode.qdd]
+    internal = {text.name(z.rate): mode.here(e) for z, e in written.of.internal.items()}
+    rates = list(text.states[text.n :])
+    entries: dict[str, sp.Expr] = dict(internal)
+    tied: list[str] = []
+    for d in mode.dependent:
+        speed, drift = mode.velocity[mode.qd[d]], mode.drift[d]
+        rates[d] = "0.0" if speed == 0 else f"speed_{d}"
+        if speed != 0:
+            entries[f"speed_{d}"] = speed
+        terms = []
+        if drift != 0:
+            entries[f"drift_{d}"] = drift
+            terms.append(f"drift_{d}")
+        for j, i in enumerate(mode.independent):
+            if mode.motions[d, j] != 0:
+                entries[f"tie_{d}_{i}"] = mode.motions[d, j]
+                terms.append(f"tie_{d}_{i} * {names[i]}")
+        tied.append(f"    {names[d]} = {' + '.join(terms) or '0.0'}")
+    solve = eliminated if mode.symmetric else unsymmetric
+    gravity, out = written.of.gravity, [names[i] for i in mode.independent]
+    of_motion, solved = solve(
+        text, mode.mass_matrix, mode.forcing, out, "    ", gravity
+    )  # fmt: skip
+    first = {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+    body = text.evaluate("rates", of_motion | entries, "    ", first, hoist=True, states=False)
+    call = written.call(name, mode)
+    text.function(
+        call,
+        f"Rates of all states where {_told(mode)}.",
+        [*body, *solved, *tied, f"    return ({', '.join([*rates, *names, *internal])},)"],
+        "@inlined",
+    )
+    return call
+
+
+# -- forces -----------------------------------------------------------------------------------
+
+
+def _forces(written: Written) -> None:
+    """Of each mode with a closed point: its normal forces, and the friction of each group."""
+    text = written.text
+    for number, mode in enumerate(written.modes.derived):
+        if not mode.closed:
+            continue
+        name = text.function_name(f"forces_{_suffix(mode)}", f"forces_{number}")
+        normal, friction = mode.forces
+        targets = {f"normal_{i}": e for i, e in normal.items()}
+        targets |= {f"friction_{g[0]}": friction[g[0]] for g in groups_of(mode)}
+        used = set().union(*(e.free_symbols for e in targets.values()))
+        moving = used & set(mode.qdd)
+        lines = [f"    found = {written.rates[number]}"] if moving else []
+        lines += [
+            f"    {text.name(a)} = found[{text.n + j}]"
+            for j, a in enumerate(mode.qdd)
+            if a in moving
+        ]
+        lines += text.evaluate("forces", targets, "    ", hoist=True, states=False)
+        written.forces[number] = written.call(name, mode)
+        text.function(
+            written.forces[number],
+            f"Normal forces, then friction [N], where {_told(mode)}.",
+            [*lines, f"    return ({', '.join(targets)},)"],
+            "@inlined",
+        )
+
+
+@dataclass(frozen=True)
+class Guard:
+    """A guard of a pattern: of a point, or of an element, whose numbers follow on theirs.
+
+    sign : of the friction that it bounds. place : among the passages of its element.
+    """
+
+    kind: int
+    subject: int
+    sign: int = 0
+    place: int = 0
+
+    def of(self, place: int | None) -> Guard | None:
+        """That of another passage of its element."""
+        return None if place is None else replace(self, place=place)
+
+
+def guards_of(of: ContactDeclaration, pattern: Pattern) -> list[Guard]:
+    """The guards of a pattern in the order in which they stand in g, elements last."""
+    found: list[Guard] = []
+    for i, state in enumerate(pattern.states):
+        if state == OPEN:
+            found.append(Guard(LANDING, i))
+            continue
+        found.append(Guard(LIFTING, i))
+        if pattern.shared[i] != i:
+            continue
+        group = [j for j, first in enumerate(pattern.shared) if first == i]
+        if state == SLIP:
+            found.append(Guard(STICKING, i))
+        elif state == STICK and all(of.contacts[j].law.friction is not None for j in group):
+            found += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
+    return [*found, *_of_elements(of)]
+
+
+def _of_elements(of: ContactDeclaration) -> list[Guard]:
+    points = len(of.contacts)
+    return [
+        Guard(SWITCH, points + i, place=place)
+        for i, passages in enumerate(of.passages)
+        for place in range(len(passages[of.switching[i].states[0]]))
+    ]
+
+
+def passage_of(of: ContactDeclaration, guard: Guard, state: int) -> Passage:
+    """The passage that ends a state of an element by a guard."""
+    return of.passages[guard.subject - len(of.contacts)][state][guard.place]
+
+
+def pairs_of(of: ContactDeclaration) -> list[tuple[int, int, int]]:
+    """(element, state, place) of each guard that is the larger of two."""
+    return [
+        (i, state, place)
+        for i, row in enumerate(of.passages)
+        for state, passages in row.items()
+        for place, passage in enumerate(passages)
+        if len(passage.guard) == 2
+    ]
+
+
+def _guards(written: Written) -> None:
+    text, patterns = written.text, written.modes.patterns
+    branches = [_guards_of(written, pattern) for pattern in patterns]
+    text.function(
+        "guards(contact, y, p, ax, ay, g)",
+        """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+
+    g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
+        of two, where PARTS says.""",
+        _chosen("arrangement", branches),
+        "@inlined",
+    )
+
+
+def _guards_of(written: Written, pattern: Pattern) -> list[str]:
+    """The branch of one pattern."""
+    text, of, indent = written.text, written.of, " " * 8
+    mode = written.modes.derived[pattern.mode]
+    part_of = {played: part for part, played in enumerate(pattern.points)}
+    lines = written.found_forces(pattern, indent)
+    if not mode.closed:
+        lines += [f"{indent}{x} = y[{i}]" for i, x in enumerate(text.states)]
+    targets: dict[str, sp.Expr] = {}
+    for k, guard in enumerate(guards_of(of, pattern)):
+        i, place = guard.subject, f"g[{k}]"
+        if guard.kind == LANDING:
+            targets[place] = mode.gap(part_of[i])
+        elif guard.kind == LIFTING:
+            targets[place] = sp.Symbol(f"normal_{i}")
+        elif guard.kind == STICKING:
+            group = next(g for g in mode.slipping if first_of(pattern, g) == i)
+            targets[place] = mode.sigma(group[0]) * mode.slip_rate(group)
+        elif guard.kind == SLIPPING:
+            points = [j for j, f in enumerate(pattern.shared) if f == i and pattern.states[j]]
+            cone = sum(mode.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
+            targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
+    switches = _Switches(of)
+    targets |= {name: _here(e, pattern, mode) for name, e in switches.values.items()}
+    lines += text.evaluate("guards", targets, indent, hoist=True, states=False)
+    first = len(guards_of(of, pattern)) - len(_of_elements(of))
+    return [*lines, *(f"{indent}{line}" for line in switches.lines(first))]
+
+
+def _here(expr: sp.Expr, pattern: Pattern, mode: DerivedMode) -> sp.Expr:
+    """An expression where the pattern's points are closed.
+
+    The place and the rate of a point that is closed are zero then, not what rounding leaves: a bar
+    at a foot that stands would begin and cease to act without end.
+    """
+    if not mode.closed:
+        return expr
+    return brief(mode.here(expr).subs(SIDE, pattern.side))
+
+
+class _Switches:
+    """What guards of elements are made of, each expression once, and their lines.
+
+    values : by name.
+    """
+
+    def __init__(self, of: ContactDeclaration) -> None:
+        self.of = of
+        every = prod(len(e.states) for e in of.switching)
+        self.waits = number_of_combinations(of.switching) < every  # others switch before some
+        self.values: dict[str, sp.Expr] = {}
+        self._names: dict[sp.Expr, str] = {}
+        for row in of.passages:
+            for passages in row.values():
+                for e in (e for passage in passages for e in passage.guard):
+                    self._add(sp.sympify(e))
+
+    def _add(self, expr: sp.Expr) -> None:
+        if expr not in self._names:
+            name = f"part_{len(self.values)}"
+            self._names |= {expr: name, -expr: f"-{name}"}
+            self.values[name] = expr
+
+    def _written(self, passage: Passage) -> str:
+        names = [self._names[sp.sympify(e)] for e in passage.guard]
+        return names[0] if len(names) == 1 else f"max({', '.join(names)})"
+
+    def lines(self, first: int) -> list[str]:
+        """They begin at g[first]; the parts of those that are the larger of two at g[N_GUARDS]."""
+        of = self.of
+        found: list[str] = []
+        for i, state, place in pairs_of(of):
+            for e in of.passages[i][state][place].guard:
+                found.append(f"g[N_GUARDS + {len(found)}] = {self._names[sp.sympify(e)]}")
+        for k, guard in enumerate(_of_elements(of)):
+            i = guard.subject - len(of.contacts)
+            states = of.switching[i].states
+            values = {s: self._written(passage_of(of, guard, s)) for s in states}
+            *others, last = values.items()
+            tests = [f"{value} if ELEMENT_STATES[contact][{i}] == {s} else" for s, value in others]
+            waits = [f"1.0 if TARGETS[contact][{first + k}] == contact else"] if self.waits else []
+            found.append(f"g[{first + k}] = {' '.join([*waits, *tests, last[1]])}")
+        return found
+
+
+def _jump(written: Written) -> None:
+    """The passage of an element has its target, and no velocity jumps."""
+    text, of, lines = written.text, written.of, []
+    for i, element in enumerate(of.switching):
+        for state in element.states:
+            put = element.settled(state)
+            if put:
+                places = {f"out[{text.index(z.symbol)}]": e for z, e in put.items()}
+                lines += [
+                    "    if (",
+                    f"        SUBJECTS[contact][guard] == {len(of.contacts) + i}",
+                    f"        and ELEMENT_STATES[contact][{i}] == {state}",
+                    "    ):",
+                    *text.evaluate("jump", places, " " * 8),
+                ]
+    text.function(
+        "jump(contact, guard, law, ratio, y, p, out)",
+        "The state goes on into out (N,); returns the contact state that follows a guard's fall.",
+        [
+            "    for i in range(N_STATES):",
+            "        out[i] = y[i]",
+            *lines,
+            "    return TARGETS[contact][guard]",
+        ],
+    )
+
+
+def _free_motion(written: Written) -> None:
+    text, of, n = written.text, written.of, written.text.n
+    matrix, forces = free_motion(of)
+    inertia = sp.diag(matrix, *([0] * len(of.internal)))  # internal variables have none
+    targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
+    targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(of)])}
+    text.function(
+        "free_motion(y, p, ax, ay, contact, matrix, forces)",
+        "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
+        written.text.read_switches("    ") + text.evaluate("free_motion", targets, "    "),
+    )
+
+
+def _still(of: ContactDeclaration) -> list[sp.Expr]:
+    """A zero for the integral of each internal variable: no force, no gap knows of it."""
+    return [sp.S.Zero] * len(of.internal)
+
+
+def _points(written: Written) -> None:
+    text, of = written.text, written.of
+    coordinates = of.coordinates
+    targets: dict[str, sp.Expr] = {}
+    still = {c.acceleration: 0 for c in coordinates}
+    size = 5 + 2 * text.n
+    for i, contact in enumerate(of.contacts):
+        gap, slip = contact.at(contact.side)
+        rates = [rate(e, coordinates) for e in (gap, slip)]
+        biases = [rate(e, coordinates).subs(still) for e in rates]
+        slopes = [
+            slope
+            for e in (gap, slip)
+            for slope in (*(sp.diff(e, c.position) for c in coordinates), *_still(of))
+        ]
+        for j, e in enumerate([gap, *rates, *biases, *slopes]):
+            targets[f"out[{size * i + j}]"] = tidy(e)
+    text.function(
+        "points(y, p, out)",
+        f"""Of each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
+
+    gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
+        _every(text, "points", targets),
+    )
+
+
+def _point_laws(written: Written) -> None:
+    text, of = written.text, written.of
+    targets: dict[str, sp.Expr] = {}
+    for i, contact in enumerate(of.contacts):
+        friction = contact.law.friction
+        targets[f"out[{2 * i}]"] = sp.sympify(contact.law.restitution)
+        mu = sp.Float(NEVER_SLIPS) if friction is None else sp.sympify(friction)
+        targets[f"out[{2 * i + 1}]"] = mu
+    text.function(
+        "point_laws(p, out)",
+        "Of each point from out[2 * i]: restitution, and coefficient of friction.",
+        _every(text, "point_laws", targets),
+    )
+
+
+# -- forces of a state ------------------------------------------------------------------------
+
+
+def _reactions(written: Written) -> Columns:
+    """The ground's horizontal force, then the forces at each point and element."""
+    text, of = written.text, written.of
+    patterns = written.modes.patterns
+    points, elements = of.contacts, of.switching
+    columns = ["horizontal_reaction"]
+    columns += [f"{c.name}_reaction" for c in points]
+    columns += [f"{e.name}_{e.outputs[0]}" for e in elements]
+    columns += [f"{c.name}_friction" for c in points]
+    states = ", ".join(f"y[{i}]" for i in range(2 * text.n))
+    total = total_reaction(of.free)[0]
+    body = [f"    found = accelerations(contact, {states}, p, ax, ay)"]
+    body += [
+        f"    {text.name(c.acceleration)} = found[{i}]"
+        for i, c in enumerate(of.coordinates)
+        if c.acceleration in total.free_symbols
+    ]
+    presses = {f"out[{1 + len(points) + i}]": force_of(of, i) for i in range(len(elements))}
+    body += written.text.read_switches("    ")
+    body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
+    if points:
+        behind = 1 + len(points) + len(elements)
+        branches = [
+            [*written.found_forces(a, " " * 8), *_shares(written, a, behind)] for a in patterns
+        ]
+        body += _chosen("arrangement", branches)
+    text.function(
+        "reactions(contact, y, p, ax, ay, out)",
+        """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
+
+    Where only the sum of frictions is determined, each has the same part of its largest.""",
+        body,
+    )
+    return tuple(columns)
+
+
+def _shares(written: Written, pattern: Pattern, behind: int) -> list[str]:
+    """Lines that put the forces of a pattern's points to their places."""
+    of, indent = written.of, " " * 8
+    mode = written.modes.derived[pattern.mode]
+    part_of = {played: part for part, played in enumerate(pattern.points)}
+    normals = {
+        f"out[{1 + i}]": sp.Symbol(f"normal_{i}") if state else sp.S.Zero
+        for i, state in enumerate(pattern.states)
+    }
+    lines = written.text.evaluate("reactions", normals, indent, states=False)
+    targets: dict[str, sp.Expr] = {}
+    for i, state in enumerate(pattern.states):
+        place = f"out[{behind + i}]"
+        group = [j for j, f in enumerate(pattern.shared) if f == pattern.shared[i]]
+        friction = sp.Symbol(f"friction_{group[0]}")
+        part = part_of[i]
+        if state in (OPEN, FRICTIONLESS):
+            targets[place] = sp.S.Zero
+        elif state == SLIP:
+            normal = sp.Symbol(f"normal_{i}")
+            targets[place] = -mode.sigma(part) * mode.friction(part) * normal
+        elif len(group) == 1:
+            targets[place] = friction
+        else:
+            cones = {j: _cone(of, j) * sp.Symbol(f"normal_{j}") for j in group}
+            targets[f"total_{group[0]}"] = sum(cones.values())
+            share = sp.Symbol(f"share_{group[0]}")
+            targets[place] = cones[i] * share
+    totals = {k: targets.pop(k) for k in list(targets) if k.startswith("total")}
+    lines += written.text.evaluate("reactions", totals, indent, states=False)
+    for name in totals:
+        first = name.removeprefix("total_")
+        lines.append(f"{indent}share_{first} = friction_{first} / {name} if {name} != 0.0 else 0.0")
+    return lines + written.text.evaluate("reactions", targets, indent, states=False)
+
+
+def _cone(of: ContactDeclaration, point: int) -> sp.Expr:
+    mu = of.contacts[point].law.friction
+    return sp.S.One if mu is None else sp.sympify(mu)
+
+
+# -- tables ------------------------------------------------------------------------------------
+
+
+def _tables(written: Written) -> list[str]:
+    """Points and elements, their states in each mode, and guards."""
+    of, modes = written.of, written.modes
+    guards = [guards_of(of, pattern) for pattern in modes.patterns]
+    guards_in = {state.name: guards[state.pattern] for state in modes.states}
+    longest_row = max(1, *map(len, guards_in.values()))
+    if of.contacts and longest_row > MOST_DIGITS:
+        raise ValueError(
+            f"{of.name}: its contacts and elements have {longest_row} guards in one contact "
+            f"state, more than {MOST_DIGITS}: declare fewer of them"
+        )
+    slips = max(len(mode.slipping) for mode in modes.derived)
+    return [
+        *table("POINTS", [c.name for c in of.contacts]),
+        *table("ELEMENTS", [e.name for e in of.switching]),
+        f"N_GUARDS = {longest_row}",
+        f"N_PARTS = {2 * len(pairs_of(of))}",
+        f"N_POINTS = {len(of.contacts)}",
+        f"N_ELEMENTS = {len(of.switching)}",
+        "TRANSITIONS = ()",
+        *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),
+        *column("GUARDS = (", {name: str(len(row)) for name, row in guards_in.items()}),
+        *_states_of_contact(of, modes, slips),
+        *_of_guards(of, modes, guards_in, longest_row),
+        "NARROW = False  # whether forces may act in a small part of a step",
+        "HELD = -1  # mode whose guards are sums of the state and the ground, or -1",
+        "HAS_IMPULSIVE = False",
+    ]
+
+
+def _states_of_contact(of: ContactDeclaration, modes: Modes, slips: int) -> list[str]:
+    """What each point and element does in each contact state, and which mode moves."""
+    written = {state: modes.patterns[state.pattern] for state in modes.states}
+    smooth = any(FRICTIONLESS in state.points for state in written)
+    return [
+        *rows(
+            "POINT_STATES = (  # 0 open, 1 sticks, 2 slips to the right, 3 to the left"
+            + (", 4 touches without friction" if smooth else ""),
+            {state.name: state.points for state in written},
+        ),
+        *rows(f"ELEMENT_STATES = (  # {_legend(of)}", {s.name: s.elements for s in written}),
+        *rows(
+            "SHARED = (  # the first point with which each shares its friction",
+            {state.name: pattern.shared for state, pattern in written.items()},
+        ),
+        *column("ARRANGEMENTS = (", {s.name: str(s.pattern) for s in written}),
+        *column("MECHANISMS = (", {s.name: str(a.mode) for s, a in written.items()}),
+        f"QUICK = ({''.join(f'({i}, {moves}), ' for i, moves in quick(modes)).rstrip()})"
+        "  # derived with a step of their own, and the coordinate that the others follow",
+        *column(
+            "IMAGES = (  # the side s with which its mode is written",
+            {state.name: f"{a.side}.0" for state, a in written.items()},
+        ),
+        *rows(
+            "SIGMAS = (  # sigma of each group of points that slips",
+            {
+                state.name: [f"{sign}.0" for sign in modes.signs_of(state)]
+                + ["0.0"] * (slips - len(modes.signs_of(state)))
+                for state in written
+            },
+        ),
+    ]
+
+
+def _legend(of: ContactDeclaration) -> str:
+    """What the states of elements are."""
+    yields = any(-1 in e.states for e in of.switching)
+    return "0 elastic or off, 1 yields or on, -1 yields back or slack" if yields else "0 off, 1 on"
+
+
+class _Row(NamedTuple):
+    """A guard of a contact state in the tables; -1 is none."""
+
+    kind: int
+    subject: int
+    target: int = -1
+    back: int = -1
+    part: int = -1
+
+
+def _of_guards(
+    of: ContactDeclaration, modes: Modes, guards_in: Mapping[str, list[Guard]], longest_row: int
+) -> list[str]:
+    numbers = {(state.points, state.elements): i for i, state in enumerate(modes.states)}
+    places = {
+        state.pattern: {guard: k for k, guard in enumerate(guards_in[state.name])}
+        for state in modes.states
+    }
+    points = len(of.contacts)
+    parts = {pair: longest_row + 2 * k for k, pair in enumerate(pairs_of(of))}
+
+    def row(number: int, guard: Guard) -> _Row:
+        found = _Row(guard.kind, guard.subject)
+        if guard.kind != SWITCH:
+            return found
+        state, i = modes.states[number], guard.subject - points
+        passage = passage_of(of, guard, state.elements[i])
+        switched = (*state.elements[:i], passage.target, *state.elements[i + 1 :])
+        target = numbers.get((state.points, switched))
+        if target is None:  # others switch before it
+            return found._replace(target=number)
+        back, pair = guard.of(passage.back), (i, state.elements[i], guard.place)
+        return found._replace(
+            target=target,
+            back=-1 if back is None else places[state.pattern].get(back, -1),
+            part=parts.get(pair, -1),
+        )
+
+    every = {
+        name: [row(i, g) for g in guards] for i, (name, guards) in enumerate(guards_in.items())
+    }
+
+    def numbers_of(first: str, value: Callable[[_Row], int], filler: int = -1) -> list[str]:
+        found = {name: [*map(value, row)] for name, row in every.items()}
+        return rows(first, found, filler, longest_row)
+
+    legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
+    return [
+        *numbers_of(
+            f"KINDS = (  # of each guard of each contact state; {legend}", lambda r: r.kind, SWITCH
+        ),
+        *numbers_of(
+            "SUBJECTS = (  # the point of each guard, or the element, numbered behind the points",
+            lambda r: r.subject,
+        ),
+        *numbers_of("TARGETS = (  # contact state to which a switch leads", lambda r: r.target),
+        *numbers_of("CLOSED = (  # guard of it that leads back", lambda r: r.back),
+        *numbers_of("PARTS = (  # place in g of the two parts of a guard, or -1", lambda r: r.part),
+    ]

@@ -1,0 +1,62 @@
+"""Words that checks of declarations share: names of a response, and symbols by what they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, NamedTuple, NoReturn
+
+from rockeom.symbolic.model import Body
+
+_OUTPUTS = """
+t phase kinetic_energy gravitational_energy elastic_energy total_energy
+ground_acceleration vertical_ground_acceleration
+horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift
+"""
+RESPONSE = frozenset(_OUTPUTS.split())
+"""Names in a response besides those of the states."""
+
+PLACES, RATES, ACCELERATIONS, SIDED, SHAKING, INTERNAL = "qvasgz"
+"""Kinds of symbols in expressions, besides constants."""
+WORDS = {
+    PLACES: "the coordinate",
+    RATES: "the velocity",
+    ACCELERATIONS: "the acceleration",
+    SIDED: "the side",
+    SHAKING: "the ground's acceleration",
+    INTERNAL: "the internal variable",
+}
+
+Expressions = Iterator[tuple[str, Any, str]]
+"""(item, expression, kinds of symbols that it may contain besides constants)."""
+
+
+class Names(NamedTuple):
+    """Names that a declaration chooses.
+
+    items : (item, name). distinct : rows of names, of which none may stand twice. chosen : those
+    that must differ from the names of a response.
+    """
+
+    items: list[tuple[str, str]]
+    distinct: list[list[str]]
+    chosen: set[str]
+
+
+def fail(model: str, what: str) -> NoReturn:
+    raise ValueError(f"{model}: {what}")
+
+
+def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
+    """Names of the quantities of these springs in a response."""
+    quantities = ("deformation", "force", "energy", "loss")
+    return tuple(f"{name}_{what}" for name in springs for what in quantities)
+
+
+def shape(body: Body) -> Expressions:
+    """The outline of a body is fixed to it."""
+    of = f"of the outline of body {body.name!r}"
+    for corner in body.outline:
+        for axis, e in zip("xy", corner, strict=True):
+            yield f"{axis} of a corner {of}", e, ""
+    yield f"the number of copies {of}", body.copies, ""
+    yield f"the distance of copies {of}", body.apart, ""

@@ -1,0 +1,259 @@
+"""Checks of contacts and elements, of which modes are derived."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import combinations
+
+import sympy as sp
+
+from rockeom.codes import MOST_CONTACT_STATES
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.beds import number_of_combinations
+from rockeom.symbolic.checks.common import Expressions, Names, fail, shape, springs_outputs
+from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
+from rockeom.symbolic.elements import Spring, Unilateral, Yielding
+from rockeom.symbolic.model import Body, Coordinate, InternalVariable
+
+
+def check_items(of: ContactDeclaration) -> None:
+    """The lists of a declaration hold what belongs there."""
+    _are(of, "bodies", Body)
+    _are(of, "contacts", Contact)
+    _are(of, "elements", Spring, Unilateral, Yielding)
+    _are(of, "forces", Force)
+    _rates(of)
+
+
+def _are(of: ContactDeclaration, item: str, *kinds: type) -> None:
+    for x in getattr(of, item):
+        if not isinstance(x, kinds):
+            names = " or ".join(kind.__name__ for kind in kinds)
+            fail(of.name, f"{item} holds {x!r}: give objects of {names}")
+
+
+def _rates(of: ContactDeclaration) -> None:
+    """A rate for each internal variable."""
+    if not isinstance(of.rates, Mapping):
+        fail(of.name, f"rates is {of.rates!r}: give a mapping, {{z: its rate}}")
+    for z, expr in of.rates.items():
+        if isinstance(z, Coordinate):
+            fail(
+                of.name,
+                f"rates holds the coordinate {z.name!r}, whose acceleration follows from masses "
+                "and forces: declare these, or a state of its own by `internal_variable(...)`",
+            )
+        if not isinstance(z, InternalVariable):
+            fail(of.name, f"rates holds {z!r}: give what `internal_variable(...)` returns")
+        valid.expressions(f"{of.name}: rates", **{f"the rate of {z.name!r}": expr})
+
+
+def names_of_contacts(of: ContactDeclaration) -> Names:
+    """Names of internal variables, contacts, elements, bodies and forces."""
+    touching = [c.name for c in of.contacts] + [e.name for e in of.elements]
+    items = [(f"internal variable {z.symbol}", z.name) for z in of.internal]
+    items += [("contact or element", name) for name in touching]
+    outputs = outputs_of(of)
+    states = of.states
+    return Names(
+        items,
+        [
+            [*states, *outputs],
+            touching,
+            [b.name for b in of.bodies],
+            [f.name for f in of.forces],
+        ],
+        {*states} - {*outputs},
+    )
+
+
+def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:
+    """What a response tells of the points and elements, by name."""
+    points = [c.name for c in of.contacts]
+    return (
+        *(f"{name}_{what}" for name in points for what in ("reaction", "friction")),
+        *(f"{name}_{what}" for name in points for what in ("uplift", "slip")),
+        *(f"{e.name}_{what}" for e in of.switching for what in e.outputs),
+        *springs_outputs(e.name for e in of.springs),
+    )
+
+
+def check_contacts(of: ContactDeclaration) -> None:
+    """Symbols, the rotation, masses, and pairs of points."""
+    _signs_are_kept(of)
+    if of.rotation not in of.coordinates:
+        fail(of.name, f"the rotation {of.rotation.name!r} is not in `coordinates`")
+    if not of.bodies:
+        fail(of.name, "it has no bodies: declare the masses")
+    if not of.contacts and not of.switching:
+        fail(of.name, "nothing touches: declare `contacts`, or `elements` that press")
+    for contact in of.contacts:
+        _side(of, contact)
+
+
+def check_places(of: ContactDeclaration) -> None:
+    """Coordinates move contacts and elements, and points turn with their bodies."""
+    _moves(of)
+    _are_few(of)
+    _turns(of)
+    for contact in of.contacts:
+        for body in of.bodies:
+            _turns_with(of, contact, body)
+
+
+def _signs_are_kept(of: ContactDeclaration) -> None:
+    given = [p.symbol for p in of.parameters]
+    given += [x for c in of.coordinates for x in (c.position, c.velocity, c.acceleration)]
+    given += [z.symbol for z in of.internal]
+    for symbol in given:
+        if str(symbol).startswith((r"\sigma", r"\chi_")):
+            fail(
+                of.name,
+                f"the symbol {symbol} is kept for the sign of a slip or the state of an element: "
+                "choose another",
+            )
+
+
+def _are_few(of: ContactDeclaration) -> None:
+    """Refuse more combinations of states of elements than a structure may have contact states."""
+    ways, most = number_of_combinations(of.switching), MOST_CONTACT_STATES
+    if ways > most:
+        fail(
+            of.name,
+            f"its {len(of.switching)} elements have {ways} combinations of states, more than "
+            f"{most}: declare fewer of them; n springs in a straight row whose damping is in one "
+            "proportion to the stiffness have n (n + 1)/2 + 1, others 2^n",
+        )
+
+
+def _side(of: ContactDeclaration, contact: Contact) -> None:
+    """A point that is written with the side s has an image on the other side."""
+    what = f"contact {contact.name!r}"
+    sided = SIDE in contact.gap.free_symbols | contact.slip.free_symbols
+    if contact.side not in (-1, 0, 1):
+        fail(of.name, f"{what}: its side is {contact.side!r}: give -1, 0 or 1")
+    if contact.side == 0 and sided:
+        fail(of.name, f"{what}: its gap or slip contains the side s: declare both by `feet(...)`")
+    images = [
+        other
+        for other in of.contacts
+        if other.side == -contact.side
+        and (other.gap, other.slip, other.law) == (contact.gap, contact.slip, contact.law)
+    ]
+    if contact.side and len(images) != 1:
+        fail(
+            of.name,
+            f"{what}: it has the side {contact.side}, and no other point is its image: declare "
+            "both by `feet(...)`, or write it without s, its side 0",
+        )
+
+
+def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
+    """(item, expression, what it may contain besides constants)."""
+    yield "gravity", of.gravity, ""
+    yield "elastic energy", of.elastic_energy, "qz"
+    yield "dissipation", of.dissipation, "qv"
+    for b in of.bodies:
+        where = f" of body {b.name!r}"
+        yield f"mass{where}", b.mass, "q"
+        yield f"inertia{where}", b.inertia, "q"
+        yield f"rotation{where}", b.rotation, "q"
+        for axis, e in zip("xy", b.position, strict=True):
+            yield f"{axis}{where}", e, "q"
+        yield from shape(b)
+    for c in of.contacts:
+        where = f" of contact {c.name!r}"
+        yield f"gap{where}", c.gap, "qs"
+        yield f"slip{where}", c.slip, "qs"
+        for axis, e in zip("xy", c.place or (), strict=False):
+            yield f"{axis} of the place{where}", e, "qs"
+        yield f"restitution{where}", c.law.restitution, ""
+        yield f"friction{where}", 0 if c.law.friction is None else c.law.friction, ""
+    for element in of.elements:
+        where = f" of element {element.name!r}"
+        yield f"displacement{where}", element.displacement, "q"
+        for constant, e in element.constants.items():
+            yield f"{constant}{where}", e, ""
+        for axis, e in zip("xy", getattr(element, "place", None) or (), strict=False):
+            yield f"{axis} of the place{where}", e, "q"
+    for spring in of.springs:
+        yield f"initial force of element {spring.name!r}", spring.initial_force, ""
+    for f in of.forces:
+        yield f"value of force {f.name!r}", f.value, "qvz"
+        yield f"displacement of force {f.name!r}", f.displacement, "q"
+    for z, rate in of.rates.items():
+        yield f"rate of {z.name!r}", rate, "qvz"
+    for axis, e in zip("xy", of.load_point or (), strict=False):
+        yield f"{axis} of the load point", e, "q"
+
+
+def _moves(of: ContactDeclaration) -> None:
+    """Gaps, slips and compressions are functions of coordinates, and no two are the same."""
+    q = {c.position for c in of.coordinates}
+    for c in of.contacts:
+        for item, e in zip(("gap", "slip"), c.at(c.side), strict=True):
+            if not sp.sympify(e).free_symbols & q:
+                fail(
+                    of.name,
+                    f"the {item} of contact {c.name!r} is {e}, which no coordinate changes: write "
+                    "it with the coordinates of the structure when nothing holds it",
+                )
+    for one, other in combinations(of.contacts, 2):
+        if tidy(one.at(one.side)[0] - other.at(other.side)[0]) == 0:
+            fail(
+                of.name,
+                f"the contacts {one.name!r} and {other.name!r} have the same gap: they are one "
+                "point; declare it once",
+            )
+    for element in of.elements:
+        if not sp.sympify(element.displacement).free_symbols & q:
+            fail(
+                of.name,
+                f"the displacement of element {element.name!r} is {element.displacement}, which no "
+                "coordinate changes",
+            )
+    for f in of.forces:
+        if not sp.sympify(f.displacement).free_symbols & q:
+            fail(
+                of.name,
+                f"the displacement of force {f.name!r} is {f.displacement}, which no coordinate "
+                "changes: the force does no work",
+            )
+
+
+def _turns(of: ContactDeclaration) -> None:
+    theta = of.rotation.position
+    if not any(sp.sympify(b.rotation).has(theta) for b in of.bodies):
+        fail(
+            of.name,
+            f"no body turns with the rotation {of.rotation.name!r}: declare the angle through "
+            "which each turns, clockwise, as `Body(..., rotation=...)`",
+        )
+
+
+def _turns_with(of: ContactDeclaration, contact: Contact, body: Body) -> None:
+    """A point that is fixed to a body turns as the body says: clockwise by its rotation.
+
+    It is taken for a point of the body where its distance from the centroid never changes, the
+    slip and the gap being its place in the body's axes.
+    """
+    gap, slip = contact.at(contact.side)
+    across, up = slip - body.position[0], gap - body.position[1]
+    q = [c.position for c in of.coordinates]
+    turning = sp.sympify(body.rotation)
+    if not turning.free_symbols & set(q):
+        return
+    distance = tidy(across**2 + up**2)
+    if distance.free_symbols & set(q):
+        return
+    for x in q:
+        rate = sp.diff(turning, x)
+        lacking = [sp.diff(across, x) - rate * up, sp.diff(up, x) + rate * across]
+        if any(tidy(e) != 0 for e in lacking):
+            fail(
+                of.name,
+                f"contact {contact.name!r} is a point of body {body.name!r}, which turns clockwise "
+                f"by {turning}, and the point does not: place both by `turned(point, about, "
+                "angle)`, with one angle",
+            )

@@ -1,0 +1,200 @@
+"""The check of a declaration, when a model is made: names, symbols, expressions, references.
+
+Each check raises ValueError, which names the declaration, the item and the remedy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+from sympy.printing.pycode import pycode
+
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.checks.common import (
+    ACCELERATIONS,
+    INTERNAL,
+    PLACES,
+    RATES,
+    RESPONSE,
+    SHAKING,
+    SIDED,
+    WORDS,
+    Expressions,
+    Names,
+    fail,
+)
+from rockeom.symbolic.checks.contacts import (
+    check_contacts,
+    check_places,
+    expressions_of_contacts,
+    names_of_contacts,
+)
+from rockeom.symbolic.checks.modes import (
+    check_modes,
+    check_transitions,
+    expressions_of_modes,
+    names_of_modes,
+)
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.model import GROUND, GROUND_X, GROUND_Y, Coordinate, Member
+from rockeom.symbolic.outputs import LOAD_POINT, names_of
+from rockeom.symbolic.statics import LOAD
+from rockeom.symbolic.valid import repeated
+
+
+def check(model: HybridModel) -> None:
+    """Names, symbols, expressions and references of a declaration."""
+    ratio = model.rigid_velocity_ratio
+    valid.expressions(
+        str(model.name), overturning=model.overturning,
+        rigid_velocity_ratio=1 if ratio is None else ratio,
+    )  # fmt: skip
+    search = model.search
+    _names(model, names_of_modes(model) if search is None else names_of_contacts(search.of))
+    _distinct_symbols(model)
+    if search is None:
+        check_modes(model)
+        _contents(model, expressions_of_modes(model))
+        check_transitions(model)
+    else:
+        check_contacts(search.of)
+        _contents(model, expressions_of_contacts(search.of))
+        check_places(search.of)
+
+
+def _names(model: HybridModel, names: Names) -> None:
+    """Refuse names that Python, a file or a response cannot have, and those that stand twice."""
+    valid.name("model", model.name)
+    if not model.name.isascii():
+        fail(model.name, "a file is called by the model's name: write it in ASCII")
+    valid.texts(model.name, title=model.title, reference=model.reference)
+    items = [(f"parameter {p.symbol}", p.name) for p in model.parameters]
+    items += [(f"coordinate {c.position}", c.name) for c in model.coordinates]
+    for item, name in (*items, *names.items):
+        valid.name(f"{model.name}: {item}", name)
+    of_states = [p.name for p in model.parameters] + list(model.states)
+    for row in (of_states, *names.distinct):
+        if repeated(row):
+            twice = ", ".join(repeated(row))
+            fail(model.name, f"declared twice: {twice}; give each a name of its own")
+    taken = ", ".join(sorted(RESPONSE & names.chosen))
+    if taken:
+        fail(model.name, f"every response calls something else {taken}: choose another name")
+
+
+def _distinct_symbols(model: HybridModel) -> None:
+    """Each symbol stands for one thing."""
+    symbols = [p.symbol for p in model.parameters] + [d.symbol for d in model.definitions]
+    symbols += [s for c in model.coordinates for s in (c.position, c.velocity, c.acceleration)]
+    symbols += [f.symbol for f in model.functions]
+    symbols += [x for z in model.internal for x in (z.symbol, z.rate)]
+    twice = repeated(symbols)
+    if twice:
+        fail(
+            model.name,
+            f"the symbol {', '.join(twice)} is declared twice, and stands for two things: "
+            "give each parameter, coordinate and internal variable a symbol of its own",
+        )
+    reserved = {
+        SIDE: "the side, sgn(theta)",
+        GROUND_X: "the ground's horizontal acceleration",
+        GROUND_Y: "the ground's vertical acceleration",
+        LOAD: "the load of a pushover",
+    }
+    for symbol in reserved.keys() & set(symbols):
+        fail(model.name, f"the symbol {symbol} is kept for {reserved[symbol]}: choose another")
+
+
+def _contents(model: HybridModel, expressions: Expressions) -> None:
+    """Sketches, and the symbols of all expressions."""
+    _sketched(model)
+    known = _kinds(model)
+    for item, expr, kinds in (*expressions, *_common_expressions(model)):
+        _content(model, known, item, sp.sympify(expr), kinds)
+
+
+def _kinds(model: HybridModel) -> dict[sp.Basic, str]:
+    """What each symbol and function of a declaration is; "" for constants."""
+    kinds: dict[sp.Basic, str] = {p.symbol: "" for p in model.parameters}
+    kinds |= {d.symbol: "" for d in model.definitions}
+    for c in model.coordinates:
+        kinds |= {c.position: PLACES, c.velocity: RATES, c.acceleration: ACCELERATIONS}
+    kinds |= {SIDE: SIDED, GROUND_X: SHAKING, GROUND_Y: SHAKING}
+    for f in model.functions:
+        kinds[f.symbol if f.symbol.is_Symbol else f.symbol.func] = PLACES
+    kinds |= {z.symbol: INTERNAL for z in model.internal}
+    return kinds
+
+
+def _common_expressions(model: HybridModel) -> Expressions:
+    """Overturning, ends of members, and sizes at which coordinates have overturned."""
+    yield "overturning", model.overturning, ""
+    for m in model.members:
+        for at in (*m.start_at, *m.end_at):
+            yield f"an end of the {m.kind} from {m.start!r} to {m.end!r}", at, ""
+    for c, size in model.falls.items():
+        yield f"size at which {c.name!r} has fallen", size, ""
+
+
+def _sketched(model: HybridModel) -> None:
+    """Each place has a name of its own; members end at bodies; `falls` holds coordinates."""
+    twice = repeated(names_of(model))
+    if twice:
+        fail(
+            model.name,
+            f"{', '.join(twice)} is the name of two of its bodies, contacts and elements, and the "
+            f"load point, which is called {LOAD_POINT!r}: give each a name of its own",
+        )
+    bodies = [b.name for b in model.bodies]
+    for m in model.members:
+        if not isinstance(m, Member):
+            fail(model.name, f"members holds {m!r}: give objects of Member")
+        for item, name in (("start", m.start), ("end", m.end)):
+            valid.known(f"{model.name}: member", item, name, (*bodies, GROUND))
+    if not isinstance(model.falls, Mapping):
+        fail(model.name, f"falls is {model.falls!r}: give a mapping, {{coordinate: size}}")
+    for c, size in model.falls.items():
+        if not isinstance(c, Coordinate) or c not in model.coordinates or c == model.rotation:
+            others = [c.name for c in model.coordinates if c != model.rotation]
+            fail(
+                model.name,
+                f"falls holds {getattr(c, 'name', c)!r}: name coordinates beside the rotation, of "
+                f"which there are {', '.join(others) or 'none'}",
+            )
+        valid.expressions(f"{model.name}: falls", **{c.name: size})
+        if sp.sympify(size).is_nonpositive:
+            fail(model.name, f"falls: the size of {c.name!r} is {size}: it must be positive")
+
+
+def _content(
+    model: HybridModel, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
+) -> None:
+    for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef, sp.Piecewise):
+        try:
+            pycode(f.func(*(sp.Symbol(f"x{i}", real=True) for i in range(len(f.args)))))
+        except NotImplementedError:
+            fail(model.name, f"{item} contains {f.func}, which Python's math module does not know")
+    used = expr.free_symbols | {f.func for f in expr.atoms(AppliedUndef)}
+    unknown = sorted(str(x) for x in used if x not in known)
+    if unknown:
+        names = {str(x) for x in known}
+        hint = (
+            "; a declared one of that name has other assumptions: use its `.symbol` or `.position`"
+            if names & set(unknown)
+            else ""
+        )
+        fail(
+            model.name,
+            f"{item} contains undeclared symbols {', '.join(unknown)}: add them to `parameters` "
+            f"or `coordinates`{hint}",
+        )
+    for x in sorted(used, key=str):
+        if known[x] not in kinds:
+            fail(
+                model.name,
+                f"{item} contains {WORDS[known[x]]} {x}, which it must not: it is a function of "
+                + (", ".join(["the parameters", *(WORDS[k] for k in kinds)])),
+            )

@@ -1,0 +1,85 @@
+"""Values of parameters: masses, widths and contact laws that no structure has.
+
+Each check raises ValueError, which names the declaration, the item and the remedy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+import sympy as sp
+
+from rockeom.symbolic.checks.common import fail
+from rockeom.symbolic.checks.derived import first_name
+from rockeom.symbolic.contacts import Contact
+from rockeom.symbolic.elements import Element
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.mode import Mode
+
+
+def check_values(model: HybridModel, values: Mapping[str, float]) -> None:
+    """Masses must not be negative, and the left foot stands to the left of the right one."""
+    put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
+    for size in sizes(model):
+        found = size.value.xreplace(put)
+        if found > 0 or (found == 0 and size.may_vanish):
+            continue
+        given = ", ".join(f"{name} = {values[name]}" for name in size.parameters)
+        fail(model.name, f"{size.what} is {float(found):g} with {given}: {size.remedy}")
+
+
+class Size(NamedTuple):
+    """What the parameters must make positive, or no less than zero where it may vanish."""
+
+    what: str
+    value: sp.Expr
+    may_vanish: bool
+    parameters: tuple[str, ...]
+    remedy: str
+
+
+def sizes(model: HybridModel) -> tuple[Size, ...]:
+    """Masses, moments of inertia, widths of bases, laws of contacts, that parameters alone give."""
+    symbols = {p.symbol: p.name for p in model.parameters}
+
+    def size(what: str, value: sp.Expr, may_vanish: bool, remedy: str) -> Size:
+        value = sp.sympify(value).xreplace(model.constants)
+        names = tuple(n for symbol, n in symbols.items() if symbol in value.free_symbols)
+        return Size(what, value, may_vanish, names, remedy)
+
+    def of_mode(mode: Mode) -> Iterator[Size]:
+        for b in mode.bodies:
+            for what, value in (("mass", b.mass), ("moment of inertia", b.inertia)):
+                yield size(f"the {what} of body {b.name!r}", value, True, "it must not be negative")
+        if mode.feet:
+            left, right = (sp.sympify(mode.feet[f].position[0]) for f in ("left", "right"))
+            width = model.in_mode((right - left).subs(upright), first_name(mode))
+            remedy = "the left foot must stand to the left of the right one"
+            yield size("the distance of the feet", width, False, remedy)
+
+    def of_points(points: Iterable[Contact]) -> Iterator[Size]:
+        for c in points:
+            at = f"of contact {c.name!r}"
+            law = c.law
+            yield size(f"1 less the restitution {at}", 1 - law.restitution, True, "give 0 to 1")
+            if law.friction is not None:
+                yield size(f"the friction {at}", law.friction, True, "it must not be negative")
+            if c.side:
+                width = c.side * (c.at(c.side)[1] - c.at(-c.side)[1]).subs(upright)
+                remedy = "the point of side -1 must stand to the left of that of side 1"
+                yield size(f"the width {at}", width, False, remedy)
+
+    def of_elements(elements: Iterable[Element]) -> Iterator[Size]:
+        for e in elements:
+            for what, value in e.constants.items():
+                at = f"the {what} of element {e.name!r}"
+                remedy = "give a positive one" if what in e.positive else "it must not be negative"
+                yield size(at, value, what not in e.positive, remedy)
+
+    upright = {c.position: 0 for c in model.coordinates}
+    every = dict.fromkeys(found for mode in model.modes for found in of_mode(mode))
+    if model.search is not None:
+        of = model.search.of
+        every |= dict.fromkeys((*of_points(of.contacts), *of_elements(of.elements)))
+    return tuple(found for found in every if found.value.free_symbols <= symbols.keys())

@@ -1,0 +1,103 @@
+"""Structures of contacts and elements: the class that users declare."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from rockeom.symbolic import valid
+from rockeom.symbolic.checks.contacts import check_items
+from rockeom.symbolic.checks.declaration import check
+from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.hybrid import HybridModel, Search
+from rockeom.symbolic.modes import DerivedMode, Modes
+from rockeom.symbolic.pinned import reduced
+from rockeom.symbolic.rocking import Declared, RockingModel
+
+_LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Model(Declared, ContactDeclaration):
+    """A structure that is free to move but for its contacts and elements.
+
+    contacts, elements : what touches, and what carries forces: a `Spring` always, others by their
+        states.
+    rotation : the coordinate that overturns, positive clockwise, at `overturning`.
+    falls : further coordinates that do, each with the size at which it has, {coordinate: size}.
+    elastic_energy, dissipation : of springs and dampers that always act and need no name; those of
+        each `Spring` are added.
+    forces : others that always act, each by its work along a displacement.
+    rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
+        variables. These may stand in forces and in the elastic energy, whose slope by a coordinate
+        is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
+        Beside z a response tells of its integral over time, `z_integral`, which acts on nothing.
+    load_point : place of a pushover's force, whose displacement a response tells.
+    members : what a sketch shows between bodies.
+
+    On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.
+
+    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
+    """
+
+    def __post_init__(self) -> None:
+        for name in _LISTS:
+            object.__setattr__(self, name, tuple(getattr(self, name)))
+        check_items(self)
+        check(self._searched)
+        _ = self.reduced
+
+    @cached_property
+    def reduced(self) -> Model | RockingModel:
+        """The model itself, or with pinned feet the model of the coordinates that they leave free.
+
+        That is a RockingModel with equations of its own, such as
+        `model.reduced.equations("right")`.
+        """
+        return reduced(self) if self.has_pinned_feet else self
+
+    @property
+    def hybrid(self) -> HybridModel:
+        """The model that is generated and simulated."""
+        return self._searched if self.reduced is self else self.reduced.hybrid
+
+    @cached_property
+    def _searched(self) -> HybridModel:
+        return HybridModel(
+            self.name,
+            self.title,
+            self.parameters,
+            self.coordinates,
+            (self.free,),
+            (),
+            self.rotation,
+            self.overturning,
+            reference=self.reference,
+            members=self.members,
+            falls=self.falls,
+            search=Search(self),
+        )
+
+    @property
+    def modes(self) -> Modes:
+        """The modes and their equations, derived.
+
+        Raises ValueError where statics leaves open how closed points share their forces, where
+        there are too many modes, and where feet are pinned: see `reduced`.
+        """
+        search = self.hybrid.search
+        if search is None:
+            raise ValueError(
+                f"{self.name}: with pinned feet its modes are "
+                f"{', '.join(self.hybrid.mode_names)}: see `model.reduced`, such as "
+                '`model.reduced.equations("right")`'
+            )
+        return search.modes
+
+    def mode(self, name: str) -> DerivedMode:
+        """The equations of a mode, such as "right_slides_left".
+
+        Raises ValueError, naming the modes, if there is none of that name.
+        """
+        valid.known(self.name, "mode", name, self.modes.names)
+        return self.modes.mode_of(self.modes.states[self.modes.names.index(name)])

@@ -1,0 +1,208 @@
+"""The hybrid model: modes with equations and outputs, and the transitions between them.
+
+Every declaration lowers to it. Modes and transitions are declared (`modes`, `transitions`), or
+derived from contacts and found by a search (`search`). The checks of what follows, the page and
+the generated code are written from it alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
+from typing import Protocol
+
+import sympy as sp
+
+from rockeom.symbolic.algebra import at_side
+from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.impulse import ImpulseMap, OnSide, derive_impulse_map, rigid_velocity_ratio
+from rockeom.symbolic.lagrange import Equations
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import (
+    Body,
+    Coordinate,
+    Definition,
+    InternalVariable,
+    Member,
+    NamedFunction,
+    Parameter,
+)
+from rockeom.symbolic.modes import Modes, derive_modes
+
+
+@dataclass(frozen=True)
+class Search:
+    """Contacts and elements whose modes are derived; an event leads to the mode that fits.
+
+    A mode fits where no force or impulse pulls, and friction is within its bound.
+    """
+
+    of: ContactDeclaration
+
+    @cached_property
+    def modes(self) -> Modes:
+        """All modes, derived once.
+
+        Raises ValueError where statics leaves open how closed points share their forces, and where
+        there are too many modes.
+        """
+        return derive_modes(self.of)
+
+
+class Lowers(Protocol):
+    """A declaration, which lowers to a hybrid model; or that model."""
+
+    @property
+    def hybrid(self) -> HybridModel:
+        """The model that is generated and simulated."""
+
+
+@dataclass(frozen=True)
+class HybridModel:
+    """A structure: parameters, coordinates, modes and the transitions between them.
+
+    modes : those declared; of a search, the structure without contacts. falls : further
+    coordinates, each with the size at which the structure has overturned, as it has where the
+    rotation reaches `overturning`. members : what a sketch shows between bodies.
+    """
+
+    name: str
+    title: str
+    parameters: tuple[Parameter, ...]
+    coordinates: tuple[Coordinate, ...]
+    modes: tuple[Mode, ...]
+    transitions: tuple[Transition, ...]
+    rotation: Coordinate
+    overturning: sp.Expr = sp.pi / 2
+    definitions: tuple[Definition, ...] = ()
+    rigid_velocity_ratio: sp.Expr | None = None
+    reference: str = ""
+    functions: tuple[NamedFunction, ...] = ()
+    members: tuple[Member, ...] = ()
+    falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    search: Search | None = None
+
+    @property
+    def hybrid(self) -> HybridModel:
+        """Itself; that of a declaration which lowers to it."""
+        return self
+
+    # -- names and states ----------------------------------------------------------------------
+
+    @property
+    def mode_names(self) -> tuple[str, ...]:
+        """Names of all modes, in the order in which generated code numbers them."""
+        if self.search is not None:
+            return self.search.modes.names
+        names = [name for mode in self.modes for name in mode.names]
+        return tuple(sorted(names, key=lambda n: ("left" not in n, "both" not in n, n)))
+
+    @property
+    def internal(self) -> Mapping[InternalVariable, sp.Expr]:
+        """Internal variables with their rates."""
+        return {} if self.search is None else self.search.of.internal
+
+    @property
+    def integrated(self) -> tuple[Coordinate, ...]:
+        """The coordinates, and the integral of each internal variable behind them."""
+        return self.coordinates + (() if self.search is None else self.search.of.integrals)
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        if self.search is not None:
+            return self.search.of.states
+        names = [c.name for c in self.coordinates]
+        return (*names, *(f"{n}_dot" for n in names))
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """The same in all modes but for where they are."""
+        return self.modes[0].bodies
+
+    # -- expressions ---------------------------------------------------------------------------
+
+    @property
+    def constants(self) -> dict[sp.Symbol, sp.Expr]:
+        """Derived constants, each in terms of the parameters."""
+        return {d.symbol: d.value for d in self.definitions}
+
+    def written_out(self, expr: sp.Expr) -> sp.Expr:
+        """The expression with all named functions and their derivatives in place of their names."""
+        return _written_out(self.functions, sp.sympify(expr))
+
+    def in_mode(self, expr: sp.Expr, name: str) -> sp.Expr:
+        """The expression written out for a mode, its side put in as a number."""
+        return at_side(self.written_out(expr), self.mode(name).side_of(name))
+
+    # -- equations -----------------------------------------------------------------------------
+
+    def mode(self, name: str) -> Mode:
+        """The declared mode of a name, such as "left", "both" or "right".
+
+        Raises KeyError, naming all modes, if there is none of that name.
+        """
+        for mode in self.modes:
+            if name in mode.sides:
+                return mode
+        raise KeyError(f"{self.name} has no mode {name!r}; it has {', '.join(self.mode_names)}")
+
+    def equations(self, name: str) -> Equations:
+        """Equations of motion of a mode, its side put in as a number."""
+        mode = self.mode(name)
+        return mode.equations.at_side(mode.side_of(name)) if mode.has_side else mode.equations
+
+    @property
+    def has_impacts(self) -> bool:
+        return any(t.kind == "impact" for t in self.transitions)
+
+    def impulse_map(self, source: str, target: str) -> ImpulseMap:
+        """Velocities after the sudden change from one mode to another."""
+        if (source, target) not in self._impulse_maps:
+            before, after = (
+                OnSide(self.mode(x), self.mode(x).side_of(x)) for x in (source, target)
+            )
+            self._impulse_maps[source, target] = derive_impulse_map(
+                before, after, self.rotation, self.written_out
+            )
+        return self._impulse_maps[source, target]
+
+    @cached_property
+    def _impulse_maps(self) -> dict[tuple[str, str], ImpulseMap]:
+        """Those that have been derived."""
+        return {}
+
+    @cached_property
+    def velocity_ratio(self) -> sp.Expr | None:
+        """Ratio of angular velocities at an impact of the structure taken as rigid."""
+        if self.rigid_velocity_ratio is not None:
+            return self.rigid_velocity_ratio
+        impact = next((t for t in self.transitions if t.kind == "impact"), None)
+        return None if impact is None else self.velocity_ratio_at(impact)
+
+    def velocity_ratio_at(self, impact: Transition) -> sp.Expr:
+        """The same ratio, derived for one impact."""
+        return rigid_velocity_ratio(
+            self.impulse_map(impact.source, impact.target),
+            self.coordinates,
+            self.rotation,
+            self.mode(impact.source).side_of(impact.source),
+        )
+
+
+@lru_cache(maxsize=4096)  # the same guards and energies are needed in many modes
+def _written_out(functions: tuple[NamedFunction, ...], expr: sp.Expr) -> sp.Expr:
+    for function in reversed(functions):
+        if function.symbol.is_Symbol:
+            expr = expr.xreplace({function.symbol: function.value})
+            continue
+        (of,) = function.symbol.args
+        calls = expr.atoms(function.symbol.func)
+        if not calls:
+            continue
+        rates = [d for d in expr.atoms(sp.Derivative) if d.expr == function.symbol]
+        put = {d: sp.diff(function.value, *d.variables) for d in rates}
+        for at in calls:
+            put[at] = function.value.subs(of, at.args[0])
+        expr = expr.xreplace(put)
+    return expr.doit() if expr.has(sp.Subs) else expr

@@ -1,0 +1,147 @@
+"""A mode, whose bodies have known positions, and the transitions between modes.
+
+A `Mode` serves one set of closed contacts, or two that are mirror images. From its bodies, springs
+and dampers follow its equations of motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import sympy as sp
+
+from rockeom import renamed
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import truncated
+from rockeom.symbolic.elements import Spring
+from rockeom.symbolic.lagrange import Equations, derive_equations
+from rockeom.symbolic.model import Body, Coordinate, Foot
+
+
+@renamed.fields(contacts="sides")
+@dataclass(frozen=True)
+class Mode:
+    """Bodies, springs and dampers while the same contacts stay closed.
+
+    sides : the side of each mode that these equations serve. A rocking mode serves two,
+        {"left": -1, "right": +1}, written once with the side s = sgn(theta).
+    coordinates : those free to move; all others stay where they are.
+    elements : springs and dampers by name, see `Spring`; their energies and losses are added to
+        elastic_energy and dissipation. The names are the same in each mode.
+    dissipation : Rayleigh's function, half the power lost.
+    forces : generalised force on each coordinate, in their order, for everything that neither
+        potential nor dissipation gives; its virtual work is forces . dq. Empty for none.
+    feet : the "left" and the "right" foot.
+    small : symbols taken as small of first order; energies are then truncated at second
+        order, which gives the linearised equations. Impacts keep the exact geometry.
+    quantities : further quantities of a response, by name: (unit, value) in "m" or "N". The names
+        are the same in each mode.
+    beside_feet : (horizontal, vertical) force of the ground on the structure elsewhere than at its
+        feet, such as that of the columns of a frame beside a wall.
+    """
+
+    sides: dict[str, int]
+    coordinates: tuple[Coordinate, ...]
+    bodies: tuple[Body, ...]
+    gravity: sp.Expr
+    elastic_energy: sp.Expr = sp.S.Zero
+    dissipation: sp.Expr = sp.S.Zero
+    feet: dict[str, Foot] = field(default_factory=dict)
+    load_point: tuple[sp.Expr, sp.Expr] | None = None
+    small: tuple[sp.Symbol, ...] = ()
+    forces: tuple[sp.Expr, ...] = ()
+    quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
+    beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero)
+    elements: tuple[Spring, ...] = ()
+
+    def __post_init__(self) -> None:
+        what = f"mode {'/'.join(map(str, self.sides))}"
+        object.__setattr__(self, "elements", tuple(self.elements))
+        _are_springs(what, self.elements)
+        valid.points(what, beside_feet=self.beside_feet)
+        valid.texts(what, **{f"mode {c}": c for c in self.sides})
+        valid.symbols(what, **{f"small {x}": x for x in self.small})
+        valid.expressions(
+            what, gravity=self.gravity, elastic_energy=self.elastic_energy,
+            dissipation=self.dissipation,
+            **{f"force {i}": e for i, e in enumerate(self.forces)},
+            **{f"quantity {name!r}": e for name, (_, e) in self.quantities.items()},
+        )  # fmt: skip
+        if self.load_point is not None:
+            valid.points(what, load_point=self.load_point)
+
+    @cached_property
+    def equations(self) -> Equations:
+        return derive_equations(self)
+
+    @cached_property
+    def stored_energy(self) -> sp.Expr:
+        """Elastic energy of all that is declared."""
+        return sum((e.energy() for e in self.elements), sp.sympify(self.elastic_energy))
+
+    @cached_property
+    def dissipation_function(self) -> sp.Expr:
+        """Rayleigh's, of all that is declared."""
+        parts = (e.dissipation(self.coordinates) for e in self.elements)
+        return sum(parts, sp.sympify(self.dissipation))
+
+    def approximated(self, expr: sp.Expr) -> sp.Expr:
+        """The expression to second order in what this mode takes as small; else as it is."""
+        return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
+
+    def quantities_in(self, unit: str) -> dict[str, sp.Expr]:
+        return {name: e for name, (u, e) in self.quantities.items() if u == unit}
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the modes that these equations serve."""
+        return tuple(self.sides)
+
+    @property
+    def has_side(self) -> bool:
+        return any(self.sides.values())
+
+    def side_of(self, name: str) -> int:
+        """Side of one of the modes that these equations serve: -1, 0 or 1."""
+        return self.sides[name]
+
+
+def _are_springs(what: str, elements: tuple[Spring, ...]) -> None:
+    for e in elements:
+        if not isinstance(e, Spring):
+            raise ValueError(
+                f"{what}: elements holds {e!r}: give objects of Spring; what switches is declared "
+                "in a Model"
+            )
+
+
+@dataclass(frozen=True)
+class Transition:
+    """The end of a mode.
+
+    kind : "impact": the gap of `source` closes and velocities jump; "uplift": the acceleration
+        with which `target` would open turns positive; "switch": `guard` falls through zero and
+        the state goes on unchanged.
+    fallback : the mode after an impact whose target could not open (the old foot does not lift).
+    guard : positive inside `source`; smooth, or the Max of two that are.
+    sets : positions of coordinates that a switch puts to a new value, a function of the state.
+    reversible : whether the guard of the transition back is zero where this one happens.
+    """
+
+    source: str
+    target: str
+    kind: str
+    guard: sp.Expr | None = None
+    fallback: str | None = None
+    reference: str = ""
+    sets: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    reversible: bool = True
+
+    def __post_init__(self) -> None:
+        what = f"transition {self.source!r} -> {self.target!r}"
+        valid.symbols(what, **{f"value set of {x}": x for x in self.sets})
+        valid.expressions(what, **{f"value of {x}": e for x, e in self.sets.items()})
+        if self.guard is not None:
+            valid.expressions(what, guard=self.guard)

@@ -1,0 +1,216 @@
+"""Structures that rock on declared modes: their class, and the two modes on pinned feet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from rockeom import renamed
+from rockeom.symbolic import valid
+from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.checks.declaration import check
+from rockeom.symbolic.checks.derived import check_derived
+from rockeom.symbolic.checks.modes import check_turning
+from rockeom.symbolic.checks.values import check_values
+from rockeom.symbolic.elements import Spring
+from rockeom.symbolic.evaluate import NumpyMode, numpy_functions
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.model import Coordinate, Foot, Member, Parameter, turned
+from rockeom.symbolic.write.typeset import latex_document, markdown_page, notebook_display
+
+
+class Declared:
+    """Methods of a declaration, whichever its kind: they act on the model that it lowers to."""
+
+    @property
+    def hybrid(self) -> HybridModel:
+        """The model that is generated and simulated."""
+        raise NotImplementedError
+
+    def check_derived(self) -> None:
+        """Raise ValueError where equations that follow from the declaration cannot be simulated."""
+        check_derived(self.hybrid)
+
+    def check_values(self, values: Mapping[str, float]) -> None:
+        """Raise ValueError where these parameters, by name, give a body or a base no size."""
+        check_values(self.hybrid, values)
+
+    def latex(self, form: str = "width") -> str:
+        """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
+        return latex_document(self.hybrid, form)
+
+    def markdown(self) -> str:
+        """The same equations as a Markdown page."""
+        return markdown_page(self.hybrid)
+
+
+@renamed.attributes(mechanism="mode", contacts="mode_names", in_contact="in_mode")
+@renamed.fields(mechanisms="modes")
+@dataclass(frozen=True)
+class RockingModel(HybridModel, Declared):
+    """A structure: parameters, coordinates, modes and the transitions between them.
+
+    falls : further coordinates, each with the size at which the structure has overturned, as it has
+    where the rotation reaches `overturning`. members : what a sketch shows between bodies.
+
+    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
+    """
+
+    def __post_init__(self) -> None:
+        check(self)
+
+    @property
+    def reduced(self) -> RockingModel:
+        """Itself, as a `Model` on pinned feet has it."""
+        return self
+
+    def lambdify(self) -> dict[str, NumpyMode]:
+        """Vectorised NumPy functions of every mode, see `numpy_functions`."""
+        return numpy_functions(self)
+
+    def _repr_latex_(self) -> str:
+        return notebook_display(self)
+
+
+def rocking_structure(
+    *,
+    name: str,
+    title: str,
+    parameters: Iterable[Parameter],
+    coordinates: Iterable[Coordinate],
+    bodies,
+    half_width: sp.Expr,
+    gravity: sp.Expr,
+    rotation_angle: sp.Expr | None = None,
+    elastic_energy: sp.Expr = sp.S.Zero,
+    dissipation: sp.Expr = sp.S.Zero,
+    load_on: str | None = None,
+    beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero),
+    small: tuple[sp.Symbol, ...] = (),
+    overturning: sp.Expr = sp.pi / 2,
+    reference: str = "",
+    members: Iterable[Member] = (),
+    elements: Iterable[Spring] = (),
+) -> RockingModel:
+    """A structure that rocks about the two edges of its base on rigid ground.
+
+    `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
+    coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
+    same structure with the rotation held at zero. `beside_feet` and `elements` are as in
+    `Mode`.
+
+    It stands beside a `Model` on `Pinned()` feet, which becomes the same by `on_pinned_feet`, and
+    makes none itself: its bodies know the foot, and may stand where no free coordinates put them.
+    So does a beam on the corners opposite the pressed feet, which changes them; a frame that the
+    ground carries beside a wall, whose place no foot moves; and positions of first order.
+    """
+    coordinates = tuple(coordinates)
+    if not coordinates:
+        raise ValueError(f"{name}: it has no coordinates: declare the rotation, first")
+    rotation = coordinates[0]
+    angle = rotation.position if rotation_angle is None else rotation_angle
+    valid.expressions(
+        str(name), half_width=half_width, gravity=gravity, rotation_angle=angle,
+        elastic_energy=elastic_energy, dissipation=dissipation,
+    )  # fmt: skip
+    valid.points(str(name), beside_feet=beside_feet)
+    if sp.sympify(half_width).is_nonpositive:
+        raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
+    pivot = (SIDE * half_width, sp.Integer(0))
+    turning = tuple(bodies(pivot))
+    if not turning:
+        raise ValueError(f"{name}: it has no bodies: declare the masses")
+    load = turning[0].name if load_on is None else load_on
+    valid.known(str(name), "load_on", load, [b.name for b in turning])
+    edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
+    return on_pinned_feet(
+        Mode(
+            dict(SIDES),
+            coordinates,
+            turning,
+            gravity,
+            sp.sympify(elastic_energy),
+            sp.sympify(dissipation),
+            {k: Foot(turned(edge, pivot, angle)) for k, edge in edges.items()},
+            next(b.position for b in turning if b.name == load),
+            small,
+            beside_feet=beside_feet,
+            elements=tuple(elements),
+        ),
+        rotation,
+        name=name,
+        title=title,
+        parameters=tuple(parameters),
+        overturning=overturning,
+        reference=reference,
+        members=tuple(members),
+    )
+
+
+SIDES = {"left": -1, "right": 1}
+"""The side of the foot about which a structure rocks, by its name."""
+
+
+def on_pinned_feet(rocking: Mode, rotation: Coordinate, **described: Any) -> RockingModel:
+    """A structure on two feet that neither slip nor bounce, by its mode on one of them.
+
+    rocking : about the foot of the side s; the places of both feet are in it. As it leans to the
+    side on which it stands the other foot rises, and where it comes upright both feet are on the
+    ground: that is the impact, and what holds then is the same mode, the rotation at zero.
+    Either foot may lift from there.
+
+    Raises ValueError where the feet do not rise and land so.
+    """
+    check_turning(described["name"], rocking, rotation)
+    full = _upright(rocking, rotation)
+    (both,) = full.names
+    opposite = dict(zip(SIDES, reversed(SIDES), strict=True))
+    return RockingModel(
+        coordinates=rocking.coordinates,
+        modes=(rocking, full),
+        transitions=(
+            *(
+                Transition(foot, opposite[foot], "impact", side * rotation.position, both)
+                for foot, side in SIDES.items()
+            ),
+            *(Transition(both, foot, "uplift") for foot in SIDES),
+        ),
+        rotation=rotation,
+        **described,
+    )
+
+
+def _upright(rocking: Mode, rotation: Coordinate) -> Mode:
+    """The mode on both feet: that on one of them, the rotation held at zero."""
+    held = {rotation.position: 0}
+
+    def hold(expr) -> sp.Expr:
+        return at_side(sp.sympify(expr).subs(held), 1)
+
+    def still(expr) -> sp.Expr:
+        return sp.sympify(expr).subs({rotation.velocity: 0, **held})
+
+    def point(place: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
+        return hold(place[0]), hold(place[1])
+
+    load = rocking.load_point
+    return Mode(
+        {"both": 0},
+        tuple(c for c in rocking.coordinates if c != rotation),
+        tuple(
+            replace(b, position=point(b.position), rotation=hold(b.rotation), polar=None)
+            for b in rocking.bodies
+        ),
+        rocking.gravity,
+        sp.sympify(rocking.elastic_energy).subs(held),
+        still(rocking.dissipation),
+        {name: Foot(point(foot.position)) for name, foot in rocking.feet.items()},
+        None if load is None else point(load),
+        rocking.small,
+        beside_feet=(still(rocking.beside_feet[0]), still(rocking.beside_feet[1])),
+        elements=tuple(e.changed(hold) for e in rocking.elements),
+    )
