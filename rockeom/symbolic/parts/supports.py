@@ -85,8 +85,7 @@ def winkler(of: Superstructure, springs: int) -> Model:
     valid.counts(of.name, springs=springs)
     if springs < 2:
         raise ValueError(f"{of.name}: springs is {springs}: give two or more")
-    theta, level = ROTATION.position, _level(of, springs)
-    place = _moved((sp.S.Zero, level))
+    theta, place = ROTATION.position, moved((sp.S.Zero, level(of, springs)))
     last = springs - 1
     names = ["left", *(f"spring_{i}" for i in range(2, springs)), "right"]
     places = [HALF_WIDTH.symbol * sp.Rational(2 * i - last, last) for i in range(springs)]
@@ -116,7 +115,7 @@ def winkler(of: Superstructure, springs: int) -> Model:
 
 def sliding(of: Superstructure) -> Model:
     """On feet that open, stick, slip and bounce on rigid ground."""
-    place = _moved((X.position, Y.position))
+    place = moved((X.position, Y.position))
     bodies = of.about_the_middle(place, ROTATION.position)
     return Model(
         name=f"sliding_{of.name}",
@@ -162,7 +161,7 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
     return SUPPORTS[support](of, **details)
 
 
-def _moved(centre: Point) -> Place:
+def moved(centre: Point) -> Place:
     """Where points of the base are when it has turned and its centre has moved."""
 
     def place(point: Point) -> Point:
@@ -172,7 +171,7 @@ def _moved(centre: Point) -> Place:
     return place
 
 
-def _level(of: Superstructure, springs: int) -> sp.Expr:
+def level(of: Superstructure, springs: int) -> sp.Expr:
     """Height of the base's centre above the tops of the unloaded springs."""
     return HEAVE.position - of.weight / (springs * FOUNDATION_STIFFNESS.symbol)
 
@@ -195,55 +194,71 @@ def foot_springs(
     )  # fmt: skip
 
 
+def pressing(compression: sp.Expr, of: Superstructure) -> sp.Expr:
+    """Force of the spring and the damper under a foot."""
+    k, c = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol
+    return k * compression + c * rate(compression, (ROTATION, HEAVE, *of.coordinates))
+
+
+def ways(down: str, up: str, compression: sp.Expr, of: Superstructure) -> tuple[Transition, ...]:
+    """Transitions between two modes, in one of which a spring presses.
+
+    It does where the compression and the force are positive: k d > 0 and k d + c d' > 0.
+    """
+    force = pressing(compression, of)
+    lands = sp.Max(-FOUNDATION_STIFFNESS.symbol * compression, -force)
+    return Transition(down, up, "switch", force), Transition(up, down, "switch", lands)
+
+
+def sprung(
+    of: Superstructure,
+    place: Place,
+    sides: dict[str, int],
+    forces: Mapping[str, sp.Expr],
+    springs: tuple[Spring, ...],
+) -> Mode:
+    """A mode on springs under the feet. forces : of those that press, by foot."""
+    bodies = of.about_the_middle(place, ROTATION.position)
+    return Mode(
+        sides,
+        (ROTATION, HEAVE, *of.coordinates),
+        bodies,
+        GRAVITY.symbol,
+        of.elastic_energy,
+        of.dissipation,
+        feet={
+            foot: Foot(
+                place((s * HALF_WIDTH.symbol, sp.S.Zero)), forces.get(foot, sp.S.Zero), sprung=True
+            )
+            for foot, s in FEET.items()
+        },
+        load_point=bodies[0].position,
+        elements=(*of.elements, *springs),
+    )
+
+
 def _guided_at_the_foot(of: Superstructure) -> RockingModel:
     """Two springs, and the foot to whose side the base leans moves up and down alone.
 
     Where the base comes upright the guide changes its foot: no velocity jumps there.
     """
     theta, b = ROTATION.position, HALF_WIDTH.symbol
-    k, c = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol
-    coordinates = (ROTATION, HEAVE, *of.coordinates)
-    place = _moved((SIDE * b * (1 - sp.cos(theta)), _level(of, 2)))
-    bodies = of.about_the_middle(place, theta)
-    sole = {foot: place((s * b, sp.S.Zero)) for foot, s in _FEET.items()}
+    place = moved((SIDE * b * (1 - sp.cos(theta)), level(of, 2)))
     # under the foot on the side to which it leans, and under the other
     near, far = (-place((s * b, sp.S.Zero))[1] for s in (SIDE, -SIDE))
 
-    def press(compression: sp.Expr) -> sp.Expr:
-        return k * compression + c * rate(compression, coordinates)
-
-    def mode(contacts: dict[str, int], *pressed: sp.Expr) -> Mode:
-        forces = [press(e) if e in pressed else sp.S.Zero for e in (near, far)]
-        of_feet = {
-            foot: forces[0] * (1 + s * SIDE) / 2 + forces[1] * (1 - s * SIDE) / 2
-            for foot, s in _FEET.items()
+    def mode(sides: dict[str, int], *pressed: sp.Expr) -> Mode:
+        inside, leaning = (pressing(e, of) if e in pressed else sp.S.Zero for e in (near, far))
+        forces = {
+            foot: inside * (1 + s * SIDE) / 2 + leaning * (1 - s * SIDE) / 2
+            for foot, s in FEET.items()
         }
-        return Mode(
-            contacts,
-            coordinates,
-            bodies,
-            GRAVITY.symbol,
-            of.elastic_energy,
-            of.dissipation,
-            feet={foot: Foot(sole[foot], of_feet[foot], sprung=True) for foot in _FEET},
-            load_point=bodies[0].position,
-            elements=(
-                *of.elements,
-                *foot_springs({"right": near, "left": far}, pressed),
-            ),
-        )
+        springs = foot_springs({"right": near, "left": far}, pressed)
+        return sprung(of, place, sides, forces, springs)
 
-    def passages(foot: str, other: str, side: int) -> list[Transition]:
+    def transitions(foot: str, other: str, side: int) -> list[Transition]:
         both, none, raised = f"both_{foot}", f"flight_{foot}", f"{other}_leaning_{foot}"
         inside, leaning = (at_side(e, side) for e in (near, far))
-
-        def ways(down: str, up: str, compression: sp.Expr) -> list[Transition]:
-            force = press(compression)
-            return [
-                Transition(down, up, "switch", force),
-                Transition(up, down, "switch", sp.Max(-k * compression, -force)),
-            ]
-
         upright = {
             both: f"both_{other}",
             foot: f"{foot}_leaning_{other}",
@@ -251,31 +266,28 @@ def _guided_at_the_foot(of: Superstructure) -> RockingModel:
             raised: other,
         }
         return [
-            *ways(both, foot, leaning),
-            *ways(both, raised, inside),
-            *ways(foot, none, inside),
-            *ways(raised, none, leaning),
+            *ways(both, foot, leaning, of),
+            *ways(both, raised, inside, of),
+            *ways(foot, none, inside, of),
+            *ways(raised, none, leaning, of),
             *(Transition(a, z, "switch", side * theta) for a, z in upright.items()),
         ]
-
-    def on_both_sides(left: str, right: str) -> dict[str, int]:
-        return {left: -1, right: 1}
 
     return RockingModel(
         name=f"{of.name}_on_two_foot_guided_springs",
         title=f"{of.title} on two springs, guided at the foot",
         parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
-        coordinates=coordinates,
+        coordinates=(ROTATION, HEAVE, *of.coordinates),
         modes=(
-            mode(on_both_sides("both_left", "both_right"), near, far),
-            mode(on_both_sides("left", "right"), near),
-            mode(on_both_sides("right_leaning_left", "left_leaning_right"), far),
-            mode(on_both_sides("flight_left", "flight_right")),
+            mode({"both_left": -1, "both_right": 1}, near, far),
+            mode({"left": -1, "right": 1}, near),
+            mode({"right_leaning_left": -1, "left_leaning_right": 1}, far),
+            mode({"flight_left": -1, "flight_right": 1}),
         ),
-        transitions=(*passages("left", "right", -1), *passages("right", "left", 1)),
+        transitions=(*transitions("left", "right", -1), *transitions("right", "left", 1)),
         rotation=ROTATION,
         members=of.members,
     )
 
 
-_FEET = {"left": -1, "right": 1}
+FEET = {"left": -1, "right": 1}

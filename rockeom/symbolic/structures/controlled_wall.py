@@ -5,15 +5,16 @@ as it rocks, at the distance b from the centreline. Three models of it are built
 equivalent oscillator (4-27), the substitute gravity that takes the tendons' force as weight (4-32,
 4-37) and Lagrange's equations of the positions themselves, where it may also bend (4.7).
 
-A tendon is elastic, yields at a constant force, or is slack, a contact state each. The permanent
+A tendon is elastic, yields at a constant force, or is slack, a mode each. The permanent
 extension is a coordinate that is held, and is put to its new value when yielding ends.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 import sympy as sp
 
@@ -86,9 +87,9 @@ ELASTIC, SLACK, YIELDING = "", "slack", "yield"
 
 @dataclass(frozen=True)
 class RotationCentre:
-    """A law b of the displacement D [m]: the distance from the centreline [m], even in D.
+    """Distance b from the centreline [m] as an even function of the displacement D [m].
 
-    distance : takes a SymPy expression of D and gives one of b. parameters : what is in it besides
+    distance : takes a SymPy expression of D and gives one of b. parameters : of it, besides
     `HALF_WIDTH`.
     """
 
@@ -196,7 +197,109 @@ class Tendon:
         return self.stiffness, self.initial_force, self.yield_force, self.eccentricity
 
 
-def _tendons(count: int) -> tuple[Tendon, ...]:
+@dataclass(frozen=True)
+class Tendons:
+    """All tendons of a wall, whose extensions are functions of one coordinate."""
+
+    each: tuple[Tendon, ...]
+    moving: Coordinate
+
+    @property
+    def states(self) -> Iterator[tuple[str, ...]]:
+        """All combinations of states."""
+        return product((ELASTIC, SLACK, YIELDING), repeat=len(self.each))
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        return tuple(p for t in self.each for p in t.parameters)
+
+    @property
+    def permanent(self) -> tuple[Coordinate, ...]:
+        return tuple(t.permanent for t in self.each)
+
+    @property
+    def several(self) -> str:
+        """End of the name of a structure with more than one."""
+        return f"_{len(self.each)}_tendons" if len(self.each) != 1 else ""
+
+    def mark(self, tendon: Tendon, before: str = "_") -> str:
+        """End of the name of a tendon's item: its number, where there are several."""
+        return f"{before}{tendon.number}" if len(self.each) > 1 else ""
+
+    def suffix(self, states: Iterable[str]) -> str:
+        """End of the name of a mode."""
+        pairs = zip(self.each, states, strict=True)
+        return "".join(f"_{state}{self.mark(t)}" for t, state in pairs if state)
+
+    def extended(self, tendon: Tendon) -> sp.Expr:
+        """Extension of a tendon."""
+        return tendon.extension(self.moving.position)
+
+    def forces(self, states: Iterable[str]) -> list[sp.Expr]:
+        """Force of each in its state."""
+        pairs = zip(self.each, states, strict=True)
+        return [t.force_in(s, self.extended(t)) for t, s in pairs]
+
+    def elements(self, states: Iterable[str]) -> tuple[TendonState, ...]:
+        pairs = zip(self.each, states, strict=True)
+        return tuple(t.element(s, self.extended(t)) for t, s in pairs)
+
+    def plastic_force(self, states: Iterable[str]) -> sp.Expr:
+        """Generalised force of those that yield, whose work is not stored."""
+        q = self.moving.position
+        pairs = zip(self.each, states, strict=True)
+        return sum((t.plastic_force_in(s, self.extended(t), q) for t, s in pairs), sp.S.Zero)
+
+    def quantities(self, states: Iterable[str], centre: sp.Expr) -> dict[str, tuple[str, sp.Expr]]:
+        """Further quantities of a response of the wall."""
+        found = {"rotation_centre": ("m", centre)}
+        for t, force in zip(self.each, self.forces(states), strict=True):
+            found[f"tendon_extension{self.mark(t)}"] = "m", self.extended(t)
+            found[f"tendon_force{self.mark(t)}"] = "N", force
+        return found
+
+    def functions(
+        self, centre: sp.Expr, distance: sp.Expr, extension: Callable[[Tendon], sp.Expr]
+    ) -> tuple[NamedFunction, ...]:
+        """The distance b of the rotation centre and the tendons' extensions."""
+        b = NamedFunction(
+            centre, "rotation_centre", "m", "distance of the rotation centre from the centreline",
+            distance,
+        )  # fmt: skip
+        extensions = (
+            NamedFunction(
+                self.extended(t), f"tendon_extension{self.mark(t)}", "m",
+                f"extension of tendon{self.mark(t, ' ')} since the initial state", extension(t),
+            )
+            for t in self.each
+        )  # fmt: skip
+        return (b, *extensions)
+
+    def changes(self, states: tuple[str, ...], number: int) -> list[Change]:
+        """Ends of the state of one tendon."""
+        tendon, state = self.each[number], states[number]
+        x = self.extended(tendon)
+        force = tendon.force(x)
+        if state == ELASTIC:
+            return [
+                Change(YIELDING, tendon.yield_force.symbol - force, {}),
+                Change(SLACK, force, {}),
+            ]
+        if state == SLACK:
+            return [Change(ELASTIC, -force, {})]
+        sets = {tendon.permanent.position: tendon.permanent_while_yielding(x)}
+        return [Change(ELASTIC, rate(x, (self.moving,)), sets)]
+
+
+class Change(NamedTuple):
+    """The state of a tendon that follows, the guard, and values that are set."""
+
+    state: str
+    guard: sp.Expr
+    sets: dict[sp.Symbol, sp.Expr]
+
+
+def _tendons(count: int, moving: Coordinate) -> Tendons:
     found = []
     for i in range(1, count + 1):
         mark, name, which = (f"_{i}", f"_{i}", f" {i}") if count > 1 else ("", "", "")
@@ -226,115 +329,50 @@ def _tendons(count: int) -> tuple[Tendon, ...]:
                 sp.Function(f"x{mark or '_T'}", real=True),
             )
         )
-    return tuple(found)
-
-
-def _suffix(tendons: tuple[Tendon, ...], states: Iterable[str]) -> str:
-    single = len(tendons) == 1
-    return "".join(
-        f"_{state}" + ("" if single else f"_{tendon.number}")
-        for tendon, state in zip(tendons, states, strict=True)
-        if state
-    )
-
-
-def _changes(
-    tendon: Tendon, state: str, x: sp.Expr, moving: tuple[Coordinate, ...]
-) -> list[tuple[str, sp.Expr, dict[sp.Symbol, sp.Expr]]]:
-    """(state that follows, guard, what is put to a new value) for one tendon of extension x."""
-    force = tendon.force(x)
-    if state == ELASTIC:
-        return [(YIELDING, tendon.yield_force.symbol - force, {}), (SLACK, force, {})]
-    if state == SLACK:
-        return [(ELASTIC, -force, {})]
-    kept = {tendon.permanent.position: tendon.permanent_while_yielding(x)}
-    return [(ELASTIC, rate(x, moving), kept)]
-
-
-def _laws(
-    tendons: tuple[Tendon, ...],
-    q: sp.Symbol,
-    centre: sp.Expr,
-    distance: sp.Expr,
-    extension: Callable[[Tendon], sp.Expr],
-) -> tuple[NamedFunction, ...]:
-    """b and the tendons' extensions as functions of the coordinate q."""
-    b = NamedFunction(
-        centre, "rotation_centre", "m", "distance of the rotation centre from the centreline",
-        distance,
-    )  # fmt: skip
-
-    def which(t: Tendon) -> str:
-        return f" {t.number}" if len(tendons) > 1 else ""
-
-    def number(t: Tendon) -> str:
-        return which(t).replace(" ", "_")
-
-    return (
-        b,
-        *(
-            NamedFunction(
-                t.extension(q), f"tendon_extension{number(t)}", "m",
-                f"extension of tendon{which(t)} since the initial state", extension(t),
-            )
-            for t in tendons
-        ),
-    )  # fmt: skip
-
-
-def _quantities(
-    tendons: tuple[Tendon, ...], states: tuple[str, ...], q: sp.Symbol, centre: sp.Expr
-) -> dict[str, tuple[str, sp.Expr]]:
-    """What a response tells of a wall, besides displacement and uplifts."""
-    found = {"rotation_centre": ("m", centre)}
-    for t, state in zip(tendons, states, strict=True):
-        mark = f"_{t.number}" if len(tendons) > 1 else ""
-        found[f"tendon_extension{mark}"] = "m", t.extension(q)
-        found[f"tendon_force{mark}"] = "N", t.force_in(state, t.extension(q))
-    return found
+    return Tendons(tuple(found), moving)
 
 
 def _unique(parameters: Iterable[Parameter]) -> tuple[Parameter, ...]:
     return tuple(dict.fromkeys(parameters))
 
 
-def _build(
-    tendons: tuple[Tendon, ...],
-    moving: Coordinate,
-    places: Mapping[str, int],
-    passages: Callable[[str, tuple[str, ...]], list[Transition]],
-    mode_of: Callable[[dict[str, int], tuple[str, ...]], Mode],
-    **described,
-) -> RockingModel:
-    """A mode for each state of the tendons, and the transitions between all of them.
+class Wall(Protocol):
+    """A wall in its places ("left", ...), each with a side, in all states of its tendons."""
 
-    passages : those out of a place ("left", ...) of the states named, without their suffixes.
-    """
-    x = {t.number: t.extension(moving.position) for t in tendons}
+    @property
+    def tendons(self) -> Tendons: ...
+    @property
+    def places(self) -> Mapping[str, int]: ...
+    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode: ...
+    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
+        """Transitions to other places, in the same states of the tendons."""
+
+
+def _model(wall: Wall, **described: Any) -> RockingModel:
+    """A mode for each state of the tendons, and the transitions between all of them."""
+    tendons = wall.tendons
     modes, transitions = [], []
-    for states in product((ELASTIC, SLACK, YIELDING), repeat=len(tendons)):
-        suffix = _suffix(tendons, states)
-        modes.append(mode_of({f"{p}{suffix}": s for p, s in places.items()}, states))
-        for place, side in places.items():
-            transitions += passages(place, states)
-            for i, tendon in enumerate(tendons):
-                for follows, guard, sets in _changes(
-                    tendon, states[i], x[tendon.number], (moving,)
-                ):
-                    then = (*states[:i], follows, *states[i + 1 :])
+    for states in tendons.states:
+        suffix = tendons.suffix(states)
+        modes.append(wall.mode({f"{p}{suffix}": s for p, s in wall.places.items()}, states))
+        for place, side in wall.places.items():
+            transitions += wall.leaving(place, states)
+            for i in range(len(states)):
+                for change in tendons.changes(states, i):
+                    then = (*states[:i], change.state, *states[i + 1 :])
                     transitions.append(
                         Transition(
                             f"{place}{suffix}",
-                            f"{place}{_suffix(tendons, then)}",
+                            f"{place}{tendons.suffix(then)}",
                             "switch",
-                            at_side(guard, side),
-                            sets={k: at_side(e, side) for k, e in sets.items()},
+                            at_side(change.guard, side),
+                            sets={k: at_side(e, side) for k, e in change.sets.items()},
                             # a tendon begins to yield at any rate, and ends at none
-                            reversible=follows != YIELDING,
+                            reversible=change.state != YIELDING,
                         )
                     )
     return RockingModel(
-        modes=tuple(modes), transitions=tuple(transitions), rotation=moving, **described
+        modes=tuple(modes), transitions=tuple(transitions), rotation=tendons.moving, **described
     )
 
 
@@ -366,6 +404,100 @@ def _energy_ratio() -> tuple[tuple[Parameter, ...], Callable[[sp.Expr], sp.Expr]
     return tuple(found), ratio
 
 
+@dataclass(frozen=True)
+class _Oscillator:
+    """The equivalent oscillator: its symbols, functions, modes and the transitions between them."""
+
+    tendons: Tendons
+
+    q: ClassVar = DISPLACEMENT.position
+    v: ClassVar = DISPLACEMENT.velocity
+    centre: ClassVar = sp.Function("b", real=True)(q)
+    rise: ClassVar = sp.Function("y_0", real=True)(q)
+    speed, ratio, now, upright = sp.symbols("v r v_a V_0", positive=True)
+    places: ClassVar = {
+        f"{side}{part}": s for side, s in SIDES.items() for part in ("", "_inward", "_near")
+    }
+
+    def functions(
+        self, distance: sp.Expr, ratio: Callable[[sp.Expr], sp.Expr]
+    ) -> tuple[NamedFunction, ...]:
+        """Geometry, the energy in the wall upright, and the energy ratio at a speed."""
+        H, B, q = HEIGHT.symbol, HALF_WIDTH.symbol, self.q
+        w, h = PASSAGE_SPEED.position, HELD.symbol
+        cosine = sp.sqrt(1 - (q / H) ** 2)
+        lever = (self.centre + B * (1 - cosine)) / cosine  # d - B
+        stored = (
+            sp.Max(t.force(sp.S.Zero), 0) ** 2 / (2 * t.stiffness.symbol) for t in self.tendons.each
+        )
+        return (
+            *self.tendons.functions(
+                self.centre, distance,
+                lambda t: (SIDE * lever - t.eccentricity.symbol) * (q / H) / cosine,
+            ),
+            NamedFunction(
+                self.rise, "rise", "m", "rise of the middle of the base", SIDE * lever * q / H
+            ),
+            NamedFunction(
+                self.upright, "upright_energy", "J", "energy of the tendons in the wall upright",
+                sum(stored, sp.S.Zero),
+            ),
+            NamedFunction(
+                self.now, "present_speed", "m/s", "speed of the instant", sp.Abs(self.v)
+            ),
+            NamedFunction(
+                self.speed, "speed", "m/s", "speed on which r depends", h * w + (1 - h) * self.now
+            ),
+            NamedFunction(
+                self.ratio, "energy_ratio", "-", "ratio of kinetic energies of the passage",
+                ratio(self.speed),
+            ),
+        )  # fmt: skip
+
+    @property
+    def raised(self) -> sp.Expr:
+        """Potential energy of gravity."""
+        return MASS.symbol * GRAVITY.symbol * self.rise
+
+    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode:
+        B, M = HALF_WIDTH.symbol, EFFECTIVE_MASS.symbol
+        damping = M * loss(self.ratio) * delta(self.q, REGULARISATION.symbol) * self.now * self.v
+        place = (self.q, sp.S.Zero)
+        return Mode(
+            sides,
+            (DISPLACEMENT,),
+            (Body("wall", M, place, outline=rectangle(B, 0, B)),),
+            GRAVITY.symbol,
+            self.raised,
+            load_point=place,
+            forces=(damping + self.tendons.plastic_force(states),),
+            quantities=self.tendons.quantities(states, self.centre),
+            elements=self.tendons.elements(states),
+        )
+
+    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
+        """From mark to mark on the way."""
+        suffix, s = self.tendons.suffix(states), self.places[place]
+        q, v = self.q, self.v
+        side, other = ("left", "right") if s < 0 else ("right", "left")
+
+        def to(target: str, guard: sp.Expr, sets: dict | None = None) -> Transition:
+            return Transition(
+                f"{place}{suffix}", f"{target}{suffix}", "switch", guard, sets=sets or {}
+            )
+
+        if place == side:
+            if YIELDING in states:
+                return []  # turning back ends the yielding first, and only then x_p is known
+            stored = sum((e.energy() for e in self.tendons.elements(states)), self.raised)
+            gained = sp.Max(at_side(stored, s) - self.upright, 0)
+            speed = sp.sqrt(v**2 + 2 * gained / EFFECTIVE_MASS.symbol)
+            return [to(f"{side}_inward", s * v, {PASSAGE_SPEED.position: speed})]
+        if place == f"{side}_inward":
+            return [to(f"{side}_near", s * q - NEAR * REGULARISATION.symbol), to(side, -s * v)]
+        return [to(other, s * q), to(side, -s * v)]
+
+
 @shipped(place=12)
 def controlled_wall_oscillator(
     tendons: int = 1, centre: RotationCentre = MIGRATING
@@ -377,107 +509,25 @@ def controlled_wall_oscillator(
     d sin|theta| with d cos(theta) = B + b, and a tendon grows by the uplift over cos(theta) (4-10).
     The loss of a passage is spread by a Gaussian of the width n, as in `dirac_delta_block`.
 
-    Contact states are marks on the way: a wall moves outward ("left"), back ("left_inward"), and
-    back near the middle ("left_near"), where the force begins, so that no step leaps over it. On
-    turning back it is noted at what speed it would come upright.
+    Modes are marks on the way: a wall moves outward ("left"), back ("left_inward"), and back near
+    the middle ("left_near"), where the force begins, so that no step leaps over it. On turning back
+    the speed is noted at which it would come upright.
     """
-    cables = _tendons(tendons)
-    q, v = DISPLACEMENT.position, DISPLACEMENT.velocity
-    H, B, m, M = HEIGHT.symbol, HALF_WIDTH.symbol, MASS.symbol, EFFECTIVE_MASS.symbol
-    n, w, h = REGULARISATION.symbol, PASSAGE_SPEED.position, HELD.symbol
-    b, rise = sp.Function("b", real=True)(q), sp.Function("y_0", real=True)(q)
-    cosine = sp.sqrt(1 - (q / H) ** 2)
-    lever = (b + B * (1 - cosine)) / cosine  # d - B
+    B, cables = HALF_WIDTH.symbol, _tendons(tendons, DISPLACEMENT)
+    wall = _Oscillator(cables)
     ratio_parameters, ratio = _energy_ratio()
-    speed, r, now, upright = sp.symbols("v r v_a V_0", positive=True)
-    damping = M * loss(r) * delta(q, n) * now * v
-    laws = (
-        *_laws(
-            cables, q, b, centre.distance(q),
-            lambda t: (SIDE * lever - t.eccentricity.symbol) * (q / H) / cosine,
-        ),
-        NamedFunction(rise, "rise", "m", "rise of the middle of the base", SIDE * lever * q / H),
-        NamedFunction(
-            upright, "upright_energy", "J", "energy of the tendons in the wall upright",
-            sum(
-                (
-                    sp.Max(t.force(sp.S.Zero), 0) ** 2 / (2 * t.stiffness.symbol)
-                    for t in cables
-                ),
-                sp.S.Zero,
-            ),
-        ),
-        NamedFunction(now, "present_speed", "m/s", "speed of the instant", sp.Abs(v)),
-        NamedFunction(speed, "speed", "m/s", "speed on which r depends", h * w + (1 - h) * now),
-        NamedFunction(
-            r, "energy_ratio", "-", "ratio of kinetic energies of the passage", ratio(speed)
-        ),
-    )  # fmt: skip
-
-    def elements(states: tuple[str, ...]) -> tuple[TendonState, ...]:
-        return tuple(t.element(s, t.extension(q)) for t, s in zip(cables, states, strict=True))
-
-    raised = m * GRAVITY.symbol * rise
-
-    def stored(states: tuple[str, ...]) -> sp.Expr:
-        return sum((e.energy() for e in elements(states)), raised)
-
-    def mode_of(contacts: dict[str, int], states: tuple[str, ...]) -> Mode:
-        plastic = (
-            t.plastic_force_in(s, t.extension(q), q) for t, s in zip(cables, states, strict=True)
-        )
-        place = (q, sp.S.Zero)
-        return Mode(
-            contacts,
-            (DISPLACEMENT,),
-            (Body("wall", M, place, outline=rectangle(B, 0, B)),),
-            GRAVITY.symbol,
-            raised,
-            load_point=place,
-            forces=(damping + sum(plastic, sp.S.Zero),),
-            quantities=_quantities(cables, states, q, b),
-            elements=elements(states),
-        )
-
-    places = {f"{side}{part}": s for side, s in SIDES.items() for part in ("", "_inward", "_near")}
-
-    def passages(place: str, states: tuple[str, ...]) -> list[Transition]:
-        suffix, s = _suffix(cables, states), places[place]
-        side = "left" if s < 0 else "right"
-        other = "right" if s < 0 else "left"
-
-        def to(target: str, guard: sp.Expr, sets: dict | None = None) -> Transition:
-            return Transition(
-                f"{place}{suffix}", f"{target}{suffix}", "switch", guard, sets=sets or {}
-            )
-
-        if place == side:
-            if YIELDING in states:
-                return []  # turning back ends the yielding first, and only then x_p is known
-            gained = sp.Max(at_side(stored(states), s) - upright, 0)
-            return [to(f"{side}_inward", s * v, {w: sp.sqrt(v**2 + 2 * gained / M)})]
-        if place == f"{side}_inward":
-            return [to(f"{side}_near", s * q - NEAR * n), to(side, -s * v)]
-        return [to(other, s * q), to(side, -s * v)]
-
-    several = f"_{tendons}_tendons" if tendons != 1 else ""
-    return _build(
-        cables,
-        DISPLACEMENT,
-        places,
-        passages,
-        mode_of,
-        name=f"controlled_wall_oscillator{several}",
+    return _model(
+        wall,
+        name=f"controlled_wall_oscillator{cables.several}",
         title="Controlled rocking wall as an equivalent oscillator",
         parameters=_unique(
             (
-                MASS, EFFECTIVE_MASS, HEIGHT, HALF_WIDTH, *centre.parameters,
-                *(p for t in cables for p in t.parameters),
+                MASS, EFFECTIVE_MASS, HEIGHT, HALF_WIDTH, *centre.parameters, *cables.parameters,
                 REGULARISATION, HELD, *ratio_parameters, GRAVITY,
             )
         ),
-        coordinates=(DISPLACEMENT, *(t.permanent for t in cables), PASSAGE_SPEED),
-        functions=laws,
+        coordinates=(DISPLACEMENT, *cables.permanent, PASSAGE_SPEED),
+        functions=wall.functions(centre.distance(wall.q), ratio),
         members=(Member("spring", "ground", "wall", (-3 * B, B / 2), (-B, B / 2)),),
         overturning=2 * B - EDGE_DISTANCE.symbol
         if EDGE_DISTANCE in centre.parameters
@@ -489,28 +539,88 @@ def controlled_wall_oscillator(
 # --- walls that turn
 
 
-def _crossing(
-    cables: tuple[Tendon, ...],
-) -> Callable[[str, tuple[str, ...]], list[Transition]]:
+def _impact_upright(tendons: Tendons, place: str, states: tuple[str, ...]) -> list[Transition]:
     """An impact where the wall comes upright."""
-
-    def passages(place: str, states: tuple[str, ...]) -> list[Transition]:
-        suffix, s = _suffix(cables, states), SIDES[place]
-        other = "right" if s < 0 else "left"
-        return [
-            Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", s * ROTATION.position),
-        ]
-
-    return passages
+    suffix, s = tendons.suffix(states), SIDES[place]
+    other = "right" if s < 0 else "left"
+    return [Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", s * ROTATION.position)]
 
 
-def _pressed(mode: Mode, edges: dict[str, tuple[sp.Expr, sp.Expr]], pull: sp.Expr) -> Mode:
+def _pressed(mode: Mode, pivot: tuple[sp.Expr, sp.Expr], pull: sp.Expr) -> Mode:
     """It with feet: the pressed one carries all, with the downward pull of the tendons."""
     vertical = total_reaction(mode)[1] + pull
     share = {"left": (1 - SIDE) / 2, "right": (1 + SIDE) / 2}
+    edges = {
+        name: turned((s * HALF_WIDTH.symbol, 0), pivot, ROTATION.position)
+        for name, s in SIDES.items()
+    }
     return replace(
         mode, feet={name: Foot(edge, vertical * share[name]) for name, edge in edges.items()}
     )
+
+
+@dataclass(frozen=True)
+class _SubstituteGravity:
+    """Housner's block with the tendons' force as weight.
+
+    arm : distance of the rotation centre from the centreline, taken as fixed at each instant.
+    """
+
+    tendons: Tendons
+    arm: sp.Expr
+
+    q: ClassVar = ROTATION.position
+    centre: ClassVar = sp.Function("b", real=True)(q)
+    places: ClassVar = SIDES
+
+    def functions(self, distance: sp.Expr, lever: sp.Expr) -> tuple[NamedFunction, ...]:
+        """Extensions, the lever where it is no constant, and forces of elastic tendons."""
+        q, B = self.q, HALF_WIDTH.symbol
+
+        def extension(t: Tendon) -> sp.Expr:
+            edge = SIDE * (self.centre + B * (1 - sp.cos(q))) / sp.cos(q)
+            return (edge - t.eccentricity.symbol) * sp.tan(q)
+
+        found = self.tendons.functions(self.centre, distance, extension)
+        if self.arm != B:
+            meaning = "arm, from the centreline to the centre about which the wall turns"
+            found += (NamedFunction(self.arm, "lever", "m", meaning, lever),)
+        forces = (
+            NamedFunction(
+                self.elastic_force(t), t.initial_force.name.replace("initial", "elastic"), "N",
+                "force of a tendon that is elastic", t.force(self.tendons.extended(t)),
+            )
+            for t in self.tendons.each
+        )  # fmt: skip
+        return (*found, *forces)
+
+    def elastic_force(self, tendon: Tendon) -> sp.Symbol:
+        """Symbol of the force of an elastic tendon: the model has no derivative of it."""
+        return sp.Symbol(f"P_{{T{self.tendons.mark(tendon, '')}}}", real=True)
+
+    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode:
+        H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
+        q, pivot = self.q, (SIDE * self.arm, sp.S.Zero)
+        of_each = zip(self.tendons.each, states, self.tendons.forces(states), strict=True)
+        downward = sum(
+            (self.elastic_force(t) if s == ELASTIC else force for t, s, force in of_each),
+            sp.S.Zero,
+        )
+        centroid = turned((0, Hc), pivot, q)
+        inertia = PIVOT_INERTIA.symbol - m * (self.arm**2 + Hc**2)
+        mode = Mode(
+            sides,
+            (ROTATION,),
+            (Body("wall", m, centroid, inertia, q, outline=rectangle(B, Hc, H - Hc)),),
+            GRAVITY.symbol,
+            load_point=turned((0, H), pivot, q),
+            forces=(-downward * sp.diff(centroid[1], q),),
+            quantities=self.tendons.quantities(states, self.arm),
+        )
+        return _pressed(mode, pivot, downward)
+
+    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
+        return _impact_upright(self.tendons, place, states)
 
 
 @shipped(place=13)
@@ -522,97 +632,43 @@ def substitute_gravity_wall(
     """Housner's block with the tendons' force as weight (thesis 4-32, 4-37, 4-40).
 
     The force of all tendons acts downwards at the centroid, and the moment of inertia about the
-    rotation centre is constant. `lever` : the law of the centre about which the wall turns, taken
-    as fixed at each instant: terms with the rate at which it moves are not in the model.
-    `centre` : the law behind the extension of the tendons, as in the oscillator (4-16).
+    rotation centre is constant. `lever` : the centre about which the wall turns, taken as fixed at
+    each instant: terms with the rate at which it moves are not in the model. `centre` : the one
+    behind the extension of the tendons, as in the oscillator (4-16).
     """
-    cables = _tendons(tendons)
-    q = ROTATION.position
-    H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
-    D = H * sp.sin(q)
-    b, held = sp.Function("b", real=True)(q), sp.Symbol("ell", positive=True)
-    fixed = lever is AT_THE_EDGE
-    arm = B if fixed else held
-    pivot = (SIDE * arm, sp.S.Zero)
-    centroid = turned((0, Hc), pivot, q)
-    inertia = PIVOT_INERTIA.symbol - m * (arm**2 + Hc**2)
-    body = Body("wall", m, centroid, inertia, q, outline=rectangle(B, Hc, H - Hc))
-    edges = {name: turned((s * B, 0), pivot, q) for name, s in SIDES.items()}
-
-    def extension(t: Tendon) -> sp.Expr:
-        across = SIDE * (b + B * (1 - sp.cos(q))) / sp.cos(q) - t.eccentricity.symbol
-        return across * sp.tan(q)
-
-    laws = _laws(cables, q, b, centre.distance(D), extension)
-    if not fixed:
-        meaning = "arm, from the centreline to the centre about which the wall turns"
-        laws += (NamedFunction(held, "lever", "m", meaning, lever.distance(D)),)
-
-    named = {t: sp.Symbol(f"P_{{T{t.number if tendons > 1 else ''}}}", real=True) for t in cables}
-    laws += tuple(
-        NamedFunction(
-            named[t], t.initial_force.name.replace("initial", "elastic"), "N",
-            "force of a tendon that is elastic", t.force(t.extension(q)),
-        )
-        for t in cables
-    )  # fmt: skip
-
-    def pull(states: tuple[str, ...]) -> sp.Expr:
-        """The force of all tendons; no derivative of it is in the model."""
-        return sum(
-            (
-                named[t] if s == ELASTIC else t.force_in(s, t.extension(q))
-                for t, s in zip(cables, states, strict=True)
-            ),
-            sp.S.Zero,
-        )
-
-    def mode_of(contacts: dict[str, int], states: tuple[str, ...]) -> Mode:
-        downward = pull(states)
-        mode = Mode(
-            contacts,
-            (ROTATION,),
-            (body,),
-            GRAVITY.symbol,
-            load_point=turned((0, H), pivot, q),
-            forces=(-downward * sp.diff(centroid[1], q),),
-            quantities=_quantities(cables, states, q, arm),
-        )
-        return _pressed(mode, edges, downward)
-
-    model = _build(
-        cables,
-        ROTATION,
-        SIDES,
-        _crossing(cables),
-        mode_of,
+    H, B, Hc = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol
+    cables, fixed = _tendons(tendons, ROTATION), lever is AT_THE_EDGE
+    D = H * sp.sin(ROTATION.position)
+    wall = _SubstituteGravity(cables, B if fixed else sp.Symbol("ell", positive=True))
+    model = _model(
+        wall,
         name="simplified_substitute_gravity_wall" if fixed else "substitute_gravity_wall",
         title="Controlled rocking wall with substitute gravity"
         + (", about its edges" if fixed else ""),
         parameters=_unique(
             (
                 MASS, PIVOT_INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
-                *lever.parameters, *(p for t in cables for p in t.parameters), GRAVITY,
+                *lever.parameters, *cables.parameters, GRAVITY,
             )
         ),
-        coordinates=(ROTATION, *(t.permanent for t in cables)),
-        functions=laws,
+        coordinates=(ROTATION, *cables.permanent),
+        functions=wall.functions(centre.distance(D), lever.distance(D)),
         members=tuple(
             Member("tendon", "ground", "wall", (e, sp.S.Zero), (e, H - Hc))
-            for e in (t.eccentricity.symbol for t in cables)
+            for e in (t.eccentricity.symbol for t in cables.each)
         ),
         overturning=sp.pi / 3,  # fallen by far; the extension (4-13) has no value at pi/2
         reference="thesis 4-32" if fixed else "thesis 4-37, 4-40",
     )  # fmt: skip
-    return _one_law(_with_full_contact(model, cables) if fixed else model)
+    return _one_ratio(_with_full_contact(model, cables) if fixed else model)
 
 
-def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> RockingModel:
+def _with_full_contact(model: RockingModel, cables: Tendons) -> RockingModel:
     """The wall also stands still on both edges, its tendons elastic or slack."""
     modes = []
     uplifts: list[Transition] = []
 
-    forces = {law.symbol: law.value for law in model.functions if law.symbol.is_Symbol}
+    forces = {f.symbol: f.value for f in model.functions if f.symbol.is_Symbol}
 
     def standing(expr: sp.Expr) -> sp.Expr:
         return at_side(sp.sympify(expr).xreplace(forces).subs({ROTATION.position: 0}), 1)
@@ -620,8 +676,8 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
     def stand(point: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
         return standing(point[0]), standing(point[1])
 
-    for states in product((ELASTIC, SLACK), repeat=len(cables)):
-        suffix = _suffix(cables, states)
+    for states in product((ELASTIC, SLACK), repeat=len(cables.each)):
+        suffix = cables.suffix(states)
         turning = model.mode(f"right{suffix}")
         modes.append(
             Mode(
@@ -638,19 +694,19 @@ def _with_full_contact(model: RockingModel, cables: tuple[Tendon, ...]) -> Rocki
             )
         )
         uplifts += [Transition(f"both{suffix}", f"{side}{suffix}", "uplift") for side in SIDES]
-    rests = {}  # the full contact to which an impact may lead: no tendon goes on yielding in it
-    for states in product((ELASTIC, SLACK, YIELDING), repeat=len(cables)):
+    rests = {}  # full contact after an impact: no tendon goes on yielding in it
+    for states in cables.states:
         kept = tuple(ELASTIC if state == YIELDING else state for state in states)
         for side in SIDES:
-            rests[f"{side}{_suffix(cables, states)}"] = f"both{_suffix(cables, kept)}"
+            rests[f"{side}{cables.suffix(states)}"] = f"both{cables.suffix(kept)}"
     rocking = (
         replace(t, fallback=rests[t.source]) if t.kind == "impact" else t for t in model.transitions
     )
     return replace(model, modes=(*model.modes, *modes), transitions=(*rocking, *uplifts))
 
 
-def _one_law(model: RockingModel) -> RockingModel:
-    """With one coordinate free, or b(0) = 0, the impulsive law is that of the velocity ratio."""
+def _one_ratio(model: RockingModel) -> RockingModel:
+    """With one coordinate free, or b(0) = 0, the impulsive impact law is the velocity ratio."""
     return replace(model, rigid_velocity_ratio=model.velocity_ratio)
 
 
@@ -668,6 +724,66 @@ ANCHOR_DEPTH = parameter(
 )
 
 
+@dataclass(frozen=True)
+class _Lagrangian:
+    """The wall by Lagrange's equations, which may bend."""
+
+    tendons: Tendons
+    flexible: bool
+
+    q: ClassVar = ROTATION.position
+    centre: ClassVar = sp.Function("b", real=True)(q)
+    pivot: ClassVar = (SIDE * centre, sp.S.Zero)
+    length: ClassVar = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
+    places: ClassVar = SIDES
+
+    @property
+    def moving(self) -> tuple[Coordinate, ...]:
+        return (ROTATION, DEFLECTION) if self.flexible else (ROTATION,)
+
+    def run(self, t: Tendon) -> tuple[sp.Expr, sp.Expr]:
+        """From a tendon's anchor in the foundation to that in the wall."""
+        e = t.eccentricity.symbol
+        x, y = turned((e, ANCHOR_HEIGHT.symbol), self.pivot, self.q)
+        return x - e, y + ANCHOR_DEPTH.symbol
+
+    def functions(self, distance: sp.Expr) -> tuple[NamedFunction, ...]:
+        return self.tendons.functions(
+            self.centre,
+            distance,
+            lambda t: sp.sqrt(self.run(t)[0] ** 2 + self.run(t)[1] ** 2) - self.length,
+        )
+
+    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode:
+        H, B, Hc = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol
+        u = DEFLECTION.position if self.flexible else sp.S.Zero
+        bending = (Spring("wall", u, STIFFNESS.symbol, DAMPING.symbol),) if self.flexible else ()
+        at, top = turned((u, Hc), self.pivot, self.q), sp.Max(H, ANCHOR_HEIGHT.symbol)
+        outline = rectangle(B, Hc, top - Hc)
+        mode = Mode(
+            sides,
+            self.moving,
+            (Body("wall", MASS.symbol, at, INERTIA.symbol, self.q, outline=outline),),
+            GRAVITY.symbol,
+            load_point=turned((u, H), self.pivot, self.q),
+            forces=(self.tendons.plastic_force(states), *(sp.S.Zero for _ in self.moving[1:])),
+            quantities=self.tendons.quantities(states, self.centre),
+            elements=(*self.tendons.elements(states), *bending),
+        )
+        of_each = zip(self.tendons.each, self.tendons.forces(states), strict=True)
+        down = sum(
+            (
+                force * self.run(t)[1] / (self.tendons.extended(t) + self.length)
+                for t, force in of_each
+            ),
+            sp.S.Zero,
+        )
+        return _pressed(mode, self.pivot, down)
+
+    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
+        return _impact_upright(self.tendons, place, states)
+
+
 @shipped(place=10)
 def controlled_wall(
     tendons: int = 1, centre: RotationCentre = MIGRATING, flexible: bool = False
@@ -679,83 +795,36 @@ def controlled_wall(
     base. A tendon is straight between its anchor in the wall and that in the foundation.
 
     `flexible` : all that is above the base line moves across the axis by u against a spring and a
-    damper, and turns with the base. b and the tendons know the rotation of the base alone: their
-    anchors are on the axis of the wall unbent.
+    damper, and turns with the base. b and the tendons depend on the rotation of the base alone:
+    their anchors are on the axis of the wall unbent.
     """
-    cables = _tendons(tendons)
-    q = ROTATION.position
-    moving = (ROTATION, DEFLECTION) if flexible else (ROTATION,)
-    u = DEFLECTION.position if flexible else sp.S.Zero
-    bending = (Spring("wall", u, STIFFNESS.symbol, DAMPING.symbol),) if flexible else ()
-    H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
-    b = sp.Function("b", real=True)(q)
-    pivot = (SIDE * b, sp.S.Zero)
-    at, top = turned((u, Hc), pivot, q), sp.Max(H, ANCHOR_HEIGHT.symbol)
-    body = Body("wall", m, at, INERTIA.symbol, q, outline=rectangle(B, Hc, top - Hc))
-    edges = {name: turned((s * B, 0), pivot, q) for name, s in SIDES.items()}
-    length = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
-
-    def run(t: Tendon) -> tuple[sp.Expr, sp.Expr]:
-        """From the anchor in the foundation to that in the wall."""
-        e = t.eccentricity.symbol
-        x, y = turned((e, ANCHOR_HEIGHT.symbol), pivot, q)
-        return x - e, y + ANCHOR_DEPTH.symbol
-
-    def mode_of(contacts: dict[str, int], states: tuple[str, ...]) -> Mode:
-        pairs = list(zip(cables, states, strict=True))
-        plastic = sum((t.plastic_force_in(s, t.extension(q), q) for t, s in pairs), sp.S.Zero)
-        mode = Mode(
-            contacts,
-            moving,
-            (body,),
-            GRAVITY.symbol,
-            load_point=turned((u, H), pivot, q),
-            forces=(plastic, *(sp.S.Zero for _ in moving[1:])),
-            quantities=_quantities(cables, states, q, b),
-            elements=(*(t.element(s, t.extension(q)) for t, s in pairs), *bending),
-        )
-        down = sum(
-            (
-                t.force_in(s, t.extension(q)) * run(t)[1] / (t.extension(q) + length)
-                for t, s in pairs
-            ),
-            sp.S.Zero,
-        )
-        return _pressed(mode, edges, down)
-
-    several = f"_{tendons}_tendons" if tendons != 1 else ""
-    model = _build(
-        cables,
-        ROTATION,
-        SIDES,
-        _crossing(cables),
-        mode_of,
-        name=("flexible_" if flexible else "") + f"controlled_wall{several}",
+    cables = _tendons(tendons, ROTATION)
+    wall = _Lagrangian(cables, flexible)
+    model = _model(
+        wall,
+        name=("flexible_" if flexible else "") + f"controlled_wall{cables.several}",
         title="Controlled rocking wall" + (" that bends," if flexible else "")
         + " by Lagrange's equations",
         parameters=_unique(
             (
                 MASS, INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
-                ANCHOR_HEIGHT, ANCHOR_DEPTH, *(p for t in cables for p in t.parameters),
+                ANCHOR_HEIGHT, ANCHOR_DEPTH, *cables.parameters,
                 *((STIFFNESS, DAMPING) if flexible else ()), GRAVITY,
             )
         ),
-        coordinates=(*moving, *(t.permanent for t in cables)),
-        functions=_laws(
-            cables, q, b, centre.distance(H * sp.sin(q)),
-            lambda t: sp.sqrt(run(t)[0] ** 2 + run(t)[1] ** 2) - length,
-        ),
+        coordinates=(*wall.moving, *cables.permanent),
+        functions=wall.functions(centre.distance(HEIGHT.symbol * sp.sin(ROTATION.position))),
         members=tuple(
             Member(
                 "tendon", "ground", "wall", (e, -ANCHOR_DEPTH.symbol),
-                (e, ANCHOR_HEIGHT.symbol - Hc),
+                (e, ANCHOR_HEIGHT.symbol - CENTROID_HEIGHT.symbol),
             )
-            for e in (t.eccentricity.symbol for t in cables)
+            for e in (t.eccentricity.symbol for t in cables.each)
         ),
         reference="thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32"
         + ("; the fixed-base period of 4.7" if flexible else ""),
     )  # fmt: skip
-    return _one_law(model)
+    return _one_ratio(model)
 
 
 @shipped(place=11)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.elements import Spring
-from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode, Transition
-from rockeom.symbolic.model import Body, Definition, Foot, Member, coordinate, rectangle, turned
+from rockeom.symbolic.model import Body, Definition, Member, coordinate, rectangle
 from rockeom.symbolic.parts.superstructures import (
     BASE_MASS,
     GRAVITY,
@@ -19,14 +17,19 @@ from rockeom.symbolic.parts.superstructures import (
     HEIGHT,
     MASS,
     ROTATION,
-    Point,
     rigid,
 )
 from rockeom.symbolic.parts.supports import (
+    FEET,
     FOUNDATION_DAMPING,
     FOUNDATION_STIFFNESS,
     HEAVE,
     foot_springs,
+    level,
+    moved,
+    pressing,
+    sprung,
+    ways,
 )
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel
@@ -41,76 +44,34 @@ def two_spring_structure() -> RockingModel:
     Each foot presses on a spring and a damper that cannot pull: the force is
     k_f delta + c_f delta' while both the compression delta and that sum are positive.
     """
-    theta, v = ROTATION.position, HEAVE.position
-    k, c, b = FOUNDATION_STIFFNESS.symbol, FOUNDATION_DAMPING.symbol, HALF_WIDTH.symbol
-    weight = (MASS.symbol + BASE_MASS.symbol) * GRAVITY.symbol
-    settlement = weight / (2 * k)  # thesis 5-16
-    centre = (sp.Integer(0), v - settlement)
-
-    def place(point: Point) -> Point:
-        """Where a point is when the base has turned about its centre."""
-        x, y = turned(point, (sp.Integer(0), sp.Integer(0)), theta)
-        return x, y + centre[1]
-
-    bodies = rigid().about_the_middle(place, theta)
-    sole = {
-        "left": (-b * sp.cos(theta), centre[1] + b * sp.sin(theta)),
-        "right": (b * sp.cos(theta), centre[1] - b * sp.sin(theta)),
-    }
-    edge = -centre[1] + SIDE * b * sp.sin(theta)  # compression under the edge of side s
-    press = k * edge + c * rate(edge, (ROTATION, HEAVE))
-    sides = {"left": -1, "right": 1}
-    compression = {foot: at_side(edge, side) for foot, side in sides.items()}
-    force = {foot: at_side(press, side) for foot, side in sides.items()}
-
+    of, b = rigid(), HALF_WIDTH.symbol
+    place = moved((sp.S.Zero, level(of, 2)))  # settled as in thesis 5-16
+    edge = -place((SIDE * b, sp.S.Zero))[1]  # compression under the edge of side s
+    compression = {foot: at_side(edge, side) for foot, side in FEET.items()}
+    forces = {foot: at_side(pressing(edge, of), side) for foot, side in FEET.items()}
+    inside = {foot: pressing(edge, of) * (1 + side * SIDE) / 2 for foot, side in FEET.items()}
     near_and_far = {"right": edge, "left": edge.subs(SIDE, -SIDE)}
 
-    def mode(contacts: dict[str, int], springs: tuple[Spring, ...], **on: sp.Expr) -> Mode:
-        """The mode in which springs are pressed, and the forces that they have."""
-        return Mode(
-            contacts,
-            (ROTATION, HEAVE),
-            bodies,
-            GRAVITY.symbol,
-            feet={foot: Foot(sole[foot], on.get(foot, sp.S.Zero), sprung=True) for foot in sides},
-            load_point=bodies[0].position,
-            elements=springs,
-        )
-
-    def lifts(source: str, target: str, foot: str) -> Transition:
-        return Transition(source, target, "switch", force[foot])
-
-    def lands(source: str, target: str, foot: str) -> Transition:
-        # both the compression and the force must be positive: k d > 0 and k d + c d' > 0
-        return Transition(source, target, "switch", sp.Max(-k * compression[foot], -force[foot]))
+    mode = partial(sprung, of, place)
 
     return RockingModel(
         name="two_spring_structure",
         title="Rigid lumped-mass structure on two compression-only springs (Model B)",
-        parameters=(*rigid().parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
+        parameters=(*of.parameters, FOUNDATION_STIFFNESS, FOUNDATION_DAMPING),
         coordinates=(ROTATION, HEAVE),
         modes=(
-            mode({"both": 0}, foot_springs(compression, compression.values(), False), **force),
-            mode(
-                sides,
-                foot_springs(near_and_far, [edge]),
-                left=press * (1 - SIDE) / 2,
-                right=press * (1 + SIDE) / 2,
-            ),
-            mode({"flight": 0}, foot_springs(compression, (), False)),
+            mode({"both": 0}, forces, foot_springs(compression, compression.values(), False)),
+            mode(dict(FEET), inside, foot_springs(near_and_far, [edge])),
+            mode({"flight": 0}, {}, foot_springs(compression, (), False)),
         ),
         transitions=(
-            lifts("both", "right", "left"),
-            lifts("both", "left", "right"),
-            lands("left", "both", "right"),
-            lifts("left", "flight", "left"),
-            lands("right", "both", "left"),
-            lifts("right", "flight", "right"),
-            lands("flight", "left", "left"),
-            lands("flight", "right", "right"),
+            *ways("both", "right", compression["left"], of),
+            *ways("both", "left", compression["right"], of),
+            *ways("left", "flight", compression["left"], of),
+            *ways("right", "flight", compression["right"], of),
         ),
         rotation=ROTATION,
-        members=rigid().members,
+        members=of.members,
         reference="thesis 5.3.2, derived exactly instead of 5-15",
     )
 
