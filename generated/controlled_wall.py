@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "f390b23b60537bcc"
+SOURCE_HASH = "c1afd9694545913b"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -145,7 +145,7 @@ TRANSITIONS = (
     ("right_yield", "left_yield", "impact"),
     ("right_yield", "right", "switch"),
 )
-KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
+KINDS = (  # of each guard of each mode; 0 impact, 1 uplift, 2 switch
     (0, 2, 2,),  # left
     (0, 2, 2,),  # left_slack
     (0, 2, 2,),  # left_yield
@@ -153,7 +153,7 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (0, 2, 2,),  # right_slack
     (0, 2, 2,),  # right_yield
 )
-TARGETS = (  # contact state to which each guard leads
+TARGETS = (  # mode to which each guard leads
     (3, 2, 1,),  # left
     (4, 0, -1,),  # left_slack
     (5, 0, -1,),  # left_yield
@@ -161,7 +161,7 @@ TARGETS = (  # contact state to which each guard leads
     (1, 3, -1,),  # right_slack
     (2, 3, -1,),  # right_yield
 )
-CLOSED = (  # guard of the contact state that follows which is closed on entering it
+CLOSED = (  # guard of the mode that follows which is closed on entering it
     (0, -1, 1,),  # left
     (0, 2, -1,),  # left_slack
     (0, 1, -1,),  # left_yield
@@ -459,13 +459,13 @@ def rates(contact, y, p, ax, ay, dy):
 
 @inlined
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    """Acceleration with which a mode's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+    """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
@@ -549,7 +549,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
         applies the impulsive form of Lagrange's equations.
-    Returns the contact state that follows.
+    Returns the mode that follows.
     """
     for i in range(N_STATES):
         out[i] = y[i]
@@ -658,7 +658,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 @inlined
 def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+    """Guards of the mode HELD into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """
@@ -1275,7 +1275,7 @@ def positions(contact, y, p, out):
 
 
 def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
@@ -1400,7 +1400,7 @@ def shapes(p, out):
 
 
 def overturning(p):
-    """Rotation at which the structure has fallen."""
+    """Rotation at which the structure has overturned."""
     value = (1/2)*math.pi
     return value
 
@@ -1412,7 +1412,7 @@ def velocity_ratio(p):
 
 
 def sizes(p, out):
-    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    """Values that must be positive, or not negative, into out, as SIZES."""
     half_width = p[4]
     out[0] = 2*half_width
 

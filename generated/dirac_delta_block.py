@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "eef9671674288523"
+SOURCE_HASH = "e4f5ba43a22a254f"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -80,7 +80,7 @@ TRANSITIONS = (
     ("right_tail", "right", "switch"),
     ("right_tail", "right_core", "switch"),
 )
-KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
+KINDS = (  # of each guard of each mode; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # left
     (2, 2,),  # left_core
     (2, 2,),  # left_tail
@@ -88,7 +88,7 @@ KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # right_core
     (2, 2,),  # right_tail
 )
-TARGETS = (  # contact state to which each guard leads
+TARGETS = (  # mode to which each guard leads
     (2, -1,),  # left
     (2, 4,),  # left_core
     (0, 1,),  # left_tail
@@ -96,7 +96,7 @@ TARGETS = (  # contact state to which each guard leads
     (5, 1,),  # right_core
     (3, 4,),  # right_tail
 )
-CLOSED = (  # guard of the contact state that follows which is closed on entering it
+CLOSED = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (1, 1,),  # left_core
     (0, 0,),  # left_tail
@@ -204,13 +204,13 @@ def rates(contact, y, p, ax, ay, dy):
 
 @inlined
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    """Acceleration with which a mode's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, 0.0, p, ax, ay)
     return SIDES[contact] * found[0]
 
 
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+    """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
@@ -253,7 +253,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
         applies the impulsive form of Lagrange's equations.
-    Returns the contact state that follows.
+    Returns the mode that follows.
     """
     for i in range(N_STATES):
         out[i] = y[i]
@@ -282,7 +282,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 @inlined
 def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+    """Guards of the mode HELD into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """
@@ -429,7 +429,7 @@ def positions(contact, y, p, out):
 
 
 def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
@@ -446,7 +446,7 @@ def shapes(p, out):
 
 
 def overturning(p):
-    """Rotation at which the structure has fallen."""
+    """Rotation at which the structure has overturned."""
     alpha = p[0]
     value = (1/2)*math.pi/alpha
     return value
@@ -459,7 +459,7 @@ def velocity_ratio(p):
 
 
 def sizes(p, out):
-    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    """Values that must be positive, or not negative, into out, as SIZES."""
     pass
 
 

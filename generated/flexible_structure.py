@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "f46c513cca26f5d5"
+SOURCE_HASH = "6db2add780c93b8b"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -102,17 +102,17 @@ TRANSITIONS = (
     ("both", "right", "uplift"),
     ("right", "left", "impact"),
 )
-KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
+KINDS = (  # of each guard of each mode; 0 impact, 1 uplift, 2 switch
     (0, 2,),  # left
     (1, 1,),  # both
     (0, 2,),  # right
 )
-TARGETS = (  # contact state to which each guard leads
+TARGETS = (  # mode to which each guard leads
     (2, -1,),  # left
     (0, 2,),  # both
     (0, -1,),  # right
 )
-CLOSED = (  # guard of the contact state that follows which is closed on entering it
+CLOSED = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (0, 0,),  # both
     (0, -1,),  # right
@@ -239,13 +239,13 @@ def rates(contact, y, p, ax, ay, dy):
 
 @inlined
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    """Acceleration with which a mode's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+    """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
@@ -304,7 +304,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
         applies the impulsive form of Lagrange's equations.
-    Returns the contact state that follows.
+    Returns the mode that follows.
     """
     for i in range(N_STATES):
         out[i] = y[i]
@@ -341,7 +341,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 @inlined
 def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+    """Guards of the mode HELD into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """
@@ -671,7 +671,7 @@ def positions(contact, y, p, out):
 
 
 def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
@@ -710,7 +710,7 @@ def shapes(p, out):
 
 
 def overturning(p):
-    """Rotation at which the structure has fallen."""
+    """Rotation at which the structure has overturned."""
     value = (1/2)*math.pi
     return value
 
@@ -731,7 +731,7 @@ def velocity_ratio(p):
 
 
 def sizes(p, out):
-    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    """Values that must be positive, or not negative, into out, as SIZES."""
     half_width = p[6]
     out[0] = 2*half_width
 

@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "33ca29a1bb939733"
+SOURCE_HASH = "85cb97b2cb4dbfc9"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -165,7 +165,7 @@ SHARED = (  # the first point with which each shares its friction
     (0, 1,),  # right_slides_left
     (0, 1,),  # flight
 )
-ARRANGEMENTS = (
+PATTERNS = (
     0,  # both
     1,  # both_slides_right
     1,  # both_slides_left
@@ -177,7 +177,7 @@ ARRANGEMENTS = (
     5,  # right_slides_left
     6,  # flight
 )
-MECHANISMS = (
+EQUATIONS = (
     0,  # both
     1,  # both_slides_right
     1,  # both_slides_left
@@ -214,7 +214,7 @@ SIGMAS = (  # sigma of each group of points that slips
     (-1.0,),  # right_slides_left
     (0.0,),  # flight
 )
-KINDS = (  # of each guard of each contact state; 2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking
+KINDS = (  # of each guard of each mode; 2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking
     (5, 6, 6, 5,),  # both
     (5, 7, 5, 2,),  # both_slides_right
     (5, 7, 5, 2,),  # both_slides_left
@@ -238,7 +238,7 @@ SUBJECTS = (  # the point of each guard, or the element, numbered behind the poi
     (0, 1, 1, -1,),  # right_slides_left
     (0, 1, -1, -1,),  # flight
 )
-TARGETS = (  # contact state to which a switch leads
+TARGETS = (  # mode to which a switch leads
     (-1, -1, -1, -1,),  # both
     (-1, -1, -1, -1,),  # both_slides_right
     (-1, -1, -1, -1,),  # both_slides_left
@@ -471,16 +471,16 @@ def rates_flight(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
 @inlined
 def rates_of_states(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Rates of all states, in their order."""
-    mechanism = MECHANISMS[contact]
-    if mechanism == 0:
+    equations = EQUATIONS[contact]
+    if equations == 0:
         return rates_left_sticks_right_sticks(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
-    elif mechanism == 1:
+    elif equations == 1:
         sigma_0 = SIGMAS[contact][0]
         return rates_left_slips_right_slips(sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
-    elif mechanism == 2:
+    elif equations == 2:
         s = IMAGES[contact]
         return rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
-    elif mechanism == 3:
+    elif equations == 3:
         s = IMAGES[contact]
         sigma_0 = SIGMAS[contact][0]
         return rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
@@ -596,13 +596,13 @@ def forces_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax,
 
 @inlined
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+    """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    arrangement = ARRANGEMENTS[contact]
-    if arrangement == 0:
+    pattern = PATTERNS[contact]
+    if pattern == 0:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -616,7 +616,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -friction_0 + x0
         g[2] = friction_0 + x0
         g[3] = normal_1
-    elif arrangement == 1:
+    elif pattern == 1:
         sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
@@ -628,7 +628,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = normal_0
         g[1] = sigma_0*x_dot
         g[2] = normal_1
-    elif arrangement == 2:
+    elif pattern == 2:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -645,7 +645,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -friction_0 + x0
         g[2] = friction_0 + x0
         g[3] = c23*s*sin_theta
-    elif arrangement == 3:
+    elif pattern == 3:
         s = IMAGES[contact]
         sigma_0 = SIGMAS[contact][0]
         x = y[0]
@@ -662,7 +662,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = normal_0
         g[1] = sigma_0*(-half_width*theta_dot*x0 + x_dot)
         g[2] = c23*x0
-    elif arrangement == 4:
+    elif pattern == 4:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -679,7 +679,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = -friction_1 + x0
         g[3] = friction_1 + x0
-    elif arrangement == 5:
+    elif pattern == 5:
         s = IMAGES[contact]
         sigma_0 = SIGMAS[contact][0]
         x = y[0]
@@ -743,7 +743,7 @@ def free_motion(y, p, ax, ay, contact, matrix, forces):
 
 
 def points(y, p, out):
-    """Of each point from out[i * 11]: gap, its rate and the slip's, biases, rows.
+    """For each point from out[i * 11]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).
     """
@@ -785,7 +785,7 @@ def points(y, p, out):
 
 
 def point_laws(p, out):
-    """Of each point from out[2 * i]: restitution, and coefficient of friction."""
+    """For each point from out[2 * i]: restitution, and coefficient of friction."""
     friction = p[5]
     restitution = p[6]
     out[0] = restitution
@@ -810,8 +810,8 @@ def reactions(contact, y, p, ax, ay, out):
     out[0] = (
         ax*mass + mass*x_ddot + theta_ddot*x0*math.cos(theta) - theta_dot**2*x0*math.sin(theta)
     )
-    arrangement = ARRANGEMENTS[contact]
-    if arrangement == 0:
+    pattern = PATTERNS[contact]
+    if pattern == 0:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -828,7 +828,7 @@ def reactions(contact, y, p, ax, ay, out):
         x0 = friction*share_0
         out[3] = normal_0*x0
         out[4] = normal_1*x0
-    elif arrangement == 1:
+    elif pattern == 1:
         sigma_0 = SIGMAS[contact][0]
         x = y[0]
         y_ = y[1]
@@ -843,7 +843,7 @@ def reactions(contact, y, p, ax, ay, out):
         x0 = friction*sigma_0
         out[3] = -normal_0*x0
         out[4] = -normal_1*x0
-    elif arrangement == 2:
+    elif pattern == 2:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -856,7 +856,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = 0
         out[3] = friction_0
         out[4] = 0
-    elif arrangement == 3:
+    elif pattern == 3:
         s = IMAGES[contact]
         sigma_0 = SIGMAS[contact][0]
         x = y[0]
@@ -871,7 +871,7 @@ def reactions(contact, y, p, ax, ay, out):
         friction = p[5]
         out[3] = -friction*normal_0*sigma_0
         out[4] = 0
-    elif arrangement == 4:
+    elif pattern == 4:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -884,7 +884,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = normal_1
         out[3] = 0
         out[4] = friction_1
-    elif arrangement == 5:
+    elif pattern == 5:
         s = IMAGES[contact]
         sigma_0 = SIGMAS[contact][0]
         x = y[0]
@@ -1029,7 +1029,7 @@ def positions(contact, y, p, out):
 
 
 def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
@@ -1057,7 +1057,7 @@ def shapes(p, out):
 
 
 def overturning(p):
-    """Rotation at which the structure has fallen."""
+    """Rotation at which the structure has overturned."""
     value = (1/2)*math.pi
     return value
 
@@ -1069,7 +1069,7 @@ def velocity_ratio(p):
 
 
 def sizes(p, out):
-    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    """Values that must be positive, or not negative, into out, as SIZES."""
     half_width = p[1]
     restitution = p[6]
     x0 = 1 - restitution

@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "ba6a4ea080962395"
+SOURCE_HASH = "f6aa78c0a0c970ef"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -251,7 +251,7 @@ SHARED = (  # the first point with which each shares its friction
     (0, 1, 2, 3,),  # upper_right
     (0, 1, 2, 3,),  # flight
 )
-ARRANGEMENTS = (
+PATTERNS = (
     0,  # both_upper_both
     1,  # both_upper_left
     2,  # both_upper_right
@@ -269,7 +269,7 @@ ARRANGEMENTS = (
     14,  # upper_right
     15,  # flight
 )
-MECHANISMS = (
+EQUATIONS = (
     0,  # both_upper_both
     1,  # both_upper_left
     1,  # both_upper_right
@@ -324,7 +324,7 @@ SIGMAS = (  # sigma of each group of points that slips
     (),  # upper_right
     (),  # flight
 )
-KINDS = (  # of each guard of each contact state; 2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking
+KINDS = (  # of each guard of each mode; 2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking
     (5, 5, 5, 5,),  # both_upper_both
     (5, 5, 5, 4,),  # both_upper_left
     (5, 5, 4, 5,),  # both_upper_right
@@ -360,7 +360,7 @@ SUBJECTS = (  # the point of each guard, or the element, numbered behind the poi
     (0, 1, 2, 3,),  # upper_right
     (0, 1, 2, 3,),  # flight
 )
-TARGETS = (  # contact state to which a switch leads
+TARGETS = (  # mode to which a switch leads
     (-1, -1, -1, -1,),  # both_upper_both
     (-1, -1, -1, -1,),  # both_upper_left
     (-1, -1, -1, -1,),  # both_upper_right
@@ -1262,29 +1262,29 @@ def rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, et
 @inlined
 def rates_of_states(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states, in their order."""
-    mechanism = MECHANISMS[contact]
-    if mechanism == 0:
+    equations = EQUATIONS[contact]
+    if equations == 0:
         return rates_left_sticks_right_sticks_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 1:
+    elif equations == 1:
         s = IMAGES[contact]
         return rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 2:
+    elif equations == 2:
         s = IMAGES[contact]
         return rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 3:
+    elif equations == 3:
         return rates_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 4:
+    elif equations == 4:
         s = IMAGES[contact]
         return rates_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 5:
+    elif equations == 5:
         s = IMAGES[contact]
         return rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 6:
+    elif equations == 6:
         return rates_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 7:
+    elif equations == 7:
         s = IMAGES[contact]
         return rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
-    elif mechanism == 8:
+    elif equations == 8:
         s = IMAGES[contact]
         return rates_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     else:
@@ -1907,13 +1907,13 @@ def forces_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta
 
 @inlined
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+    """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    arrangement = ARRANGEMENTS[contact]
-    if arrangement == 0:
+    pattern = PATTERNS[contact]
+    if pattern == 0:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -1931,7 +1931,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = normal_2
         g[3] = normal_3
-    elif arrangement == 1:
+    elif pattern == 1:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -1952,7 +1952,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = normal_2
         g[3] = c24*s*sin_phi
-    elif arrangement == 2:
+    elif pattern == 2:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -1973,7 +1973,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = c24*s*sin_phi
         g[3] = normal_3
-    elif arrangement == 3:
+    elif pattern == 3:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -1994,7 +1994,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = c70*s*sin_phi
         g[2] = normal_2
         g[3] = normal_3
-    elif arrangement == 4:
+    elif pattern == 4:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2015,7 +2015,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = normal_2
         g[3] = normal_3
-    elif arrangement == 5:
+    elif pattern == 5:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2036,7 +2036,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = eta + x0
         g[3] = eta - x0
-    elif arrangement == 6:
+    elif pattern == 6:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2059,7 +2059,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = c70*s*sin_theta
         g[2] = normal_2
         g[3] = c24*s*sin_angle_1
-    elif arrangement == 7:
+    elif pattern == 7:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2082,7 +2082,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = c70*s*sin_theta
         g[2] = -c24*s*sin_angle_1
         g[3] = normal_3
-    elif arrangement == 8:
+    elif pattern == 8:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2105,7 +2105,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = normal_2
         g[3] = -c24*s*sin_angle_1
-    elif arrangement == 9:
+    elif pattern == 9:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2128,7 +2128,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = c24*s*sin_angle_1
         g[3] = normal_3
-    elif arrangement == 10:
+    elif pattern == 10:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2149,7 +2149,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -x0 + y_
         g[2] = normal_2
         g[3] = normal_3
-    elif arrangement == 11:
+    elif pattern == 11:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2173,7 +2173,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = c70*s*sin_theta
         g[2] = eta - x0
         g[3] = eta + x0
-    elif arrangement == 12:
+    elif pattern == 12:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2197,7 +2197,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = normal_1
         g[2] = eta + x0
         g[3] = eta - x0
-    elif arrangement == 13:
+    elif pattern == 13:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2221,7 +2221,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = x0 + y_
         g[2] = normal_2
         g[3] = c24*s*sin_angle_1
-    elif arrangement == 14:
+    elif pattern == 14:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2406,7 +2406,7 @@ def free_motion(y, p, ax, ay, contact, matrix, forces):
 
 
 def points(y, p, out):
-    """Of each point from out[i * 17]: gap, its rate and the slip's, biases, rows.
+    """For each point from out[i * 17]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).
     """
@@ -2513,7 +2513,7 @@ def points(y, p, out):
 
 
 def point_laws(p, out):
-    """Of each point from out[2 * i]: restitution, and coefficient of friction."""
+    """For each point from out[2 * i]: restitution, and coefficient of friction."""
     restitution = p[9]
     out[0] = restitution
     out[1] = 1.00000000000000e+300
@@ -2565,8 +2565,8 @@ def reactions(contact, y, p, ax, ay, out):
         theta_ddot*x1*xi + theta_ddot*x2*x5 + upper_mass*x_ddot - x0*x5*x9 - x1*x7*xi_dot -
         x10*x8 - x3*x9*xi + x3*xi_ddot + x4*x8
     )
-    arrangement = ARRANGEMENTS[contact]
-    if arrangement == 0:
+    pattern = PATTERNS[contact]
+    if pattern == 0:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2592,7 +2592,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = normal_1*share_0
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
-    elif arrangement == 1:
+    elif pattern == 1:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2617,7 +2617,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = normal_1*share_0
         out[7] = friction_2
         out[8] = 0
-    elif arrangement == 2:
+    elif pattern == 2:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2642,7 +2642,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = normal_1*share_0
         out[7] = 0
         out[8] = friction_3
-    elif arrangement == 3:
+    elif pattern == 3:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2667,7 +2667,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = 0
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
-    elif arrangement == 4:
+    elif pattern == 4:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2692,7 +2692,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = friction_1
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
-    elif arrangement == 5:
+    elif pattern == 5:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2716,7 +2716,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = normal_1*share_0
         out[7] = 0
         out[8] = 0
-    elif arrangement == 6:
+    elif pattern == 6:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2739,7 +2739,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = 0
         out[7] = friction_2
         out[8] = 0
-    elif arrangement == 7:
+    elif pattern == 7:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2762,7 +2762,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = 0
         out[7] = 0
         out[8] = friction_3
-    elif arrangement == 8:
+    elif pattern == 8:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2785,7 +2785,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = friction_1
         out[7] = friction_2
         out[8] = 0
-    elif arrangement == 9:
+    elif pattern == 9:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2808,7 +2808,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = friction_1
         out[7] = 0
         out[8] = friction_3
-    elif arrangement == 10:
+    elif pattern == 10:
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2832,7 +2832,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = 0
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
-    elif arrangement == 11:
+    elif pattern == 11:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2855,7 +2855,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = 0
         out[7] = 0
         out[8] = 0
-    elif arrangement == 12:
+    elif pattern == 12:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2878,7 +2878,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = friction_1
         out[7] = 0
         out[8] = 0
-    elif arrangement == 13:
+    elif pattern == 13:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -2901,7 +2901,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[6] = 0
         out[7] = friction_2
         out[8] = 0
-    elif arrangement == 14:
+    elif pattern == 14:
         s = IMAGES[contact]
         x = y[0]
         y_ = y[1]
@@ -3206,7 +3206,7 @@ def positions(contact, y, p, out):
 
 
 def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
@@ -3246,13 +3246,13 @@ def shapes(p, out):
 
 
 def overturning(p):
-    """Rotation at which the structure has fallen."""
+    """Rotation at which the structure has overturned."""
     value = (1/2)*math.pi
     return value
 
 
 def overturns_at(number, p):
-    """Size of a coordinate of FALLS, by its number, at which the structure has fallen."""
+    """Size of a coordinate of FALLS, by its number, at which the structure has overturned."""
     value = 0.0
     if number == 0:
         value = (1/2)*math.pi
@@ -3266,7 +3266,7 @@ def velocity_ratio(p):
 
 
 def sizes(p, out):
-    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    """Values that must be positive, or not negative, into out, as SIZES."""
     lower_half_width = p[1]
     upper_half_width = p[5]
     restitution = p[9]

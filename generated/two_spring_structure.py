@@ -40,7 +40,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "c52b3cbda792ae65"
+SOURCE_HASH = "3cddb45d486fb5fa"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -105,19 +105,19 @@ TRANSITIONS = (
     ("right", "both", "switch"),
     ("right", "flight", "switch"),
 )
-KINDS = (  # of each guard of each contact state; 0 impact, 1 uplift, 2 switch
+KINDS = (  # of each guard of each mode; 0 impact, 1 uplift, 2 switch
     (2, 2,),  # left
     (2, 2,),  # both
     (2, 2,),  # flight
     (2, 2,),  # right
 )
-TARGETS = (  # contact state to which each guard leads
+TARGETS = (  # mode to which each guard leads
     (1, 2,),  # left
     (3, 0,),  # both
     (0, 3,),  # flight
     (1, 2,),  # right
 )
-CLOSED = (  # guard of the contact state that follows which is closed on entering it
+CLOSED = (  # guard of the mode that follows which is closed on entering it
     (1, 0,),  # left
     (0, 0,),  # both
     (1, 1,),  # flight
@@ -298,13 +298,13 @@ def rates(contact, y, p, ax, ay, dy):
 
 @inlined
 def opening_acceleration(contact, y, p, ax, ay):
-    """Acceleration with which a contact state's gap would open from closed and at rest."""
+    """Acceleration with which a mode's gap would open from closed and at rest."""
     found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
     return SIDES[contact] * found[0]
 
 
 def guards(contact, y, p, ax, ay, g):
-    """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+    """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
@@ -392,7 +392,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
         applies the impulsive form of Lagrange's equations.
-    Returns the contact state that follows.
+    Returns the mode that follows.
     """
     for i in range(N_STATES):
         out[i] = y[i]
@@ -417,7 +417,7 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 @inlined
 def held_guards(y, p, ax, g):
-    """Guards of the contact state HELD into g, each divided by what is positive.
+    """Guards of the mode HELD into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """
@@ -827,7 +827,7 @@ def positions(contact, y, p, out):
 
 
 def elements(contact, y, p, out):
-    """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
@@ -953,7 +953,7 @@ def shapes(p, out):
 
 
 def overturning(p):
-    """Rotation at which the structure has fallen."""
+    """Rotation at which the structure has overturned."""
     value = (1/2)*math.pi
     return value
 
@@ -965,7 +965,7 @@ def velocity_ratio(p):
 
 
 def sizes(p, out):
-    """What the parameters must not make negative, or zero, into out, as SIZES."""
+    """Values that must be positive, or not negative, into out, as SIZES."""
     half_width = p[6]
     out[0] = 2*half_width
 

@@ -1,4 +1,4 @@
-"""What a declared model is, as a hash: the same one gives the same generated text."""
+"""Hash of a declared model: equal declarations give equal generated text."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def declaration_digest(model: Any) -> str:
 
     Raises TypeError where a declaration holds what is neither text nor number nor expression.
     """
-    return digest(*_told(model))
+    return digest(*_parts(model))
 
 
 _ASSUMED = [
@@ -31,10 +31,10 @@ _ASSUMED = [
     "finite",
     "complex",
 ]
-"""What may be assumed of a function, which its text does not say."""
+"""Assumptions on a function, which its text does not show."""
 
 
-def _told(value: Any) -> Iterator[str]:
+def _parts(value: Any) -> Iterator[str]:
     """All of a value, symbols with their assumptions: of two that differ it tells them apart."""
     if isinstance(value, sp.Basic):
         yield sp.srepr(value)
@@ -44,16 +44,16 @@ def _told(value: Any) -> Iterator[str]:
         yield type(value).__name__
         for field in dataclasses.fields(value):
             yield field.name
-            yield from _told(getattr(value, field.name))
+            yield from _parts(getattr(value, field.name))
     elif isinstance(value, Mapping):
         yield f"{len(value)} named"
         for key, item in value.items():
-            yield from _told(key)
-            yield from _told(item)
+            yield from _parts(key)
+            yield from _parts(item)
     elif isinstance(value, list | tuple):
         yield f"{len(value)} in a row"
         for item in value:
-            yield from _told(item)
+            yield from _parts(item)
     elif value is None or isinstance(value, str | int | float):
         yield repr(value)
     else:

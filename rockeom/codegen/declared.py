@@ -62,21 +62,21 @@ def _of_transitions(model: HybridModel) -> list[str]:
 
 
 def _of_guards(model: HybridModel) -> list[str]:
-    """Tables with a row for each contact state, and in it a number for each guard."""
+    """Tables with a row for each mode, and in it a number for each guard."""
     leaving = {c: _outgoing(model, c) for c in model.mode_names}
     legend = ", ".join(f"{number} {kind}" for kind, number in KIND_OF.items())
     return [
         *rows(
-            f"KINDS = (  # of each guard of each contact state; {legend}",
+            f"KINDS = (  # of each guard of each mode; {legend}",
             {c: [KIND_OF[t.kind] for t in row] for c, row in leaving.items()},
             SWITCH,
         ),
         *rows(
-            "TARGETS = (  # contact state to which each guard leads",
+            "TARGETS = (  # mode to which each guard leads",
             {c: [model.mode_names.index(t.target) for t in row] for c, row in leaving.items()},
         ),
         *rows(
-            "CLOSED = (  # guard of the contact state that follows which is closed on entering it",
+            "CLOSED = (  # guard of the mode that follows which is closed on entering it",
             {c: _closed(model, c) for c in leaving},
         ),
         *rows(
@@ -87,7 +87,7 @@ def _of_guards(model: HybridModel) -> list[str]:
 
 
 def _closed(model: HybridModel, contact: str) -> list[int]:
-    """For each guard of a contact state: the one of its target that leads back, or -1.
+    """For each guard of a mode: the one of its target that leads back, or -1.
 
     It is zero on entering, up to rounding, and must not be taken for another event.
     """
@@ -131,7 +131,7 @@ def _guards(text: Text) -> None:
         ]
     text.function(
         "guards(contact, y, p, ax, ay, g)",
-        """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+        """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.""",
@@ -140,18 +140,18 @@ def _guards(text: Text) -> None:
 
 
 def _outgoing(model: HybridModel, contact: str) -> list[Transition]:
-    """The transitions out of a contact state, an impact first."""
+    """The transitions out of a mode, an impact first."""
     found = [t for t in model.transitions if t.source == contact]
     return sorted(found, key=lambda t: t.kind != "impact")
 
 
 def _longest(model: HybridModel) -> int:
-    """The largest number of guards of a contact state."""
+    """The largest number of guards of a mode."""
     return max(len(_outgoing(model, c)) for c in model.mode_names)
 
 
 def _parts(model: HybridModel, contact: str) -> list[dict[int, sp.Expr]]:
-    """For each guard of a contact state: its two parts by their place in g, if it has any."""
+    """For each guard of a mode: its two parts by their place in g, if it has any."""
     found: list[dict[int, sp.Expr]] = []
     place = _longest(model)
     for t in _outgoing(model, contact):
@@ -165,7 +165,7 @@ def _parts(model: HybridModel, contact: str) -> list[dict[int, sp.Expr]]:
 
 
 def _by_place(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
-    """Guards of a contact state and their parts, by their place in g."""
+    """Guards of a mode and their parts, by their place in g."""
     found = {
         i: model.in_mode(t.guard, contact)
         for i, t in enumerate(_outgoing(model, contact))
@@ -177,7 +177,7 @@ def _by_place(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
 
 
 def _on_both_sides(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
-    """Guards of a contact state and of its image, with s, by their place in g."""
+    """Guards of a mode and of its image, with s, by their place in g."""
     closing = SIDE * model.rotation.position
     return {
         i: closing if t.kind == "impact" else t.guard
@@ -186,7 +186,7 @@ def _on_both_sides(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
 
 
 def _image(model: HybridModel, contact: str) -> str | None:
-    """The contact state on the other side, where its guards are the same but for laws of s.
+    """The mode on the other side, where its guards are the same but for laws of s.
 
     They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
     """
@@ -220,7 +220,7 @@ def _held_guards(text: Text) -> int:
     sums = found[contact] if contact else []
     text.function(
         "held_guards(y, p, ax, g)",
-        """Guards of the contact state HELD into g, each divided by what is positive.
+        """Guards of the mode HELD into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.""",
         text.evaluate("guards", {f"g[{i}]": e for i, e in enumerate(sums)}, "    ", hoist=True)
@@ -231,7 +231,7 @@ def _held_guards(text: Text) -> int:
 
 
 def _sums(text: Text, contact: str) -> list[sp.Expr]:
-    """The guards of a contact state as such sums; none where one of them is no such sum.
+    """The guards of a mode as such sums; none where one of them is no such sum.
 
     A structure of one coordinate does not move on both feet.
     """
@@ -243,7 +243,7 @@ def _sums(text: Text, contact: str) -> list[sp.Expr]:
 
 
 def _sum(text: Text, rocking: str) -> sp.Expr | None:
-    """What keeps the gap of a rocking contact state closed, as such a sum, if it is one."""
+    """Force that keeps the gap of a rocking mode closed, as such a sum, if it is one."""
     model = text.model
     mode = model.mode(rocking)
     rotation = mode.coordinates.index(model.rotation)
@@ -286,7 +286,7 @@ def _jump(text: Text) -> None:
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
         applies the impulsive form of Lagrange's equations.
-    Returns the contact state that follows.""",
+    Returns the mode that follows.""",
         body,
     )
 

@@ -22,7 +22,7 @@ sizes statics velocity_ratio fused inlined everywhere overturns_at
 free_motion points point_laws
 
 contact s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
-matrix forces arrangement mechanism
+matrix forces pattern equations
 
 CLASS CLOSED CONTACTS COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE HELD
 IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES NARROW
@@ -30,10 +30,10 @@ PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS PO
 RATIO REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
 TRANSITIONS
 
-ARRANGEMENTS ELEMENTS ELEMENT_STATES IMAGES MECHANISMS N_ELEMENTS N_INTERNAL N_POINTS POINTS
+ELEMENTS ELEMENT_STATES EQUATIONS IMAGES N_ELEMENTS N_INTERNAL N_POINTS PATTERNS POINTS
 POINT_STATES QUICK SHARED SIGMAS SUBJECTS
 """
-"""What the text uses of Python and its libraries, its functions, their arguments, its tables."""
+"""Names of Python and its libraries, of functions, their arguments and tables in the text."""
 WORDS = frozenset(_PROGRAM.split())
 
 _PATTERNS = re.compile(
@@ -45,12 +45,12 @@ _PATTERNS = re.compile(
 )
 
 _FEET = re.compile(r"(LEFT|RIGHT|BOTH|FLIGHT)(_[A-Z0-9]+)*")
-"""Contact states that are written without an underscore at their end: no other text that is joined
+"""Modes that are written without an underscore at their end: no other text that is joined
 to the module begins a name like that."""
 
 
 def is_own(name: str) -> bool:
-    """Whether a name is kept for the program itself."""
+    """Whether a name is reserved for the program itself."""
     return keyword.iskeyword(name) or name in WORDS or bool(_PATTERNS.fullmatch(name))
 
 
@@ -69,7 +69,7 @@ class Names:
         return name
 
     def of_contact(self, contact: str) -> str:
-        """The name of the constant that is the number of a contact state."""
+        """The name of the constant that is the number of a mode."""
         name = unicodedata.normalize("NFKC", contact.upper())
         return self.of(name if _FEET.fullmatch(name) else f"{name}_")
 
@@ -92,7 +92,7 @@ def names_in(text: str) -> set[str]:
 def check_names(text: str, given: set[str]) -> None:
     """Raise AssertionError if a module's text has a name that is neither given nor its own.
 
-    Where it does, that name could be a user's, too: it belongs into the lists above.
+    Otherwise that name could be a user's, too: it belongs into the lists above.
     """
     strange = sorted(name for name in names_in(text) - given if not is_own(name))
     if strange:

@@ -133,7 +133,7 @@ def _elements(text: Text) -> Columns:
     side = next(iter(first.sides.values()))
     names = tuple(_called(a, side) for a in expressions.elements(model, first))
     signature = "elements(contact, y, p, out)"
-    doc = """Of each of ELEMENT_NAMES: deformation [m], force [N], energy [J], power lost [W].
+    doc = """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other."""
     if any(e.mirrored for mode in model.modes for e in mode.elements):

@@ -1,4 +1,4 @@
-"""What follows from the parameters alone: overturning, ratio of rates, sizes, the constants."""
+"""Functions of the parameters alone: overturning, ratio of rates, sizes, constants."""
 
 from __future__ import annotations
 
@@ -52,12 +52,15 @@ def sizes_to_check(model: HybridModel) -> list[Size]:
 
 def _overturning(text: Text) -> None:
     _scalar(
-        text, "overturning", "Rotation at which the structure has fallen.", text.model.overturning
+        text,
+        "overturning",
+        "Rotation at which the structure has overturned.",
+        text.model.overturning,
     )
 
 
 def _falls(text: Text) -> None:
-    """Of further coordinates that may fall."""
+    """Sizes at which further coordinates have overturned."""
     if not text.model.falls:
         return
     lines = ["    value = 0.0"]
@@ -66,7 +69,7 @@ def _falls(text: Text) -> None:
         lines += [f"    if number == {i}:", *found]
     text.function(
         "overturns_at(number, p)",
-        "Size of a coordinate of FALLS, by its number, at which the structure has fallen.",
+        "Size of a coordinate of FALLS, by its number, at which the structure has overturned.",
         [*lines, "    return value"],
     )
 
@@ -85,7 +88,7 @@ def _sizes(text: Text) -> None:
     targets = {f"out[{i}]": size.value for i, size in enumerate(sizes_to_check(text.model))}
     text.function(
         "sizes(p, out)",
-        "What the parameters must not make negative, or zero, into out, as SIZES.",
+        "Values that must be positive, or not negative, into out, as SIZES.",
         text.evaluate("sizes", targets, "    ") or ["    pass"],
     )
 

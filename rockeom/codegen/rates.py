@@ -63,7 +63,7 @@ def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
 
 
 def _rates(text: Text) -> None:
-    """Of all states, on arrays."""
+    """Rates of all states, on arrays."""
 
     def branch(mode: Mode, indent: str) -> list[str]:
         return [
@@ -88,7 +88,7 @@ def _opening_acceleration(text: Text) -> None:
     theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
     text.function(
         "opening_acceleration(contact, y, p, ax, ay)",
-        "Acceleration with which a contact state's gap would open from closed and at rest.",
+        "Acceleration with which a mode's gap would open from closed and at rest.",
         [
             found_accelerations(text, "    ", zero=(theta, theta_dot)),
             f"    return SIDES[contact] * found[{theta}]",

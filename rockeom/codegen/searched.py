@@ -1,7 +1,7 @@
 """The functions of a structure whose contacts were declared: motion, forces, guards, outputs.
 
 Each mode has one text, written with the side s, the sign sigma of each slip and the state chi
-of each element as numbers. Which one moves in a contact state stands in tables.
+of each element as numbers. Tables give the one of each mode.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.algebra import SIDE, brief, tidy
 from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import ContactDeclaration
@@ -43,7 +43,6 @@ from rockeom.symbolic.modes import (
     DerivedMode,
     Modes,
     Pattern,
-    brief,
     force_of,
     free_motion,
     sign_of_slip,
@@ -65,14 +64,14 @@ class Written:
             text.names[sign_of_slip(i)] = sp.Symbol(f"sigma_{i}")
 
     def call(self, function: str, mode: DerivedMode) -> str:
-        """How a function of a mode is called."""
+        """The call of a function of a mode."""
         side = ["s"] if mode.sided else []
         sigmas = [f"sigma_{i}" for i in range(len(mode.slipping))]
         given = [*side, *sigmas, *self.text.switches, *self.text.states, "p", "ax", "ay"]
         return f"{function}({', '.join(given)})"
 
     def read(self, mode: DerivedMode, indent: str) -> list[str]:
-        """Lines that read the signs of a contact state from the tables."""
+        """Lines that read the signs of a mode from the tables."""
         lines = [f"{indent}s = IMAGES[contact]"] if mode.sided else []
         lines += [f"{indent}sigma_{i} = SIGMAS[contact][{i}]" for i in range(len(mode.slipping))]
         return lines + self.text.read_switches(indent)
@@ -118,15 +117,15 @@ def searched(text: Text, search: Search) -> tuple[dict[str, Columns], list[str]]
 
 
 def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
-    """Lines of a function that is the same in every contact state."""
+    """Lines of a function that is the same in every mode."""
     return text.evaluate(name, targets, "    ") or ["    pass"]
 
 
-def _chosen(name: str, branches: list[list[str]]) -> list[str]:
-    """Lines of the branch of a contact state's mode or pattern; of one alone, its own."""
+def _chosen(name: str, table: str, branches: list[list[str]]) -> list[str]:
+    """Lines of the branch that a table gives for a mode; of one branch alone, its own."""
     if len(branches) == 1:
         return [line[4:] for line in branches[0]]
-    lines = [f"    {name} = {name.upper()}S[contact]"]
+    lines = [f"    {name} = {table}[contact]"]
     for i, branch in enumerate(branches):
         test = f"{'elif' if i else 'if'} {name} == {i}"
         lines += [f"    {'else' if i == len(branches) - 1 else test}:", *branch]
@@ -137,14 +136,14 @@ def _chosen(name: str, branches: list[list[str]]) -> list[str]:
 
 
 def _suffix(mode: DerivedMode) -> str:
-    """What the functions of a mode are called by."""
+    """End of the names of the functions of a mode."""
     points = zip(mode.model.contacts, mode.states, strict=True)
     words = [f"{c.name}_{VERBS[state]}" for c, state in points if state]
     return "_".join(words) or "flight"
 
 
-def _told(mode: DerivedMode) -> str:
-    """What a mode is, in words."""
+def _words(mode: DerivedMode) -> str:
+    """A mode in words."""
     points = zip(mode.model.contacts, mode.states, strict=True)
     words = [f"{c.name} {VERBS[state]}" for c, state in points if state]
     mirrored = ", or its mirror image" if mode.sided else ""
@@ -162,7 +161,7 @@ def _motions(written: Written) -> None:
     text.function(
         f"rates_of_states(contact, {states}, p, ax, ay)",
         "Rates of all states, in their order.",
-        _chosen("mechanism", branches),
+        _chosen("equations", "EQUATIONS", branches),
         "@inlined",
     )
     found = ", ".join(f"found[{n + i}]" for i in range(n))
@@ -178,7 +177,7 @@ def _motions(written: Written) -> None:
     for i, _ in quick(written.modes):
         text.function(
             f"accelerations_{i}(contact, {states}, p, ax, ay)",
-            f"The same where {_told(derived[i])}.",
+            f"The same where {_words(derived[i])}.",
             [
                 *written.read(derived[i], "    "),
                 f"    found = {written.rates[i]}",
@@ -245,7 +244,7 @@ def _motion_of(written: Written, number: int, mode: DerivedMode) -> str:
     call = written.call(name, mode)
     text.function(
         call,
-        f"Rates of all states where {_told(mode)}.",
+        f"Rates of all states where {_words(mode)}.",
         [*body, *solved, *tied, f"    return ({', '.join([*rates, *names, *internal])},)"],
         "@inlined",
     )
@@ -256,7 +255,7 @@ def _motion_of(written: Written, number: int, mode: DerivedMode) -> str:
 
 
 def _forces(written: Written) -> None:
-    """Of each mode with a closed point: its normal forces, and the friction of each group."""
+    """Normal forces of each mode with a closed point, and the friction of each group."""
     text = written.text
     for number, mode in enumerate(written.modes.derived):
         if not mode.closed:
@@ -277,7 +276,7 @@ def _forces(written: Written) -> None:
         written.forces[number] = written.call(name, mode)
         text.function(
             written.forces[number],
-            f"Normal forces, then friction [N], where {_told(mode)}.",
+            f"Normal forces, then friction [N], where {_words(mode)}.",
             [*lines, f"    return ({', '.join(targets)},)"],
             "@inlined",
         )
@@ -348,11 +347,11 @@ def _guards(written: Written) -> None:
     branches = [_guards_of(written, pattern) for pattern in patterns]
     text.function(
         "guards(contact, y, p, ax, ay, g)",
-        """Guards of a contact state into g: all positive inside it; the first to fall ends it.
+        """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.""",
-        _chosen("arrangement", branches),
+        _chosen("pattern", "PATTERNS", branches),
         "@inlined",
     )
 
@@ -398,7 +397,7 @@ def _here(expr: sp.Expr, pattern: Pattern, mode: DerivedMode) -> sp.Expr:
 
 
 class _Switches:
-    """What guards of elements are made of, each expression once, and their lines.
+    """Parts of the guards of elements, each expression once, and their lines.
 
     values : by name.
     """
@@ -459,7 +458,7 @@ def _jump(written: Written) -> None:
                 ]
     text.function(
         "jump(contact, guard, law, ratio, y, p, out)",
-        "The state goes on into out (N,); returns the contact state that follows a guard's fall.",
+        "The state goes on into out (N,); returns the mode that follows a guard's fall.",
         [
             "    for i in range(N_STATES):",
             "        out[i] = y[i]",
@@ -506,7 +505,7 @@ def _points(written: Written) -> None:
             targets[f"out[{size * i + j}]"] = tidy(e)
     text.function(
         "points(y, p, out)",
-        f"""Of each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
+        f"""For each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
 
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
         _every(text, "points", targets),
@@ -523,7 +522,7 @@ def _point_laws(written: Written) -> None:
         targets[f"out[{2 * i + 1}]"] = mu
     text.function(
         "point_laws(p, out)",
-        "Of each point from out[2 * i]: restitution, and coefficient of friction.",
+        "For each point from out[2 * i]: restitution, and coefficient of friction.",
         _every(text, "point_laws", targets),
     )
 
@@ -556,7 +555,7 @@ def _reactions(written: Written) -> Columns:
         branches = [
             [*written.found_forces(a, " " * 8), *_shares(written, a, behind)] for a in patterns
         ]
-        body += _chosen("arrangement", branches)
+        body += _chosen("pattern", "PATTERNS", branches)
     text.function(
         "reactions(contact, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
@@ -642,7 +641,7 @@ def _tables(written: Written) -> list[str]:
 
 
 def _states_of_contact(of: ContactDeclaration, modes: Modes, slips: int) -> list[str]:
-    """What each point and element does in each contact state, and which mode moves."""
+    """States of points and elements in each mode, and the equations that serve it."""
     written = {state: modes.patterns[state.pattern] for state in modes.states}
     smooth = any(FRICTIONLESS in state.points for state in written)
     return [
@@ -656,8 +655,8 @@ def _states_of_contact(of: ContactDeclaration, modes: Modes, slips: int) -> list
             "SHARED = (  # the first point with which each shares its friction",
             {state.name: pattern.shared for state, pattern in written.items()},
         ),
-        *column("ARRANGEMENTS = (", {s.name: str(s.pattern) for s in written}),
-        *column("MECHANISMS = (", {s.name: str(a.mode) for s, a in written.items()}),
+        *column("PATTERNS = (", {s.name: str(s.pattern) for s in written}),
+        *column("EQUATIONS = (", {s.name: str(a.mode) for s, a in written.items()}),
         f"QUICK = ({''.join(f'({i}, {moves}), ' for i, moves in quick(modes)).rstrip()})"
         "  # derived with a step of their own, and the coordinate that the others follow",
         *column(
@@ -676,13 +675,13 @@ def _states_of_contact(of: ContactDeclaration, modes: Modes, slips: int) -> list
 
 
 def _legend(of: ContactDeclaration) -> str:
-    """What the states of elements are."""
+    """Meaning of the states of elements."""
     yields = any(-1 in e.states for e in of.switching)
     return "0 elastic or off, 1 yields or on, -1 yields back or slack" if yields else "0 off, 1 on"
 
 
 class _Row(NamedTuple):
-    """A guard of a contact state in the tables; -1 is none."""
+    """A guard of a mode in the tables; -1 is none."""
 
     kind: int
     subject: int
@@ -729,14 +728,12 @@ def _of_guards(
 
     legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
     return [
-        *numbers_of(
-            f"KINDS = (  # of each guard of each contact state; {legend}", lambda r: r.kind, SWITCH
-        ),
+        *numbers_of(f"KINDS = (  # of each guard of each mode; {legend}", lambda r: r.kind, SWITCH),
         *numbers_of(
             "SUBJECTS = (  # the point of each guard, or the element, numbered behind the points",
             lambda r: r.subject,
         ),
-        *numbers_of("TARGETS = (  # contact state to which a switch leads", lambda r: r.target),
+        *numbers_of("TARGETS = (  # mode to which a switch leads", lambda r: r.target),
         *numbers_of("CLOSED = (  # guard of it that leads back", lambda r: r.back),
         *numbers_of("PARTS = (  # place in g of the two parts of a guard, or -1", lambda r: r.part),
     ]

@@ -171,7 +171,7 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
 def _collected(text: Text, expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
     """Collected by angles, then by g + a_y and by the horizontal ground acceleration.
 
-    What a sine is multiplied by is found while the processor still works on the sine.
+    The factor of a sine is ready while the processor still works on the sine.
     """
     if number_of_terms(expr) > MOST_TERMS:
         return expr

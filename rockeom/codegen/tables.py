@@ -36,7 +36,7 @@ def tables(
 
 
 def _falls(text: Text) -> list[str]:
-    """Which coordinates may fall beside the rotation."""
+    """Coordinates that may overturn beside the rotation."""
     falls = text.model.falls
     if not falls:
         return ["N_FALLS = 0"]
@@ -65,12 +65,12 @@ def _words(model: HybridModel) -> list[str]:
 
 
 def class_name(model: str) -> str:
-    """What a user calls the class of a model of this name."""
+    """Name of the class of a model."""
     return "".join(part[:1].upper() + part[1:] for part in model.split("_")) or model
 
 
 def _sign(parameter: Parameter) -> str:
-    """Which numbers a parameter may be: whole and positive, not negative, or any."""
+    """Numbers that a parameter may be: whole and positive, not negative, or any."""
     if parameter.symbol.is_integer:
         return "n"
     return "+" if parameter.symbol.is_nonnegative else "+-"

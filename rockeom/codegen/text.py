@@ -130,14 +130,14 @@ class Text:
     # -- lines ----------------------------------------------------------------------------
 
     def test(self, *modes: Mode) -> str:
-        """The condition that a contact state is one of these modes'."""
+        """The condition that a mode is one of these modes'."""
         names = [self.contacts[c] for mode in modes for c in mode.sides]
         if len(modes) > 1:
             return f"contact in ({', '.join(names)})"
         return " or ".join(f"contact == {name}" for name in names)
 
     def side(self, indent: str, *modes: Mode) -> list[str]:
-        """Lines that assign the side of a contact state of these modes, if they have any."""
+        """Lines that assign the side of a mode of these modes, if they have any."""
         if not any(mode.has_side for mode in modes):
             return []
         sides = [(side, c) for mode in modes for c, side in mode.sides.items()]

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from math import comb, prod
 
+import numpy as np
 import sympy as sp
 
 SIDE = sp.Symbol("s", real=True)
@@ -100,3 +101,79 @@ def truncated(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> sp.Exp
     for k in range(order + 1):
         total += sp.diff(scaled, scale, k).subs(scale, 0) / sp.factorial(k)
     return sp.expand(total)
+
+
+# -- where contacts slip, and by random values ---------------------------------------------------
+
+
+def brief(expr: sp.Expr) -> sp.Expr:
+    """`tidy`, and the square of a sign of slip is 1; an expression of too many terms stays."""
+    expr = sp.sympify(expr)
+    if number_of_terms(expr) > MOST_TERMS:
+        return expr
+    expr = tidy(expr)
+    for symbol in sorted(expr.free_symbols, key=str):
+        if str(symbol).startswith(r"\sigma"):
+            expr = square_is(expr, symbol, sp.S.One)
+    return expr
+
+
+def inverted(matrix: sp.Matrix) -> sp.Matrix:
+    """By determinants: entries are short."""
+    if matrix.rows == 0:
+        return matrix
+    n, divisor = matrix.rows, determinant(matrix.as_immutable(), brief)
+
+    def entry(i: int, j: int) -> sp.Expr:
+        minor = determinant(matrix.minor_submatrix(j, i).as_immutable(), brief)
+        return quotient((-1) ** (i + j) * minor, divisor)
+
+    return sp.Matrix(n, n, entry)
+
+
+def quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """One over the other, short: what divides it is a product as a rule."""
+    above = sp.expand(above)
+    for sign in (1, -1):
+        if above == sign * below:
+            return sp.Integer(sign)
+    return above / below if below.is_Add else sp.expand(above / below)
+
+
+def together(expr: sp.Expr) -> sp.Expr:
+    above, below = sp.fraction(sp.together(expr))
+    return positive_below(sp.cancel(brief(above) / brief(below)))
+
+
+def positive_below(expr: sp.Expr) -> sp.Expr:
+    """A quotient, factored, whose denominator is positive where nothing slips."""
+    above, below = sp.fraction(expr)
+    slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
+    sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
+    return sp.factor(sign * above) / sp.expand(sign * below)
+
+
+def vanishes(expr: sp.Expr) -> bool:
+    """Whether an expression is zero whatever its symbols are.
+
+    Square roots may hide it, and products that are not expanded.
+    """
+    plain = not expr.atoms(sp.Pow, sp.atan) and number_of_terms(expr) <= MOST_TERMS
+    if expr == 0 or plain:
+        return expr == 0
+    rng = np.random.default_rng(3)
+    symbols = sorted(expr.free_symbols, key=str)
+    for _ in range(3):
+        put = {x: sp.Float(rng.uniform(0.5, 1.5), 30) for x in symbols}
+        if abs(sp.N(expr.subs(put), 30)) > 1e-20:
+            return False
+    return True
+
+
+def rank(matrix: sp.Matrix) -> int:
+    """Rank at random values of all symbols."""
+    rng = np.random.default_rng(1)
+    symbols = sorted(matrix.free_symbols, key=str)
+    put = {x: sp.Float(rng.uniform(0.5, 1.5)) for x in symbols}
+    found = np.array(matrix.subs(put).tolist(), dtype=float)
+    return int(np.linalg.matrix_rank(found, tol=1e-9))

@@ -1,4 +1,4 @@
-"""Which combinations of states the elements of a structure may have.
+"""Combinations of states that the elements of a structure may have.
 
 The displacements of springs in a row are linear along it, d_i = d_0 + t_i (d_1 - d_0), whatever the
 structure does. So the springs with closed gaps are those on one side of a place in the row; where
@@ -41,7 +41,7 @@ def _along(elements: Sequence[Switching], row: list[int]) -> tuple[int, ...]:
 def combinations_of(elements: Sequence[Switching]) -> dict[Combination, list[str]]:
     """All combinations of states that elements may have, the first states first, and their words.
 
-    The words are those of which a contact state's name is made.
+    The words are those of which a mode's name is made.
     """
     rows = rows_of(elements)
     found = []
@@ -54,7 +54,7 @@ def combinations_of(elements: Sequence[Switching]) -> dict[Combination, list[str
 
 
 def number_of_combinations(elements: Sequence[Switching]) -> int:
-    """How many there are."""
+    """Number of them."""
     sizes = [(len(row), len(elements[row[0]].states)) for row in rows_of(elements)]
     return prod(states if n == 1 else n * (n + 1) // 2 + 1 for n, states in sizes)
 

@@ -76,7 +76,7 @@ class Pinned(Rigid):
 
 @dataclass(frozen=True)
 class Contact:
-    """A point that may touch.
+    """A point that may close.
 
     gap : its distance, not negative. slip : its tangential place, which grows to the right.
     side : of a point of a mirrored pair, whose gap and slip contain s: -1 or 1; else 0.
@@ -109,7 +109,7 @@ class Contact:
 
     @property
     def point(self) -> Point:
-        """Where it is."""
+        """Its place."""
         x, y = (self.slip, self.gap) if self.place is None else self.place
         return at_side(x, self.side), at_side(y, self.side)
 
@@ -220,9 +220,9 @@ class ContactDeclaration:
 
     @cached_property
     def integrals(self) -> tuple[Coordinate, ...]:
-        """Of each internal variable: its integral, as whose velocity it is integrated.
+        """Integral of each internal variable, which is its velocity.
 
-        So all states are places and velocities, and the integrator knows no others.
+        So all states are places and velocities.
         """
         return tuple(
             Coordinate(

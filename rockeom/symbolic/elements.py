@@ -2,7 +2,7 @@
 
 A state of an element is a number, its chi, with which its force, the rate of its internal variable
 and its energy are written once for all. A passage ends a state: its guard falls through zero. A
-`Spring` has one state, and its chi says nothing. Elements add forces to a contact state, and change
+`Spring` has one state, and its chi has no meaning. Elements add forces to a mode, and change
 none of its constraints.
 """
 
@@ -25,7 +25,7 @@ def switch_of(element: int) -> sp.Symbol:
 
 
 class Passage(NamedTuple):
-    """How a state of an element ends.
+    """The end of a state of an element.
 
     guard : positive inside the state; of two, the larger counts. target : the state that follows.
     back : which of the target's passages has a guard that is zero then, if any has.
@@ -56,7 +56,7 @@ class Unilateral:
     states: ClassVar = (1, 0)
     symbol_of_force: ClassVar = "N"
     outputs: ClassVar = ("reaction", "uplift")
-    """What a response calls its force, and its displacement the other way round."""
+    """Names in a response of its force, and of its displacement with the other sign."""
     positive: ClassVar = frozenset[str]()
     """Those of `constants` that may not be zero."""
     internal: ClassVar[tuple[InternalVariable, ...]] = ()
@@ -86,15 +86,15 @@ class Unilateral:
         return {"stiffness": self.stiffness, "damping": self.damping}
 
     def word(self, state: int) -> str | None:
-        """What a contact state's name says of a state, behind the element's; None: nothing."""
+        """End of a mode's name for a state, behind the element's; None for no word."""
         return "" if state else None
 
     def meaning(self) -> str:
-        """Of chi."""
+        """Meaning of chi."""
         return f"1 while `{self.name}` presses, else 0"
 
     def law(self) -> str:
-        """What the force is, and what ends a state, in words."""
+        """The force and the ends of a state, in words."""
         return f"`{self.name}` presses with this force, while it and the compression are positive:"
 
     def ends(self) -> str:
@@ -106,7 +106,7 @@ class Unilateral:
         )
 
     def shown(self, chi: sp.Expr) -> sp.Expr:
-        """The chi with which a page tells of the force."""
+        """The chi with which a page shows the force."""
         return sp.S.One
 
     def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
@@ -122,7 +122,7 @@ class Unilateral:
         return {}
 
     def settled(self, state: int) -> dict[InternalVariable, sp.Expr]:
-        """What internal variables are put to when a state ends: what they are, but for rounding."""
+        """Values of internal variables at the end of a state, free of rounding."""
         return {}
 
     def energy(self, chi: sp.Expr) -> sp.Expr:
@@ -303,7 +303,7 @@ class Spring:
 
     Its force is P + k d + c d', positive where it resists that the deformation d grows: d, a
     function of the coordinates, on whose rise the force does work -(P + k d + c d'). From it follow
-    the elastic energy and the dissipation of the structure, and a response tells of it by name:
+    the elastic energy and the dissipation of the structure, and a response has it by name:
     NAME_deformation, NAME_force, NAME_energy and NAME_loss.
 
     stiffness : k [N/m]. damping : c [N s/m]. initial_force : P [N], of either sign, where d is

@@ -19,7 +19,7 @@ Table = tuple[tuple[str, ...], Function]
 
 
 class NumpyMode:
-    """One contact state of a model as functions of arrays.
+    """One mode of a model as functions of arrays.
 
         mode = rk.derive("rigid_block").lambdify()["right"]
         mode.accelerations([theta, theta_dot], {"mass": 1.0, "half_width": 0.1, ...}, ax=1.2)
@@ -163,7 +163,7 @@ class NumpyMode:
         return {name: np.array([flat[f"{name}.0"], flat[f"{name}.1"]]) for name in names}
 
     def guards(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> dict[str, np.ndarray]:
-        """Guard of each passage out of this contact state by its target, (...), positive inside."""
+        """Guard of each passage out of this mode by its target, (...), positive inside."""
         values = self._values(y, parameters, ax, ay)
         lifts = {target: -opening(values) for target, opening in self._uplifts.items()}
         return _named(self._switches, values) | lifts
@@ -211,7 +211,7 @@ class _Opening:
 
 
 def numpy_functions(model: HybridModel) -> dict[str, NumpyMode]:
-    """The functions of every contact state, by its name ("left", "both", "right", ...)."""
+    """The functions of every mode, by its name ("left", "both", "right", ...)."""
     return {name: NumpyMode(model, name) for name in model.mode_names}
 
 

@@ -96,7 +96,7 @@ class Mode:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the modes that these equations serve."""
+        """Names of the modes that these equations serve."""
         return tuple(self.sides)
 
     @property

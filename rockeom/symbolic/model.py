@@ -160,7 +160,7 @@ MEMBERS = ("column", "cantilever", "rod", "tendon", "spring", "damper")
 
 @dataclass(frozen=True)
 class Member:
-    """What a sketch shows between two bodies: no equation knows of it.
+    """A line of a sketch between two bodies; it enters no equation.
 
     kind : "column", which bends and whose ends turn with the bodies; "cantilever", the end of which
     turns freely; "rod", "tendon", "spring" or "damper", which are straight.

@@ -1,6 +1,6 @@
-"""Modes out of contacts: which contact states there are, and the mode of each.
+"""Modes out of contacts: which modes there are, and the mode of each.
 
-A contact state is a state of each point (open, sticking, slipping to either side) and of each
+A mode is a state of each point (open, sticking, slipping to either side) and of each
 element (off, on; elastic, yielding). Where points are closed or stuck the accelerations follow from
 
     M q'' = f + J_N^T lambda_N + J_T^T lambda_T,    gap'' = 0,    slip'' = 0 where it sticks,
@@ -39,13 +39,15 @@ from rockeom.codes import (
     STICK,
 )
 from rockeom.symbolic.algebra import (
-    MOST_TERMS,
     SIDE,
     angles_in,
+    brief,
     determinant,
-    number_of_terms,
-    square_is,
-    tidy,
+    inverted,
+    positive_below,
+    rank,
+    together,
+    vanishes,
 )
 from rockeom.symbolic.beds import Combination, both, combinations_of
 from rockeom.symbolic.contacts import ContactDeclaration
@@ -88,7 +90,7 @@ class Pattern:
 
 
 class Start(NamedTuple):
-    """What a mode begins with: accelerations and forces, or rates and impulses.
+    """Accelerations and forces, or rates and impulses, with which a mode begins.
 
     motion : by symbols of accelerations or rates. normal : by point; friction : of a group, by its
     first point.
@@ -100,7 +102,7 @@ class Start(NamedTuple):
 
 
 class DerivedMode:
-    """What moves while some points are closed, some of which slip.
+    """The equations of motion while some points are closed, some of which slip.
 
     states : of each point: OPEN, STICK, SLIP or FRICTIONLESS. sided : whether it is written with
         the side s.
@@ -137,7 +139,7 @@ class DerivedMode:
 
     @property
     def left_open(self) -> list[sp.Expr]:
-        """What is left of the closed gaps then: nothing where they can be closed together."""
+        """Closed gaps that these leave open: none where all can be closed together."""
         return self._closing[2]
 
     @cached_property
@@ -155,12 +157,12 @@ class DerivedMode:
                 leaning |= fixed
             else:
                 place = {x: brief(e.subs(fixed)) for x, e in place.items()} | fixed
-            gaps = [e for gap in gaps if not _vanishes(e := brief(gap.subs(fixed)))]
+            gaps = [e for gap in gaps if not vanishes(e := brief(gap.subs(fixed)))]
         return place, leaning, gaps
 
     def _same(self, expr: sp.Expr) -> bool:
         """Whether an expression vanishes in the closed configuration."""
-        return _vanishes(brief(expr.subs(self.leaning)))
+        return vanishes(brief(expr.subs(self.leaning)))
 
     def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
         """The coordinate that a closed gap fixes, where it enters so that it can be told.
@@ -312,7 +314,7 @@ class DerivedMode:
         """(dependent, independent, T): what A q' = 0 leaves free."""
         dependent = self._dependent(matrix)
         independent = [j for j in range(self.n) if j not in dependent]
-        share = -_inverse(matrix[:, dependent]) * matrix[:, independent]
+        share = -inverted(matrix[:, dependent]) * matrix[:, independent]
         motions = sp.zeros(self.n, len(independent))
         for k, i in enumerate(independent):
             motions[i, k] = 1
@@ -368,7 +370,7 @@ class DerivedMode:
         bias = [rate(rate(f, coordinates), coordinates).subs(still) for f in functions]
         right = sp.Matrix([-self.here(b) for b in bias])
         matrix = self._constraints[3][:, self.dependent]
-        found = _inverse(matrix) * right
+        found = inverted(matrix) * right
         for i, d in enumerate(self.dependent):
             tau[d] = brief(found[i])
         return tau
@@ -397,7 +399,7 @@ class DerivedMode:
         if not self.slipping:
             return self.motions
         found = sp.zeros(self.n, len(self.independent))
-        inverse = _inverse(self.pushes[self.dependent, :])
+        inverse = inverted(self.pushes[self.dependent, :])
         for j, i in enumerate(self.independent):
             found[i, j] = 1
             row = -self.pushes[i, :] * inverse
@@ -434,7 +436,7 @@ class DerivedMode:
         matrix, forces = self._free
         lacking = matrix * sp.Matrix([self._acceleration(i) for i in range(self.n)]) - forces
         here = sp.Matrix([lacking[d] for d in self.dependent])
-        found = (_inverse(self.pushes[self.dependent, :]) * here).applyfunc(brief)
+        found = (inverted(self.pushes[self.dependent, :]) * here).applyfunc(brief)
         normal = dict(zip(self.closed, found, strict=False))
         friction = {g[0]: found[len(self.closed) + k] for k, g in enumerate(self.sticking)}
         for group in self.sticking:
@@ -458,7 +460,7 @@ class DerivedMode:
             return normal
         rows = sp.Matrix.vstack(*self.normal_rows.values())
         columns = self._dependent(rows)
-        inverse = _inverse(rows[:, columns])
+        inverse = inverted(rows[:, columns])
         shares = {
             i: dict(zip(self.closed, (row[:, columns] * inverse).applyfunc(brief), strict=True))
             for i, row in apart.items()
@@ -479,7 +481,7 @@ class DerivedMode:
             len(group), len(group),
             lambda j, i: (1 if i == j else 0) + kappa * shares[group[i]][group[j]],
         )  # fmt: skip
-        solved = _inverse(matrix) * sp.Matrix([normal[j] for j in group])
+        solved = inverted(matrix) * sp.Matrix([normal[j] for j in group])
         inside = dict(zip(group, solved, strict=True))
         outside = {
             j: normal[j] - kappa * sum(shares[i][j] * inside[i] for i in group)
@@ -510,7 +512,7 @@ class DerivedMode:
         ]
         rows += [sp.zeros(1, self.n) for _ in self.sticking]
         matrix = self._constraints[3][:, self.dependent]
-        solved = (_inverse(matrix) * sp.Matrix.vstack(*rows)).applyfunc(brief)
+        solved = (inverted(matrix) * sp.Matrix.vstack(*rows)).applyfunc(brief)
         for k, d in enumerate(self.dependent):
             found[d, :] = solved[k, :]
         return found
@@ -542,23 +544,23 @@ class DerivedMode:
         matrix = here(self.mass_matrix)
         new = here(self.rebound) * old
         if matrix.rows:
-            new += here(self.motions) * _inverse(matrix) * free
+            new += here(self.motions) * inverted(matrix) * free
         pushes = here(self._free[0]) * (new - old)
         impulses = sp.zeros(0, 1)
         if self.dependent:
-            inverse = _inverse(here(self.pushes[self.dependent, :]))
+            inverse = inverted(here(self.pushes[self.dependent, :]))
             impulses = inverse * pushes.extract(self.dependent, [0])
-        normal = dict(zip(self.closed, map(_together, impulses), strict=False))
-        stuck = [_together(e) for e in impulses[len(self.closed) :]]
+        normal = dict(zip(self.closed, map(together, impulses), strict=False))
+        stuck = [together(e) for e in impulses[len(self.closed) :]]
         friction = {g[0]: e for g, e in zip(self.sticking, stuck, strict=True)}
         for group in self.slipping:
             total = sum(self.friction(i) * normal[i] for i in group)
             friction[group[0]] = -self.sigma(group[0]) * total
-        rates = dict(zip(self.qd, map(_together, new), strict=True))
+        rates = dict(zip(self.qd, map(together, new), strict=True))
         return Start(rates, normal, friction)
 
     def from_rest(self, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
-        """What this mode begins with from rest at given positions, in closed form.
+        """Beginning of this mode from rest at given positions, in closed form.
 
         Accelerations of all coordinates, normal forces and friction are quotients; where the
         friction is less than friction can be, and no normal force negative, it is what begins.
@@ -588,7 +590,7 @@ class DerivedMode:
             expr = sp.expand(brief(expr.subs(still)))
             alone = expr.subs(dict.fromkeys(self.qdd, 0))
             moved = sum(sp.diff(expr, a) * e for a, e in zip(self.qdd, every, strict=True))
-            return _positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
+            return positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
 
         normal, friction = self.forces
         return Start(
@@ -632,7 +634,7 @@ class Modes:
         return [1 if way == SLIP_RIGHT else -1 for way in ways]
 
     def signs(self, state: ContactMode) -> dict[sp.Symbol, int]:
-        """What the side and the signs of slips of the state's mode are."""
+        """The side and the signs of slips of a mode."""
         pattern = self.patterns[state.pattern]
         found = {SIDE: pattern.side} if self.mode_of(state).sided else {}
         slips = {sign_of_slip(i): sign for i, sign in enumerate(self.signs_of(state))}
@@ -662,7 +664,7 @@ def force_of(model: ContactDeclaration, element: int) -> sp.Expr:
 
 
 def derive_modes(model: ContactDeclaration) -> Modes:
-    """All contact states of a model.
+    """All modes of a model.
 
     Raises ValueError where statics does not tell how closed points share their forces, and where
     there are more than MOST_CONTACT_STATES.
@@ -695,7 +697,7 @@ def derive_modes(model: ContactDeclaration) -> Modes:
     twice = repeated(state.name for state in states)
     if twice:
         raise ValueError(
-            f"{model.name}: two contact states would be called {twice[0]!r}: choose names of "
+            f"{model.name}: two modes would be called {twice[0]!r}: choose names of "
             "contacts and elements that do not make one another's"
         )
     return Modes(tuple(states), tuple(patterns), tuple(derived))
@@ -705,7 +707,7 @@ def _are_few(model: ContactDeclaration, contact_states: int) -> None:
     if contact_states > MOST_CONTACT_STATES:
         raise ValueError(
             f"{model.name}: its {len(model.contacts)} contacts and {len(model.switching)} elements "
-            f"have more than {MOST_CONTACT_STATES} contact states: declare fewer of them"
+            f"have more than {MOST_CONTACT_STATES} modes: declare fewer of them"
         )
 
 
@@ -750,7 +752,7 @@ def _may_close(model: ContactDeclaration, closed: tuple[int, ...]) -> bool:
     if any(not gap.free_symbols & set(mode.q) for gap in mode.left_open):
         return False  # but for parameters that happen to make them meet
     matrix = sp.Matrix.vstack(*mode.normal_rows.values())
-    if _rank(matrix.subs(mode.leaning)) == len(closed):
+    if rank(matrix.subs(mode.leaning)) == len(closed):
         return True
     if mode.left_open and not _meet(mode):
         return False
@@ -843,85 +845,9 @@ def _pairs(model: ContactDeclaration, points: list[int]) -> list[tuple[int, ...]
 
 
 def _words(model: ContactDeclaration, groups: Mapping[tuple[int, ...], int]) -> list[str]:
-    """Of which the name of a contact state is made: what touches, and what slips where."""
+    """Words of a mode's name: closed points, and directions of slips."""
     slides = {SLIP_RIGHT: "_slides_right", SLIP_LEFT: "_slides_left"}
     return [
         both([model.contacts[i].name for i in group]) + slides.get(state, "")
         for group, state in groups.items()
     ]
-
-
-# --- algebra
-
-
-def brief(expr: sp.Expr) -> sp.Expr:
-    """`tidy`, and the square of a sign of slip is 1; an expression of too many terms stays."""
-    expr = sp.sympify(expr)
-    if number_of_terms(expr) > MOST_TERMS:
-        return expr
-    expr = tidy(expr)
-    for symbol in sorted(expr.free_symbols, key=str):
-        if str(symbol).startswith(r"\sigma"):
-            expr = square_is(expr, symbol, sp.S.One)
-    return expr
-
-
-def _inverse(matrix: sp.Matrix) -> sp.Matrix:
-    """By determinants: entries are short."""
-    if matrix.rows == 0:
-        return matrix
-    n, divisor = matrix.rows, determinant(matrix.as_immutable(), brief)
-
-    def entry(i: int, j: int) -> sp.Expr:
-        minor = determinant(matrix.minor_submatrix(j, i).as_immutable(), brief)
-        return _quotient((-1) ** (i + j) * minor, divisor)
-
-    return sp.Matrix(n, n, entry)
-
-
-def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
-    """One over the other, short: what divides it is a product as a rule."""
-    above = sp.expand(above)
-    for sign in (1, -1):
-        if above == sign * below:
-            return sp.Integer(sign)
-    return above / below if below.is_Add else sp.expand(above / below)
-
-
-def _together(expr: sp.Expr) -> sp.Expr:
-    above, below = sp.fraction(sp.together(expr))
-    return _positive_below(sp.cancel(brief(above) / brief(below)))
-
-
-def _positive_below(expr: sp.Expr) -> sp.Expr:
-    """A quotient, factored, whose denominator is positive where nothing slips."""
-    above, below = sp.fraction(expr)
-    slips = {x: 0 for x in below.free_symbols if str(x).startswith(r"\sigma")}
-    sign = -1 if below.subs(slips).could_extract_minus_sign() else 1
-    return sp.factor(sign * above) / sp.expand(sign * below)
-
-
-def _vanishes(expr: sp.Expr) -> bool:
-    """Whether an expression is zero whatever its symbols are.
-
-    Square roots may hide it, and products that are not expanded.
-    """
-    plain = not expr.atoms(sp.Pow, sp.atan) and number_of_terms(expr) <= MOST_TERMS
-    if expr == 0 or plain:
-        return expr == 0
-    rng = np.random.default_rng(3)
-    symbols = sorted(expr.free_symbols, key=str)
-    for _ in range(3):
-        put = {x: sp.Float(rng.uniform(0.5, 1.5), 30) for x in symbols}
-        if abs(sp.N(expr.subs(put), 30)) > 1e-20:
-            return False
-    return True
-
-
-def _rank(matrix: sp.Matrix) -> int:
-    """Rank at random values of all symbols."""
-    rng = np.random.default_rng(1)
-    symbols = sorted(matrix.free_symbols, key=str)
-    put = {x: sp.Float(rng.uniform(0.5, 1.5)) for x in symbols}
-    found = np.array(matrix.subs(put).tolist(), dtype=float)
-    return int(np.linalg.matrix_rank(found, tol=1e-9))

@@ -43,7 +43,7 @@ class Place(NamedTuple):
 
 
 def places(model: HybridModel, mode: Mode) -> dict[str, Place]:
-    """Of bodies, feet or contacts, springs and the load point, by name, in a mode."""
+    """Places of bodies, feet or contacts, springs and the load point, by name, in a mode."""
     found = [
         (b.name, Place(BODY if b.mass != 0 else MASSLESS, *b.position, b.rotation))
         for b in mode.bodies
@@ -75,7 +75,7 @@ def names_of(model: HybridModel) -> list[str]:
 
 
 def _touches(of: ContactDeclaration, contact: Contact) -> str:
-    """What a contact meets: the ground or a wall, if where its gap ends stays where it is."""
+    """Kind of a contact: with the ground or a wall, if the end of its gap does not move."""
     x, y = contact.point
     gap = contact.at(contact.side)[0]
     moving = {c.position for c in of.coordinates}

@@ -23,7 +23,7 @@ from rockeom.symbolic.rocking import SIDES, RockingModel, on_pinned_feet
 
 
 class _Closed(NamedTuple):
-    """What the pinned foot of the side s eliminates.
+    """Coordinates that the pinned foot of the side s eliminates.
 
     coordinates : both that go. left : those that stay. share : of slip and gap by those that go,
     (2, 2), constant. put : positions and velocities of those that go, by their symbols.
@@ -81,7 +81,7 @@ def reduced(model: ContactDeclaration) -> RockingModel:
 def _fail(model: ContactDeclaration, what: str) -> NoReturn:
     raise ValueError(
         f"{model.name}: {what}; or give feet the law Rigid(restitution=0, friction=None), which "
-        "never slips and has all contact states derived"
+        "never slips and has all modes derived"
     )
 
 

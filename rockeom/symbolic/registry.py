@@ -1,4 +1,4 @@
-"""Which structures are shipped: what the files of `rockeom/symbolic/structures` declare."""
+"""The shipped structures, which the files of `rockeom/symbolic/structures` declare."""
 
 from __future__ import annotations
 

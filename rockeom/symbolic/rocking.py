@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Required, TypedDict, Unpack
 
 import sympy as sp
 
@@ -19,7 +19,7 @@ from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.evaluate import NumpyMode, numpy_functions
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode, Transition
-from rockeom.symbolic.model import Coordinate, Foot, Member, Parameter, turned
+from rockeom.symbolic.model import Body, Coordinate, Foot, Member, Parameter, Point, turned
 from rockeom.symbolic.write.typeset import latex_document, markdown_page, notebook_display
 
 
@@ -76,48 +76,57 @@ class RockingModel(HybridModel, Declared):
         return notebook_display(self)
 
 
+class Description(TypedDict, total=False):
+    """Names, parameters and sketch of a `RockingModel`."""
+
+    name: Required[str]
+    title: Required[str]
+    parameters: Required[Iterable[Parameter]]
+    overturning: sp.Expr
+    reference: str
+    members: Iterable[Member]
+    falls: Mapping[Coordinate, sp.Expr]
+
+
 def rocking_structure(
     *,
-    name: str,
-    title: str,
-    parameters: Iterable[Parameter],
     coordinates: Iterable[Coordinate],
-    bodies,
+    bodies: Callable[[Point], Iterable[Body]],
     half_width: sp.Expr,
     gravity: sp.Expr,
     rotation_angle: sp.Expr | None = None,
     elastic_energy: sp.Expr = sp.S.Zero,
     dissipation: sp.Expr = sp.S.Zero,
     load_on: str | None = None,
-    beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero),
+    beside_feet: Point = (sp.S.Zero, sp.S.Zero),
     small: tuple[sp.Symbol, ...] = (),
-    overturning: sp.Expr = sp.pi / 2,
-    reference: str = "",
-    members: Iterable[Member] = (),
     elements: Iterable[Spring] = (),
+    **described: Unpack[Description],
 ) -> RockingModel:
     """A structure that rocks about the two edges of its base on rigid ground.
 
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
-    same structure with the rotation held at zero. `beside_feet` and `elements` are as in
-    `Mode`.
+    same structure with the rotation held at zero. `beside_feet`, `small` and `elements` are as in
+    `Mode`; `name`, `title`, `parameters`, `overturning`, `reference`, `members` and `falls` as in
+    `RockingModel`.
 
-    It stands beside a `Model` on `Pinned()` feet, which becomes the same by `on_pinned_feet`, and
-    makes none itself: its bodies know the foot, and may stand where no free coordinates put them.
-    So does a beam on the corners opposite the pressed feet, which changes them; a frame that the
-    ground carries beside a wall, whose place no foot moves; and positions of first order.
+    A `Model` on `Pinned()` feet becomes the same by `on_pinned_feet`. It cannot replace this one:
+    bodies here depend on the foot, and may have places that no free coordinates give. Examples are
+    a beam on the corners opposite the pressed feet, which changes them; a frame that the ground
+    carries beside a wall, whose place no foot moves; and positions of first order.
+
+    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
-    coordinates = tuple(coordinates)
+    name, coordinates = str(described["name"]), tuple(coordinates)
     if not coordinates:
         raise ValueError(f"{name}: it has no coordinates: declare the rotation, first")
-    rotation = coordinates[0]
-    angle = rotation.position if rotation_angle is None else rotation_angle
+    angle = coordinates[0].position if rotation_angle is None else rotation_angle
     valid.expressions(
-        str(name), half_width=half_width, gravity=gravity, rotation_angle=angle,
+        name, half_width=half_width, gravity=gravity, rotation_angle=angle,
         elastic_energy=elastic_energy, dissipation=dissipation,
     )  # fmt: skip
-    valid.points(str(name), beside_feet=beside_feet)
+    valid.points(name, beside_feet=beside_feet)
     if sp.sympify(half_width).is_nonpositive:
         raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
@@ -125,47 +134,45 @@ def rocking_structure(
     if not turning:
         raise ValueError(f"{name}: it has no bodies: declare the masses")
     load = turning[0].name if load_on is None else load_on
-    valid.known(str(name), "load_on", load, [b.name for b in turning])
+    valid.known(name, "load_on", load, [b.name for b in turning])
     edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
-    return on_pinned_feet(
-        Mode(
-            dict(SIDES),
-            coordinates,
-            turning,
-            gravity,
-            sp.sympify(elastic_energy),
-            sp.sympify(dissipation),
-            {k: Foot(turned(edge, pivot, angle)) for k, edge in edges.items()},
-            next(b.position for b in turning if b.name == load),
-            small,
-            beside_feet=beside_feet,
-            elements=tuple(elements),
-        ),
-        rotation,
-        name=name,
-        title=title,
-        parameters=tuple(parameters),
-        overturning=overturning,
-        reference=reference,
-        members=tuple(members),
+    rocking = Mode(
+        dict(SIDES),
+        coordinates,
+        turning,
+        gravity,
+        sp.sympify(elastic_energy),
+        sp.sympify(dissipation),
+        {foot: Foot(turned(edge, pivot, angle)) for foot, edge in edges.items()},
+        next(b.position for b in turning if b.name == load),
+        small,
+        beside_feet=beside_feet,
+        elements=tuple(elements),
     )
+    return on_pinned_feet(rocking, coordinates[0], **described)
 
 
 SIDES = {"left": -1, "right": 1}
 """The side of the foot about which a structure rocks, by its name."""
 
 
-def on_pinned_feet(rocking: Mode, rotation: Coordinate, **described: Any) -> RockingModel:
+def on_pinned_feet(
+    rocking: Mode, rotation: Coordinate, **described: Unpack[Description]
+) -> RockingModel:
     """A structure on two feet that neither slip nor bounce, by its mode on one of them.
 
-    rocking : about the foot of the side s; the places of both feet are in it. As it leans to the
-    side on which it stands the other foot rises, and where it comes upright both feet are on the
-    ground: that is the impact, and what holds then is the same mode, the rotation at zero.
-    Either foot may lift from there.
+    rocking : about the foot of the side s; it has the places of both feet. As the structure leans
+    to the side of that foot the other one rises, and where it comes upright both feet are on the
+    ground: that is the impact. Full contact is the same mode, the rotation at zero, and either foot
+    may lift from there.
 
     Raises ValueError where the feet do not rise and land so.
     """
     check_turning(described["name"], rocking, rotation)
+    several: Any = {
+        "parameters": tuple(described["parameters"]),
+        "members": tuple(described.get("members", ())),
+    }
     full = _upright(rocking, rotation)
     (both,) = full.names
     opposite = dict(zip(SIDES, reversed(SIDES), strict=True))
@@ -180,7 +187,7 @@ def on_pinned_feet(rocking: Mode, rotation: Coordinate, **described: Any) -> Roc
             *(Transition(both, foot, "uplift") for foot in SIDES),
         ),
         rotation=rotation,
-        **described,
+        **described | several,
     )
 
 

@@ -49,11 +49,11 @@ def holding_force(model: HybridModel, contact: str) -> sp.Expr:
 
     Raises NotImplementedError where the condensation has no closed form that is unique (the
     other coordinates enter non-linearly); the numeric pushover solves these. Raises ValueError
-    for a contact state that does not rotate.
+    for a mode that does not rotate.
     """
     mode = model.mode(contact)
     if model.rotation not in mode.coordinates:
-        raise ValueError(f"{model.name} does not rotate in the contact state {contact!r}")
+        raise ValueError(f"{model.name} does not rotate in the mode {contact!r}")
     rows = [at_side(e, mode.side_of(contact)) for e in equilibrium(mode)]
     names = [c.name for c in mode.coordinates]
     turning = rows.pop(names.index(model.rotation.name))

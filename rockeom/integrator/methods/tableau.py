@@ -332,7 +332,7 @@ def step_text(
     are left in an array only for the dense output.
 
     rotation : the coordinate that stands still on both feet.
-    quick : mechanisms of the structure that have steps of their own, each with the coordinate that
+    quick : equations of the structure that have steps of their own, each with the coordinate that
     the others follow: nothing is worked out that its acceleration does not ask for, and the error
     is that of this coordinate.
     """
@@ -368,13 +368,13 @@ def step_text(
     apart, others = "", ""
     arguments = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
     for m, moves in quick:
-        apart += f"""    if MECHANISMS[contact] == {m}:
+        apart += f"""    if EQUATIONS[contact] == {m}:
         return quick_step_{m}(contact, {arguments})
 """
         others += f'''
 
 def quick_step_{m}(contact, {arguments}):
-    """`take_step` by one mechanism."""
+    """`take_step` by one set of equations."""
 {step("contact", f"accelerations_{m}", error_text(method, n, [moves]))}'''
     if n > 1:  # a structure of one coordinate takes no steps there
         apart += f"""    if HELD >= 0:

@@ -69,7 +69,7 @@ def names_of_contacts(of: ContactDeclaration) -> Names:
 
 
 def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:
-    """What a response tells of the points and elements, by name."""
+    """Names of the quantities of points and elements in a response."""
     points = [c.name for c in of.contacts]
     return (
         *(f"{name}_{what}" for name in points for what in ("reaction", "friction")),
@@ -81,7 +81,7 @@ def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:
 
 def check_contacts(of: ContactDeclaration) -> None:
     """Symbols, the rotation, masses, and pairs of points."""
-    _signs_are_kept(of)
+    _reserved_symbols(of)
     if of.rotation not in of.coordinates:
         fail(of.name, f"the rotation {of.rotation.name!r} is not in `coordinates`")
     if not of.bodies:
@@ -102,7 +102,7 @@ def check_places(of: ContactDeclaration) -> None:
             _turns_with(of, contact, body)
 
 
-def _signs_are_kept(of: ContactDeclaration) -> None:
+def _reserved_symbols(of: ContactDeclaration) -> None:
     given = [p.symbol for p in of.parameters]
     given += [x for c in of.coordinates for x in (c.position, c.velocity, c.acceleration)]
     given += [z.symbol for z in of.internal]
@@ -110,13 +110,13 @@ def _signs_are_kept(of: ContactDeclaration) -> None:
         if str(symbol).startswith((r"\sigma", r"\chi_")):
             fail(
                 of.name,
-                f"the symbol {symbol} is kept for the sign of a slip or the state of an element: "
-                "choose another",
+                f"the symbol {symbol} is reserved for the sign of a slip or the state of an "
+                "element: choose another",
             )
 
 
 def _are_few(of: ContactDeclaration) -> None:
-    """Refuse more combinations of states of elements than a structure may have contact states."""
+    """Refuse more combinations of states of elements than a structure may have modes."""
     ways, most = number_of_combinations(of.switching), MOST_CONTACT_STATES
     if ways > most:
         fail(

@@ -117,7 +117,7 @@ def _contents(model: HybridModel, expressions: Expressions) -> None:
 
 
 def _kinds(model: HybridModel) -> dict[sp.Basic, str]:
-    """What each symbol and function of a declaration is; "" for constants."""
+    """Kind of each symbol and function of a declaration; "" for constants."""
     kinds: dict[sp.Basic, str] = {p.symbol: "" for p in model.parameters}
     kinds |= {d.symbol: "" for d in model.definitions}
     for c in model.coordinates:

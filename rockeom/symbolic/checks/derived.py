@@ -63,7 +63,7 @@ class _Sample:
         expressions: Iterable[sp.Expr],
         put: Mapping[sp.Symbol, Any] | None = None,
     ) -> np.ndarray:
-        """Values (k, n) in a contact state, those of some symbols changed."""
+        """Values (k, n) in a mode, those of some symbols changed."""
         values = {**self.values, **(put or {})}
         given = [np.broadcast_to(v, _SAMPLES) for v in values.values()]
         key = contact, tuple(expressions)
@@ -126,7 +126,7 @@ def _one_ratio(model: HybridModel, sample: _Sample) -> None:
 
 
 def _guards_open(model: HybridModel, sample: _Sample) -> None:
-    """A contact state of one side has states on that side inside it."""
+    """Each mode of one side contains states on that side."""
     theta = model.rotation.position
     sides = {name: side for mode in model.modes for name, side in mode.sides.items()}
     for side in sorted({*sides.values()} - {0}):
@@ -134,7 +134,7 @@ def _guards_open(model: HybridModel, sample: _Sample) -> None:
         out = [t for t in model.transitions if t.source in here and t.kind == "switch"]
         if not out:
             continue
-        # many contact states of a side have the same guards
+        # many modes of a side have the same guards
         guards = list(dict.fromkeys(t.guard for t in out))
         put = {theta: side * np.abs(sample.values[theta])}
         found = dict(zip(guards, sample(here[0], guards, put), strict=True))
@@ -185,7 +185,7 @@ def _rests(model: HybridModel, sample: _Sample) -> None:
 def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
     """The elastic energy does not rise to one side of rest while it falls to the other.
 
-    Of a coordinate that is not the rotation, less what a spring that is compressed at rest gives.
+    For a coordinate other than the rotation, less the energy of springs compressed at rest.
     """
     rest = _at_rest(model)
     pairs = {(t.source, t.target) for t in model.transitions if t.kind == "impact"}

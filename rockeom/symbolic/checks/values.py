@@ -30,7 +30,7 @@ def check_values(model: HybridModel, values: Mapping[str, float]) -> None:
 
 
 class Size(NamedTuple):
-    """What the parameters must make positive, or no less than zero where it may vanish."""
+    """A value that must be positive, or not negative where it may vanish."""
 
     what: str
     value: sp.Expr

@@ -1,4 +1,4 @@
-"""What stands on a rigid base: masses as a function of how the base moves."""
+"""Superstructures on a rigid base: masses as functions of the motion of the base."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rockeom.symbolic.model import (
 )
 
 Place = Callable[[Point], Point]
-"""Where a point of the base is, which is given from the middle between the feet."""
+"""Place of a point of the base, given from the middle between the feet."""
 
 ROTATION = coordinate("theta", "theta", "rad", "rotation, positive clockwise about the right edge")
 GRAVITY = parameter("g", "gravity", "m/s2", "acceleration of gravity")
@@ -39,7 +39,7 @@ DEFORMATION = coordinate("u", "u", "m", "deformation of the column, at right ang
 STIFFNESS = parameter("k", "stiffness", "N/m", "flexural stiffness of the column")
 DAMPING = parameter("c", "damping", "N s/m", "viscous damping coefficient of the column")
 INWARD = sp.Rational(17, 20)
-"""How far from the middle of a floor a sketch shows the columns, beside half its width."""
+"""Distance of the columns of a sketch from the middle of a floor, over half its width."""
 
 
 @dataclass(frozen=True)
@@ -63,12 +63,12 @@ class Superstructure:
     elements: tuple[Spring, ...] = ()
 
     def about_the_middle(self, place: Place, angle: sp.Expr) -> tuple[Body, ...]:
-        """The bodies on a base that turns about no foot: R and alpha would tell nothing of them."""
+        """The bodies on a base that turns about no foot: R and alpha have no meaning for them."""
         return tuple(replace(b, polar=None) for b in self.bodies(place, angle))
 
     @property
     def weight(self) -> sp.Expr:
-        """Of all its masses."""
+        """Weight of all masses."""
         bodies = self.bodies(lambda point: point, sp.S.Zero)
         return sum((b.mass for b in bodies), sp.S.Zero) * GRAVITY.symbol
 
@@ -108,7 +108,7 @@ def _two_masses(place: Place, angle: sp.Expr, deformation: sp.Expr = sp.S.Zero) 
 
 
 def _on_the_base(kind: str) -> Member:
-    """What carries the superstructure."""
+    """The member that carries the superstructure."""
     return Member(kind, "base", "superstructure", (sp.S.Zero, BASE_HEIGHT.symbol))
 
 

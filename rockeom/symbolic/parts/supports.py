@@ -1,4 +1,4 @@
-"""What a base stands on: how it may move, and what holds it."""
+"""Supports of a base: its motions, and the forces on it."""
 
 from __future__ import annotations
 
@@ -162,7 +162,7 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
 
 
 def moved(centre: Point) -> Place:
-    """Where points of the base are when it has turned and its centre has moved."""
+    """Places of points of the base when it has turned and its centre has moved."""
 
     def place(point: Point) -> Point:
         x, y = turned(point, (sp.S.Zero, sp.S.Zero), ROTATION.position)

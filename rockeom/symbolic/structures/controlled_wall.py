@@ -72,7 +72,7 @@ HELD = parameter(
 )
 
 PIECES = 4
-"""Of the energy ratio as a function of the speed; as many as thesis 4-31 has."""
+"""Pieces of the energy ratio as a function of the speed, as in thesis 4-31."""
 
 NEAR = 6
 """In units of n: beyond it nothing is left of the damping force, to the last bit of a double."""
@@ -136,7 +136,7 @@ class TendonState(Spring):
         return self.yield_force if self.state == YIELDING else sp.S.Zero
 
     def energy(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
-        """What it gives back when it is let loose, P**2/(2 k)."""
+        """Energy that it gives back when released, P**2/(2 k)."""
         return self.still_force(chi) ** 2 / (2 * self.stiffness)
 
     def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:

@@ -67,7 +67,7 @@ def dirac_delta_block() -> RockingModel:
     from either edge, which is the unit of length here; time in units of 1/p and mass of m.
     Gravity is then 1 and ground accelerations are in units of g.
 
-    Contact states are marks on the way, at which a step ends: none leaps over the force. Only
+    Modes are marks on the way, at which a step ends: none leaps over the force. Only
     "left" and "right", far from the impact, are written in their shorter form.
     """
     x, v = ROTATION.position, ROTATION.velocity

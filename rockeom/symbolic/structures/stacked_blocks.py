@@ -48,7 +48,7 @@ def stacked_blocks() -> Model:
     across, up = turned((0, h_2), (0, 0), phi)
 
     def corner(s):
-        """Of the upper block, in axes that turn with the lower one's top."""
+        """A place of the upper block, in axes that turn with the lower one's top."""
         dx, dy = turned((s * b_2, 0), (0, 0), phi - theta)
         return XI.position + dx, ETA.position + dy
 

@@ -10,13 +10,7 @@ from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.hybrid import HybridModel, Search
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.modes import (
-    OPEN,
-    DerivedMode,
-    free_motion,
-    sign_of_slip,
-    switch_of,
-)
+from rockeom.symbolic.modes import OPEN, DerivedMode, free_motion, sign_of_slip, switch_of
 from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
 from rockeom.symbolic.write.page import Block, Display, Heading
 from rockeom.symbolic.write.symbols import energies, listed
@@ -47,9 +41,9 @@ def contact_sections(model: HybridModel, search: Search) -> list[Block]:
 
 
 def _is_short(of: ContactDeclaration) -> bool:
-    """Whether each mode's own equations can be read; if not, those of the free structure are told.
+    """Whether a page shows each mode's own equations; if not, those of the free structure.
 
-    What a mode prescribes and which forces are zero then tells the rest.
+    The prescribed motions and the zero forces of each mode complete these.
     """
     return len(of.coordinates) <= 3
 
@@ -75,7 +69,7 @@ def _free_equations(of: ContactDeclaration, notation: Notation) -> list[Block]:
         "Over an impact the rates jump and the impulses $P$ of these forces act: the same terms "
         "of accelerations, with the changes of the rates in place of the accelerations, are equal "
         "to the same terms of $N$ and $F$, with $P_N$ and $P_F$ in place of them. Each closing gap "
-        "then opens at the rate $e_n$ times that at which it closed. A contact state below follows "
+        "then opens at the rate $e_n$ times that at which it closed. A mode below follows "
         "where no force or impulse pulls, and friction is within its bound.",
     ]
 
@@ -100,7 +94,7 @@ def _force(letter: str, names: Iterable[str]) -> str:
 
 
 def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
-    """What touches, by which law, and the energies of the free structure."""
+    """Contacts with their laws, and the energies of the free structure."""
     blocks: list[Block] = [Heading(2, "What touches")]
     for contact in of.contacts:
         gap, slip = contact.at(contact.side)
@@ -140,13 +134,13 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
 
 
 def _internal(of: ContactDeclaration, notation: Notation) -> list[Block]:
-    """The rates of internal variables, the same in each contact state."""
+    """The rates of internal variables, the same in each mode."""
     if not of.internal:
         return []
     lines = (f"{notation.plain(z.rate)} = {notation.write(e)}" for z, e in of.internal.items())
     return [
         Heading(2, "Internal variables"),
-        "States of first order, in all contact states; an impact leaves them as they are:",
+        "States of first order, in all modes; an impact leaves them as they are:",
         Display(tuple(lines)),
     ]
 
@@ -185,7 +179,7 @@ def _mode(search: Search, mode: DerivedMode, notation: Notation) -> list[Block]:
 
 
 def _mode_lines(mode: DerivedMode, notation: Notation) -> list[str]:
-    """Of the independent coordinates, and then the accelerations of those that depend on them."""
+    """Equations of independent coordinates, then accelerations of dependent ones."""
     lines = [
         _equation(
             {mode.qdd[i]: mode.mass_matrix[k, j] for j, i in enumerate(mode.independent)},
@@ -244,7 +238,7 @@ def _mode_forces(search: Search, mode: DerivedMode, notation: Notation) -> list[
 
 
 def _ends(mode: DerivedMode, notation: Notation) -> list[Block]:
-    """What ends a contact state."""
+    """Events that end a mode."""
     contacts = mode.model.contacts
     ends = [f"${_called(mode, 'N', [i])}$ falls to zero (lifting)" for i in mode.closed]
     for group in mode.rubbing:
@@ -286,7 +280,7 @@ def _landing(mode: DerivedMode, notation: Notation) -> list[Block]:
 
 
 def _from_rest(search: Search, mode: DerivedMode, notation: Notation) -> list[Block]:
-    """How a mode begins from standing at rest, and the friction that it needs then."""
+    """Beginning of a mode from rest, and the friction that it needs."""
     if not mode.independent:
         return []
     start = mode.from_rest(search.modes.standing)
