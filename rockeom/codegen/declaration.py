@@ -35,7 +35,7 @@ _ASSUMED = [
 
 
 def _parts(value: Any) -> Iterator[str]:
-    """All of a value, symbols with their assumptions: of two that differ it tells them apart."""
+    """All parts of a value, symbols with their assumptions, so that different values differ."""
     if isinstance(value, sp.Basic):
         yield sp.srepr(value)
         for function in sorted(value.atoms(AppliedUndef), key=sp.default_sort_key):

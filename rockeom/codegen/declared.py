@@ -186,7 +186,7 @@ def _on_both_sides(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
 
 
 def _image(model: HybridModel, contact: str) -> str | None:
-    """The mode on the other side, where its guards are the same but for laws of s.
+    """The mode on the other side, where its guards are the same but for functions of s.
 
     They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
     """
@@ -345,19 +345,19 @@ def _impulses(text: Text) -> ImpulseNames:
 
 def _impulse(text: Text, t: Transition, target: str, maps: dict[str, ImpulseMap]) -> str:
     """Name of the function of the map from the source of `t` to `target`: one of `maps`, or new."""
-    law = text.model.impulse_map(t.source, target)
+    impact = text.model.impulse_map(t.source, target)
     side = text.model.mode(t.source).side_of(t.source)
-    for name, known in maps.items():
-        if known.at_side(side).equals(law.at_side(side)):
+    for name, other in maps.items():
+        if other.at_side(side).equals(impact.at_side(side)):
             return name
     word = "opposite" if target == t.target else target
     name = text.function_name(f"impulse_to_{word}", f"impulse_{len(maps)}")
-    maps[name] = law
-    after = [f"{text.name(c.velocity)}_after" for c in law.coordinates]
+    maps[name] = impact
+    after = [f"{text.name(c.velocity)}_after" for c in impact.coordinates]
     body = ["    pass"]
     if after:
-        body = solve(text, "impulse", law.mass_matrix, law.momentum, after, "    ")
-    places = [text.index(c.velocity) for c in law.coordinates]
+        body = solve(text, "impulse", impact.mass_matrix, impact.momentum, after, "    ")
+    places = [text.index(c.velocity) for c in impact.coordinates]
     body += [f"    out[{i}] = {a}" for i, a in zip(places, after, strict=True)]
     text.function(
         f"{name}(s, y, p, out)",

@@ -69,7 +69,7 @@ def module_text(declaration: Lowers) -> str:
 def _header(text: Text, body: str) -> str:
     """Docstring, imports, and the hash of what stands below it."""
     model = text.model
-    told = HEADER.format(
+    head = HEADER.format(
         title=model.title,
         reference=f"Source: {model.reference}." if model.reference else "",
         states=", ".join(model.states),
@@ -82,7 +82,7 @@ def _header(text: Text, body: str) -> str:
         ),
     )
     digest = hashlib.sha256(body.encode()).hexdigest()[:16]
-    return docstring(told) + IMPORTS.format(
+    return docstring(head) + IMPORTS.format(
         imports=_imports(body), marks=_marks(body), digest=digest
     )
 

@@ -22,7 +22,7 @@ class _Printer(PythonCodePrinter):
 _PRINTER = _Printer({"fully_qualified_modules": True})
 
 
-@lru_cache(maxsize=4096)  # what a constant stands for is said wherever it is read
+@lru_cache(maxsize=4096)  # a comment shows the value of a constant wherever it is read
 def python(expr: sp.Expr) -> str:
     return _PRINTER.doprint(expr)
 

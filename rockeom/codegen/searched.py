@@ -31,7 +31,7 @@ from rockeom.symbolic.algebra import SIDE, brief, tidy
 from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import ContactDeclaration
-from rockeom.symbolic.elements import Passage
+from rockeom.symbolic.elements import Ending
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import GROUND_Y
@@ -286,7 +286,7 @@ def _forces(written: Written) -> None:
 class Guard:
     """A guard of a pattern: of a point, or of an element, whose numbers follow on theirs.
 
-    sign : of the friction that it bounds. place : among the passages of its element.
+    sign : of the friction that it bounds. place : among the endings of its element.
     """
 
     kind: int
@@ -295,7 +295,7 @@ class Guard:
     place: int = 0
 
     def of(self, place: int | None) -> Guard | None:
-        """That of another passage of its element."""
+        """That of another ending of its element."""
         return None if place is None else replace(self, place=place)
 
 
@@ -321,24 +321,24 @@ def _of_elements(of: ContactDeclaration) -> list[Guard]:
     points = len(of.contacts)
     return [
         Guard(SWITCH, points + i, place=place)
-        for i, passages in enumerate(of.passages)
-        for place in range(len(passages[of.switching[i].states[0]]))
+        for i, endings in enumerate(of.endings)
+        for place in range(len(endings[of.switching[i].states[0]]))
     ]
 
 
-def passage_of(of: ContactDeclaration, guard: Guard, state: int) -> Passage:
-    """The passage that ends a state of an element by a guard."""
-    return of.passages[guard.subject - len(of.contacts)][state][guard.place]
+def ending_of(of: ContactDeclaration, guard: Guard, state: int) -> Ending:
+    """The ending that ends a state of an element by a guard."""
+    return of.endings[guard.subject - len(of.contacts)][state][guard.place]
 
 
 def pairs_of(of: ContactDeclaration) -> list[tuple[int, int, int]]:
     """(element, state, place) of each guard that is the larger of two."""
     return [
         (i, state, place)
-        for i, row in enumerate(of.passages)
-        for state, passages in row.items()
-        for place, passage in enumerate(passages)
-        if len(passage.guard) == 2
+        for i, row in enumerate(of.endings)
+        for state, endings in row.items()
+        for place, ending in enumerate(endings)
+        if len(ending.guard) == 2
     ]
 
 
@@ -408,9 +408,9 @@ class _Switches:
         self.waits = number_of_combinations(of.switching) < every  # others switch before some
         self.values: dict[str, sp.Expr] = {}
         self._names: dict[sp.Expr, str] = {}
-        for row in of.passages:
-            for passages in row.values():
-                for e in (e for passage in passages for e in passage.guard):
+        for row in of.endings:
+            for endings in row.values():
+                for e in (e for ending in endings for e in ending.guard):
                     self._add(sp.sympify(e))
 
     def _add(self, expr: sp.Expr) -> None:
@@ -419,8 +419,8 @@ class _Switches:
             self._names |= {expr: name, -expr: f"-{name}"}
             self.values[name] = expr
 
-    def _written(self, passage: Passage) -> str:
-        names = [self._names[sp.sympify(e)] for e in passage.guard]
+    def _written(self, ending: Ending) -> str:
+        names = [self._names[sp.sympify(e)] for e in ending.guard]
         return names[0] if len(names) == 1 else f"max({', '.join(names)})"
 
     def lines(self, first: int) -> list[str]:
@@ -428,12 +428,12 @@ class _Switches:
         of = self.of
         found: list[str] = []
         for i, state, place in pairs_of(of):
-            for e in of.passages[i][state][place].guard:
+            for e in of.endings[i][state][place].guard:
                 found.append(f"g[N_GUARDS + {len(found)}] = {self._names[sp.sympify(e)]}")
         for k, guard in enumerate(_of_elements(of)):
             i = guard.subject - len(of.contacts)
             states = of.switching[i].states
-            values = {s: self._written(passage_of(of, guard, s)) for s in states}
+            values = {s: self._written(ending_of(of, guard, s)) for s in states}
             *others, last = values.items()
             tests = [f"{value} if ELEMENT_STATES[contact][{i}] == {s} else" for s, value in others]
             waits = [f"1.0 if TARGETS[contact][{first + k}] == contact else"] if self.waits else []
@@ -442,7 +442,7 @@ class _Switches:
 
 
 def _jump(written: Written) -> None:
-    """The passage of an element has its target, and no velocity jumps."""
+    """The ending of an element has its target, and no velocity jumps."""
     text, of, lines = written.text, written.of, []
     for i, element in enumerate(of.switching):
         for state in element.states:
@@ -706,12 +706,12 @@ def _of_guards(
         if guard.kind != SWITCH:
             return found
         state, i = modes.states[number], guard.subject - points
-        passage = passage_of(of, guard, state.elements[i])
-        switched = (*state.elements[:i], passage.target, *state.elements[i + 1 :])
+        ending = ending_of(of, guard, state.elements[i])
+        switched = (*state.elements[:i], ending.target, *state.elements[i + 1 :])
         target = numbers.get((state.points, switched))
         if target is None:  # others switch before it
             return found._replace(target=number)
-        back, pair = guard.of(passage.back), (i, state.elements[i], guard.place)
+        back, pair = guard.of(ending.back), (i, state.elements[i], guard.place)
         return found._replace(
             target=target,
             back=-1 if back is None else places[state.pattern].get(back, -1),

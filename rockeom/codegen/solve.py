@@ -86,7 +86,7 @@ def unsymmetric(
 
     Unknowns whose rows and columns friction leaves alike are eliminated first: theirs is the
     matrix of a motion without friction, whose pivots are positive. Of the others, one or two are
-    found by determinants, which may change sign with friction while no pivot would tell.
+    found by determinants, which may change sign with friction while no pivot would show it.
     """
     n = matrix.rows
     alike = [i for i in range(n) if all(tidy(matrix[i, j] - matrix[j, i]) == 0 for j in range(n))]
@@ -127,7 +127,7 @@ def eliminate(
     """Eliminate from M x = F, in place, the unknowns whose coefficients are constants.
 
     Returns the unknowns that are left, and for each that is gone: its number, its value alone,
-    and the share of each of those left then that is taken from it.
+    and the share of each of those left then that is subtracted from it.
     """
     left, last = list(range(M.rows)), []
 

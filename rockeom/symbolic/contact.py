@@ -25,7 +25,7 @@ def total_reaction(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
 def reactions(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
     """Horizontal force, and vertical force at the left and the right foot, where there are feet.
 
-    The horizontal force is the sum over both feet: in full contact statics does not tell how
+    The horizontal force is the sum over both feet: in full contact statics leaves open how
     they share it. Expressions contain the accelerations of the mode's coordinates.
     """
     horizontal, vertical = total_reaction(mode)
@@ -49,8 +49,8 @@ def reactions(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
 def _force_of_held_foot(model: HybridModel, foot: str, pivot: str) -> sp.Expr:
     """Vertical force at a foot in full contact, by virtual work.
 
-    Release the foot: the structure turns about the other one. What the equation of that
-    rotation lacks of being satisfied at rest is the work of the force that held the foot.
+    Release the foot: the structure turns about the other one. The residual of the
+    equation of that rotation at rest is the work of the force that held the foot.
     """
     turning = model.mode(pivot)
     side = turning.side_of(pivot)

@@ -31,8 +31,8 @@ class Model(Declared, ContactDeclaration):
     rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
         variables. These may stand in forces and in the elastic energy, whose slope by a coordinate
         is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
-        Beside z a response tells of its integral over time, `z_integral`, which acts on nothing.
-    load_point : place of a pushover's force, whose displacement a response tells.
+        A response has its integral over time, too, `z_integral`, which acts on nothing.
+    load_point : place of a pushover's force, whose displacement a response has.
     members : what a sketch shows between bodies.
 
     On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.

@@ -17,7 +17,7 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import (
     Element,
-    Passage,
+    Ending,
     Spring,
     Switching,
     switch_of,
@@ -63,7 +63,7 @@ class Rigid:
 
 @dataclass(frozen=True)
 class Pinned(Rigid):
-    """The law of a pair of feet that open, and neither slip nor bounce, whatever happens.
+    """The law of a pair of feet that open, and neither slip nor bounce at any force.
 
     A model on them is a rocking structure: the place of its base is no state, its modes are
     "left", "both" and "right", and impact laws are those by a ratio of rates, such as
@@ -198,9 +198,9 @@ class ContactDeclaration:
         return tuple(e for e in self.elements if not isinstance(e, Spring))
 
     @cached_property
-    def passages(self) -> tuple[Mapping[int, tuple[Passage, ...]], ...]:
+    def endings(self) -> tuple[Mapping[int, tuple[Ending, ...]], ...]:
         """Those that end the states of each of `switching`."""
-        return tuple(e.passages(self.coordinates) for e in self.switching)
+        return tuple(e.endings(self.coordinates) for e in self.switching)
 
     @property
     def _generalised_forces(self) -> tuple[sp.Expr, ...]:

@@ -1,7 +1,7 @@
 """Elements that carry forces, by name: springs and dampers, and what switches between states.
 
 A state of an element is a number, its chi, with which its force, the rate of its internal variable
-and its energy are written once for all. A passage ends a state: its guard falls through zero. A
+and its energy are written once for all. An ending ends a state: its guard falls through zero. A
 `Spring` has one state, and its chi has no meaning. Elements add forces to a mode, and change
 none of its constraints.
 """
@@ -24,11 +24,11 @@ def switch_of(element: int) -> sp.Symbol:
     return sp.Symbol(rf"\chi_{element}", real=True)
 
 
-class Passage(NamedTuple):
+class Ending(NamedTuple):
     """The end of a state of an element.
 
     guard : positive inside the state; of two, the larger counts. target : the state that follows.
-    back : which of the target's passages has a guard that is zero then, if any has.
+    back : which of the target's endings has a guard that is zero then, if any has.
     """
 
     guard: tuple[sp.Expr, ...]
@@ -93,7 +93,7 @@ class Unilateral:
         """Meaning of chi."""
         return f"1 while `{self.name}` presses, else 0"
 
-    def law(self) -> str:
+    def description(self) -> str:
         """The force and the ends of a state, in words."""
         return f"`{self.name}` presses with this force, while it and the compression are positive:"
 
@@ -132,12 +132,12 @@ class Unilateral:
         """Power lost."""
         return chi * self.damping * rate(self.compression, coordinates) ** 2
 
-    def passages(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Passage, ...]]:
-        """The passages that end each state; all states have as many."""
+    def endings(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Ending, ...]]:
+        """Endings of each state; all states have as many."""
         press = self._press(coordinates)
         return {
-            1: (Passage((press,), 0, 0),),
-            0: (Passage((-self.stiffness * self.compression, -press), 1, 0),),
+            1: (Ending((press,), 0, 0),),
+            0: (Ending((-self.stiffness * self.compression, -press), 1, 0),),
         }
 
 
@@ -147,7 +147,7 @@ class Yielding:
 
     Its force is k (w - z), in tension positive: w the elongation, a function of the coordinates, on
     whose rise the force does work -k (w - z); z the permanent extension, a state that the response
-    tells as `NAME_extension`. It rests, z' = 0, while |k (w - z) - H z| < strength, and flows at
+    has as `NAME_extension`. It rests, z' = 0, while |k (w - z) - H z| < strength, and flows at
     the strength, z' = w' k/(k + H), until w turns back.
 
     stiffness : k [N/m]. strength : the force at which it first yields [N]. hardening : H [N/m], by
@@ -172,7 +172,7 @@ class Yielding:
     outputs: ClassVar = ("force", "elongation")
     positive: ClassVar = frozenset({"stiffness", "strength"})
     place: ClassVar[Point | None] = None
-    """A sketch shows the members that it stands for."""
+    """None: a sketch shows members in its place."""
     variable: InternalVariable = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -220,7 +220,7 @@ class Yielding:
         back = "is slack" if self.slack else "yields in compression"
         return f"0 while `{self.name}` is elastic, 1 while it yields in tension, -1 while it {back}"
 
-    def law(self) -> str:
+    def description(self) -> str:
         range_ = f"below ${sp.latex(sp.sympify(self.strength))}$"
         driven = "its force"
         if sp.sympify(self.hardening) != 0:
@@ -278,22 +278,22 @@ class Yielding:
         (flow,) = self.rates(chi, coordinates).values()
         return chi * self.strength * flow
 
-    def passages(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Passage, ...]]:
+    def endings(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Ending, ...]]:
         """The first ends what a rising elongation ends, the second what a falling one does."""
         driven = self._elastic - self.hardening * self.variable.symbol
         turning = rate(self.elongation, coordinates)
         half = sp.sympify(self.strength) / 2  # what flows does not fall so low: it turns first
-        reaches, turns = Passage((self.strength - driven,), 1), Passage((turning,), 0, 0)
+        reaches, turns = Ending((self.strength - driven,), 1), Ending((turning,), 0, 0)
         if self.slack:
             return {
-                0: (reaches, Passage((self._elastic,), -1, 1)),
-                1: (turns, Passage((driven - half,), 0)),
-                -1: (Passage((half - self._elastic,), 0), Passage((-self._elastic,), 0, 1)),
+                0: (reaches, Ending((self._elastic,), -1, 1)),
+                1: (turns, Ending((driven - half,), 0)),
+                -1: (Ending((half - self._elastic,), 0), Ending((-self._elastic,), 0, 1)),
             }
         return {
-            0: (reaches, Passage((self.strength + driven,), -1)),
-            1: (turns, Passage((driven - half,), 0)),
-            -1: (Passage((-driven - half,), 0), Passage((-turning,), 0, 1)),
+            0: (reaches, Ending((self.strength + driven,), -1)),
+            1: (turns, Ending((driven - half,), 0)),
+            -1: (Ending((-driven - half,), 0), Ending((-turning,), 0, 1)),
         }
 
 

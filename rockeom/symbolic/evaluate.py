@@ -44,7 +44,7 @@ class NumpyMode:
         self.coordinates = tuple(c.name for c in mode.coordinates)
         self._rows = [model.states.index(name) for name in self.coordinates]
 
-    # each made when it is asked for first: printing the longer expressions takes a second
+    # each made at its first use: printing the longer expressions takes a second
 
     @cached_property
     def _arguments(self) -> list[sp.Symbol]:
@@ -163,7 +163,7 @@ class NumpyMode:
         return {name: np.array([flat[f"{name}.0"], flat[f"{name}.1"]]) for name in names}
 
     def guards(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> dict[str, np.ndarray]:
-        """Guard of each passage out of this mode by its target, (...), positive inside."""
+        """Guard of each transition out of this mode by its target, (...), positive inside."""
         values = self._values(y, parameters, ax, ay)
         lifts = {target: -opening(values) for target, opening in self._uplifts.items()}
         return _named(self._switches, values) | lifts

@@ -141,7 +141,7 @@ def rigid_velocity_ratio(
     return at_side(_shortest(ratio), side)
 
 
-@lru_cache(maxsize=256)  # asked for again by the checks of a declaration, and for each side
+@lru_cache(maxsize=256)  # needed again by the checks of a declaration, and for each side
 def _shortest(ratio: sp.Expr) -> sp.Expr:
     ratio = sp.cancel(ratio)
     parts = sp.fraction(ratio)
@@ -154,7 +154,7 @@ def _shortest(ratio: sp.Expr) -> sp.Expr:
 
 
 def _has_no_factors(expr: sp.Expr) -> bool:
-    """Whether a sum of products cannot be factored: a symbol stands in it once, and by itself."""
+    """Whether a sum of products cannot be factored: it contains a symbol once, and by itself."""
     counts = Counter(x for term in expr.args for x in term.free_symbols)
     alone = (x for term in expr.args for x in (term, -term) if x.is_Symbol)
     return expr.is_Add and expr.is_polynomial() and any(counts[x] == 1 for x in alone)

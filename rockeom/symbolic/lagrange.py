@@ -1,4 +1,4 @@
-"""Lagrange's equations of one mode, each physical part kept by its own name.
+"""Lagrange's equations of one mode, each physical part under its own name.
 
     d/dt dT/dq' - dT/dq + dV/dq + dF/dq' = Q        (thesis D-5)
 
@@ -57,8 +57,8 @@ class Equations:
     @property
     def forcing(self) -> sp.Matrix:
         """The right-hand side of M q'' = forcing."""
-        given = self.excitation + self.force
-        return given - self.velocity - self.gravity - self.stiffness - self.damping
+        forces = self.excitation + self.force
+        return forces - self.velocity - self.gravity - self.stiffness - self.damping
 
     def at_side(self, side: int) -> Equations:
         return self.map(lambda expr: at_side(expr, side))

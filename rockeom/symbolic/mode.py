@@ -123,7 +123,7 @@ class Transition:
 
     kind : "impact": the gap of `source` closes and velocities jump; "uplift": the acceleration
         with which `target` would open turns positive; "switch": `guard` falls through zero and
-        the state goes on unchanged.
+        the state stays as it is.
     fallback : the mode after an impact whose target could not open (the old foot does not lift).
     guard : positive inside `source`; smooth, or the Max of two that are.
     sets : positions of coordinates that a switch puts to a new value, a function of the state.

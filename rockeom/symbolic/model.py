@@ -126,7 +126,7 @@ class Body:
 
     outline : corners of what a sketch shows, from the centre in axes that turn with the body, see
     `rectangle`; none for a mass without a size. copies, apart : how many there are of a body that
-    stands for several alike, side by side, and at which distance a sketch shows them.
+    represents several alike, side by side, and their distance in a sketch.
     """
 
     name: str

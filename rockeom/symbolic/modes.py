@@ -122,8 +122,8 @@ class DerivedMode:
 
     def __repr__(self) -> str:
         points = zip(self.model.contacts, self.states, strict=True)
-        told = [f"{c.name} {VERBS[x]}" for c, x in points if x != OPEN]
-        return f"<DerivedMode of {self.model.name!r}: {', '.join(told) or 'nothing is closed'}>"
+        words = [f"{c.name} {VERBS[x]}" for c, x in points if x != OPEN]
+        return f"<DerivedMode of {self.model.name!r}: {', '.join(words) or 'nothing is closed'}>"
 
     # -- the closed configuration ------------------------------------------------------------
 
@@ -165,7 +165,7 @@ class DerivedMode:
         return vanishes(brief(expr.subs(self.leaning)))
 
     def _fixed(self, gap: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
-        """The coordinate that a closed gap fixes, where it enters so that it can be told.
+        """The coordinate that a closed gap fixes, where the gap can be solved for it.
 
         That is linear, or as an angle whose sine and cosine alone make the gap; it is then the
         one about which the structure stands upright.
@@ -323,7 +323,7 @@ class DerivedMode:
         return dependent, independent, motions
 
     def _dependent(self, matrix: sp.Matrix) -> list[int]:
-        """Columns to eliminate: of coordinates whose place is known, and the simplest to divide by.
+        """Columns to eliminate: coordinates of known place, and the simplest divisor.
 
         Raises ValueError where the rows depend on one another.
         """
@@ -345,9 +345,9 @@ class DerivedMode:
     def _undetermined(self) -> ValueError:
         names = ", ".join(self.model.contacts[i].name for i in self.closed)
         return ValueError(
-            f"{self.model.name}: with {names} closed statics does not tell the friction: what "
-            "touches leaves no motion along it; give friction=0, or springs (Unilateral), where "
-            "gaps hold a point"
+            f"{self.model.name}: with {names} closed statics leaves the friction open: no motion "
+            "along the contacts is free; give friction=0, or springs (Unilateral), where gaps hold "
+            "a point"
         )
 
     @cached_property
@@ -758,8 +758,8 @@ def _may_close(model: ContactDeclaration, closed: tuple[int, ...]) -> bool:
         return False
     names = ", ".join(model.contacts[i].name for i in closed)
     raise ValueError(
-        f"{model.name}: {names} may touch at once, and how they share their forces statics does "
-        "not tell: leave out those between others, or declare them as springs (Unilateral)"
+        f"{model.name}: {names} may close at once, and statics leaves open how they share "
+        "their forces: leave out those between others, or declare them as springs (Unilateral)"
     )
 
 
@@ -787,7 +787,7 @@ def _pattern(
     known: dict[tuple[int, ...], int],
     derived: list[DerivedMode],
 ) -> Pattern:
-    """The pattern of some states of points, its mode one that is known or new."""
+    """The pattern of some states of points, its mode one of those before or new."""
     points = tuple(range(len(pattern)))
     image = tuple(pattern[mirror[i]] for i in points)
     shared = tuple(next((g[0] for g in groups if i in g), i) for i in points)

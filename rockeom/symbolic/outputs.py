@@ -65,7 +65,7 @@ def places(model: HybridModel, mode: Mode) -> dict[str, Place]:
 
 
 def names_of(model: HybridModel) -> list[str]:
-    """All names of places, of which none may stand for two."""
+    """All names of places, which must differ."""
     if model.search is not None:
         of = model.search.of
         points = [*(c.name for c in of.contacts), *(e.name for e in of.switching)]

@@ -126,10 +126,10 @@ def _closed(model: ContactDeclaration) -> _Closed:
     upright = dict.fromkeys(positions, 0)
     heights = {c.name: tidy(c.at(c.side)[0].subs(upright)) for c in model.contacts}
     if any(height != 0 for height in heights.values()):
-        told = ", ".join(f"{height} of {name!r}" for name, height in heights.items())
+        found = ", ".join(f"{height} of {name!r}" for name, height in heights.items())
         _fail(
             model,
-            f"where all coordinates are zero the gaps of its pinned feet are {told}: both must "
+            f"where all coordinates are zero the gaps of its pinned feet are {found}: both must "
             "stand on the ground there, at one height",
         )
     others = [c for c in model.coordinates if c != model.rotation]

@@ -57,7 +57,7 @@ SHIPPED = found()
 
 
 def models() -> tuple[str, ...]:
-    """Names of the shipped structures. `rockeom models` tells of families, too."""
+    """Names of the shipped structures. `rockeom models` lists families, too."""
     return tuple(SHIPPED)
 
 

@@ -106,10 +106,10 @@ REFUSED = {
         {"rotation": replace(THETA, name="phi")}, "is not in `coordinates`",
     ),
     "a symbol of the derivation": (
-        {"parameters": (*declared.BLOCK, replace(B, symbol=sign_of_slip(0)))}, "is kept for",
+        {"parameters": (*declared.BLOCK, replace(B, symbol=sign_of_slip(0)))}, "is reserved for",
     ),
     "the side as a parameter": (
-        {"parameters": (*declared.BLOCK, replace(B, symbol=SIDE))}, "is kept for the side",
+        {"parameters": (*declared.BLOCK, replace(B, symbol=SIDE))}, "is reserved for the side",
     ),
     "a compression that nothing changes": (
         {"elements": (replace(SPRING, compression=WIDTH),)}, "which no coordinate changes",
@@ -147,9 +147,9 @@ def test_three_feet_in_line_are_refused():
 
 def test_names_that_make_one_another_s_are_refused():
     points = (point("a", -WIDTH, 0), point("b", WIDTH, 0), point("a_b", 0, WIDTH / 10))
-    with pytest.raises(ValueError, match="two contact states would be called 'a_b'"):
+    with pytest.raises(ValueError, match="two modes would be called 'a_b'"):
         _ = block(contacts=points).modes
-    with pytest.raises(ValueError, match="two contact states would be called 'flight'"):
+    with pytest.raises(ValueError, match="two modes would be called 'flight'"):
         _ = block(contacts=(replace(ON_LEFT, name="flight"), ON_RIGHT)).modes
 
 
@@ -159,7 +159,7 @@ def test_a_point_between_two_walls_is_refused():
         Contact("floor", Y.position, X.position, declared.LAW),
         Contact("wall", X.position, Y.position, declared.LAW),
     )
-    with pytest.raises(ValueError, match="with floor, wall closed statics does not tell"):
+    with pytest.raises(ValueError, match="with floor, wall closed statics leaves"):
         _ = block(contacts=wedge).modes
 
 

@@ -235,7 +235,7 @@ def _turns(of: ContactDeclaration) -> None:
 def _turns_with(of: ContactDeclaration, contact: Contact, body: Body) -> None:
     """A point that is fixed to a body turns as the body says: clockwise by its rotation.
 
-    It is taken for a point of the body where its distance from the centroid never changes, the
+    It is a point of the body where its distance from the centroid never changes, the
     slip and the gap being its place in the body's axes.
     """
     gap, slip = contact.at(contact.side)

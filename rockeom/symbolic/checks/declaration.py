@@ -86,7 +86,7 @@ def _names(model: HybridModel, names: Names) -> None:
 
 
 def _distinct_symbols(model: HybridModel) -> None:
-    """Each symbol stands for one thing."""
+    """Each symbol means one thing."""
     symbols = [p.symbol for p in model.parameters] + [d.symbol for d in model.definitions]
     symbols += [s for c in model.coordinates for s in (c.position, c.velocity, c.acceleration)]
     symbols += [f.symbol for f in model.functions]
@@ -95,7 +95,7 @@ def _distinct_symbols(model: HybridModel) -> None:
     if twice:
         fail(
             model.name,
-            f"the symbol {', '.join(twice)} is declared twice, and stands for two things: "
+            f"the symbol {', '.join(twice)} is declared twice, with two meanings: "
             "give each parameter, coordinate and internal variable a symbol of its own",
         )
     reserved = {
@@ -105,7 +105,7 @@ def _distinct_symbols(model: HybridModel) -> None:
         LOAD: "the load of a pushover",
     }
     for symbol in reserved.keys() & set(symbols):
-        fail(model.name, f"the symbol {symbol} is kept for {reserved[symbol]}: choose another")
+        fail(model.name, f"the symbol {symbol} is reserved for {reserved[symbol]}: choose another")
 
 
 def _contents(model: HybridModel, expressions: Expressions) -> None:
@@ -130,13 +130,13 @@ def _kinds(model: HybridModel) -> dict[sp.Basic, str]:
 
 
 def _common_expressions(model: HybridModel) -> Expressions:
-    """Overturning, ends of members, and sizes at which coordinates have overturned."""
+    """Overturning, ends of members, and sizes at which coordinates overturn."""
     yield "overturning", model.overturning, ""
     for m in model.members:
         for at in (*m.start_at, *m.end_at):
             yield f"an end of the {m.kind} from {m.start!r} to {m.end!r}", at, ""
     for c, size in model.falls.items():
-        yield f"size at which {c.name!r} has fallen", size, ""
+        yield f"size at which {c.name!r} has overturned", size, ""
 
 
 def _sketched(model: HybridModel) -> None:

@@ -67,7 +67,7 @@ class _Sample:
         values = {**self.values, **(put or {})}
         given = [np.broadcast_to(v, _SAMPLES) for v in values.values()]
         key = contact, tuple(expressions)
-        if key not in self.functions:  # some are asked for with other values of many symbols
+        if key not in self.functions:  # some are needed with other values of many symbols
             written = [
                 self.model.in_mode(e, contact).xreplace(self.model.constants) for e in key[1]
             ]
@@ -108,7 +108,7 @@ def _invertible(model: HybridModel, mode: Mode, sample: _Sample) -> None:
 
 
 def _one_ratio(model: HybridModel, sample: _Sample) -> None:
-    """The laws of impact multiply the rate by one ratio, whichever side closes."""
+    """Impact laws multiply the rate by one ratio, whichever side closes."""
     impacts = [t for t in model.transitions if t.kind == "impact"]
     if model.rigid_velocity_ratio is not None or len(impacts) < 2:
         return

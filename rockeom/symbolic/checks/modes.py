@@ -212,7 +212,7 @@ def side_of(model: HybridModel, mode: str) -> int:
 
 
 def _impact(model: HybridModel, t: Transition, what: str) -> None:
-    """The rotation falls to zero, and the structure goes on about its other foot."""
+    """The rotation falls to zero, and the structure rocks about its other foot then."""
     side, gap = side_of(model, t.source), model.rotation.position
     name = model.rotation.name
     if side == 0 or side_of(model, t.target) != -side:
@@ -263,7 +263,7 @@ def _switch(model: HybridModel, t: Transition, what: str) -> None:
 
 
 def _pairs(model: HybridModel) -> None:
-    """A passage and the one back cannot have the same guard: each is positive in its source."""
+    """A transition and the one back cannot have the same guard: each is positive in its source."""
     switches = [t for t in model.transitions if t.kind == "switch"]
     places = {c: i for i, c in enumerate(model.mode_names)}
     by_ends = {(t.source, t.target): t for t in switches}

@@ -40,7 +40,7 @@ class Size(NamedTuple):
 
 
 def sizes(model: HybridModel) -> tuple[Size, ...]:
-    """Masses, moments of inertia, widths of bases, laws of contacts, that parameters alone give."""
+    """Masses, moments of inertia, widths and contact laws that parameters alone determine."""
     symbols = {p.symbol: p.name for p in model.parameters}
 
     def size(what: str, value: sp.Expr, may_vanish: bool, remedy: str) -> Size:

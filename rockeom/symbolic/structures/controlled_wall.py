@@ -657,7 +657,7 @@ def substitute_gravity_wall(
             Member("tendon", "ground", "wall", (e, sp.S.Zero), (e, H - Hc))
             for e in (t.eccentricity.symbol for t in cables.each)
         ),
-        overturning=sp.pi / 3,  # fallen by far; the extension (4-13) has no value at pi/2
+        overturning=sp.pi / 3,  # far beyond overturning; the extension (4-13) has no value at pi/2
         reference="thesis 4-32" if fixed else "thesis 4-37, 4-40",
     )  # fmt: skip
     return _one_ratio(_with_full_contact(model, cables) if fixed else model)

@@ -113,7 +113,7 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
     for i, element in enumerate(of.switching):
         force = _force(element.symbol_of_force, [element.name])
         value = element.force(element.shown(switch_of(i)), of.coordinates)
-        blocks += [element.law(), Display((f"{force} = {notation.write(value)}",))]
+        blocks += [element.description(), Display((f"{force} = {notation.write(value)}",))]
     if of.forces:
         works = tuple(
             rf"{_force('Q', [f.name])} = {notation.write(f.value)},"
@@ -153,12 +153,12 @@ def _mode(search: Search, mode: DerivedMode, notation: Notation) -> list[Block]:
     first = tuple(e.states[0] for e in of.switching)
     alike = {state.name: modes.signs(state) for state in served if state.elements == first}
     blocks: list[Block] = [Heading(2, f"Contact {listed(alike)}")]
-    told = [
+    words = [
         f"{', '.join(f'${notation.plain(x)} = {v:+d}$' for x, v in signs.items())} in `{name}`"
         for name, signs in alike.items()
         if signs
     ]
-    blocks += [f"One form for all: {'; '.join(told)}."] if told else []
+    blocks += [f"One form for all: {'; '.join(words)}."] if words else []
     held = [f"{notation.plain(x)} = {notation.write(e)}" for x, e in mode.place.items()]
     held += [f"{notation.plain(x)} = {notation.plain(e)}" for x, e in mode.leaning.items()]
     held += [

@@ -273,7 +273,7 @@ class Notation(LatexPrinter):
         return re.sub(r"_\{(\w)\}", r"_\1", name)
 
     def _law(self, function: sp.Expr, primes: int = 0) -> str:
-        """A law of the coordinate by its name, with a prime for each derivative."""
+        """A function of the coordinate by its name, with a prime for each derivative."""
         return self._print(sp.Symbol(function.func.__name__)) + "'" * primes
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
@@ -311,7 +311,7 @@ def _symbols(expressions) -> list[sp.Symbol]:
     return list(found)
 
 
-_gcd_terms = lru_cache(maxsize=4096)(sp.gcd_terms)  # asked for again by each form of a page
+_gcd_terms = lru_cache(maxsize=4096)(sp.gcd_terms)  # needed again by each form of a page
 
 
 def product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:

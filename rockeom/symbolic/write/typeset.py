@@ -121,7 +121,7 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
     blocks += [f"One form for both sides: {_sides(mode)}."] if mode.has_side else []
     if mode.small:
         small = ", ".join(f"${notation.plain(x)}$" for x in mode.small)
-        blocks.append(f"Energies are kept to second order in the small quantities {small}.")
+        blocks.append(f"Energies are expanded to second order in the small quantities {small}.")
     blocks.append(Heading(3, "Equations of motion"))
     if mode.coordinates:
         lines = _equation_lines(equations, mode.coordinates, notation)
@@ -200,8 +200,8 @@ def _common_guard(model: HybridModel, group: list[Transition]) -> sp.Expr | None
 def _transition(model: HybridModel, alike: list[Transition], guard: sp.Expr | None) -> list[Block]:
     first = alike[0]
     notation = Notation(model.mode(first.source), model)
-    passages = ", ".join(f"`{t.source}` to `{t.target}`" for t in alike)
-    blocks: list[Block] = [Heading(3, f"{first.kind.capitalize()}: {passages}")]
+    pairs = ", ".join(f"`{t.source}` to `{t.target}`" for t in alike)
+    blocks: list[Block] = [Heading(3, f"{first.kind.capitalize()}: {pairs}")]
     theta, rate, acceleration = (
         notation.plain(x)
         for x in (model.rotation.position, model.rotation.velocity, model.rotation.acceleration)
@@ -216,8 +216,8 @@ def _transition(model: HybridModel, alike: list[Transition], guard: sp.Expr | No
         return blocks
     ends = "The gap closes" if first.kind == "impact" else "The contact changes"
     short, *lines = _guard_lines(notation, sp.sympify(guard))
-    go_on = "" if first.kind == "impact" else "; velocities go on unchanged"
-    blocks.append(f"{ends} when ${short}$ falls through zero{go_on}{':' if lines else '.'}")
+    stays = "" if first.kind == "impact" else "; velocities stay as they are"
+    blocks.append(f"{ends} when ${short}$ falls through zero{stays}{':' if lines else '.'}")
     blocks += [Display(tuple(lines))] if lines else []
     for t in alike if first.sets else ():
         put = tuple(f"{notation.plain(x)} = {notation.plain(e)}" for x, e in t.sets.items())
