@@ -131,9 +131,9 @@ def test_a_declaration_is_refused(what):
 
 
 def test_three_feet_in_line_are_refused():
-    """Statics does not tell what each of them carries."""
+    """Statics leaves open what each of them carries."""
     between = point("middle", 0, 0)
-    with pytest.raises(ValueError, match="left, right, middle may touch at once"):
+    with pytest.raises(ValueError, match="left, right, middle may close at once"):
         _ = block(contacts=(ON_LEFT, ON_RIGHT, between)).modes
     # a little shorter it never touches with both of the others
     shorter = point("middle", 0, WIDTH / 10)
