@@ -47,8 +47,8 @@ from scipy.special import ellipk, ellipkinc
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
-from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.reactions import reactions
 from rockeom.thesis import equation
 
 use_style()

@@ -213,8 +213,8 @@ assert set(element.modes.names) == touching | {"flight"}
 # %%
 sine, cosine = sp.sin(theta.position), sp.cos(theta.position)
 for name, side, lever in [("right", 1, B - d), ("left", -1, -(B + d))]:
-    mechanism = element.mode(name)
-    matrix, forcing = (at_side(e[0], side) for e in (mechanism.mass_matrix, mechanism.forcing))
+    mode = element.mode(name)
+    matrix, forcing = (at_side(e[0], side) for e in (mode.mass_matrix, mode.forcing))
     pivot_inertia = inertia + m * (lever**2 + h**2)
     moment = -m * (g + GROUND_Y) * (lever * cosine - h * sine)
     moment -= m * GROUND_X * (h * cosine + lever * sine)

@@ -29,7 +29,6 @@ from rockeom.codes import (
 )
 from rockeom.symbolic.algebra import SIDE, brief, tidy
 from rockeom.symbolic.beds import number_of_combinations
-from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import Ending
 from rockeom.symbolic.hybrid import Search
@@ -47,6 +46,7 @@ from rockeom.symbolic.modes import (
     free_motion,
     sign_of_slip,
 )
+from rockeom.symbolic.reactions import total_reaction
 
 MOST_QUICK = 2
 """So many modes have functions of their own: each makes the program longer."""

@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Transition
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.reactions import reactions
 
 Function = Callable[[Sequence], np.ndarray]
 Table = tuple[tuple[str, ...], Function]
@@ -151,7 +151,7 @@ class NumpyMode:
     def reactions(
         self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0
     ) -> dict[str, np.ndarray]:
-        """Forces of the ground on the structure [N], each (...); see `rockeom.symbolic.contact`."""
+        """Forces of the ground on the structure [N], each (...); as in `symbolic.reactions`."""
         values = self._values(y, parameters, ax, ay)
         found = _solved(self._mass_matrix(values), self._forcing(values))
         return _named(self._reactions, [*values, *found])

@@ -12,13 +12,13 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.symbolic.algebra import tidy
-from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.contacts import Contact, ContactDeclaration
 from rockeom.symbolic.elements import Element, Spring, Switching, Unilateral, switch_of
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate
+from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.statics import equilibrium
 
 LOAD_POINT = "load"

@@ -21,8 +21,8 @@ import rockeom as rk
 from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.generated import rigid_block
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.contact import reactions
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.statics import LOAD, equilibrium
 from tests.evaluation import Values
 from tests.shipped import PINNED, plain

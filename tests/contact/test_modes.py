@@ -18,7 +18,7 @@ from rockeom.codes import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
 from rockeom.modelling.declared import class_of_model
 from rockeom.structures.contact_modes import Points
 from rockeom.symbolic.algebra import inverted, tidy
-from rockeom.symbolic.contact import total_reaction
+from rockeom.symbolic.reactions import total_reaction
 from tests.contact import declared, kkt
 
 DECLARED = {

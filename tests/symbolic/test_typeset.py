@@ -18,8 +18,8 @@ from sympy.core.function import AppliedUndef
 from rockeom.cli.plain import to_text
 from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.reactions import total_reaction
 from rockeom.symbolic.statics import pushover
 from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
 from rockeom.symbolic.write.page import LINE, Display, broken, to_latex, to_markdown, width
@@ -426,7 +426,7 @@ def test_pages_of_a_model_are_what_is_said_of_it():
 
 
 DERIVING = (
-    "model", "mode", "contacts", "modes", "hybrid", "lagrange", "impulse", "contact", "statics",
+    "model", "mode", "contacts", "modes", "hybrid", "lagrange", "impulse", "reactions", "statics",
     "evaluate", "outputs",
 )  # fmt: skip
 

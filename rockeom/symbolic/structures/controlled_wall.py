@@ -19,7 +19,6 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode, Transition
@@ -35,6 +34,7 @@ from rockeom.symbolic.model import (
     rectangle,
     turned,
 )
+from rockeom.symbolic.reactions import total_reaction
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel
 from rockeom.symbolic.structures.dirac_delta import delta, loss

@@ -7,11 +7,11 @@ from collections.abc import Iterable
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, tidy
-from rockeom.symbolic.contact import reactions, total_reaction
 from rockeom.symbolic.hybrid import HybridModel, Lowers
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Coordinate
+from rockeom.symbolic.reactions import reactions, total_reaction
 from rockeom.symbolic.statics import holding_force, pushover
 from rockeom.symbolic.write.contact_page import contact_sections, signs_of_search
 from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact

@@ -16,9 +16,9 @@ import sympy as sp
 
 from rockeom.symbolic import RockingModel, derive
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.contact import total_reaction
 from rockeom.symbolic.lagrange import body_velocity, kinetic_energy, rate
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.reactions import total_reaction
 from rockeom.symbolic.statics import LOAD, equilibrium, pushover
 from rockeom.symbolic.structures.two_spring import bilinear_pushover
 from rockeom.thesis import notation as th
