@@ -542,6 +542,6 @@ def refusal(model):
     return ""
 
 
-assert "statics does not tell" in refusal(three)
+assert "statics leaves open" in refusal(three)
 assert "springs" in refusal(three)
 print(refusal(three))
