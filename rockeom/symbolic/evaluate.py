@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
+from rockeom import renamed
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Transition
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -18,6 +19,7 @@ Table = tuple[tuple[str, ...], Function]
 """Names, and the function that gives their values."""
 
 
+@renamed.attributes(contact="name")
 class NumpyMode:
     """One mode of a model as functions of arrays.
 
@@ -35,10 +37,10 @@ class NumpyMode:
     Units are those of the model, SI. `coordinates` are the d free ones; held ones do not move.
     """
 
-    def __init__(self, model: HybridModel, contact: str) -> None:
-        mode = model.mode(contact)
+    def __init__(self, model: HybridModel, name: str) -> None:
+        mode = model.mode(name)
         self._model, self._mode = model, mode
-        self.contact = contact
+        self.name = name
         self.states = model.states
         self.parameters = tuple(p.name for p in model.parameters)
         self.coordinates = tuple(c.name for c in mode.coordinates)
@@ -54,7 +56,7 @@ class NumpyMode:
         return [*given, *self._model.constants, *q, *qd, GROUND_X, GROUND_Y]
 
     def _function(self, expressions: Iterable[sp.Expr], *more: sp.Symbol) -> Function:
-        exact = (self._model.in_mode(e, self.contact) for e in expressions)
+        exact = (self._model.in_mode(e, self.name) for e in expressions)
         return array_function([*self._arguments, *more], exact)
 
     def _table(self, named: Mapping[str, sp.Expr], *more: sp.Symbol) -> Table:
@@ -104,7 +106,7 @@ class NumpyMode:
 
     @cached_property
     def _leaving(self) -> list[Transition]:
-        return [t for t in self._model.transitions if t.source == self.contact]
+        return [t for t in self._model.transitions if t.source == self.name]
 
     @cached_property
     def _switches(self) -> Table:
@@ -186,7 +188,7 @@ class NumpyMode:
         return _common([*chosen, *y, ax, ay])
 
     def __repr__(self) -> str:
-        return f"<NumpyMode {self.contact!r} of {', '.join(self.states)}>"
+        return f"<NumpyMode {self.name!r} of {', '.join(self.states)}>"
 
 
 class _Opening:

@@ -6,6 +6,7 @@ import sympy as sp
 from sympy.simplify.fu import TR10i
 from sympy.solvers.solveset import NonlinearError
 
+from rockeom import renamed
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
@@ -29,13 +30,14 @@ def equilibrium(mode: Mode) -> sp.Matrix:
     return lacking - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
 
 
-def pushover(model: HybridModel, contact: str) -> sp.Expr:
+@renamed.arguments(contact="name")
+def pushover(model: HybridModel, name: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, as a quotient in lowest terms.
 
     See `holding_force`, of which laws are left as they are: of functions nothing is known that
     could make it simpler.
     """
-    force = sp.together(holding_force(model, contact))
+    force = sp.together(holding_force(model, name))
     if model.functions:
         return force
     above, below = map(tidy, sp.fraction(force))
@@ -44,17 +46,18 @@ def pushover(model: HybridModel, contact: str) -> sp.Expr:
     return above / below
 
 
-def holding_force(model: HybridModel, contact: str) -> sp.Expr:
+@renamed.arguments(contact="name")
+def holding_force(model: HybridModel, name: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, the other coordinates condensed.
 
     Raises NotImplementedError where the condensation has no closed form that is unique (the
     other coordinates enter non-linearly); the numeric pushover solves these. Raises ValueError
     for a mode that does not rotate.
     """
-    mode = model.mode(contact)
+    mode = model.mode(name)
     if model.rotation not in mode.coordinates:
-        raise ValueError(f"{model.name} does not rotate in the mode {contact!r}")
-    rows = [at_side(e, mode.side_of(contact)) for e in equilibrium(mode)]
+        raise ValueError(f"{model.name} does not rotate in the mode {name!r}")
+    rows = [at_side(e, mode.side_of(name)) for e in equilibrium(mode)]
     names = [c.name for c in mode.coordinates]
     turning = rows.pop(names.index(model.rotation.name))
     others = [c.position for c in mode.coordinates if c != model.rotation]
@@ -65,7 +68,7 @@ def holding_force(model: HybridModel, contact: str) -> sp.Expr:
             raise NotImplementedError(f"{model.name}: no unique closed form") from e
         turning = turning.subs(dict(zip(others, others_at, strict=True)))
     if not turning.has(LOAD):
-        raise ValueError(f"{model.name} declares no load point in {contact!r}")
+        raise ValueError(f"{model.name} declares no load point in {name!r}")
     if sp.diff(turning, LOAD, 2) != 0:
         raise NotImplementedError(f"{model.name}: the force enters non-linearly")
     slope = sp.diff(turning, LOAD)

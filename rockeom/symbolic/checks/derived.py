@@ -59,18 +59,16 @@ class _Sample:
 
     def __call__(
         self,
-        contact: str,
+        name: str,
         expressions: Iterable[sp.Expr],
         put: Mapping[sp.Symbol, Any] | None = None,
     ) -> np.ndarray:
         """Values (k, n) in a mode, those of some symbols changed."""
         values = {**self.values, **(put or {})}
         given = [np.broadcast_to(v, _SAMPLES) for v in values.values()]
-        key = contact, tuple(expressions)
+        key = name, tuple(expressions)
         if key not in self.functions:  # some are needed with other values of many symbols
-            written = [
-                self.model.in_mode(e, contact).xreplace(self.model.constants) for e in key[1]
-            ]
+            written = [self.model.in_mode(e, name).xreplace(self.model.constants) for e in key[1]]
             self.functions[key] = array_function(list(values), written)
         with np.errstate(all="ignore"):
             return self.functions[key](given)
@@ -199,9 +197,9 @@ def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
                 continue
             turns = c == model.rotation
             gains = []
-            for way, contact in ((-1, one), (1, other if turns else one)):
-                (there,) = sample(contact, [energy], {**rest, c.position: 1e-2 * way})
-                here, given = sample(contact, [energy, slope], rest)
+            for way, name in ((-1, one), (1, other if turns else one)):
+                (there,) = sample(name, [energy], {**rest, c.position: 1e-2 * way})
+                here, given = sample(name, [energy, slope], rest)
                 given = 0.0 * given if turns else 1e-2 * way * given
                 gain = there - here - given
                 gains.append(
@@ -210,7 +208,7 @@ def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
             if np.all(gains[0] * gains[1] < 0):
                 fail(
                     model.name,
-                    f"the elastic energy with contact {one!r} rises where {c.name!r} moves to one "
+                    f"the elastic energy in {one!r} rises where {c.name!r} moves to one "
                     "side and falls on the other: it must grow to either side, as k u**2/2 does, "
                     "or k s theta with the side s",
                 )

@@ -284,9 +284,9 @@ def _pushover(model: HybridModel) -> list[Block]:
         except NotImplementedError:
             continue
         mirrored = tidy(sp.numer(sp.together(lacking))) == 0
-        for contact in [right] if mirrored else by_side:
-            force = pushover(model, contact)
-            blocks.append(f"In `{contact}`:")
+        for name in [right] if mirrored else by_side:
+            force = pushover(model, name)
+            blocks.append(f"In `{name}`:")
             blocks.append(Display((f"P = {notation.quotient(force)}",)))
         if mirrored and left != right:
             blocks.append(f"In `{left}` it is the mirror image.")
