@@ -103,7 +103,7 @@ def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
     return replace(
         model,
         modes=tuple(
-            replace(phase, contacts={names.get(c, c): s for c, s in phase.contacts.items()})
+            replace(phase, sides={names.get(c, c): s for c, s in phase.sides.items()})
             for phase in model.modes
         ),
         transitions=tuple(map(other, model.transitions)),
