@@ -23,22 +23,22 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     """
     if "outcome" not in sweep:
         raise ValueError("outcome_labels: the dataset has no `outcome`: give one of simulate_many")
-    found = sweep["outcome"]
-    if found.dtype.kind in "OTU":
-        return found.astype(str)
-    meanings = str(found.attrs.get("flag_meanings", ""))
+    outcome = sweep["outcome"]
+    if outcome.dtype.kind in "OTU":
+        return outcome.astype(str)
+    meanings = str(outcome.attrs.get("flag_meanings", ""))
     words = [word.replace("_", " ") for word in meanings.split()]
-    values = np.atleast_1d(found.attrs.get("flag_values", []))
-    known = dict(zip(values.tolist(), words, strict=False))
-    strange = set(np.unique(found.values).tolist()) - set(known)
+    values = np.atleast_1d(outcome.attrs.get("flag_values", []))
+    word_of = dict(zip(values.tolist(), words, strict=False))
+    strange = set(np.unique(outcome.values).tolist()) - set(word_of)
     if len(values) != len(words) or strange:
         raise ValueError(
             f"outcome_labels: outcome is {min(strange, default='numbers')}, and its flag_values "
             f"{values.tolist()} with flag_meanings {meanings!r} do not name it"
         )
     order = np.argsort(values)
-    labels = np.array(words)[order][np.searchsorted(values[order], found.values)]
-    return found.copy(data=labels)
+    labels = np.array(words)[order][np.searchsorted(values[order], outcome.values)]
+    return outcome.copy(data=labels)
 
 
 def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:

@@ -67,8 +67,10 @@ class MeanSpectrum:
 
     def __call__(self, period: float, damping_ratio: float) -> float:
         """Mean of the largest displacements [m]; period [s]."""
-        found = [response_spectrum(m, period, damping_ratio).displacement[0] for m in self.motions]
-        return float(np.mean(found))
+        displacements = [
+            response_spectrum(m, period, damping_ratio).displacement[0] for m in self.motions
+        ]
+        return float(np.mean(displacements))
 
 
 @dataclass(frozen=True)
@@ -204,8 +206,8 @@ def check_design(
     Raises ValueError for a design that has no effective period.
     """
     rule = "there is no design to check: choose another target or spectrum"
-    found = design.outcome == DESIGNED
-    require(found, "check_design", "design.effective_period", design.effective_period, rule)
+    designed = design.outcome == DESIGNED
+    require(designed, "check_design", "design.effective_period", design.effective_period, rule)
     factors = np.ones(len(motions))
     if matched:
         for i, motion in enumerate(motions):

@@ -86,20 +86,20 @@ def restitution_envelope(
         return structure(ratio, motions[motion])
 
     over = {"ratio": [float(one) for one in r], "motion": range(len(motions))}
-    found = finished(simulate_many(case, over=over, progress=False))
-    names = [str(one) for one in found["state"].values]
+    sweep = finished(simulate_many(case, over=over, progress=False))
+    names = [str(one) for one in sweep["state"].values]
     state = names[0] if state is None else state
     if state not in names:
         raise ValueError(f"{where}: state is {state!r}: choose among {', '.join(names)}")
-    outcome = found.outcome.values
+    outcome = sweep.outcome.values
     lost = np.argwhere(~np.isin(outcome, (FALLS, *STANDS)))
     if len(lost):
         i, j = lost[0]
         raise ValueError(
             f"{where}: {len(lost)} of {outcome.size} motions give no answer, so no largest one is "
             f"known: with r = {r[i]:g} {motions[j].name!r} ends {str(outcome[i, j])!r} at "
-            f"{found.final_time.values[i, j]:.4g} s: leave it out, or change the structure"
+            f"{sweep.final_time.values[i, j]:.4g} s: leave it out, or change the structure"
         )
     overturned = outcome == FALLS
-    peaks = np.where(overturned, np.inf, found.peak.sel(state=state).values)
+    peaks = np.where(overturned, np.inf, sweep.peak.sel(state=state).values)
     return RestitutionEnvelope(r, tuple(m.name for m in motions), peaks, state, overturned)

@@ -122,12 +122,12 @@ def fema_356_rocking(
         return estimate(NO_ROCKING, 0.0)
     for _ in range(iterations):
         period = float(rocking_period(rotations[-1] / pivot.alpha, pivot.p))
-        found = _displacement(motion, period, ratio) / reach
-        rotations.append(found)
-        if found >= pivot.alpha:
+        rotation = _displacement(motion, period, ratio) / reach
+        rotations.append(rotation)
+        if rotation >= pivot.alpha:
             return estimate(OVERTURNED, np.nan)
-        if abs(found - rotations[-2]) <= tolerance * pivot.alpha:
-            return estimate(CONVERGED, found)
+        if abs(rotation - rotations[-2]) <= tolerance * pivot.alpha:
+            return estimate(CONVERGED, rotation)
     return estimate(NOT_CONVERGED, np.nan)
 
 
@@ -260,7 +260,7 @@ class FemaComparison:
                 f"{outcomes.count(o)} {o}"
                 for o in (CONVERGED, OVERTURNED, NOT_CONVERGED, NO_ROCKING)
             )
-            known = ratio[np.isfinite(ratio)]
+            finite = ratio[np.isfinite(ratio)]
             fell = np.array([o == OVERTURNED for o in outcomes])
             stood = self.answered & ~self.overturned
             text.append(
@@ -268,10 +268,10 @@ class FemaComparison:
                 f"estimate alone {(fell & stood).sum()}, by integration alone "
                 f"{(~fell & self.overturned).sum()}"
             )
-            if len(known):
+            if len(finite):
                 text.append(
-                    f"      ratio to integration of {len(known)}: median {np.median(known):.2f}, "
-                    f"from {known.min():.2f} to {known.max():.2f}; {(known > 1).sum()} above 1"
+                    f"      ratio to integration of {len(finite)}: median {np.median(finite):.2f}, "
+                    f"from {finite.min():.2f} to {finite.max():.2f}; {(finite > 1).sum()} above 1"
                 )
         return "\n".join(text)
 
@@ -297,7 +297,7 @@ def fema_356_against_integration(
     def case(motion: int) -> Case:
         return Case(block, shaken[motion], impact)
 
-    found = finished(simulate_many(case, over={"motion": range(len(shaken))}, progress=False))
+    sweep = finished(simulate_many(case, over={"motion": range(len(shaken))}, progress=False))
     estimates = [
         tuple(fema_356_rocking(block, motion, damping=which, **choices) for motion in motions)
         for which in ("2-15", "2-16")
@@ -306,7 +306,7 @@ def fema_356_against_integration(
         motions=tuple(motion.name for motion in motions),
         fema=estimates[0],
         priestley=estimates[1],
-        rotation=found.peak.sel(state="theta").values,
-        outcome=tuple(str(one) for one in found.outcome.values),
+        rotation=sweep.peak.sel(state="theta").values,
+        outcome=tuple(str(one) for one in sweep.outcome.values),
         alpha=block.alpha,
     )

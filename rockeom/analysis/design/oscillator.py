@@ -88,8 +88,8 @@ def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
 
     def fitted(yields: float) -> tuple[np.ndarray, float]:
         basis = np.array([np.minimum(u, yields) / yields, np.maximum(u - yields, 0.0)]).T
-        found = np.linalg.lstsq(basis, wanted)[0]
-        return found, float(((basis @ found - wanted) ** 2).sum())
+        coefficients = np.linalg.lstsq(basis, wanted)[0]
+        return coefficients, float(((basis @ coefficients - wanted) ** 2).sum())
 
     # the least of a scan first: the sum need not have one minimum only
     scanned = min(u[:-1], key=lambda y: fitted(y)[1])
@@ -258,8 +258,8 @@ class EquivalentOscillator:
         ground = np.array([m.acceleration(halves) for m in several]).T
         u, v = (np.full(len(several), float(x)) for x in start)
         memory = self.force.start(len(several)) if isinstance(self.force, HysteresisRule) else None
-        kept = np.empty((3, count + 1, len(several)))
-        kept[:, 0] = u, v, self._restoring(memory, u)[0]
+        recorded = np.empty((3, count + 1, len(several)))
+        recorded[:, 0] = u, v, self._restoring(memory, u)[0]
         for i in range(count):
             a_0, a_1, a_2 = ground[2 * i : 2 * i + 3]
             k1 = self._acceleration(memory, u, v, a_0)
@@ -272,13 +272,13 @@ class EquivalentOscillator:
             u = u + h / 6 * (v + 2 * v2 + 2 * v3 + v4)
             v = v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
             f, memory = self._restoring(memory, u)
-            kept[:, i + 1] = u, v, f
+            recorded[:, i + 1] = u, v, f
         if not np.isfinite(u).all():
             raise ArithmeticError(
                 "EquivalentOscillator.response: the displacement is no longer finite: the step of "
                 f"{h} s is too long, or the force does not pull back"
             )
-        parts = kept[..., 0] if isinstance(motions, GroundMotion) else kept
+        parts = recorded[..., 0] if isinstance(motions, GroundMotion) else recorded
         return OscillatorResponse(h * np.arange(count + 1), *parts)
 
     def _restoring(

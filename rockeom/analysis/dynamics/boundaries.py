@@ -121,8 +121,8 @@ class _Line:
             )
         size = np.abs(self.values(0.5)).max() / np.abs(self.end - self.start).max()
         place = brentq(self.steepness, 0.0, 1.0, xtol=max(accuracy * size, 1e-15), rtol=1e-15)
-        known = [x for x in self.runs if self.gradient(x).any()]
-        nearest = min(known or [place], key=lambda x: abs(x - place))
+        sloped = [x for x in self.runs if self.gradient(x).any()]
+        nearest = min(sloped or [place], key=lambda x: abs(x - place))
         normal = self.gradient(nearest) * (1.0 if self.run(nearest).fate == below else -1.0)
         return OverturningPoint(
             dict(zip(self.names, self.values(place).tolist(), strict=True)),
@@ -191,11 +191,11 @@ class _Run:
 
     def gradient(self, passages: int) -> np.ndarray:
         """Gradient of the time of the event after so many passages, overturning included."""
-        for found in self.longer():
-            if len(found.event_times) > passages:
-                slope = found.event_times[passages]
-            elif found.response.t[-1] < found.response.duration:  # it has overturned
-                slope = found.end_time
+        for motion in self.longer():
+            if len(motion.event_times) > passages:
+                slope = motion.event_times[passages]
+            elif motion.response.t[-1] < motion.response.duration:  # it has overturned
+                slope = motion.end_time
             else:
                 continue
             return np.nan_to_num(slope, posinf=0.0, neginf=0.0)
@@ -290,20 +290,20 @@ class _Walk:
         self, point: OverturningPoint, sign: float, most: int
     ) -> tuple[list[OverturningPoint], str]:
         """Those on one side of a point, and why there are no more."""
-        found: list[OverturningPoint] = []
+        followed: list[OverturningPoint] = []
         step = self.step
-        while len(found) < most:
+        while len(followed) < most:
             if not self.contains(self.scaled(point) + step * self.along(point, sign)):
-                return found, "left what is within"
+                return followed, "left what is within"
             following = self.next(point, sign, step)
             if following is not None:
-                found.append(following)
+                followed.append(following)
                 point, step = following, min(1.5 * step, self.step)
             elif step > 0.01 * self.step:
                 step *= 0.5
             else:
-                return found, "the boundary between these fates ends"
-        return found, f"{most} points"
+                return followed, "the boundary between these fates ends"
+        return followed, f"{most} points"
 
     def next(self, point: OverturningPoint, sign: float, step: float) -> OverturningPoint | None:
         """The point one step on, or None where the fates are others or the boundary bends more."""
@@ -316,10 +316,10 @@ class _Walk:
             line = _Line(self.case, self.names, start, end, self.options)
             if line.fates == self.fates:
                 try:
-                    found = line.point(self.accuracy)
+                    following = line.point(self.accuracy)
                 except ValueError:
                     return None
-                return found if self.along(found, sign) @ along > _STRAIGHT else None
+                return following if self.along(following, sign) @ along > _STRAIGHT else None
         return None
 
 

@@ -152,9 +152,9 @@ class OrbitBranch:
 
     def at_impacts(self, name: str) -> np.ndarray:
         """(k, m) a state just before the impacts of each motion, nan where one has fewer than m."""
-        found = [orbit.at_impacts(name) for orbit in self.orbits]
-        table = np.full((len(found), max(map(len, found))), np.nan)
-        for row, values in zip(table, found, strict=True):
+        rows = [orbit.at_impacts(name) for orbit in self.orbits]
+        table = np.full((len(rows), max(map(len, rows))), np.nan)
+        for row, values in zip(table, rows, strict=True):
             row[: len(values)] = values
         return table
 
@@ -255,9 +255,9 @@ class _Follower:
 
     def value(self, z: np.ndarray) -> float:
         """The value of the parameter; a bound, where they differ by rounding alone."""
-        found = float(z[-1] * self.scale[-1])
-        near = min(self.bounds, key=lambda bound: abs(bound - found))
-        return near if abs(near - found) < 1e-14 * abs(near) else found
+        value = float(z[-1] * self.scale[-1])
+        near = min(self.bounds, key=lambda bound: abs(bound - value))
+        return near if abs(near - value) < 1e-14 * abs(near) else value
 
     def shot(self, z: np.ndarray) -> Shooting:
         """The shooting from z; ArithmeticError where it has not the events of the branch."""
@@ -281,8 +281,8 @@ class _Follower:
     def way(jacobian: np.ndarray, before: np.ndarray) -> np.ndarray:
         """Unit vector along the branch, forward as seen from the one before."""
         bordered = np.vstack([jacobian, before])
-        found = Shooting.solve(bordered, np.append(np.zeros(len(before) - 1), 1.0))
-        return found / np.linalg.norm(found)
+        tangent = Shooting.solve(bordered, np.append(np.zeros(len(before) - 1), 1.0))
+        return tangent / np.linalg.norm(tangent)
 
     def corrected(self, anchor: np.ndarray, way: np.ndarray) -> _Point:
         """The motion of the branch in the plane through the anchor across the way.
@@ -303,11 +303,11 @@ class _Follower:
         """Functions that change their sign at bifurcations, by kind."""
         multipliers = point.orbit.multipliers
         flip = FLIPS[0] if self._half(point.orbit) else FLIPS[1]
-        found = {flip: np.prod(multipliers + 1).real}
+        values = {flip: np.prod(multipliers + 1).real}
         if point.crossing:
-            return found
+            return values
         bordered = np.vstack([point.jacobian, point.way])
-        return {"fold": point.way[-1], "branch point": np.linalg.det(bordered)} | found
+        return {"fold": point.way[-1], "branch point": np.linalg.det(bordered)} | values
 
     @staticmethod
     def _half(orbit: PeriodicOrbit) -> bool:
@@ -341,9 +341,9 @@ class _Follower:
         """The point of a bound, which the step from here to there passes."""
         part = (bound / self.scale[-1] - here.z[-1]) / (there[-1] - here.z[-1])
         across = np.append(np.zeros(len(here.z) - 1), 1.0)
-        found = self.corrected(here.z + part * (there - here.z), across)
-        z = np.append(found.z[:-1], bound / self.scale[-1])
-        return found._replace(z=z, way=self.way(found.jacobian, here.way))
+        point = self.corrected(here.z + part * (there - here.z), across)
+        z = np.append(point.z[:-1], bound / self.scale[-1])
+        return point._replace(z=z, way=self.way(point.jacobian, here.way))
 
     def passed(self, here: _Point, there: _Point) -> list[tuple[Bifurcation, _Point]]:
         """The bifurcations between two points, in their order."""
@@ -351,9 +351,9 @@ class _Follower:
         changed = [kind for kind, value in before.items() if value * after[kind] < 0]
         if "branch point" in changed and "fold" in changed:  # it turns where it meets another
             changed.remove("fold")
-        found = [(kind, self._located(kind, here, there)) for kind in changed]
-        found.sort(key=lambda one: here.way @ one[1].z)
-        return [(Bifurcation(kind, self.value(at.z), at.orbit), at) for kind, at in found]
+        located = [(kind, self._located(kind, here, there)) for kind in changed]
+        located.sort(key=lambda one: here.way @ one[1].z)
+        return [(Bifurcation(kind, self.value(at.z), at.orbit), at) for kind, at in located]
 
     def _located(self, kind: str, start: _Point, end: _Point) -> _Point:
         """Where between two points a test changes its sign."""
@@ -410,7 +410,7 @@ def _followed(
         here = points[-1]
         try:
             there, ended = follower.next(here, length, first if len(points) > 10 else None)
-            found = follower.passed(here, there)
+            passed = follower.passed(here, there)
         except ArithmeticError as error:
             length, ended = length / 2, ""
             if length < _SHORTEST:
@@ -421,8 +421,8 @@ def _followed(
         except KeyboardInterrupt:
             ended = _INTERRUPTED
             continue
-        bifurcations += [bifurcation for bifurcation, _ in found]
-        points += [*(point for _, point in found), there]
+        bifurcations += [bifurcation for bifurcation, _ in passed]
+        points += [*(point for _, point in passed), there]
         if any(b.kind in until for b in bifurcations):
             ended = f"a {bifurcations[-1].kind} was reached"
         elif not ended and len(points) >= _MOST:
@@ -497,17 +497,17 @@ def period_doublings(
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
     branch = finished(orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS))
-    found: list[Bifurcation] = []
+    doublings: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
-        found.append(flips[0])
-        if sum(one.kind == FLIPS[1] for one in found) == number:
+        doublings.append(flips[0])
+        if sum(one.kind == FLIPS[1] for one in doublings) == number:
             break
-        here, last = found[-1].value, float(between[1])
-        if len(found) > 1:  # the next is likely to be half as far as this end
-            ahead = here + (here - found[-2].value) / 2
+        here, last = doublings[-1].value, float(between[1])
+        if len(doublings) > 1:  # the next is likely to be half as far as this end
+            ahead = here + (here - doublings[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        branch = finished(branch.switched(found[-1], (here, last), step=0.1, until=FLIPS))
-    return Cascade(tuple(found))
+        branch = finished(branch.switched(doublings[-1], (here, last), step=0.1, until=FLIPS))
+    return Cascade(tuple(doublings))
 
 
 def bifurcation_value(
@@ -560,19 +560,19 @@ def continued_orbits(
     not near the last: at a fold, where this orbit meets another and both end, or because the steps
     are too long.
     """
-    found: list[PeriodicOrbit] = []
+    orbits: list[PeriodicOrbit] = []
     for index, value in enumerate(values):
-        at: Mapping[str, float] | ArrayLike = found[-1].looks if found else guess
-        if len(found) > 1:
+        at: Mapping[str, float] | ArrayLike = orbits[-1].looks if orbits else guess
+        if len(orbits) > 1:
             ratio = (value - values[index - 1]) / (values[index - 1] - values[index - 2])
-            at = found[-1].looks + ratio * (found[-1].looks - found[-2].looks)
+            at = orbits[-1].looks + ratio * (orbits[-1].looks - orbits[-2].looks)
         try:
             orbit = stroboscope(value).orbit(at, cycles)
         except ArithmeticError:
-            if not found:
+            if not orbits:
                 raise
             break
-        if found and (np.abs(orbit.state - found[-1].state) > _REACH * found[-1].size).any():
+        if orbits and (np.abs(orbit.state - orbits[-1].state) > _REACH * orbits[-1].size).any():
             break
-        found.append(orbit)
-    return found
+        orbits.append(orbit)
+    return orbits

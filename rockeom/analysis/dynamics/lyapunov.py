@@ -202,16 +202,16 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
         for name, value, along in zip(one.states, motion.state, _free(one, motion), strict=True)
     }
     case = Case(one.structure, one.motion, one.impact, start, one.period, phase=motion.mode or None)
-    found = tangents(case, one.options)
-    run = found.response
+    propagated = tangents(case, one.options)
+    run = propagated.response
     if run.outcome not in STANDS:
         raise ArithmeticError(
             f"lyapunov_spectrum: no cycle {k + 1} from {motion.state}: {run.outcome.sentence}"
         )
-    if found.grazing:
-        raise ArithmeticError(f"lyapunov_spectrum: cycle {k + 1}: {found.grazing}")
+    if propagated.grazing:
+        raise ArithmeticError(f"lyapunov_spectrum: cycle {k + 1}: {propagated.grazing}")
     rows = [run.states.index(name) for name in one.states]
-    directions, grown = np.linalg.qr(found.end[rows])
+    directions, grown = np.linalg.qr(propagated.end[rows])
     stretched = np.abs(np.diag(grown))
     stretched[stretched < _NOISE * stretched.max()] = 0.0
     with np.errstate(divide="ignore"):
@@ -221,9 +221,9 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
 
 def _free(one: StroboscopicMap, motion: _Motion) -> np.ndarray:
     """(n, n) the directions that contacts leave free: no rotation in full contact."""
-    found = motion.directions.copy()
+    free = motion.directions.copy()
     if one.structure.rocks_on_rigid_ground and motion.mode == "both":
         m = one.structure.module
         at_rest = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
-        found[[name in at_rest for name in one.states]] = 0.0
-    return found
+        free[[name in at_rest for name in one.states]] = 0.0
+    return free

@@ -165,8 +165,8 @@ class PeriodicOrbit:
 
     @property
     def multipliers(self) -> np.ndarray:
-        found = np.linalg.eigvals(self.derivative).astype(complex)
-        return found[np.lexsort((-found.imag, -np.abs(found)))]
+        values = np.linalg.eigvals(self.derivative).astype(complex)
+        return values[np.lexsort((-values.imag, -np.abs(values)))]
 
     @property
     def stable(self) -> bool:
@@ -276,17 +276,17 @@ class StroboscopicMap:
     upward: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        known = self.structure.states
+        states = self.structure.states
         for argument in ("states", "upward"):
-            unknown = [name for name in getattr(self, argument) if name not in known]
+            unknown = [name for name in getattr(self, argument) if name not in states]
             if unknown:
                 raise ValueError(
                     f"StroboscopicMap: {argument} has {unknown[0]!r}: choose among "
-                    f"{', '.join(known)}"
+                    f"{', '.join(states)}"
                 )
         self._check_period()
         if not self.states:
-            object.__setattr__(self, "states", known)
+            object.__setattr__(self, "states", states)
         if self.options is None:
             object.__setattr__(self, "options", SolverOptions(rtol=1e-12, atol=1e-14))
 
@@ -329,10 +329,10 @@ class StroboscopicMap:
 
         initial : by name, what is not named being zero, or (n,) in the order of `states`.
         """
-        found = [self._vector(initial)]
+        states = [self._vector(initial)]
         for _ in range(cycles):
-            found.append(self._next(found[-1]))
-        return np.array(found)
+            states.append(self._next(states[-1]))
+        return np.array(states)
 
     def derivative(self, state: Mapping[str, float] | ArrayLike, cycles: int = 1) -> np.ndarray:
         """(n, n) derivatives of the state after `cycles` by that before, exact to the tolerance.
@@ -350,13 +350,13 @@ class StroboscopicMap:
         self._check_stands(x)
         n, columns = len(self.states), self._columns
         sign = self.mirror[columns]
-        found = [self._tangents(one, n + more) for one in x]
+        cycles = [self._tangents(one, n + more) for one in x]
         size = np.max(
-            [np.abs(f.response.steps.powers[:, 0, columns]).max(axis=0) for f in found], 0
+            [np.abs(f.response.steps.powers[:, 0, columns]).max(axis=0) for f in cycles], 0
         )
-        tangents = np.array([sign[:, None] * f.end[columns] for f in found])
-        after = np.array([sign * f.response.end[columns] for f in found])
-        runs = tuple(f.response for f in found)
+        tangents = np.array([sign[:, None] * f.end[columns] for f in cycles])
+        after = np.array([sign * f.response.end[columns] for f in cycles])
+        runs = tuple(f.response for f in cycles)
         return Shooting(x, after, tangents[:, :, :n], tangents[:, :, n:], runs, size)
 
     def orbit(
@@ -471,11 +471,11 @@ class StroboscopicMap:
         """The cycle from a state, with derivatives in m directions, those of the state first."""
         initial = self._named([Dual(v, e) for v, e in zip(x, np.eye(len(x), m), strict=True)])
         case = Case(self.structure, self.motion, self.impact, initial, self.cycle)
-        found = tangents(case, self.options)
-        _check_ended(found.response, x)
-        if found.grazing:
-            raise GrazingError(f"StroboscopicMap: no derivative from {x}: {found.grazing}")
-        return found
+        propagated = tangents(case, self.options)
+        _check_ended(propagated.response, x)
+        if propagated.grazing:
+            raise GrazingError(f"StroboscopicMap: no derivative from {x}: {propagated.grazing}")
+        return propagated
 
 
 def _check_ended(run: Response, x: np.ndarray) -> None:

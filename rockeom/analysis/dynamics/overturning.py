@@ -56,8 +56,8 @@ def impacts_before_overturning(sweep: xr.Dataset, most: int | None = None) -> xr
     """
     labels = outcome_labels(sweep)
     impacts = sweep["impacts"].astype(float)
-    known = labels.isin((FALLS, *STANDS))
-    return impacts.clip(max=most).where(labels == FALLS, np.inf).where(known)
+    answered = labels.isin((FALLS, *STANDS))
+    return impacts.clip(max=most).where(labels == FALLS, np.inf).where(answered)
 
 
 # --- families of pulses
@@ -149,11 +149,11 @@ def overturning_boundaries(
     (parts,) = positive("overturning_boundaries", accuracy=accuracy)
     fates = _Fates(case, most, {"arrays": arrays, "options": options, "threads": threads})
     if "low" in sweep and sweep["low"].dims == (_DIM,):
-        found = _Brackets.of(sweep)
+        brackets = _Brackets.of(sweep)
     else:
         check_finished("overturning_boundaries", sweep)
-        found = _neighbours(sweep, _along(sweep, along), fates)
-    return _halved(found, float(parts), fates, progress)
+        brackets = _neighbours(sweep, _along(sweep, along), fates)
+    return _halved(brackets, float(parts), fates, progress)
 
 
 @dataclass(frozen=True)
@@ -167,8 +167,8 @@ class _Fates:
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
-        found = finished(simulate_many(self.case, table, progress=False, **self.how))
-        return impacts_before_overturning(found, self.most).values
+        sweep = finished(simulate_many(self.case, table, progress=False, **self.how))
+        return impacts_before_overturning(sweep, self.most).values
 
 
 _DIM = "boundary"
@@ -192,10 +192,10 @@ class _Brackets:
     above: np.ndarray
 
     @classmethod
-    def of(cls, found: xr.Dataset) -> _Brackets:
+    def of(cls, boundaries: xr.Dataset) -> _Brackets:
         """The intervals of a previous result."""
-        at = {str(name): found[name].values for name in found.coords}
-        return cls(at, found["along"].values, *(found[name].values for name in _NUMBERS))
+        at = {str(name): boundaries[name].values for name in boundaries.coords}
+        return cls(at, boundaries["along"].values, *(boundaries[name].values for name in _NUMBERS))
 
     @classmethod
     def joined(cls, some: Sequence[_Brackets]) -> _Brackets:
@@ -238,8 +238,8 @@ class _Brackets:
         """In the order of the names' values."""
         at = self.with_middles()
         order = np.lexsort([*reversed(at.values()), self.along])
-        found = {name: (_DIM, getattr(self, name)[order]) for name in ("along", *_NUMBERS)}
-        return xr.Dataset(found, {name: (_DIM, values[order]) for name, values in at.items()})
+        columns = {name: (_DIM, getattr(self, name)[order]) for name in ("along", *_NUMBERS)}
+        return xr.Dataset(columns, {name: (_DIM, values[order]) for name, values in at.items()})
 
 
 def _along(sweep: xr.Dataset, asked: str | Sequence[str]) -> list[str]:
@@ -266,15 +266,17 @@ def _neighbours(sweep: xr.Dataset, along: Sequence[str], fates: _Fates) -> _Brac
     ordered = sweep.sortby(list(along))
     there = impacts_before_overturning(ordered, fates.most)
     values = {str(name): ordered[name].values for name in there.dims}
-    found, sure = there.values.copy(), np.zeros(there.shape, dtype=bool)
+    known_fates, sure = there.values.copy(), np.zeros(there.shape, dtype=bool)
     while True:
-        pairs = [(name, *_differ(found, list(values).index(name))) for name in along]
+        pairs = [(name, *_differ(known_fates, list(values).index(name))) for name in along]
         ends = np.concatenate([end for _, *both in pairs for end in both])
         ends = np.unique(ends[~sure[tuple(ends.T)]], axis=0)
         if not len(ends):
-            return _Brackets.joined([_of_pairs(values, found, *pair) for pair in pairs])
+            return _Brackets.joined([_of_pairs(values, known_fates, *pair) for pair in pairs])
         places = tuple(ends.T)
-        found[places] = fates({n: v[i] for (n, v), i in zip(values.items(), places, strict=True)})
+        known_fates[places] = fates(
+            {n: v[i] for (n, v), i in zip(values.items(), places, strict=True)}
+        )
         sure[places] = True
 
 
@@ -295,8 +297,8 @@ def _of_pairs(
 ) -> _Brackets:
     at = {n: v[i] for (n, v), i in zip(values.items(), low.T, strict=True)}
     ends = (values[name][i[:, list(values).index(name)]].astype(float) for i in (low, high))
-    known = (fates[tuple(i.T)] for i in (low, high))
-    return _Brackets(at, np.full(len(low), name), *ends, *known)
+    both = (fates[tuple(i.T)] for i in (low, high))
+    return _Brackets(at, np.full(len(low), name), *ends, *both)
 
 
 def _halved(
@@ -313,11 +315,11 @@ def _halved(
                 ended.append(brackets[narrow])
                 brackets = brackets[~narrow]
                 if len(brackets):
-                    found = fates(brackets.with_middles())
-                    bar.add(len(found))
-                    lost = np.isnan(found)
+                    middle_fates = fates(brackets.with_middles())
+                    bar.add(len(middle_fates))
+                    lost = np.isnan(middle_fates)
                     ended.append(brackets[lost])
-                    brackets = brackets[~lost].halves(found[~lost])
+                    brackets = brackets[~lost].halves(middle_fates[~lost])
         except KeyboardInterrupt:
             interrupted = 1
     whole = _Brackets.joined([*ended, brackets]).dataset()
@@ -359,12 +361,12 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
     onset = (boundaries["along"] == y) & np.isinf(boundaries["below"])
     if not onset.any():
         raise ValueError(f"minimum_overturning: nothing that stands overturns along {y}")
-    found = boundaries.isel({_DIM: np.flatnonzero(onset.values)})
-    order = np.lexsort([found[y].values, found[x].values])
-    at, first = np.unique(found[x].values[order], return_index=True)
+    onsets = boundaries.isel({_DIM: np.flatnonzero(onset.values)})
+    order = np.lexsort([onsets[y].values, onsets[x].values])
+    at, first = np.unique(onsets[x].values[order], return_index=True)
     least = order[first]
     return xr.DataArray(
-        found[y].values[least], {x: at, "impacts": (x, found["above"].values[least])}, [x], y
+        onsets[y].values[least], {x: at, "impacts": (x, onsets["above"].values[least])}, [x], y
     )
 
 

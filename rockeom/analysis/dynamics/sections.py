@@ -113,17 +113,17 @@ def poincare_sections(
         for k in range(cycles):
             count.append(motions.go(1, f"cycle_{k}")["impacts"])
             strobe.append(motions.y.copy())
-        found = {"strobe": np.stack(strobe, axis=1), "count": np.stack(count, axis=1)}
+        recorded = {"strobe": np.stack(strobe, axis=1), "count": np.stack(count, axis=1)}
         if impacts:
             parts = [
                 again.go(stride, f"impacts_{k}", impacts * stride)
                 for k, stride in enumerate(plan.strides(cycles))
             ]
             for name in ("impact_time", "impact_state"):
-                found[name] = np.concatenate([part[name] for part in parts], axis=1)
-            found["impact_time"] %= again.periods[:, None]
+                recorded[name] = np.concatenate([part[name] for part in parts], axis=1)
+            recorded["impact_time"] %= again.periods[:, None]
             motions.interrupted |= again.interrupted
-    return plan.dataset(motions, found)
+    return plan.dataset(motions, recorded)
 
 
 # --- which motions end on the same orbit
@@ -203,22 +203,22 @@ def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
 
     require(0.0 < level < 1.0, "basin_stability", "level", level, "it lies between 0 and 1")
     fate = basins["fate"]
-    known = fate.values[fate.values > UNKNOWN]
-    if not len(known):
+    answered = fate.values[fate.values > UNKNOWN]
+    if not len(answered):
         raise ValueError("basin_stability: no start has an answer: run the sections again")
     values = fate.attrs["flag_values"][1:]
     words = [word.replace("_", " ") for word in fate.attrs["flag_meanings"].split()[1:]]
-    number = np.array([(known == value).sum() for value in values])
-    bounds = [binomtest(k, len(known)).proportion_ci(level, method="wilson") for k in number]
+    number = np.array([(answered == value).sum() for value in values])
+    bounds = [binomtest(k, len(answered)).proportion_ci(level, method="wilson") for k in number]
     return xr.Dataset(
         {
-            "share": ("fate", number / len(known)),
+            "share": ("fate", number / len(answered)),
             "low": ("fate", [one.low for one in bounds]),
             "high": ("fate", [one.high for one in bounds]),
             "number": ("fate", number),
         },
         {"fate": words},
-        {"starts": len(known), "level": level},
+        {"starts": len(answered), "level": level},
     )
 
 
@@ -228,7 +228,7 @@ def _orbits(looks: np.ndarray, tolerance: float) -> tuple[np.ndarray, list[tuple
     looks (n, c + 1, N) : scaled.
     """
     cycles = _cycles(looks, tolerance)
-    found = np.full(len(looks), NOT_PERIODIC)
+    orbits = np.full(len(looks), NOT_PERIODIC)
     left = np.flatnonzero(cycles)
     groups: list[np.ndarray] = []
     while len(left):
@@ -240,18 +240,18 @@ def _orbits(looks: np.ndarray, tolerance: float) -> tuple[np.ndarray, list[tuple
         left = left[~mine]
     groups.sort(key=len, reverse=True)
     for number, group in enumerate(groups, 1):
-        found[group] = number
-    return found, [(int(group[0]), int(cycles[group[0]])) for group in groups]
+        orbits[group] = number
+    return orbits, [(int(group[0]), int(cycles[group[0]])) for group in groups]
 
 
 def _cycles(looks: np.ndarray, tolerance: float) -> np.ndarray:
     """(n,) after how many cycles each motion repeats itself, 0 if it does not."""
-    found = np.zeros(len(looks), dtype=int)
+    periods = np.zeros(len(looks), dtype=int)
     for k in range(1, (looks.shape[1] - 1) // 2 + 1):
-        left = np.flatnonzero(found == 0)
+        left = np.flatnonzero(periods == 0)
         gap = np.abs(looks[left, k:] - looks[left, :-k]).max(axis=(1, 2))
-        found[left[gap <= tolerance]] = k
-    return found
+        periods[left[gap <= tolerance]] = k
+    return periods
 
 
 # --- how motions are followed
@@ -299,7 +299,7 @@ class _Plan:
         whole, rest = divmod(settling, longest)
         return [longest] * whole + [rest] * (rest > 0)
 
-    def dataset(self, motions: _Motions, kept: Mapping[str, np.ndarray]) -> xr.Dataset:
+    def dataset(self, motions: _Motions, recorded: Mapping[str, np.ndarray]) -> xr.Dataset:
         module = self.maps[0].structure.module
         seconds = in_udunits(time_unit(module))
         units = [in_udunits(units_of(module)[name]) for name in module.STATES]
@@ -310,17 +310,17 @@ class _Plan:
         def shaped(a: np.ndarray, name: str, *others: str, **attrs: Any) -> Any:
             return (*dims, *others), a.reshape(shape + a.shape[1:]), {"long_name": name, **attrs}
 
-        found = {
+        variables = {
             "outcome": shaped(motions.outcome.astype(str), "outcome"),
-            "strobe": shaped(kept["strobe"], "state at the start of a cycle", "look", "state"),
-            "impact_count": shaped(kept["count"], "impacts of the cycle", "cycle", units="1"),
+            "strobe": shaped(recorded["strobe"], "state at the start of a cycle", "look", "state"),
+            "impact_count": shaped(recorded["count"], "impacts of the cycle", "cycle", units="1"),
         }
-        if "impact_state" in kept:
-            times, states = kept["impact_time"], kept["impact_state"]
+        if "impact_state" in recorded:
+            times, states = recorded["impact_time"], recorded["impact_state"]
             each = "impact", "side", "state"
-            found["impact_time"] = shaped(times, "time in the cycle", "impact", units=seconds)
-            found["impact_state"] = shaped(states, "state at the impact", *each)
-            found["side"] = "side", ["before", "after"], {"long_name": "side of the impact"}
+            variables["impact_time"] = shaped(times, "time in the cycle", "impact", units=seconds)
+            variables["impact_state"] = shaped(states, "state at the impact", *each)
+            variables["side"] = "side", ["before", "after"], {"long_name": "side of the impact"}
         coordinates = {
             **({} if names is None else names.coordinates()),
             **of_starts.coordinates(),
@@ -330,7 +330,7 @@ class _Plan:
         for name, unit in zip(module.STATES, units, strict=True):
             if name in coordinates:
                 coordinates[name][2].update(units=unit, long_name=f"initial {name}")
-        made = xr.Dataset(found, coordinates).rename({ROW: "start"} if ROW in dims else {})
+        made = xr.Dataset(variables, coordinates).rename({ROW: "start"} if ROW in dims else {})
         starts = " ".join("start" if name == ROW else name for name in of_starts.dims)
         interrupted = int(motions.interrupted)
         return made.assign_attrs(model=module.NAME, starts=starts, interrupted=interrupted)
@@ -339,23 +339,23 @@ class _Plan:
 def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     """The map of each value; TypeError for anything else, ValueError for another structure."""
     if over is None:
-        found = [stroboscope]
+        stroboscopes = [stroboscope]
     elif not callable(stroboscope):
         raise TypeError(
             f"stroboscope is {told(stroboscope)}: with `over`, give a function that makes a map"
         )
     else:
-        found = [stroboscope(**over.named(row)) for row in range(over.total)]
-    maps = np.empty(len(found), dtype=object)
-    for i, one in enumerate(found):
+        stroboscopes = [stroboscope(**over.named(row)) for row in range(over.total)]
+    maps = np.empty(len(stroboscopes), dtype=object)
+    for i, one in enumerate(stroboscopes):
         if not isinstance(one, StroboscopicMap):
             raise TypeError(
                 f"stroboscope is {told(one)}: give an analysis.dynamics.StroboscopicMap"
             )
-        if one.structure.module is not found[0].structure.module:
+        if one.structure.module is not stroboscopes[0].structure.module:
             raise ValueError(
                 f"poincare_sections: {one.structure.model} comes after "
-                f"{found[0].structure.model}: follow each model by itself"
+                f"{stroboscopes[0].structure.model}: follow each model by itself"
             )
         maps[i] = one
     return maps
@@ -363,16 +363,16 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
 
 def _states(starts: Cases, structure: Structure) -> np.ndarray:
     """(k, N) states at the start; of contacts that may open, heights follow from the rest."""
-    known = structure.states
-    y = np.zeros((starts.total, len(known)))
+    names = structure.states
+    y = np.zeros((starts.total, len(names)))
     places = starts.places(np.arange(starts.total))
     for (name, values), place in zip(starts.values.items(), places, strict=True):
-        if name not in known:
+        if name not in names:
             raise ValueError(
-                f"poincare_sections: starts has {name!r}: choose among {', '.join(known)}"
+                f"poincare_sections: starts has {name!r}: choose among {', '.join(names)}"
             )
         (column,) = numbers("poincare_sections", **{f"starts[{name!r}]": values})
-        y[:, known.index(name)] = column[place]
+        y[:, names.index(name)] = column[place]
     if structure.stands_on_points:
         return np.array([structure.state(starts.named(row)) for row in range(starts.total)])
     return y
@@ -413,7 +413,7 @@ class _Motions:
         many; nan of those that do not stand behind them.
         """
         n, width = self.y.shape
-        found = {
+        recorded = {
             "impacts": np.full(n, np.nan),
             "impact_time": np.full((n, impacts), np.nan),
             "impact_state": np.full((n, impacts, 2, width), np.nan),
@@ -426,13 +426,13 @@ class _Motions:
             self.outcome[there] = sweep["outcome"].values
             self.phase[there] = sweep["final_phase"].values
             self.y[there] = np.where(stands[:, None], sweep["final"].values, np.nan)
-            for key in found if impacts else ("impacts",):
-                found[key][there[stands]] = sweep[key].values[stands]
+            for key in recorded if impacts else ("impacts",):
+                recorded[key][there[stands]] = sweep[key].values[stands]
         if self.interrupted:
             self.y[:] = np.nan
             self.outcome[np.isin(self.outcome, STANDS)] = NOT_RUN
         self.how.line.add(n * cycles)
-        return found
+        return recorded
 
     def _swept(self, there: np.ndarray, cycles: int, name: str, impacts: int) -> xr.Dataset:
         def case(stroboscope: StroboscopicMap, phase: str, **state: float) -> Case:

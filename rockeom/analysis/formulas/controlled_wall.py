@@ -155,8 +155,8 @@ class Tendon:
         they give all of these, the 177 mm2 of 4.2 does not. The stiffness is that at 75.6 kN for
         any initial force, as 4-44 has it.
         """
-        known = cls.between_anchors(3.1, 205e9, 176.7e-6, 900e6, 75.6e3)
-        return cls(known.stiffness, initial_force, known.yield_force)
+        tendon = cls.between_anchors(3.1, 205e9, 176.7e-6, 900e6, 75.6e3)
+        return cls(tendon.stiffness, initial_force, tendon.yield_force)
 
     @property
     def initial_extension(self) -> float:
@@ -621,9 +621,9 @@ class _Held:
         self._contact = np.where(elastic < 0, contact("_slack"), self._contact)
         self._contact = np.where(self._beyond > 0, contact("_yield"), self._contact)
 
-    def _named(self, function: str, *given: float) -> dict[str, np.ndarray]:
-        found = at_states(self._wall, function, self._contact, self._y, *given)
-        return {name: value.reshape(self._shape) for name, value in found.items()}
+    def _named(self, function: str, *arguments: float) -> dict[str, np.ndarray]:
+        values = at_states(self._wall, function, self._contact, self._y, *arguments)
+        return {name: value.reshape(self._shape) for name, value in values.items()}
 
     @property
     def force(self) -> np.ndarray:

@@ -105,7 +105,7 @@ def stable_slenderness(
     velocity, p, gravity = positive(
         where, spectral_velocity=spectral_velocity, p=p, gravity=gravity
     )
-    found = p * velocity / gravity
+    angle = p * velocity / gravity
     rule = "so strong a motion overturns any slender block"
-    require(found < np.pi / 2, where, "spectral_velocity", velocity, rule)
-    return found
+    require(angle < np.pi / 2, where, "spectral_velocity", velocity, rule)
+    return angle

@@ -64,8 +64,8 @@ def energy_ratio_of_block(
     """
     where = "energy_ratio_of_block"
     alpha = slenderness(where, alpha)
-    given = {"inertia": inertia, "mass": mass, "radius": radius}
-    missing = [name for name, value in given.items() if value is None]
+    properties = {"inertia": inertia, "mass": mass, "radius": radius}
+    missing = [name for name, value in properties.items() if value is None]
     if inertia is None or mass is None or radius is None:
         if len(missing) < 3:
             raise ValueError(

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom import renamed
 from rockeom.numbers.arguments import numbers
 from rockeom.numbers.checks import near
 from rockeom.structures.evaluation import at_states
@@ -50,9 +51,9 @@ def static_energy(
     the rotation; the rotation if not given.
     Raises ValueError where there is no equilibrium or no such quantity.
     """
-    (given,) = numbers("static_energy", rotation=rotation)
-    y = equilibrium_states(structure, given.ravel(), quantity)
-    return energies_of_states(structure, y).total.reshape(given.shape)
+    (values,) = numbers("static_energy", rotation=rotation)
+    y = equilibrium_states(structure, values.ravel(), quantity)
+    return energies_of_states(structure, y).total.reshape(values.shape)
 
 
 def energies_of_states(
@@ -67,21 +68,22 @@ def energies_of_states(
         contact = np.array([structure.contact(state) for state in y], dtype=int)
     upright = np.zeros((1, structure.module.N_STATES))
     still = at_states(structure, "energies", np.array([structure.contact(upright[0])]), upright)
-    found = at_states(structure, "energies", contact, y)
-    kinetic, gravity, elastic = (found[name] - still[name] for name in structure.module.ENERGIES)
+    energies = at_states(structure, "energies", contact, y)
+    kinetic, gravity, elastic = (energies[name] - still[name] for name in structure.module.ENERGIES)
     return Energies(gravity, elastic, kinetic)
 
 
+@renamed.arguments(given="values")
 def equilibrium_states(
-    structure: Structure, given: ArrayLike, quantity: str | None = None
+    structure: Structure, values: ArrayLike, quantity: str | None = None
 ) -> np.ndarray:
     """(n, N) states of equilibrium under a force at the load point.
 
-    given (n,) : rotations of the structure, or values of the quantity named, as in
+    values (n,) : rotations of the structure, or values of the quantity named, as in
     `static_energy`. Below the value at which the structure uplifts, in full contact, all
     displacements are in proportion to it.
     """
-    (wanted,) = numbers("equilibrium_states", given=given)
+    (wanted,) = numbers("equilibrium_states", values=values)
     m = structure.module
     if quantity in (None, m.STATES[m.ROTATION]):
         return np.array([_equilibrium(structure, x) for x in wanted]).reshape(-1, m.N_STATES)

@@ -73,15 +73,15 @@ def fitted_peaks(
     free = record.free_vibration(channel, smallest)
     t, x, noise = record.time, record[channel], record.noise[channel]
     at, quarters = free.time, np.diff(free.time)
-    found = []
+    rows = []
     for i in np.flatnonzero(free.at_peak):
         # between crossings a half-cycle is the same forward and backward, about its peak
         before = at[i - 1] if i else at[i] - quarters[0]
         after = at[i + 1] if i + 1 < len(at) else at[i] + quarters[-1]
         middle = (before + after) / 2
         near = np.abs(t - middle) <= reach * (after - before) / 2
-        found.append(_fitted_peak(t[near], x[near], noise, at[i], free.displacement[i]))
-    return Peaks(*(np.array(column) for column in zip(*found, strict=True)))
+        rows.append(_fitted_peak(t[near], x[near], noise, at[i], free.displacement[i]))
+    return Peaks(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
 class PeakChange(NamedTuple):
@@ -277,9 +277,9 @@ class Impacts:
         relative = np.broadcast_to(sigma, x.shape) * slope / u
         ratio = u[1:] / u[:-1]
         half_width = COVERED * ratio * np.hypot(relative[1:], relative[:-1])
-        kept = u[:-1] >= least
+        counted = u[:-1] >= least
         speed = [_speed(structure, a, b) for a, b in zip(y[:-1], u[:-1], strict=True)]
-        found = cls(
+        impacts = cls(
             time=(t[1:] + t[:-1]) / 2,
             foot=np.where(x[1:] > 0, "right", "left"),
             speed=np.array(speed),
@@ -289,7 +289,7 @@ class Impacts:
             energy_after=u[1:],
             half_width=half_width,
         )
-        return found.select(kept)
+        return impacts.select(counted)
 
     @property
     def energy_ratio(self) -> np.ndarray:

@@ -55,9 +55,9 @@ def support_forces_of_record(
     """
     where = "support_forces_of_record"
     positive(where, mass=mass, window=window)
-    known = record.with_derivatives(channel, window, degree)
-    theta, rate, second = (known[channel + end] for end in ("", "_dot", "_ddot"))
-    sigma = [known.noise[channel + end].level for end in ("", "_dot", "_ddot")]
+    derived = record.with_derivatives(channel, window, degree)
+    theta, rate, second = (derived[channel + end] for end in ("", "_dot", "_ddot"))
+    sigma = [derived.noise[channel + end].level for end in ("", "_dot", "_ddot")]
     side = np.where(theta >= 0, 1.0, -1.0)
     ground = np.zeros_like(theta) if ground_acceleration is None else record[ground_acceleration]
 
@@ -70,11 +70,11 @@ def support_forces_of_record(
             )
         )  # fmt: skip
 
-    found = forces(theta, rate, second)
+    values = forces(theta, rate, second)
     # a straight window is symmetric: errors of the rate and of the second derivative are
     # uncorrelated; that of the rotation counts for next to nothing
     steps = np.diag(np.where(np.array(sigma) > 0, sigma, 1e-9))
-    changes = [forces(theta + h[0], rate + h[1], second + h[2]) - found for h in steps]
+    changes = [forces(theta + h[0], rate + h[1], second + h[2]) - values for h in steps]
     half_widths = COVERED * np.sqrt(sum(np.square(c) for c in changes))
     crossings = np.flatnonzero(side[1:] != side[:-1])
     reach = round(window / record.step / 2) + 1
@@ -83,7 +83,7 @@ def support_forces_of_record(
         smooth[max(k - reach, 0) : k + reach + 2] = False
     edge = reach - 1  # there the polynomial is one-sided, and noisier than stated
     smooth[:edge] = smooth[len(smooth) - edge :] = False
-    (h, v), (h_width, v_width) = found, half_widths
+    (h, v), (h_width, v_width) = values, half_widths
     return SupportForces(record.time, h, v, h_width, v_width, smooth)
 
 
@@ -132,7 +132,7 @@ def impact_forces_of_record(
     fall of the centroid, is in no derivative of the rotation.
     The expected values are those of such a jump; the excess of a record may be the impact's own.
     """
-    found = support_forces_of_record(
+    support = support_forces_of_record(
         record, mass=mass, alpha=alpha, radius=radius, window=window, channel=channel,
         degree=degree, gravity=gravity,
     )  # fmt: skip
@@ -142,7 +142,7 @@ def impact_forces_of_record(
     horizontal, vertical = np.empty(len(before)), np.empty(len(before))
     for n, instant in enumerate(crossings):
         near = np.abs(record.time - instant) <= window / 2
-        h, v = found.horizontal[near], found.vertical[near]
+        h, v = support.horizontal[near], support.vertical[near]
         horizontal[n], vertical[n] = h[np.argmax(np.abs(h))], v[np.argmax(np.abs(v))]
     base_h, base_v = block_reactions_at_impact(before, side, radius_ratio=radius_ratio, **shape)
     spike = np.abs(after - before) * kink_gain(record.step, window, degree) * mass * radius
@@ -170,12 +170,12 @@ def kink_gain(step: float, window: float, degree: int = 4) -> float:
     positive(where, step=step, window=window)
     not_negative(where, degree=degree)
     n = 4 * (round(window / step) + 2)
-    found = 0.0
+    largest = 0.0
     for place in np.linspace(0.0, 1.0, 9):
         t = step * (np.arange(2 * n + 1) - n - place)
         bend = MeasuredRecord(t, {"x": np.maximum(t, 0.0)}, {"x": 0.0})
-        found = max(found, float(np.max(bend.with_derivatives("x", window, degree)["x_ddot"])))
-    return found
+        largest = max(largest, float(np.max(bend.with_derivatives("x", window, degree)["x_ddot"])))
+    return largest
 
 
 def _rates_at_crossings(record: MeasuredRecord, channel: str) -> np.ndarray:
@@ -185,7 +185,7 @@ def _rates_at_crossings(record: MeasuredRecord, channel: str) -> np.ndarray:
     """
     t, x = record.time, record[channel]
     at = record.free_vibration(channel).time
-    found = []
+    crossings = []
     for peak, instant, next_peak in zip(at[:-2:2], at[1:-1:2], at[2::2], strict=True):
         rates = []
         for start, end in (
@@ -195,6 +195,6 @@ def _rates_at_crossings(record: MeasuredRecord, channel: str) -> np.ndarray:
             near = (t > start) & (t < end)
             enough = near.sum() >= 6
             rates.append(np.polyfit(t[near] - instant, x[near], 3)[2] if enough else np.nan)
-        found.append((instant, *rates))
-    rows = np.array(found).reshape(-1, 3)
+        crossings.append((instant, *rates))
+    rows = np.array(crossings).reshape(-1, 3)
     return rows[np.isfinite(rows).all(axis=1)]

@@ -69,7 +69,7 @@ class MeasuredRecord:
         mean = (t[-1] - t[0]) / (len(t) - 1)
         even = np.abs(t - t[0] - mean * np.arange(len(t))) < 0.1 * mean
         require(even, where, "time", t, "the steps are not even: resample to an even step")
-        found = {}
+        channels = {}
         for name, values in self.channels.items():
             (x,) = numbers(where, **{name: values})
             if x.shape != t.shape:
@@ -77,20 +77,20 @@ class MeasuredRecord:
                     f"{where}: {name} has the shape {x.shape}, time has {t.shape}: give one value "
                     "for each instant"
                 )
-            found[name] = x
-        unknown = [n for n in self.noise if n not in found]
+            channels[name] = x
+        unknown = [n for n in self.noise if n not in channels]
         if unknown:
-            raise ValueError(f"{where}: noise of {unknown}, which are no channels of {[*found]}")
-        noise = {n: self._own_noise(t, n, x) for n, x in found.items()}
+            raise ValueError(f"{where}: noise of {unknown}, which are no channels of {[*channels]}")
+        noise = {n: self._own_noise(t, n, x) for n, x in channels.items()}
         object.__setattr__(self, "time", t)
-        object.__setattr__(self, "channels", found)
+        object.__setattr__(self, "channels", channels)
         object.__setattr__(self, "noise", noise)
 
     def _own_noise(self, t: np.ndarray, name: str, x: np.ndarray) -> Noise:
-        given = self.noise.get(name)
-        if isinstance(given, Noise):
-            return given
-        return Noise.white(noise_level(t, x) if given is None else given)
+        stated = self.noise.get(name)
+        if isinstance(stated, Noise):
+            return stated
+        return Noise.white(noise_level(t, x) if stated is None else stated)
 
     @classmethod
     def from_csv(

@@ -47,8 +47,8 @@ def swings(run: Response, quantity: str = "displacement", number: int = 10) -> S
     def at(times: np.ndarray) -> np.ndarray:
         times = np.clip(times, 0.0, end)
         if quantity in run.states:  # without the samples of a whole response
-            found = run.steps.at(times.ravel(), "right")[0][:, run.states.index(quantity)]
-            return found.reshape(times.shape)
+            values = run.steps.at(times.ravel(), "right")[0][:, run.states.index(quantity)]
+            return values.reshape(times.shape)
         return run.at(np.minimum(times, run.t[-1]), names=(quantity,))[quantity]
 
     grid = np.unique(np.append(start[:, None] + length[:, None] * np.arange(8) / 8, end))
@@ -119,23 +119,23 @@ def swing_tangents(
     if carried.grazing:
         raise ValueError(f"the swings have no derivatives: {carried.grazing}")
     run = carried.response
-    found = swings(run, quantity, number)
-    there, crossed = found.peak != 0.0, found.crossing_time < run.t[-1]
-    beside = BESIDE * np.abs(found.crossing_time - found.peak_time)
+    nominal = swings(run, quantity, number)
+    there, crossed = nominal.peak != 0.0, nominal.crossing_time < run.t[-1]
+    beside = BESIDE * np.abs(nominal.crossing_time - nominal.peak_time)
     times = np.stack(
         [
-            found.peak_time,
-            np.maximum(found.peak_time - beside, 0.0),
-            np.minimum(found.peak_time + beside, run.t[-1]),
-            found.crossing_time,
+            nominal.peak_time,
+            np.maximum(nominal.peak_time - beside, 0.0),
+            np.minimum(nominal.peak_time + beside, run.t[-1]),
+            nominal.crossing_time,
         ]
     )
     along = _along(carried, quantity, times.ravel()).reshape(*times.shape, -1)
     by, rate = along[..., :-1], along[..., -1]
-    turns = there & (found.peak_time > 0.0)  # others are those of the start
+    turns = there & (nominal.peak_time > 0.0)  # others are those of the start
     peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
     crossing_time = _quotient(by[3], rate[3], crossed)
-    for row, time in enumerate(found.crossing_time):  # at an impact the rate jumps
+    for row, time in enumerate(nominal.crossing_time):  # at an impact the rate jumps
         (at,) = np.nonzero(np.abs(run.passages[0] - time) <= beside[row])
         if len(at):
             crossing_time[row] = carried.event_times[at[0]]
@@ -155,11 +155,11 @@ def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
     ]
     rates = filled(run.structure, "rates", module.N_STATES, contact, y, *ground)
     by = np.append(carried.at(times), rates.T[..., None], axis=2)
-    found = [
+    values = [
         quantity_of(module, quantity, int(of), with_tangent(*row), moving)
         for of, *row in zip(contact, y, by, strict=True)
     ]
-    return tangent_of(np.array(found, dtype=object), m + 1)
+    return tangent_of(np.array(values, dtype=object), m + 1)
 
 
 def _quotient(by: np.ndarray, rate: np.ndarray, which: np.ndarray) -> np.ndarray:

@@ -140,8 +140,8 @@ def fragility_of(
     exceeds = fell
     if demand is not None and limit is not None:
         exceeds = fell | (peaks_of(sweep, demand) >= limit)
-    im, known, hit = xr.broadcast(sweep[intensity], answered, exceeds)
-    rows = known.values.ravel()
+    im, counted, hit = xr.broadcast(sweep[intensity], answered, exceeds)
+    rows = counted.values.ravel()
     return fit_fragility(
         im.values.ravel()[rows], hit.values.ravel()[rows], left_out=int((~rows).sum())
     )
@@ -177,21 +177,21 @@ def _probit(columns: np.ndarray, hits: np.ndarray, of: np.ndarray) -> tuple[np.n
 
     By Fisher's scoring. The likelihood is concave: a step is halved until it gains.
     """
-    found, best = np.zeros(2), -np.inf
+    coefficients, best = np.zeros(2), -np.inf
     step = np.zeros(2)
     for _ in range(_ROUNDS):
-        deviates = columns @ (found + step)
+        deviates = columns @ (coefficients + step)
         above, below = log_ndtr(deviates), log_ndtr(-deviates)
         likelihood = float(hits @ above + (of - hits) @ below)
         if likelihood < best - 1e-12 * abs(best):
             step = step / 2
             continue
-        found, best = found + step, likelihood
+        coefficients, best = coefficients + step, likelihood
         density = -0.5 * deviates**2 - 0.5 * np.log(2 * np.pi)
         score = columns.T @ (hits * np.exp(density - above) - (of - hits) * np.exp(density - below))
         weights = of * np.exp(2 * density - above - below)
         information = columns.T @ (weights[:, None] * columns)
         step = np.linalg.solve(information, score)
-        if np.abs(step).max() <= 1e-13 * np.abs(found).max():
-            return found, information
-    return found, information
+        if np.abs(step).max() <= 1e-13 * np.abs(coefficients).max():
+            return coefficients, information
+    return coefficients, information

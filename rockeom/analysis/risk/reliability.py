@@ -131,8 +131,8 @@ class MonteCarlo:
         from scipy.stats import binomtest  # takes long to import
 
         require(0.0 < level < 1.0, "interval", "level", level, "it lies between 0 and 1, as 0.95")
-        found = binomtest(self.failures, self.number).proportion_ci(level)
-        return float(found.low), float(found.high)
+        bounds = binomtest(self.failures, self.number).proportion_ci(level)
+        return float(bounds.low), float(bounds.high)
 
     def __repr__(self) -> str:
         low, high = self.interval()
@@ -290,15 +290,15 @@ class _Space:
 
     def table(self, u: np.ndarray) -> np.ndarray:
         """Rows for `simulate_many`, of deviates u (n, k)."""
-        found = np.empty(len(u), dtype=[(name, float) for name in self.names])
+        rows = np.empty(len(u), dtype=[(name, float) for name in self.names])
         for name, column in zip(self.names, self.columns(u), strict=True):
-            found[name] = column
-        return found
+            rows[name] = column
+        return rows
 
     def values(self, u: np.ndarray) -> dict[str, float]:
         """Values by name, of deviates u (k,)."""
-        found = (float(x) for x in self.columns(u))
-        return dict(zip(self.names, found, strict=True))
+        columns = (float(x) for x in self.columns(u))
+        return dict(zip(self.names, columns, strict=True))
 
     def duals(self, u: np.ndarray) -> dict[str, Dual]:
         """Values by name with their derivatives by u, of deviates u (k,)."""
@@ -428,11 +428,11 @@ class _Smooth:
         """The limit state and its gradient (k,) at deviates u (k,)."""
         self.runs += 1
         values = self.space.duals(u)
-        found = self.limit_state(**values)
-        if isinstance(found, Dual):
-            value, slope = float(found.value), found.tangent
+        limit_state = self.limit_state(**values)
+        if isinstance(limit_state, Dual):
+            value, slope = float(limit_state.value), limit_state.tangent
         else:
-            value, slope = float(found), np.zeros(len(u))
+            value, slope = float(limit_state), np.zeros(len(u))
         if value == -math.inf:
             return value, np.zeros(len(u))
         if not (math.isfinite(value) and np.all(np.isfinite(slope))):
@@ -469,8 +469,8 @@ class _Smooth:
     def _expected(self, ray: np.ndarray) -> float:
         """Where a ray meets the plane that the boundary was like where the last one met it."""
         along = float(self.slope @ ray)
-        found = float(self.slope @ self.met) / along if along else 0.0
-        return found if 0.0 < found < self.reach else float(np.linalg.norm(self.met))
+        distance = float(self.slope @ self.met) / along if along else 0.0
+        return distance if 0.0 < distance < self.reach else float(np.linalg.norm(self.met))
 
 
 def _within(low: float, high: float, wanted: float, reach: float) -> float:
@@ -492,12 +492,12 @@ class _Margin:
     options: SolverOptions | None
 
     def __call__(self, **parameters: Dual) -> Any:
-        found = tangents(self.case(**parameters), self.options)
-        if found.response.outcome == FALLS:
+        propagated = tangents(self.case(**parameters), self.options)
+        if propagated.response.outcome == FALLS:
             return -math.inf
-        peak = answer(f"peak {self.demand}", found)
-        if found.grazing and not np.all(np.isfinite(peak.tangent)):
-            raise ValueError(f"the peak of {self.demand} has no derivatives: {found.grazing}")
+        peak = answer(f"peak {self.demand}", propagated)
+        if propagated.grazing and not np.all(np.isfinite(peak.tangent)):
+            raise ValueError(f"the peak of {self.demand} has no derivatives: {propagated.grazing}")
         return 1.0 - peak / self.limit
 
 
@@ -521,8 +521,8 @@ class _Condition:
 
     def quantities(self, one: Case) -> tuple[str, ...]:
         """Quantities that `simulate_many` must record of the cases; one : any of them."""
-        known = self.demand is None or self.demand in one.structure.states
-        return () if known else (str(self.demand),)
+        recorded = self.demand is None or self.demand in one.structure.states
+        return () if recorded else (str(self.demand),)
 
     def of_sweep(self, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:
         """(n,) which cases of a sweep fail, and (n,) which gave an answer."""
@@ -573,8 +573,8 @@ class _Fates:
         u = places[None, 1:, None] * rays[:, None, :]
         changed = self._fail(u.reshape(-1, rays.shape[1])).reshape(len(rays), RAYS) != self.failed
         index = np.argmax(changed, axis=1)
-        found = np.stack([places[index], places[index + 1]], axis=1)
-        return np.where(changed.any(axis=1)[:, None], found, math.inf)
+        changes = np.stack([places[index], places[index + 1]], axis=1)
+        return np.where(changed.any(axis=1)[:, None], changes, math.inf)
 
     def towards_failure(self) -> np.ndarray:
         """The ray to begin with: the normal of a plane through where the axes meet the surface."""
@@ -619,11 +619,11 @@ class _Overturning:
         stands, falls = (high, low) if self.fates.failed else (low, high)
         time, duration, name = self._parting(stands * ray, falls * ray)
         case = self.fates.case(**self.space.duals(stands * ray))
-        found = tangents(replace(case, duration=duration), self.fates.options)
+        propagated = tangents(replace(case, duration=duration), self.fates.options)
         self.own_runs += 1
-        slope = found.at(np.array([time]))[0, found.response.states.index(name)]
+        slope = propagated.at(np.array([time]))[0, propagated.response.states.index(name)]
         if not np.all(np.isfinite(slope)):
-            raise ValueError(f"the boundary of overturning has no normal: {found.grazing}")
+            raise ValueError(f"the boundary of overturning has no normal: {propagated.grazing}")
         return _unit(slope) * np.sign(slope @ ray)
 
     def _run(self, u: np.ndarray, duration: float | None = None) -> Response:
