@@ -319,48 +319,32 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
     """
     mode, t, h_next, last_error = motion.mode, motion.t, motion.h_next, motion.last_error
     taken, p, y, k, y_new = motion.taken, case.p, a.y, a.k, a.y_new
-    rocks = rocking(mode)
-    side = SIDES[mode]
-    nx, gx = segment_at(case.horizontal, ground.n_x, t)
-    ny, gy = segment_at(case.vertical, ground.n_y, t)
-    unjudged, jumped = -1.0, False
+    unjudged, jumped, now = -1.0, False, ground
     most, extremes = min(turn, case.max_steps - 1), recorder.extremes
     while taken <= most:
-        if t >= gx[1]:
-            before_x = ground_acceleration(gx, t)
-            nx, gx = segment_at(case.horizontal, nx, t)
-            if jumps(before_x, ground_acceleration(gx, t)):
-                jumped = True
-                break
-        if t >= gy[1]:
-            before_y = ground_acceleration(gy, t)
-            ny, gy = segment_at(case.vertical, ny, t)
-            if jumps(before_y, ground_acceleration(gy, t)):
-                jumped = True
-                break
-        if not t < case.t_end or not (rocks or straight(gx, gy)):
+        if t >= now.x[1] or t >= now.y[1]:
+            now, jumped = next_segments(now, t, case)
+        if jumped or not t < case.t_end or not (rocking(mode) or straight(now.x, now.y)):
             break
-        last = min(gx[1], gy[1], case.t_end)
-        span = min(gx[1] - gx[0], gy[1] - gy[0])
-        equal = case.fixed > 0 and t >= motion.refined_to and span < np.inf
-        proposed = span / case.fixed if equal else h_next
+        last = end_of_segments(now, case)
+        proposed, equal = proposed_step(h_next, t, motion.refined_to, now, case)
         h = min(proposed, case.h_max)
         cut = t + 1.1 * h >= last
         if cut:
             h = last - t
         taken += 1
-        error = take_step(mode, t, h, y, p, gx, gy, case.rtol, case.atol, k, y_new)
-        gap = gap_at_ends(side, h, y, y_new, k)
+        error = take_step(mode, t, h, y, p, now.x, now.y, case.rtol, case.atol, k, y_new)
+        gap = gap_at_ends(SIDES[mode], h, y, y_new, k)
         open_ = stays_open(gap, -1)
         if HELD >= 0 and mode == HELD:
-            open_ = stays_on_both_feet(t, h, y, y_new, k, p, gx)
+            open_ = stays_on_both_feet(t, h, y, y_new, k, p, now.x)
         ordinary = error <= (most_error(case.rtol) if equal else 1.0) and finite_end(k) and open_
         if not ordinary or may_fall(case.fallen, gap, h, y, y_new, k, p):
             unjudged = error
             break
         if records_extremes(recorder):
             if widens(extremes, h, y, y_new, k):
-                dense_output(mode, t, h, y, p, gx, gy, k, a.coefficients)
+                dense_output(mode, t, h, y, p, now.x, now.y, k, a.coefficients)
                 widen_within(extremes, a.coefficients)
             widen(extremes, y_new)
         h_next = proposed
@@ -370,18 +354,11 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
         for i in range(N_STATES):
             y[i] = y_new[i]
             k[i] = k[END + i]
-    return (
-        motion._replace(
-            t=t,
-            h_next=h_next,
-            last_error=last_error,
-            taken=taken,
-            rate_stale=jumped,
-            guard_due=motion.guard_due or jumped,
-        ),
-        Ground(nx, gx, ny, gy),
-        unjudged,
-    )
+    left = motion._replace(
+        t=t, h_next=h_next, last_error=last_error, taken=taken, rate_stale=jumped,
+        guard_due=motion.guard_due or jumped,
+    )  # fmt: skip
+    return left, now, unjudged
 
 
 # -- a step ----------------------------------------------------------------------------------------
@@ -421,9 +398,7 @@ def plan(motion, ground, case, a):
     """The next step: cut where a segment of the ground ends, and where a hop clearly does."""
     mode, t = motion.mode, motion.t
     end = end_of_segments(ground, case)
-    span = min(ground.x[1] - ground.x[0], ground.y[1] - ground.y[0])
-    equal = case.fixed > 0 and t >= motion.refined_to and span < np.inf
-    h_next = span / case.fixed if equal else motion.h_next
+    h_next, equal = proposed_step(motion.h_next, t, motion.refined_to, ground, case)
     still = motion.still or cannot_move(mode, a.k, a.y, case.p)
     proposed = np.inf if still else h_next
     h = min(proposed, case.h_max)
@@ -452,6 +427,14 @@ def plan(motion, ground, case, a):
         h_next=h_next, last_error=motion.last_error, refined_to=motion.refined_to,
         refined=motion.refined, taken=motion.taken + int(stands), outcome=COMPLETED,
     )  # fmt: skip
+
+
+@inlined
+def proposed_step(h_next, t, refined_to, ground, case):
+    """(length, whether it is an equal one), by the control of the error or by the segment."""
+    span = min(ground.x[1] - ground.x[0], ground.y[1] - ground.y[0])
+    equal = case.fixed > 0 and t >= refined_to and span < np.inf
+    return span / case.fixed if equal else h_next, equal
 
 
 @inlined
